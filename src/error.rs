@@ -1,0 +1,118 @@
+//! What can be wrong with an input: which quantity, its value, the inequality it breaks.
+
+use core::fmt::{self, Display};
+
+/// A physical or dimensionless quantity that an input names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// Mass m of the body.
+    Mass,
+    /// Stiffness k of the spring.
+    Stiffness,
+    /// Friction bound r_y, the greatest force friction can carry.
+    FrictionBound,
+    /// Amplitude p₀ of the driving force.
+    ForceAmplitude,
+    /// Amplitude u_g0 of the base motion.
+    BaseAmplitude,
+    /// Angular frequency ω_d of the drive.
+    AngularFrequency,
+    /// Frequency ratio Ω = ω_d/ω_n.
+    FrequencyRatio,
+    /// Force ratio α = p₀/r_y.
+    ForceRatio,
+    /// Friction displacement B = r_y/k.
+    FrictionDisplacement,
+    /// Velocity scale B ω_d.
+    VelocityScale,
+    /// Time scale 1/ω_d.
+    TimeScale,
+    /// Pseudo-elastic stiffness m ω_d².
+    PseudoStiffness,
+    /// Lossless static elastic energy p₀²/(2k).
+    StaticEnergy,
+    /// Lossless static pseudo-elastic energy p₀²/(2 m ω_d²).
+    PseudoStaticEnergy,
+}
+
+impl Quantity {
+    /// The name and the symbol, as error messages print them.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Mass => "mass m",
+            Self::Stiffness => "stiffness k",
+            Self::FrictionBound => "friction bound r_y",
+            Self::ForceAmplitude => "force amplitude p₀",
+            Self::BaseAmplitude => "base amplitude u_g0",
+            Self::AngularFrequency => "angular frequency ω_d",
+            Self::FrequencyRatio => "frequency ratio Ω",
+            Self::ForceRatio => "force ratio α",
+            Self::FrictionDisplacement => "friction displacement B = r_y/k",
+            Self::VelocityScale => "velocity scale B ω_d",
+            Self::TimeScale => "time scale 1/ω_d",
+            Self::PseudoStiffness => "pseudo-elastic stiffness m ω_d²",
+            Self::StaticEnergy => "static elastic energy p₀²/(2k)",
+            Self::PseudoStaticEnergy => "static pseudo-elastic energy p₀²/(2 m ω_d²)",
+        }
+    }
+}
+
+impl Display for Quantity {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// Why there is no answer. Values are printed with all the digits that tell them apart.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// NaN or an infinity where a number is due.
+    #[error("{quantity} = {value} must be finite")]
+    NotFinite {
+        /// What it is.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+    },
+    /// Zero or negative where only a positive number makes sense.
+    #[error("{quantity} = {value} must be > 0")]
+    NotPositive {
+        /// What it is.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+    },
+    /// So small or so large that a result could under- or overflow.
+    #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
+    OutOfRange {
+        /// What it is.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+        /// Least admissible value.
+        least: String,
+        /// Greatest admissible value.
+        greatest: String,
+    },
+    /// No non-sticking cycle: the force ratio is below the border.
+    #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
+    Sticks {
+        /// Frequency ratio Ω.
+        omega: String,
+        /// Force ratio α.
+        alpha: String,
+        /// Least force ratio without sticking, α_min(Ω).
+        least: String,
+    },
+    /// No bounded motion: Ω = 1 and α above 4/π.
+    #[error(
+        "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
+    )]
+    Unbounded {
+        /// Force ratio α.
+        alpha: String,
+    },
+}

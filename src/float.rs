@@ -1,0 +1,97 @@
+//! The number type every formula is written over.
+//!
+//! Two layers. [`Real`] is what a *formula* needs: the field operations, roots, circular functions,
+//! small integers and ratios, π. [`Float`] is what a *decision* needs on top: order, precision, and a
+//! way to and from `f64`. A formula asks for `Real` only, so that a value which cannot be compared (a
+//! symbolic one) still runs through it; a choice of branch or a stopping rule asks for `Float`.
+//!
+//! Both are `Copy`: generic code reads like the page it came from. Constants are integers and ratios
+//! of integers ([`Real::int`], [`Real::ratio`]), never decimal literals, so no formula carries the
+//! rounding of a type narrower than its own.
+
+use core::fmt::{Debug, Display};
+use core::ops::Neg;
+use num_traits::NumOps;
+
+mod primitive;
+
+/// What a formula needs of its numbers.
+///
+/// Domains and special values are those of IEEE 754 where the type has them: `sqrt(−1)` is NaN.
+pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
+    /// The integer `n`, exactly.
+    fn int(n: i32) -> Self;
+    /// π, rounded once.
+    fn pi() -> Self;
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// `|self|`.
+    fn abs(self) -> Self;
+    /// `(sin self, cos self)`, the argument in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// `tan self`, the argument in radians.
+    fn tan(self) -> Self;
+    /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
+    fn atan2(self, x: Self) -> Self;
+    /// `√(self² + other²)` without needless overflow or underflow.
+    fn hypot(self, other: Self) -> Self;
+    /// `self · a + b` with one rounding.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+
+    /// The ratio `p/q`, rounded once.
+    #[inline]
+    fn ratio(p: i32, q: i32) -> Self {
+        Self::int(p) / Self::int(q)
+    }
+    /// `sin self`.
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// `cos self`.
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+    /// `self²`.
+    #[inline]
+    fn square(self) -> Self {
+        self * self
+    }
+}
+
+/// What a decision needs of its numbers: order, precision, range.
+pub trait Float: Real + PartialOrd + Display {
+    /// Bits of the significand: 24 for `f32`, 53 for `f64`.
+    const PRECISION: u32;
+    /// Largest exponent `e` for which frequency ratios in `[2⁻ᵉ, 2ᵉ]` and force ratios up to `2ᵉ`
+    /// keep every closed form of this crate free of overflow and underflow: about a quarter of the
+    /// type's own exponent range.
+    const RATIO_EXPONENT: i32;
+
+    /// The distance from 1 to the next larger number.
+    fn epsilon() -> Self;
+    /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].
+    fn exp2i(e: i32) -> Self;
+    /// The nearest `f64` (to within one unit in the last place).
+    fn to_f64(self) -> f64;
+    /// The number nearest to `x`; exact where the type is at least as wide as `f64`.
+    fn from_f64(x: f64) -> Self;
+    /// The largest integer not above `self`.
+    fn floor(self) -> Self;
+    /// The integer nearest to `self`.
+    fn round(self) -> Self;
+    /// Neither infinite nor NaN.
+    fn is_finite(self) -> bool;
+
+    /// The larger of two numbers; `self` where they are unordered.
+    #[inline]
+    fn or_larger(self, other: Self) -> Self {
+        if other > self { other } else { self }
+    }
+    /// `|self|` with the sign of `sign`; a zero of either sign counts as positive.
+    #[inline]
+    fn with_sign_of(self, sign: Self) -> Self {
+        if sign < Self::int(0) { -self.abs() } else { self.abs() }
+    }
+}

@@ -1,0 +1,82 @@
+//! The harmonically forced Coulomb-friction oscillator
+//!
+//! ```text
+//! m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t          (eq. 1)
+//! ```
+//!
+//! in closed form: whether the body sticks, how far and how fast it moves and when, how much force keeps
+//! it from sticking, how much it dissipates. Written once over a number type ([`Float`]), after H.-K. Hong
+//! and C.-S. Liu, “Non-sticking oscillation formulae for Coulomb friction under harmonic loading”, *Journal of
+//! Sound and Vibration* **244** (2001) 883–898, whose equation numbers are used throughout, and exact where
+//! the paper is not (`docs/errata.md`).
+//!
+//! ```
+//! use stickslip::{Drive, Oscillator, Regime, Response, Scales};
+//! // 50 kN s²/m on 1000 kN/m, friction bound 5 kN, shaken with 12 kN at 2π rad/s
+//! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
+//! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
+//! let answer = Response::new(drive.ratios(&body)?);
+//! assert_eq!(answer.regime(), Regime::NonSticking);
+//! let amplitude = answer.cycle().map(|c| c.max_displacement() * Scales::new(&body, &drive).unwrap().length);
+//! assert!((amplitude.unwrap() - 0.010368).abs() < 1e-6); // metres
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+//!
+//! # From input to answer
+//!
+//! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
+//! [`Response`]; [`Scales`] leads back to physical units.
+//!
+//! # Symbols
+//!
+//! | symbol | in code | meaning | unit |
+//! |---|---|---|---|
+//! | m, k, r_y | [`Oscillator`] | mass, stiffness, friction bound | |
+//! | p₀, u_g0, ω_d | [`Drive`] | force amplitude, base amplitude, angular frequency | |
+//! | ω_n | [`Oscillator::natural_frequency`] | √(k/m) | |
+//! | B | [`Oscillator::friction_displacement`] | r_y/k | length |
+//! | Ω, α | [`Ratios`] | ω_d/ω_n, p₀/r_y | 1 |
+//! | A | [`Ratios::forced_amplitude`] | p₀/(k(1 − Ω²)) | B |
+//! | T | [`PhaseFunction::tangent`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
+//! | K | [`PhaseFunction::value`] | (1 − Ω²) T/Ω | 1 |
+//! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | maximum displacement, its phase | B, rad |
+//! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | maximum velocity, its phase | Bω_d, rad |
+//! | Δ₁ | [`Cycle::deviation`] | displacement at the maximum velocity | B |
+//! | α_min | [`Border::min_force_ratio`] | least force ratio without sticking | 1 |
+//! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
+//! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
+//! | λ | [`Cycle::contraction`] | largest multiplier per half cycle | 1 |
+//!
+//! # Features
+//!
+//! * default: the library, for `f32` and `f64`;
+//! * `cli`: the command `stickslip`.
+
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::wildcard_enum_match_arm,
+        reason = "a failing test may panic"
+    )
+)]
+
+mod error;
+pub mod float;
+pub mod nonsticking;
+mod oscillator;
+pub mod phase_function;
+mod ratios;
+mod response;
+mod root;
+
+pub use error::{Error, Quantity};
+pub use float::{Float, Real};
+pub use nonsticking::{Border, Cycle};
+pub use oscillator::{Drive, Oscillator, Scales};
+pub use phase_function::PhaseFunction;
+pub use ratios::Ratios;
+pub use response::{Regime, Response, regime};

@@ -1,0 +1,245 @@
+//! One non-sticking cycle: the steady motion with two reversals and no stop in a period.
+//!
+//! | file | equations | what |
+//! |---|---|---|
+//! | [`matching`] | 2–39, 45 | the five unknowns and the equations between them |
+//! | [`den_hartog`] | 50–56 | Den Hartog's own half cycle |
+//! | [`max_displacement`], [`displacement_phase`] | 40–44 | Δ₀ and ω_d t₂ |
+//! | [`max_velocity_from_phase`], [`deviation`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
+//! | [`border`] | 57–62 | the least force ratio without sticking |
+//! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
+//! | [`stability`] | beyond the paper | multipliers, contraction |
+//! | [`printed`] | 43, 49 | the formulae that are wrong as printed |
+//!
+//! [`Cycle`] has them all for one (Ω, α). Lengths are in units of B = r_y/k, velocities in B ω_d, phases
+//! ω_d t in `[0, 2π)`.
+
+pub mod border;
+pub mod den_hartog;
+mod displacement;
+mod dissipation;
+mod half_cycle;
+pub mod matching;
+pub mod printed;
+pub mod stability;
+mod velocity;
+
+pub use border::{Border, turning_point_border, turning_point_criterion};
+pub use displacement::{
+    cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
+    sin_displacement_phase,
+};
+pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
+pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
+
+use crate::error::Error;
+use crate::float::Float;
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::ratios::Ratios;
+use half_cycle::HalfCycle;
+
+/// The steady non-sticking motion at one (Ω, α), with all its outputs.
+///
+/// ```
+/// use stickslip::{Cycle, Ratios};
+/// let cycle = Cycle::new(Ratios::new(1.5, 2.5)?)?;
+/// assert!((cycle.max_displacement() - 1.632993161855452).abs() < 1e-15);
+/// assert!((cycle.max_velocity() - 1.654152276482076).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cycle<F> {
+    ratios: Ratios<F>,
+    half: HalfCycle<F>,
+    max_displacement: F,
+    displacement_phase: F,
+    max_velocity: F,
+    velocity_phase: F,
+    deviation: F,
+    contraction: F,
+}
+
+impl<F: Float> Cycle<F> {
+    /// The cycle at (Ω, α).
+    ///
+    /// # Errors
+    /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above it.
+    pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
+        let p = PhaseFunction::of_valid(ratios.omega());
+        let (alpha, border) = (ratios.alpha(), Border::at(&p));
+        if alpha < border.min_force_ratio() {
+            Err(Error::Sticks {
+                omega: ratios.omega().to_string(),
+                alpha: alpha.to_string(),
+                least: border.min_force_ratio().to_string(),
+            })
+        } else if ratios.omega() == F::int(1) {
+            Err(Error::Unbounded { alpha: alpha.to_string() })
+        } else {
+            Ok(Self::at(&p, ratios))
+        }
+    }
+
+    /// The cycle at (Ω, α) known to be on or above the border, Ω ≠ 1; `p` is the phase function at Ω.
+    #[inline]
+    pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
+        let (omega, alpha) = (ratios.omega(), ratios.alpha());
+        let k = p.value();
+        let max_displacement = max_displacement(k, alpha, one_minus_square(omega));
+        let half = HalfCycle::new(p, max_displacement);
+        let displacement_phase = displacement_phase(k, alpha, omega);
+        let fastest = velocity::fastest(&half, k, alpha);
+        let quarter = F::pi() / F::int(2);
+        let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);
+        Self {
+            ratios,
+            half,
+            max_displacement,
+            displacement_phase,
+            max_velocity: fastest.velocity / omega,
+            velocity_phase,
+            deviation: deviation(alpha, velocity_phase.sin()),
+            contraction: stability::contraction(omega, max_displacement, p.sin_cos()),
+        }
+    }
+
+    /// The ratios (Ω, α).
+    pub const fn ratios(&self) -> Ratios<F> {
+        self.ratios
+    }
+
+    /// Maximum displacement `Δ₀/B` ([`max_displacement`], eq. 44).
+    pub const fn max_displacement(&self) -> F {
+        self.max_displacement
+    }
+
+    /// Phase `ω_d t₂` of the maximum displacement ([`displacement_phase`], eq. 43 corrected).
+    pub const fn displacement_phase(&self) -> F {
+        self.displacement_phase
+    }
+
+    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the greatest of the half cycle, whatever the number
+    /// of its stationary points.
+    pub const fn max_velocity(&self) -> F {
+        self.max_velocity
+    }
+
+    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum).
+    pub const fn velocity_phase(&self) -> F {
+        self.velocity_phase
+    }
+
+    /// Deviation `Δ₁/B`: the displacement at the maximum velocity ([`deviation`], eq. 47).
+    pub const fn deviation(&self) -> F {
+        self.deviation
+    }
+
+    /// Contraction per half cycle ([`stability::contraction`]).
+    pub const fn contraction(&self) -> F {
+        self.contraction
+    }
+
+    /// Loop size A₁ ([`loop_size_stiffness`], eq. 64).
+    pub fn loop_size_stiffness(&self) -> F {
+        loop_size_stiffness(self.max_displacement, self.ratios.alpha())
+    }
+
+    /// Loop size A₂ ([`loop_size_inertia`], eq. 67).
+    pub fn loop_size_inertia(&self) -> F {
+        loop_size_inertia(self.loop_size_stiffness(), self.ratios.omega())
+    }
+
+    /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
+    ///
+    /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite; a
+    /// large phase costs as many digits as it has before the point.
+    pub fn displacement_at(&self, phase: F) -> F {
+        let (psi, rising) = self.centred(phase);
+        let x = self.half.displacement(psi);
+        if rising { x } else { -x }
+    }
+
+    /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
+    pub fn velocity_at(&self, phase: F) -> F {
+        let (psi, rising) = self.centred(phase);
+        let v = self.half.velocity(psi).value / self.ratios.omega();
+        if rising { v } else { -v }
+    }
+
+    /// Centred time ψ of a phase within its half cycle, and whether that is the one with x′ > 0.
+    fn centred(&self, phase: F) -> (F, bool) {
+        let after_maximum = reduce(phase - self.displacement_phase);
+        let rising = after_maximum >= F::pi();
+        let turns = if rising { F::int(3) } else { F::int(1) };
+        ((turns * F::pi() / F::int(2) - after_maximum) / self.ratios.omega(), rising)
+    }
+}
+
+/// `phase` modulo 2π, in `[0, 2π)`.
+#[inline]
+fn reduce<F: Float>(phase: F) -> F {
+    let period = F::int(2) * F::pi();
+    if phase >= F::int(0) && phase < period {
+        return phase;
+    }
+    let reduced = phase - period * (phase / period).floor();
+    // Rounding can carry a tiny negative phase to the period itself.
+    if reduced >= period { F::int(0) } else { reduced }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cycle, reduce};
+    use crate::{Error, Ratios};
+    use std::f64::consts::TAU;
+
+    fn cycle(omega: f64, alpha: f64) -> Result<Cycle<f64>, Error> {
+        Ratios::new(omega, alpha).and_then(Cycle::new)
+    }
+
+    #[test]
+    fn phases_are_reduced_to_one_period() {
+        assert_eq!(reduce(1.0), 1.0);
+        assert_eq!(reduce(-1e-300), 0.0);
+        assert!((reduce(-1.0) - (TAU - 1.0)).abs() < 1e-15);
+        assert!((reduce(1.0 + 3.0 * TAU) - 1.0).abs() < 1e-14);
+        assert!(reduce(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn below_the_border_there_is_no_cycle() {
+        assert!(matches!(cycle(0.4, 6.0), Err(Error::Sticks { .. })));
+        assert!(cycle(0.4, 7.0).is_ok());
+        assert!(matches!(cycle(1.0, 1.2), Err(Error::Sticks { .. })));
+        assert!(matches!(cycle(1.0, 1.3), Err(Error::Unbounded { .. })));
+    }
+
+    #[test]
+    fn the_waveform_passes_through_its_named_points() {
+        for (omega, alpha) in [(0.3, 14.0), (0.4, 9.0), (0.7, 2.0), (1.0 + 1e-9, 1.5), (1.5, 2.5), (3.0, 4.0)]
+        {
+            let c = cycle(omega, alpha).unwrap();
+            let scale = 1e-13 * c.max_displacement();
+            let close = |a: f64, b: f64| assert!((a - b).abs() < scale, "{omega} {alpha}: {a} {b}");
+            for turn in [-TAU, 0.0, TAU] {
+                close(c.displacement_at(c.displacement_phase() + turn), c.max_displacement());
+                close(c.displacement_at(c.velocity_phase() + turn), c.deviation());
+                close(c.velocity_at(c.velocity_phase() + turn), c.max_velocity());
+                close(c.velocity_at(c.displacement_phase() + turn), 0.0);
+            }
+            // x(t + π/ω_d) = −x(t)
+            for i in 0..40 {
+                let phase = f64::from(i) * TAU / 40.0;
+                close(c.displacement_at(phase + TAU / 2.0), -c.displacement_at(phase));
+                close(c.velocity_at(phase + TAU / 2.0), -c.velocity_at(phase));
+            }
+        }
+    }
+
+    #[test]
+    fn single_precision_runs_the_same_code() {
+        let c = Ratios::new(0.7f32, 2.0).and_then(Cycle::new).unwrap();
+        assert!((c.max_displacement() - 3.488_508).abs() < 2e-6);
+        assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
+    }
+}

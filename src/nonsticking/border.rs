@@ -1,0 +1,177 @@
+//! The least force ratio that keeps the body from sticking (eq. 57–62, and the exact condition).
+//!
+//! The cycle of eq. 40–56 is a motion of the oscillator only while it slides between its reversals.
+//! The paper asks for that at the turning point alone (eq. 58, 59), which gives eq. 61. Den Hartog's
+//! condition asks for it throughout the half cycle, x′ < 0 for 0 < τ = ω_d(t − t₂) < π:
+//!
+//! ```text
+//! Δ₀/B ≥ S(Ω) = sup f(τ),   f(τ) = [sin(τ/Ω) + T (cos τ − cos(τ/Ω))]/(Ω sin τ),   f(0⁺) = 1/Ω²,
+//! ```
+//!
+//! so that the exact border is `α_min = hypot(K, (1 − Ω²) S)`, and eq. 61 is its value where the
+//! supremum is the limit at the turning point, S = 1/Ω².
+//!
+//! # Where the supremum is, and why it is the global one
+//!
+//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω,
+//! `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and f(π − τ) = −f(τ): it is enough to find the largest
+//! |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ = −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, a known sign
+//! between known points.
+//!
+//! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
+//!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
+//!   f(π/2) = 0, and S = 1/Ω²: **eq. 61 is exact for Ω ≥ 1/2.**
+//! * **Ω < 1/2.** The factor of T and 1/sin τ both fall on (0, π/2] while sin(ζ − β) is periodic: any value
+//!   of |f| beyond the first period, or in the lobe of sin(ζ − β)/cos β that opposes T, is exceeded one
+//!   period or half a period earlier. So the largest |f| has 0 ≤ ζ ≤ 2π and the sign of T, or is the limit
+//!   1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and has no
+//!   zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0, π) of
+//!   `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
+//!   `S = max(1/Ω², |f(ζ*)|)`.
+//!
+//! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
+//! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
+
+use crate::error::Error;
+use crate::float::{Float, Real};
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::root;
+
+/// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
+///
+/// The body slides on where it is ≥ 0; eq. 58 and 59 put it to 0 at t₂, where x = Δ₀ and x′ = 0.
+#[inline]
+pub fn slip_excess<R: Real>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
+    (p0 * sin_phase - stiffness * x).abs() - friction_bound
+}
+
+/// Left less right side of eq. 60, the conditions 58 and 59 with Δ₀ from eq. 42:
+/// `B² [(αΩ/(1−Ω²))² − T²] (k/r_y − p₀/(r_y A))² − Ω²`.
+///
+/// `k/r_y = 1/B` and `p₀/(r_y A) = (1−Ω²)/B`. Zero on eq. 61.
+#[inline]
+pub fn turning_point_residual<R: Real>(b: R, alpha: R, omega: R, tangent: R) -> R {
+    let q = one_minus_square(omega);
+    let stiffness_to_friction = R::int(1) / b;
+    let force_to_amplitude = q / b;
+    b.square()
+        * ((alpha * omega / q).square() - tangent.square())
+        * (stiffness_to_friction - force_to_amplitude).square()
+        - omega.square()
+}
+
+/// The border at the turning point (eq. 61): `α = √{(1/Ω² − 1)² [1 + (ΩT)²]} = hypot(K, 1/Ω² − 1)`.
+///
+/// `phase_function` is K(Ω). Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2; below, necessary but not
+/// sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the body sticks up to
+/// 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞.
+/// Source: Hong & Liu 2001, eq. 61. Accuracy at f64: 5 ulp.
+#[inline]
+pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
+    phase_function.hypot(one_minus_square(omega) / omega.square())
+}
+
+/// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
+#[inline]
+pub fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
+    alpha >= turning_point_border(phase_function, omega)
+}
+
+/// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
+#[inline]
+fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
+    let (sin_tau, cos_tau) = tau.sin_cos();
+    (lobe_phase.sin() * cos_tau + eta.sin()) / (cos_beta.abs() * sin_tau)
+}
+
+/// `(g, g′)` at η: the stationarity condition of the module's head and its derivative.
+#[inline]
+fn stationarity<R: Real>(omega: R, lobe_phase: R, eta: R) -> (R, R) {
+    let (sin_tau, cos_tau) = (omega * (lobe_phase + eta)).sin_cos();
+    let (sin_eta, cos_eta) = eta.sin_cos();
+    let inverse = R::int(1) / omega;
+    let g = cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin();
+    (g, (inverse - omega) * sin_tau * sin_eta)
+}
+
+/// The least force ratio at a frequency ratio: exact, and by eq. 61.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Border<F> {
+    min_force_ratio: F,
+    turning_point: F,
+    phase: F,
+    least_displacement: F,
+}
+
+impl<F: Float> Border<F> {
+    /// The border at the frequency ratio Ω.
+    ///
+    /// # Errors
+    /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
+    pub fn new(omega: F) -> Result<Self, Error> {
+        PhaseFunction::new(omega).map(|p| Self::at(&p))
+    }
+
+    /// The border at the frequency ratio of `p`.
+    pub fn at(p: &PhaseFunction<F>) -> Self {
+        let omega = p.omega();
+        let turning_point = turning_point_border(p.value(), omega);
+        let at_turning_point = Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            phase: F::int(0),
+            least_displacement: F::int(1) / omega.square(),
+        };
+        if omega >= F::ratio(1, 2) || p.tangent() == F::int(0) {
+            return at_turning_point;
+        }
+        let gamma = p.lobe_phase();
+        let (_, cos_beta) = p.sin_cos();
+        let eta = stationary_point(omega, gamma);
+        let tau = omega * (gamma + eta);
+        let supremum = stationary_value(gamma, cos_beta, tau, eta) / omega;
+        // NaN cannot occur: τ lies in (0, π/2] and cos β is not zero.
+        if supremum <= at_turning_point.least_displacement {
+            return at_turning_point;
+        }
+        let phase = if p.tangent() > F::int(0) { tau } else { F::pi() - tau };
+        Self {
+            min_force_ratio: p.value().hypot(one_minus_square(omega) * supremum),
+            turning_point,
+            phase,
+            least_displacement: supremum,
+        }
+    }
+
+    /// The exact border α_min(Ω): at and above it the steady motion does not stick.
+    ///
+    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 1e-14.
+    pub const fn min_force_ratio(&self) -> F {
+        self.min_force_ratio
+    }
+
+    /// Eq. 61 ([`turning_point_border`]): equal to the exact border for Ω ≥ 1/2, not above it below.
+    pub const fn turning_point(&self) -> F {
+        self.turning_point
+    }
+
+    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)`, where the velocity first touches zero on the border; 0
+    /// where that is the turning point itself.
+    pub const fn phase(&self) -> F {
+        self.phase
+    }
+
+    /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
+    pub const fn least_displacement(&self) -> F {
+        self.least_displacement
+    }
+}
+
+/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at full precision.
+///
+/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
+fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
+    let (omega_f64, gamma_f64) = (omega.to_f64(), gamma.to_f64());
+    let start = root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega_f64, gamma_f64, eta).0);
+    root::newton(F::from_f64(start), F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+}

@@ -1,0 +1,47 @@
+//! Size of the dissipation loop, and the force ratio that makes it largest (eq. 63–67).
+
+use crate::float::Real;
+
+/// Energy dissipated in a cycle, `s = 4 r_y Δ₀` (eq. 63): the area of the friction loop.
+///
+/// `friction_bound` is r_y and `max_displacement` is Δ₀, in consistent units.
+#[inline]
+pub fn loop_size<R: Real>(friction_bound: R, max_displacement: R) -> R {
+    R::int(4) * friction_bound * max_displacement
+}
+
+/// Loop size per lossless static elastic energy (eq. 64): `A₁ = 2ks/p₀² = 8(Δ₀/B)/α²`.
+///
+/// `max_displacement` is Δ₀/B. How the loop depends on friction where k, p₀ and Ω are given.
+/// Source: Hong & Liu 2001, eq. 64.
+#[inline]
+pub fn loop_size_stiffness<R: Real>(max_displacement: R, alpha: R) -> R {
+    R::int(8) * (max_displacement / alpha) / alpha
+}
+
+/// Loop size per lossless static pseudo-elastic energy (eq. 67): `A₂ = 2 m ω_d² s/p₀² = Ω² A₁`.
+///
+/// How the loop depends on stiffness where m, p₀, ω_d and α are given. Source: Hong & Liu 2001, eq. 67.
+#[inline]
+pub fn loop_size_inertia<R: Real>(loop_size_stiffness: R, omega: R) -> R {
+    omega.square() * loop_size_stiffness
+}
+
+/// The force ratio of the largest A₁ at a given Ω (eq. 65): `α* = √2 |K|`, from dA₁/dα = 0.
+///
+/// **Where it counts.** The paper does not say that the optimum is only reached where the body does
+/// not stick there, α* ≥ α_min(Ω): for Ω ≥ 1/2 that is `Ω|T| ≥ 1`. Elsewhere the best non-sticking force
+/// ratio is the border itself. At Ω = 1/(2n) K = 0, and this formula gives 0.
+/// Source: Hong & Liu 2001, eq. 65.
+#[inline]
+pub fn best_force_ratio<R: Real>(phase_function: R) -> R {
+    R::int(2).sqrt() * phase_function.abs()
+}
+
+/// The largest A₁ at a given Ω (eq. 66): `A₁max = 4/(|K| |1 − Ω²|)`, reached at [`best_force_ratio`].
+///
+/// Counts where that does. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
+#[inline]
+pub fn best_loop_size<R: Real>(phase_function: R, one_minus_square: R) -> R {
+    R::int(4) / (phase_function.abs() * one_minus_square.abs())
+}

@@ -1,0 +1,202 @@
+//! The half cycle with x′ > 0 as a function of its centred time, smooth through Ω = 1.
+//!
+//! `ψ = ω_n(t₂ − t) − β` runs from β at the start (the minimum of x) to −β at t₂, β = π/2Ω. There
+//!
+//! ```text
+//! v/(Bω_n)  = Ω(Δ₀/B) cos Ωψ + H,         H = [sin ψ − sin β sin Ωψ]/cos β
+//! x/B       = −1 − (Δ₀/B) sin Ωψ + J,     J = [cos ψ − (sin β/Ω) cos Ωψ]/cos β
+//! ```
+//!
+//! H and J are 0/0 at Ω = 1. Beside it they are computed from the half sum and half difference
+//! `p = (1+Ω)ψ/2`, `m = (1−Ω)ψ/2` of the two angles, which leaves only quotients of small quantities that
+//! are known to full relative accuracy.
+
+use crate::float::Float;
+use crate::phase_function::PhaseFunction;
+
+/// One half cycle: Ω, Δ₀/B and the circular functions of β.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct HalfCycle<F> {
+    omega: F,
+    one_minus_omega: F,
+    max_displacement: F,
+    sin_beta: F,
+    cos_beta: F,
+    beside_one: bool,
+}
+
+/// Velocity `v/(Bω_n)` and its first three derivatives by ψ at one point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Jet<F> {
+    pub(crate) value: F,
+    pub(crate) first: F,
+    pub(crate) second: F,
+    pub(crate) third: F,
+    pub(crate) fourth: F,
+}
+
+/// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
+struct Angles<F> {
+    psi: (F, F),
+    omega_psi: (F, F),
+    half_sum: (F, F),
+    sin_half_difference: F,
+}
+
+impl<F: Float> HalfCycle<F> {
+    /// The half cycle at the frequency ratio of `p` with maximum displacement Δ₀/B.
+    #[inline]
+    pub(crate) fn new(p: &PhaseFunction<F>, max_displacement: F) -> Self {
+        let (sin_beta, cos_beta) = p.sin_cos();
+        Self {
+            omega: p.omega(),
+            one_minus_omega: F::int(1) - p.omega(),
+            max_displacement,
+            sin_beta,
+            cos_beta,
+            beside_one: p.is_beside_one(),
+        }
+    }
+
+    /// The same half cycle at f64: each field is rounded on its own, 1 − Ω and cos β too, so that an Ω closer
+    /// to 1 than f64 can tell keeps its distance.
+    pub(crate) fn to_f64(self) -> HalfCycle<f64> {
+        HalfCycle {
+            omega: self.omega.to_f64(),
+            one_minus_omega: self.one_minus_omega.to_f64(),
+            max_displacement: self.max_displacement.to_f64(),
+            sin_beta: self.sin_beta.to_f64(),
+            cos_beta: self.cos_beta.to_f64(),
+            beside_one: self.beside_one,
+        }
+    }
+
+    #[inline]
+    pub(crate) fn omega(&self) -> F {
+        self.omega
+    }
+
+    /// Ω < 1, decided by 1 − Ω itself.
+    #[inline]
+    pub(crate) fn is_below_one(&self) -> bool {
+        self.one_minus_omega > F::int(0)
+    }
+
+    #[inline]
+    pub(crate) fn cos_beta(&self) -> F {
+        self.cos_beta
+    }
+
+    #[inline]
+    fn angles(&self, psi: F) -> Angles<F> {
+        let half = psi / F::int(2);
+        let (sp, cp) = ((F::int(1) + self.omega) * half).sin_cos();
+        let (sm, cm) = (self.one_minus_omega * half).sin_cos();
+        Angles {
+            psi: (sp * cm + cp * sm, cp * cm - sp * sm),
+            omega_psi: (sp * cm - cp * sm, cp * cm + sp * sm),
+            half_sum: (sp, cp),
+            sin_half_difference: sm,
+        }
+    }
+
+    /// `(1 − sin β)/cos β = tan(π/4 − β/2)`, without cancellation where sin β > 0.
+    #[inline]
+    fn tan_half_offset(&self) -> F {
+        self.cos_beta / (F::int(1) + self.sin_beta)
+    }
+
+    /// Velocity and its derivatives by ψ.
+    #[inline]
+    pub(crate) fn velocity(&self, psi: F) -> Jet<F> {
+        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
+            self.angles(psi);
+        let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
+        let (h, h1) = if self.beside_one {
+            let tangent = self.tan_half_offset();
+            let slope = self.one_minus_omega / cb + omega * tangent;
+            let double = F::int(2) * sm / cb;
+            (double * cp + tangent * so, slope * co - double * sp)
+        } else {
+            ((s - self.sin_beta * so) / cb, (c - omega * self.sin_beta * co) / cb)
+        };
+        let omega2 = omega.square();
+        let value = omega * delta * co + h;
+        let first = h1 - omega2 * delta * so;
+        // v″ + Ω²v = (Ω² − 1) sin ψ/cos β
+        let forcing = -(self.one_minus_omega * (F::int(1) + omega) / cb);
+        let second = forcing * s - omega2 * value;
+        let third = forcing * c - omega2 * first;
+        let fourth = -(forcing * s) - omega2 * second;
+        Jet { value, first, second, third, fourth }
+    }
+
+    /// Displacement x/B at ψ.
+    pub(crate) fn displacement(&self, psi: F) -> F {
+        let Angles { psi: (_, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } =
+            self.angles(psi);
+        let cb = self.cos_beta;
+        let j = if self.beside_one {
+            let slope = (self.tan_half_offset() - self.one_minus_omega / cb) / self.omega;
+            co * slope - F::int(2) * sp * sm / cb
+        } else {
+            (c - self.sin_beta / self.omega * co) / cb
+        };
+        j - self.max_displacement * so - F::int(1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::HalfCycle;
+    use crate::phase_function::PhaseFunction;
+
+    /// A Δ₀/B that a cycle at Ω can have; the forms hold for any.
+    fn half(omega: f64) -> HalfCycle<f64> {
+        HalfCycle::new(&PhaseFunction::new(omega).unwrap(), 2.0 / (omega * omega))
+    }
+
+    #[test]
+    fn ends_are_reversals_at_plus_and_minus_the_maximum() {
+        for omega in [0.23, 0.3, 0.4, 0.6, 0.7, 0.99, 1.0 + 1e-9, 1.3, 1.999, 5.0] {
+            let (h, beta) = (half(omega), std::f64::consts::FRAC_PI_2 / omega);
+            let delta = 2.0 / (omega * omega);
+            assert!(h.velocity(beta).value.abs() < 1e-12 * delta, "{omega}");
+            assert!(h.velocity(-beta).value.abs() < 1e-12 * delta, "{omega}");
+            assert!((h.displacement(-beta) - delta).abs() < 1e-12 * delta, "{omega}");
+            assert!((h.displacement(beta) + delta).abs() < 1e-12 * delta, "{omega}");
+        }
+    }
+
+    #[test]
+    fn derivatives_match_differences() {
+        for omega in [0.3, 0.45, 0.8, 1.0 + 1e-7, 1.4, 3.0] {
+            let (h, d) = (half(omega), 1e-5);
+            for psi in [-0.4, 0.0, 0.3] {
+                let (a, b, c) = (h.velocity(psi - d), h.velocity(psi), h.velocity(psi + d));
+                let scale = 1e-8 * (1.0 + 1.0 / (omega * omega));
+                assert!(((c.value - a.value) / (2.0 * d) - b.first).abs() < scale, "{omega} {psi}");
+                assert!(((c.first - a.first) / (2.0 * d) - b.second).abs() < scale, "{omega} {psi}");
+                assert!(((c.second - a.second) / (2.0 * d) - b.third).abs() < scale, "{omega} {psi}");
+                assert!(((c.third - a.third) / (2.0 * d) - b.fourth).abs() < scale, "{omega} {psi}");
+                // dx/dψ = −v/(Bω_n)
+                let slope = (h.displacement(psi + d) - h.displacement(psi - d)) / (2.0 * d);
+                assert!((slope + b.value).abs() < scale, "{omega} {psi}");
+            }
+        }
+    }
+
+    #[test]
+    fn both_forms_agree_away_from_one() {
+        for omega in [0.7, 1.5, 1.9] {
+            let smooth = half(omega);
+            let plain = HalfCycle { beside_one: false, ..smooth };
+            for psi in [-0.5, 0.1, 0.7] {
+                let (a, b) = (smooth.velocity(psi), plain.velocity(psi));
+                assert!((a.value - b.value).abs() < 1e-14 * (1.0 + b.value.abs()), "{omega}");
+                assert!((a.first - b.first).abs() < 1e-13, "{omega}");
+                assert!((smooth.displacement(psi) - plain.displacement(psi)).abs() < 1e-13, "{omega}");
+            }
+        }
+    }
+}

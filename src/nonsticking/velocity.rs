@@ -1,0 +1,235 @@
+//! Maximum velocity V₀, its phase ω_d t₁ and the deviation Δ₁ (eq. 25, 37, 45–49).
+//!
+//! # Which root of eq. 46, and why it is the maximum
+//!
+//! Eq. 46 says that the acceleration is zero at t₁; below Ω = 1/2 it can have several roots, and V₀ is the
+//! velocity at the best. In the variables of the half cycle the velocity is a slow and a fast wave,
+//!
+//! ```text
+//! v/(Bω_n) = R cos Ω(ψ − ψ_c) + c cos(ψ − ψ_p),   R = Ωα/|1 − Ω²|,   c = 1/|cos β|,
+//! ```
+//!
+//! where ψ_c is the phase 0 (Ω < 1) or π (Ω > 1) of the drive, `ψ_c = −sgn(1−Ω) asin(K/α)/Ω`, and ψ_p is the
+//! crest nearest to it of the other wave, at distance e ≤ π.
+//!
+//! * **Ω < 1.** Reflecting a point about ψ_c, or moving it one fast period towards ψ_c, only raises v, and
+//!   beyond ψ_p both waves fall: the global maximum lies between ψ_c and ψ_p. At the distance d from ψ_c the
+//!   root has `c sin(e − d) = RΩ sin Ωd`, and `sin(e − d)/sin Ωd` is strictly falling on (0, e), because
+//!   cot(e − d) + Ω cot Ωd ≥ Ω cot Ωd − cot d > 0. So there is exactly one root in between, and it is V₀.
+//!   It lies in the half cycle: were it beyond the end, v would rise from ψ_c to the end, where it is 0, and
+//!   the cycle would not be one. (e = π puts two equal maxima at ±d: the first is taken.)
+//! * **Ω > 1.** (v′/cos Ωψ)′ cos²Ωψ is increasing and not positive at the end where v″ ≤ 0: v has one
+//!   stationary point in the half cycle. It lies between ψ_c and β, where v′ changes sign.
+//!
+//! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
+
+use super::half_cycle::{HalfCycle, Jet};
+use crate::float::{Float, Real};
+use crate::root;
+
+/// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
+///
+/// Grows with α at a given friction (0.3728, 0.4665, 0.6597 at Ω = 0.7 for α = 1.6, 2, 10); at a given
+/// force p₀ the length Δ₁ falls with α. The paper's remarks on Figure 6 and in its conclusion mean one
+/// each. Source: Hong & Liu 2001, eq. 47.
+#[inline]
+pub fn deviation<R: Real>(alpha: R, sin_velocity_phase: R) -> R {
+    alpha * sin_velocity_phase - R::int(1)
+}
+
+/// Left side of eq. 46, divided by B: zero at the phase of the maximum velocity.
+///
+/// `(1 + cos π₁) cos θ + sin π₁ sin θ + (A/B) Ω² (1 + cos π₁) sin ω_d t₁` with θ = ω_n(t₂ − t₁).
+/// `amplitude` is A/B = α/(1 − Ω²).
+#[inline]
+pub fn velocity_phase_residual<R: Real>(
+    amplitude: R,
+    omega: R,
+    sin_cos_pi_1: (R, R),
+    lag: R,
+    sin_velocity_phase: R,
+) -> R {
+    let (sin_pi_1, cos_pi_1) = sin_cos_pi_1;
+    let (sin_lag, cos_lag) = lag.sin_cos();
+    let one_plus = R::int(1) + cos_pi_1;
+    one_plus * cos_lag + sin_pi_1 * sin_lag + amplitude * omega.square() * one_plus * sin_velocity_phase
+}
+
+/// Maximum velocity `V₀/(Bω_d)` from its phase (eq. 37, 48, 49, corrected).
+///
+/// ```text
+/// V₀/(Bω_d) = (A/B) cos ω_d t₁ + (ρ/B)/Ω,   ρ/B = sgn(1−Ω) √[2/(1 + cos π₁) − (1 + Δ₁/B − (A/B) sin ω_d t₁)²]
+/// ```
+///
+/// Both roots of the printed eq. 49 lose a sign. The second stands for ρ (eq. 27), which has the sign of
+/// 1 − Ω: as printed, always positive, V₀ is wrong for every Ω > 1 (1.93392 for 1.65415… at Ω = 1.5,
+/// α = 2.5). The first stands for (A/B) cos ω_d t₁, which is negative near the border for some Ω in
+/// (1/2, 1), such as (0.93924, 1.2491). Neither sign is free here.
+///
+/// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel beside Ω = 1 near the
+/// border; [`crate::nonsticking::Cycle`] takes another way there. Source: Hong & Liu 2001, eq. 49.
+#[inline]
+pub fn max_velocity_from_phase<R: Real>(
+    amplitude: R,
+    omega: R,
+    cos_pi_1: R,
+    sin_cos_velocity_phase: (R, R),
+    deviation: R,
+    sign: R,
+) -> R {
+    let (sine, cosine) = sin_cos_velocity_phase;
+    let x = R::int(1) + deviation - amplitude * sine;
+    let rho = sign * (R::int(2) / (R::int(1) + cos_pi_1) - x.square()).sqrt();
+    amplitude * cosine + rho / omega
+}
+
+/// The point of greatest velocity of a half cycle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fastest<F> {
+    /// Its centred time ψ.
+    pub(crate) psi: F,
+    /// `V₀/(Bω_n)`.
+    pub(crate) velocity: F,
+}
+
+/// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
+///
+/// Third-order Householder steps, each of which quadruples the good digits, from ψ = 0; where they do not
+/// settle inside the proven bracket, from a bracketed root at f64.
+#[inline]
+pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
+    if F::PRECISION <= f64::MANTISSA_DIGITS {
+        if half.omega() >= F::ratio(1, 2) {
+            if let Some(found) = from_centre(half) {
+                return found;
+            }
+        }
+        polish(half, F::from_f64(from_bracket(&half.to_f64(), k.to_f64(), alpha.to_f64())))
+    } else {
+        let start = fastest(&half.to_f64(), k.to_f64(), alpha.to_f64());
+        polish(half, F::from_f64(start.psi))
+    }
+}
+
+/// Four Householder steps from ψ = 0, for Ω ≥ 1/2; `None` where they do not settle in |ψ| ≤ π/2.
+///
+/// There a stationary point is the maximum: for Ω > 1 it is the only one, and for 1/2 ≤ Ω < 1 the fast wave
+/// rises towards ψ_p = −π/2 throughout |ψ| < π/2, so that the slow one must fall: ψ_p ≤ ψ ≤ ψ_c.
+#[inline]
+fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
+    let mut psi = F::int(0);
+    for _ in 0..4 {
+        let jet = half.velocity(psi);
+        let step = householder(&jet);
+        psi = psi + step;
+        if !(psi.abs() * F::int(2) <= F::pi()) {
+            return None;
+        }
+        if is_final(step) {
+            let found = arrive(&jet, psi, step);
+            return (jet.second < F::int(0)).then_some(found);
+        }
+    }
+    None
+}
+
+/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final.
+fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
+    let mut psi = start;
+    let mut jet = half.velocity(psi);
+    for _ in 0..F::PRECISION.ilog2() {
+        let step = householder(&jet);
+        if !step.is_finite() {
+            break;
+        }
+        psi = psi + step;
+        if is_final(step) {
+            return arrive(&jet, psi, step);
+        }
+        jet = half.velocity(psi);
+    }
+    Fastest { psi, velocity: jet.value }
+}
+
+/// A step h is the last where the error it leaves, of the order h⁴, is below rounding.
+#[inline]
+fn is_final<F: Float>(step: F) -> bool {
+    step.square().square() * F::int(64) <= F::epsilon()
+}
+
+/// The point a final step arrives at; the velocity there by Taylor's formula to the third order.
+#[inline]
+fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
+    let cubic = jet.third * step / F::int(3) + jet.second;
+    Fastest { psi, velocity: jet.value + step * (jet.first + step / F::int(2) * cubic) }
+}
+
+/// The step of Householder's third-order method on v′ = 0.
+#[inline]
+fn householder<F: Float>(jet: &Jet<F>) -> F {
+    let inverse = F::int(1) / jet.second;
+    let newton = -(jet.first * inverse);
+    let curvature = jet.third * inverse * newton;
+    let bend = jet.fourth * inverse * newton.square() / F::int(6);
+    newton * (F::int(1) + curvature / F::int(2)) / (F::int(1) + curvature + bend)
+}
+
+/// The root of v′ in the bracket of the module's head, at f64.
+#[cold]
+fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
+    use core::f64::consts::{FRAC_PI_2, TAU};
+    let omega = half.omega();
+    // asin(K/α) as atan2(K, √(α² − K²))
+    let angle = k.atan2(super::displacement::squared_sine(k, alpha).or_larger(0.0).sqrt());
+    let centre = if half.is_below_one() { -angle } else { angle } / omega;
+    let crest = FRAC_PI_2.with_sign_of(half.cos_beta());
+    let crest = crest + TAU * ((centre - crest) / TAU).round();
+    let end = if half.is_below_one() { crest } else { FRAC_PI_2 / omega };
+    root::bracketed(centre.min(end), centre.max(end), |psi| half.velocity(psi).first)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{fastest, from_bracket, from_centre};
+    use crate::nonsticking::{Border, half_cycle::HalfCycle, max_displacement};
+    use crate::phase_function::{PhaseFunction, one_minus_square};
+    use proptest::prelude::*;
+
+    fn half(omega: f64, alpha: f64) -> (HalfCycle<f64>, f64) {
+        let p = PhaseFunction::new(omega).unwrap();
+        let k = p.value();
+        (HalfCycle::new(&p, max_displacement(k, alpha, one_minus_square(omega))), k)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(4000))]
+
+        /// The proof in the module's head, against a scan of the whole half cycle.
+        #[test]
+        fn nothing_in_the_half_cycle_is_faster(omega in 0.05f64..3.0, over in 1.0001f64..4.0) {
+            prop_assume!((omega - 1.0).abs() > 1e-6);
+            let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+            let (half, k) = half(omega, alpha);
+            let best = fastest(&half, k, alpha);
+            let beta = std::f64::consts::FRAC_PI_2 / omega;
+            prop_assert!(best.psi.abs() <= beta);
+            let n = 4000;
+            for i in 0..=n {
+                let psi = beta * (f64::from(2 * i) / f64::from(n) - 1.0);
+                let v = half.velocity(psi).value;
+                prop_assert!(v <= best.velocity * (1.0 + 1e-13), "{} at {psi}: {v}", best.velocity);
+            }
+        }
+
+        #[test]
+        fn both_starts_find_the_same_root(omega in 0.5f64..3.0, over in 1.0001f64..4.0) {
+            prop_assume!((omega - 1.0).abs() > 1e-3);
+            let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+            let (half, k) = half(omega, alpha);
+            if let Some(quick) = from_centre(&half) {
+                let safe = from_bracket(&half, k, alpha);
+                prop_assert!((quick.psi - safe).abs() < 1e-8, "{} {safe}", quick.psi);
+            }
+        }
+    }
+}

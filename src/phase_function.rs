@@ -1,0 +1,267 @@
+//! The phase function K(Ω), which carries every closed form.
+//!
+//! The paper's formulae hang on `T = sin π₁/(1 + cos π₁) = tan(π/2Ω)` with `π₁ = π/Ω` (eq. 26), and on
+//! `K(Ω) = (1 − Ω²) T/Ω`: `cos ω_d t₂ = K/α` (eq. 40, 41), `Δ₀/B = √(α² − K²)/|1 − Ω²|` (eq. 44), the
+//! border (eq. 61) and the best force ratio (eq. 65). T has a pole at Ω = 1 where K has none:
+//! `K(1) = −4/π`. The poles of K are exactly Ω = 1/(2n+1), n ≥ 1, its zeros Ω = 1/(2n).
+//!
+//! Everything here works from the angle `β = π/2Ω` reduced to the nearest multiple of π/2,
+//!
+//! ```text
+//! β = q π/2 + w,   q = round(1/Ω),   w = (π/2) (1 − qΩ)/Ω,   |w| ≤ π/4,
+//! ```
+//!
+//! where `1 − qΩ` is formed with one rounding (exactly, near a pole or a zero). So the floats beside
+//! Ω = 1 and Ω = 1/n are as ordinary as any.
+
+use crate::error::Error;
+use crate::float::{Float, Real};
+use crate::ratios::frequency_ratio;
+
+/// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
+///
+/// The definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
+/// that is smooth through Ω = 1.
+#[inline]
+pub fn phase_function_of_tangent<R: Real>(omega: R, tangent: R) -> R {
+    one_minus_square(omega) * tangent / omega
+}
+
+/// `1 − Ω²` as the product `(1 − Ω)(1 + Ω)`, which keeps its relative accuracy at Ω = 1.
+#[inline]
+pub fn one_minus_square<R: Real>(omega: R) -> R {
+    (R::int(1) - omega) * (R::int(1) + omega)
+}
+
+/// `y cot y`, smooth through y = 0.
+#[inline]
+fn y_cot_y<F: Float>(y: F) -> F {
+    let y2 = y.square();
+    // Below √ε the first two terms of the series, 1 − y²/3 − y⁴/45, are already exact to rounding.
+    if y2 < F::epsilon() { F::int(1) - y2 / F::int(3) } else { y / y.tan() }
+}
+
+/// A validated frequency ratio Ω with its angle `β = π/2Ω` reduced: all that depends on Ω alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PhaseFunction<F> {
+    omega: F,
+    quarter: u8,
+    remainder: F,
+}
+
+impl<F: Float> PhaseFunction<F> {
+    /// The phase function at the frequency ratio Ω.
+    ///
+    /// # Errors
+    /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
+    #[inline]
+    pub fn new(omega: F) -> Result<Self, Error> {
+        frequency_ratio(omega).map(Self::of_valid)
+    }
+
+    /// The phase function of an Ω known to be in the domain.
+    #[inline]
+    pub(crate) fn of_valid(omega: F) -> Self {
+        let (quarter, rest) = nearest_quarter(omega);
+        let remainder = F::pi() * rest / (F::int(2) * omega);
+        Self { omega, quarter, remainder }
+    }
+
+    /// Frequency ratio Ω.
+    #[inline]
+    pub const fn omega(&self) -> F {
+        self.omega
+    }
+
+    /// `q mod 4`, where `q = round(1/Ω)` is the multiple of π/2 nearest to `β = π/2Ω`.
+    #[inline]
+    pub const fn quarter(&self) -> u8 {
+        self.quarter
+    }
+
+    /// `w = β − q π/2`, in `[−π/4, π/4]`.
+    #[inline]
+    pub const fn remainder(&self) -> F {
+        self.remainder
+    }
+
+    /// Whether the nearest multiple of π/2 is π/2 itself: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.
+    #[inline]
+    pub(crate) fn is_beside_one(&self) -> bool {
+        let omega = self.omega;
+        omega < F::int(2) && F::int(3) * omega >= F::int(2)
+    }
+
+    /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
+    #[inline]
+    pub fn tangent(&self) -> F {
+        let t = self.remainder.tan();
+        if self.quarter & 1 == 0 { t } else { -(F::int(1) / t) }
+    }
+
+    /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
+    #[inline]
+    pub fn sin_cos(&self) -> (F, F) {
+        let (s, c) = self.remainder.sin_cos();
+        match self.quarter {
+            0 => (s, c),
+            1 => (c, -s),
+            2 => (-s, -c),
+            _ => (-c, s),
+        }
+    }
+
+    /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
+    #[inline]
+    pub(crate) fn lobe_phase(&self) -> F {
+        let w = self.remainder;
+        if self.quarter & 1 == 1 {
+            w + F::pi() / F::int(2)
+        } else if w < F::int(0) {
+            w + F::pi()
+        } else {
+            w
+        }
+    }
+
+    /// The phase function `K(Ω) = (1 − Ω²) T/Ω`, finite for every float Ω.
+    ///
+    /// Beside Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
+    ///
+    /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 4 ulp.
+    #[inline]
+    pub fn value(&self) -> F {
+        if self.is_beside_one() {
+            let scale = F::int(-2) * (F::int(1) + self.omega) / F::pi();
+            scale * y_cot_y(self.remainder)
+        } else {
+            phase_function_of_tangent(self.omega, self.tangent())
+        }
+    }
+}
+
+/// `(q mod 4, 1 − qΩ)` with `q = round(1/Ω)`.
+///
+/// The first branches are exact by Sterbenz's lemma. In the last, a quotient too large for the
+/// significand is reduced again: `q = fl(1/Ω)` leaves a remainder `1 − qΩ` that one fused operation
+/// gives exactly, so each pass takes [`Float::PRECISION`] bits off the quotient, and the bound on Ω
+/// bounds the passes by `RATIO_EXPONENT / PRECISION + 2`.
+#[inline]
+fn nearest_quarter<F: Float>(omega: F) -> (u8, F) {
+    let one = F::int(1);
+    if omega >= F::int(2) {
+        (0, one)
+    } else if F::int(3) * omega >= F::int(2) {
+        (1, one - omega)
+    } else if F::int(5) * omega >= F::int(2) {
+        (2, one - F::int(2) * omega)
+    } else {
+        reduce_small(omega)
+    }
+}
+
+fn reduce_small<F: Float>(omega: F) -> (u8, F) {
+    let mut quarter = 0;
+    let mut rest = F::int(1);
+    loop {
+        let q = (rest / omega).round();
+        quarter = (quarter + modulo_four(q)) & 3;
+        rest = (-q).mul_add(omega, rest);
+        if rest.abs() * F::int(2) <= omega {
+            return (quarter, rest);
+        }
+    }
+}
+
+/// `q mod 4` of an integer q of either sign.
+fn modulo_four<F: Float>(q: F) -> u8 {
+    let residue = q - F::int(4) * (q / F::int(4)).floor();
+    (1..4).filter(|&n| residue >= F::int(n)).count() as u8
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{PhaseFunction, modulo_four, nearest_quarter, one_minus_square, y_cot_y};
+    use crate::float::Float;
+
+    fn at(omega: f64) -> PhaseFunction<f64> {
+        PhaseFunction::new(omega).unwrap()
+    }
+
+    fn close(a: f64, b: f64, ulps: f64) {
+        assert!((a - b).abs() <= ulps * f64::EPSILON * b.abs(), "{a:e} against {b:e}");
+    }
+
+    #[test]
+    fn ordinary_values() {
+        // T and K at 40 digits, rounded.
+        close(at(2.0).value(), -1.5, 1.0);
+        close(at(3.0).value(), -1.539_600_717_839_002, 2.0);
+        close(at(0.75).value(), -1.010_362_971_081_845, 3.0);
+        assert_eq!(at(0.5).value(), 0.0);
+        assert_eq!(at(0.25).value(), 0.0);
+    }
+
+    #[test]
+    fn smooth_through_the_natural_frequency() {
+        let four_over_pi = 4.0 / std::f64::consts::PI;
+        close(at(1.0).value(), -four_over_pi, 1.0);
+        close(at(1f64.next_up()).value(), -four_over_pi, 2.0);
+        close(at(1f64.next_down()).value(), -four_over_pi, 2.0);
+        // K(1 + ε) − K(1) = −(2/π)ε + (π/3)ε² …, from K = −(2/π)(1+Ω)(1 − y²/3 …).
+        let (e, pi) = (1e-6, std::f64::consts::PI);
+        close(at(1.0 + e).value() + four_over_pi, -2.0 / pi * e + pi / 3.0 * e * e, 4e6);
+    }
+
+    #[test]
+    fn the_floats_beside_a_third_are_ordinary() {
+        // 1 − 3Ω = ±2⁻⁵⁴·{1, 2}: cot of a tiny angle, K = ±(8/9)·… exactly predictable.
+        let below = 1.0f64 / 3.0;
+        let above = below.next_up();
+        for omega in [below, above] {
+            let rest = (-3.0f64).mul_add(omega, 1.0);
+            let expected = -(1.0 - omega * omega) / omega * (2.0 * omega / (std::f64::consts::PI * rest));
+            close(at(omega).value(), expected, 6.0);
+        }
+        assert!(at(below).value() < -1e15 && at(above).value() > 1e15);
+    }
+
+    #[test]
+    fn reduction_is_exact_for_huge_quotients() {
+        // 1/Ω = 2²⁰⁰ is a multiple of 4; 3·2⁻²⁰⁰ has 1/Ω = 2²⁰⁰/3, whose fraction is 1/3.
+        assert_eq!(nearest_quarter(2f64.powi(-200)), (0, 0.0));
+        let omega = 3.0 * 2f64.powi(-200);
+        let (quarter, rest) = nearest_quarter(omega);
+        // 2²⁰⁰ ≡ 4 (mod 12): 1/Ω = 4j + 4/3, so q ≡ 1 and the fraction is +1/3.
+        assert_eq!(quarter, 1);
+        assert_eq!(rest * 3.0, omega);
+    }
+
+    #[test]
+    fn residues() {
+        for (q, r) in [(0.0, 0), (1.0, 1), (6.0, 2), (-1.0, 3), (-4.0, 0), (7.0, 3), (2f64.powi(80), 0)] {
+            assert_eq!(modulo_four(q), r, "{q}");
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_agree_with_the_plain_angle() {
+        for omega in [0.07, 0.11, 0.13, 0.21, 0.26, 0.31, 0.36, 0.45, 0.55, 0.8, 1.3, 1.9, 2.5, 40.0] {
+            let (s, c) = at(omega).sin_cos();
+            let (sp, cp) = (std::f64::consts::FRAC_PI_2 / omega).sin_cos();
+            assert!((s - sp).abs() < 1e-14 && (c - cp).abs() < 1e-14, "{omega}");
+            let lobe = at(omega).lobe_phase();
+            assert!((lobe.sin() - s.abs()).abs() < 1e-14 && (0.0..std::f64::consts::PI).contains(&lobe));
+            assert!((lobe.tan() / at(omega).tangent() - 1.0).abs() < 1e-13, "{omega}");
+        }
+    }
+
+    #[test]
+    fn series_and_quotient_meet() {
+        let edge = f64::EPSILON.sqrt();
+        close(y_cot_y(edge * 1.001), y_cot_y(edge * 0.999), 2.0);
+        assert_eq!(y_cot_y(0.0), 1.0);
+        assert_eq!(one_minus_square(1f64.next_down()), f64::EPSILON * (1.0 - f64::EPSILON / 4.0));
+        assert_eq!(<f32 as Float>::PRECISION, 24);
+    }
+}

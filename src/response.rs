@@ -1,0 +1,172 @@
+//! The whole answer at one (Ω, α): the regime, and what exists there.
+
+use crate::error::Error;
+use crate::float::Float;
+use crate::nonsticking::{Border, Cycle, best_force_ratio, best_loop_size};
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::ratios::Ratios;
+
+/// What the body does in the long run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Regime {
+    /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
+    Stuck,
+    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle.
+    Sticking,
+    /// α ≥ α_min(Ω): the body never stops for longer than an instant.
+    NonSticking,
+    /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
+    Unbounded,
+}
+
+impl Regime {
+    /// The regime's name as the command prints it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stuck => "stuck",
+            Self::Sticking => "sticking",
+            Self::NonSticking => "non-sticking",
+            Self::Unbounded => "unbounded",
+        }
+    }
+}
+
+/// The answer at one (Ω, α).
+///
+/// ```
+/// use stickslip::{Ratios, Regime, Response};
+/// let answer = Response::new(Ratios::new(0.4, 6.0)?);
+/// assert_eq!(answer.regime(), Regime::Sticking);
+/// assert!((answer.border().min_force_ratio() - 6.949737755908733).abs() < 1e-13);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Response<F> {
+    ratios: Ratios<F>,
+    regime: Regime,
+    border: Border<F>,
+    cycle: Option<Cycle<F>>,
+    best_force_ratio: F,
+    best_loop_size: F,
+}
+
+impl<F: Float> Response<F> {
+    /// The answer at (Ω, α): exists for all valid ratios.
+    ///
+    /// The regime is decided by comparing α with the border as rounded: within a few units in the last place of the
+    /// border, either side may be named.
+    pub fn new(ratios: Ratios<F>) -> Self {
+        let p = PhaseFunction::of_valid(ratios.omega());
+        let border = Border::at(&p);
+        let regime = regime_of(ratios, &border);
+        Self {
+            ratios,
+            regime,
+            border,
+            cycle: match regime {
+                Regime::NonSticking => Some(Cycle::at(&p, ratios)),
+                Regime::Stuck | Regime::Sticking | Regime::Unbounded => None,
+            },
+            best_force_ratio: best_force_ratio(p.value()),
+            best_loop_size: best_loop_size(p.value(), one_minus_square(ratios.omega())),
+        }
+    }
+
+    /// The ratios (Ω, α).
+    pub const fn ratios(&self) -> Ratios<F> {
+        self.ratios
+    }
+
+    /// What the body does in the long run.
+    pub const fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// The border at this Ω: the least force ratio without sticking, exact and by eq. 61.
+    pub const fn border(&self) -> &Border<F> {
+        &self.border
+    }
+
+    /// The non-sticking cycle, where there is one.
+    pub const fn cycle(&self) -> Option<&Cycle<F>> {
+        self.cycle.as_ref()
+    }
+
+    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65); it counts where it is not below
+    /// the border ([`Response::best_is_reached`]).
+    pub const fn best_force_ratio(&self) -> F {
+        self.best_force_ratio
+    }
+
+    /// The largest loop A₁ at this Ω (eq. 66); `None` at Ω = 1 and Ω = 1/(2n), where it is infinite.
+    pub fn best_loop_size(&self) -> Option<F> {
+        self.best_loop_size.is_finite().then_some(self.best_loop_size)
+    }
+
+    /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Where it does, the best
+    /// non-sticking force ratio is the border itself.
+    pub fn best_is_reached(&self) -> bool {
+        self.best_force_ratio >= self.border.min_force_ratio()
+    }
+}
+
+/// The regime at (Ω, α), given the border at Ω.
+fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
+    let (one, alpha) = (F::int(1), ratios.alpha());
+    if alpha <= one {
+        Regime::Stuck
+    } else if alpha < border.min_force_ratio() {
+        Regime::Sticking
+    } else if ratios.omega() == one {
+        Regime::Unbounded
+    } else {
+        Regime::NonSticking
+    }
+}
+
+/// The regime at (Ω, α).
+///
+/// # Errors
+/// Where a ratio is outside its domain.
+pub fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, Error> {
+    let ratios = Ratios::new(omega, alpha)?;
+    Ok(regime_of(ratios, &Border::new(omega)?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Regime, Response, regime};
+    use crate::Ratios;
+
+    #[test]
+    fn each_regime_has_its_place() {
+        for (omega, alpha, expected) in [
+            (0.7, 1.0, Regime::Stuck),
+            (0.7, 1.2, Regime::Sticking),
+            (0.7, 1.4, Regime::NonSticking),
+            (0.4, 6.9, Regime::Sticking),
+            (0.4, 7.0, Regime::NonSticking),
+            (1.0, 4.0 / std::f64::consts::PI - 1e-15, Regime::Sticking),
+            (1.0, 4.0 / std::f64::consts::PI + 1e-15, Regime::Unbounded),
+            (1e-3, 1e6, Regime::NonSticking),
+            (1e3, 1.9, Regime::NonSticking),
+            (1e3, 1.8, Regime::Sticking),
+        ] {
+            assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
+            let response = Response::new(Ratios::new(omega, alpha).unwrap());
+            assert_eq!(response.regime(), expected);
+            assert_eq!(response.cycle().is_some(), expected == Regime::NonSticking);
+        }
+    }
+
+    #[test]
+    fn the_optimum_counts_where_it_does_not_stick() {
+        // Ω|T| ≥ 1 at 1.5 (T = √3), not at 0.6 (T = −0.577).
+        let at = |omega| Response::new(Ratios::new(omega, 3.0).unwrap());
+        assert!(at(1.5).best_is_reached());
+        assert!(!at(0.6).best_is_reached());
+        assert_eq!(at(0.5).best_loop_size(), None);
+        assert_eq!(at(1.0).best_loop_size(), None);
+    }
+}
