@@ -149,6 +149,45 @@ impl<F: Float> Cycle<F> {
         loop_size_inertia(self.loop_size_stiffness(), self.ratios.omega())
     }
 
+    /// What the matching problem is given here: A/B, B/B = 1 and Ω.
+    pub fn given(&self) -> matching::Given<F> {
+        matching::Given {
+            amplitude: self.ratios.forced_amplitude(),
+            friction_displacement: F::int(1),
+            omega: self.ratios.omega(),
+        }
+    }
+
+    /// The solution of the matching problem (eq. 21–25), lengths in units of B, with ω_d t₁ taken so that
+    /// t₂ − π/ω_d < t₁ < t₂.
+    pub fn unknowns(&self) -> matching::Unknowns<F> {
+        let early = self.velocity_phase > self.displacement_phase;
+        let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
+        matching::Unknowns {
+            velocity_phase: self.velocity_phase - turn,
+            displacement_phase: self.displacement_phase,
+            max_velocity: self.max_velocity * self.ratios.omega(),
+            max_displacement: self.max_displacement,
+            deviation: self.deviation,
+        }
+    }
+
+    /// Den Hartog's half cycle of the same motion (eq. 54), in units of B.
+    pub fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
+        let one = F::int(1);
+        den_hartog::FallingHalf {
+            amplitude: self.ratios.forced_amplitude(),
+            friction_displacement: one,
+            omega: self.ratios.omega(),
+            phase_lag: den_hartog::phase_lag(self.displacement_phase),
+            c1: den_hartog::sine_coefficient(
+                one,
+                PhaseFunction::of_valid(self.ratios.omega()).tangent(),
+            ),
+            c2: den_hartog::cosine_coefficient(one),
+        }
+    }
+
     /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
     ///
     /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite; a

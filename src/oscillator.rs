@@ -103,15 +103,26 @@ impl<F: Float> Drive<F> {
         })
     }
 
+    /// The force `p₀ = α r_y` at the angular frequency ω_d.
+    ///
+    /// # Errors
+    /// Where α or ω_d is not finite or not > 0, or p₀ over- or underflows.
+    pub fn with_force_ratio(
+        oscillator: &Oscillator<F>,
+        alpha: F,
+        angular_frequency: F,
+    ) -> Result<Self, Error> {
+        let alpha = positive(Quantity::ForceRatio, alpha)?;
+        Self::force(alpha * oscillator.friction_bound(), angular_frequency)
+    }
+
     /// The force that gives `oscillator` the ratios (Ω, α): `p₀ = α r_y`, `ω_d = Ω ω_n`.
     ///
     /// # Errors
     /// Where p₀ or ω_d over- or underflows.
     pub fn from_ratios(oscillator: &Oscillator<F>, ratios: &Ratios<F>) -> Result<Self, Error> {
-        Self::force(
-            ratios.alpha() * oscillator.friction_bound(),
-            ratios.omega() * oscillator.natural_frequency(),
-        )
+        let angular_frequency = ratios.omega() * oscillator.natural_frequency();
+        Self::with_force_ratio(oscillator, ratios.alpha(), angular_frequency)
     }
 
     /// Angular frequency ω_d.

@@ -1,1 +1,45 @@
-fn main() {}
+//! The command over the library: `stickslip response`, `stickslip border`.
+
+mod args;
+mod border;
+mod failure;
+mod input;
+mod note;
+mod points;
+mod record;
+mod response;
+
+use args::{Command, CommandLine};
+use clap::Parser;
+use failure::{Failure, Outcome};
+use std::io::{self, BufWriter, Write};
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    match CommandLine::try_parse() {
+        Ok(line) => match run(&line.command) {
+            Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+            Err(failure) => report(&failure),
+        },
+        Err(error) if error.use_stderr() => report(&Failure::from(error)),
+        // Help and version, which a closed pipe may cut short.
+        Err(error) => {
+            let _ = error.print();
+            ExitCode::SUCCESS
+        }
+    }
+}
+
+fn run(command: &Command) -> Outcome {
+    let mut out = BufWriter::new(io::stdout().lock());
+    match command {
+        Command::Response(args) => response::run(args, &mut out)?,
+        Command::Border(args) => border::run(args, &mut out)?,
+    }
+    Ok(out.flush()?)
+}
+
+fn report(failure: &Failure) -> ExitCode {
+    let _ = writeln!(io::stderr(), "stickslip: {failure}");
+    failure.exit_code()
+}

@@ -1,0 +1,130 @@
+//! What can be typed.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
+#[derive(Debug, Parser)]
+#[command(name = "stickslip", version, arg_required_else_help = true)]
+pub(crate) struct CommandLine {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Does it stick, how far and how fast does it move, how much force keeps it from sticking?
+    #[command(after_help = RESPONSE_EXAMPLES)]
+    Response(ResponseArgs),
+    /// The least force that keeps it from sticking at a frequency.
+    #[command(after_help = BORDER_EXAMPLES)]
+    Border(BorderArgs),
+}
+
+const RESPONSE_EXAMPLES: &str = "\
+Examples:
+  stickslip response --omega 1.5 --alpha 2.5
+  stickslip response --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 12.5 --units kN,m
+  stickslip response --mass 50 --friction 5 --frequency 6.2832 --omega 1.5 --alpha 2.5 --format json
+  stickslip response --points points.csv --format csv";
+
+const BORDER_EXAMPLES: &str = "\
+Examples:
+  stickslip border --omega 0.4
+  stickslip border --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --format json
+  stickslip border --points - --format csv < frequencies.csv";
+
+#[derive(Debug, Args)]
+pub(crate) struct ResponseArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BorderArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+/// The oscillator and its frequency. In physical units, any consistent system.
+#[derive(Debug, Args)]
+pub(crate) struct MachineArgs {
+    /// Frequency ratio Ω = ω_d/ω_n
+    #[arg(long, value_name = "Ω", allow_hyphen_values = true)]
+    pub(crate) omega: Option<String>,
+    /// Mass m
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    pub(crate) mass: Option<String>,
+    /// Stiffness k; or give --omega, and k = m (ω_d/Ω)²
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub(crate) stiffness: Option<String>,
+    /// Friction bound r_y
+    #[arg(long, value_name = "RY", allow_hyphen_values = true)]
+    pub(crate) friction: Option<String>,
+    /// Angular frequency ω_d of the drive, in rad per unit of time
+    #[arg(long, value_name = "WD", allow_hyphen_values = true)]
+    pub(crate) frequency: Option<String>,
+}
+
+/// How hard it is shaken.
+#[derive(Debug, Args)]
+pub(crate) struct ForceArgs {
+    /// Force ratio α = p₀/r_y
+    #[arg(long, value_name = "α", allow_hyphen_values = true)]
+    pub(crate) alpha: Option<String>,
+    /// Force amplitude p₀
+    #[arg(long, value_name = "P0", allow_hyphen_values = true)]
+    pub(crate) force: Option<String>,
+    /// Amplitude u_g0 of the base motion; p₀ = k u_g0
+    #[arg(long, value_name = "UG", allow_hyphen_values = true)]
+    pub(crate) base_motion: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct OutputArgs {
+    /// CSV of ratios with a header (columns omega, and alpha for a response), answered row by row; - is
+    /// standard input
+    #[arg(long, value_name = "FILE")]
+    pub(crate) points: Option<PathBuf>,
+    /// text or json for one answer [default: text]; jsonl or csv for --points [default: jsonl]
+    #[arg(long, value_enum)]
+    pub(crate) format: Option<Format>,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+    /// Names of the units of force and length in the text answer
+    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
+    pub(crate) units: UnitNames,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    Text,
+    Json,
+    Jsonl,
+    Csv,
+}
+
+/// Names of the units of force and length, for the text answer.
+#[derive(Debug, Clone)]
+pub(crate) struct UnitNames {
+    pub(crate) force: String,
+    pub(crate) length: String,
+}
+
+impl UnitNames {
+    fn parse(text: &str) -> Result<Self, String> {
+        match text.split_once(',') {
+            Some((force, length)) if !force.is_empty() && !length.is_empty() => {
+                Ok(Self { force: force.to_owned(), length: length.to_owned() })
+            }
+            Some(_) | None => Err("two names with a comma between are due, such as kN,m".to_owned()),
+        }
+    }
+}

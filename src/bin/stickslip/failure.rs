@@ -1,0 +1,63 @@
+//! How the command ends when it cannot answer.
+
+use std::io;
+use std::process::ExitCode;
+
+/// The end of a command.
+pub(crate) type Outcome = Result<(), Failure>;
+
+/// Why a command stopped.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    /// The input is at fault: exit status 2.
+    #[error("{0}")]
+    Input(String),
+    /// The system is: exit status 1.
+    #[error("{0}")]
+    System(io::Error),
+    /// Nobody reads on: a quiet end.
+    #[error("closed pipe")]
+    ClosedPipe,
+}
+
+impl Failure {
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        match self {
+            Self::Input(_) => ExitCode::from(2),
+            Self::System(_) => ExitCode::FAILURE,
+            Self::ClosedPipe => ExitCode::SUCCESS,
+        }
+    }
+}
+
+impl From<io::Error> for Failure {
+    fn from(error: io::Error) -> Self {
+        if error.kind() == io::ErrorKind::BrokenPipe { Self::ClosedPipe } else { Self::System(error) }
+    }
+}
+
+impl From<serde_json::Error> for Failure {
+    fn from(error: serde_json::Error) -> Self {
+        io::Error::from(error).into()
+    }
+}
+
+impl From<csv::Error> for Failure {
+    fn from(error: csv::Error) -> Self {
+        match error.into_kind() {
+            csv::ErrorKind::Io(error) => error.into(),
+            other => Self::Input(format!("{other:?}")),
+        }
+    }
+}
+
+/// The parser's own message on one line, without its usage and hints.
+impl From<clap::Error> for Failure {
+    fn from(error: clap::Error) -> Self {
+        let text = error.to_string();
+        let message: Vec<&str> =
+            text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
+        let message = message.join(" ");
+        Self::Input(message.strip_prefix("error: ").unwrap_or(&message).to_owned())
+    }
+}

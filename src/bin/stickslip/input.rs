@@ -1,0 +1,191 @@
+//! From the arguments to the ratios and, where given, the machine.
+
+use crate::args::{ForceArgs, MachineArgs, OutputArgs};
+use crate::failure::Failure;
+use stickslip::{Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Scales};
+
+/// A machine in physical units and the scale of its answers.
+pub(crate) struct Machine {
+    pub(crate) oscillator: Oscillator<f64>,
+    pub(crate) drive: Drive<f64>,
+    pub(crate) scales: Scales<f64>,
+}
+
+/// What `response` is asked: the ratios and, in physical units, the machine.
+pub(crate) struct Point {
+    pub(crate) ratios: Ratios<f64>,
+    pub(crate) machine: Option<Machine>,
+}
+
+/// What `border` is asked: Ω and, in physical units, r_y and ω_d.
+pub(crate) struct BorderPoint {
+    pub(crate) omega: f64,
+    pub(crate) physical: Option<BorderScales>,
+}
+
+/// The scales a border has: force r_y, length B, time 1/ω_d, and ω_d itself.
+#[derive(Clone, Copy)]
+pub(crate) struct BorderScales {
+    pub(crate) length: f64,
+    pub(crate) force: f64,
+    pub(crate) time: f64,
+    pub(crate) frequency: f64,
+}
+
+/// Ends with a word on `--bits` where this build has no arithmetic for it.
+pub(crate) fn refuse_bits(output: &OutputArgs) -> Result<(), Failure> {
+    match output.bits {
+        Some(bits) => Err(Failure::Input(format!(
+            "--bits {bits}: this build has 53 bits only; more need the feature mp"
+        ))),
+        None => Ok(()),
+    }
+}
+
+/// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
+pub(crate) fn point(machine: &MachineArgs, force: &ForceArgs) -> Result<Point, Failure> {
+    if !is_physical(machine) && force.force.is_none() && force.base_motion.is_none() {
+        let omega = required("--omega", machine.omega.as_ref())?;
+        let alpha = required("--alpha", force.alpha.as_ref())?;
+        let ratios = Ratios::new(omega, alpha).map_err(|e| at_fault(e, machine, force))?;
+        return Ok(Point { ratios, machine: None });
+    }
+    let oscillator = oscillator(machine, force)?;
+    let frequency = required("--frequency", machine.frequency.as_ref())?;
+    let named = |e| at_fault(e, machine, force);
+    let drive = drive(&oscillator, frequency, force)?.map_err(named)?;
+    let ratios = drive.ratios(&oscillator).map_err(named)?;
+    let scales = Scales::new(&oscillator, &drive).map_err(named)?;
+    // What was given as a ratio stays as it was typed, without the rounding of the way through k and p₀.
+    let omega = number_or(ratios.omega(), "--omega", machine.omega.as_ref())?;
+    let alpha = number_or(ratios.alpha(), "--alpha", force.alpha.as_ref())?;
+    let ratios = Ratios::new(omega, alpha).map_err(named)?;
+    Ok(Point { ratios, machine: Some(Machine { oscillator, drive, scales }) })
+}
+
+/// Ω of `--omega`, or of the physical arguments.
+pub(crate) fn border_point(machine: &MachineArgs) -> Result<BorderPoint, Failure> {
+    let none = ForceArgs { alpha: None, force: None, base_motion: None };
+    let named = |e| at_fault(e, machine, &none);
+    if !is_physical(machine) {
+        let omega = required("--omega", machine.omega.as_ref())?;
+        return PhaseFunction::new(omega)
+            .map(|p| BorderPoint { omega: p.omega(), physical: None })
+            .map_err(named);
+    }
+    let oscillator = oscillator(machine, &none)?;
+    let frequency = required("--frequency", machine.frequency.as_ref())?;
+    // A force of r_y has α = 1: its scales are those of the border.
+    let drive = Drive::force(oscillator.friction_bound(), frequency).map_err(named)?;
+    let ratios = drive.ratios(&oscillator).map_err(named)?;
+    let scales = Scales::new(&oscillator, &drive).map_err(named)?;
+    Ok(BorderPoint {
+        omega: number_or(ratios.omega(), "--omega", machine.omega.as_ref())?,
+        physical: Some(BorderScales { length: scales.length, force: scales.force, time: scales.time, frequency }),
+    })
+}
+
+/// Complains of arguments for a single point beside `--points`.
+pub(crate) fn refuse_single(machine: &MachineArgs, force: Option<&ForceArgs>) -> Result<(), Failure> {
+    let force = force.and_then(|f| f.alpha.as_ref().or(f.force.as_ref()).or(f.base_motion.as_ref()));
+    match machine.omega.as_ref().or(force) {
+        None if !is_physical(machine) => Ok(()),
+        Some(_) | None => Err(Failure::Input(
+            "--points: the file gives the ratios; leave out the other quantities".to_owned(),
+        )),
+    }
+}
+
+/// A number as typed.
+pub(crate) fn number(name: &str, text: &str) -> Result<f64, Failure> {
+    text.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
+}
+
+fn is_physical(machine: &MachineArgs) -> bool {
+    [&machine.mass, &machine.stiffness, &machine.friction, &machine.frequency].iter().any(|a| a.is_some())
+}
+
+fn required(name: &str, given: Option<&String>) -> Result<f64, Failure> {
+    match given {
+        Some(text) => number(name, text),
+        None => Err(Failure::Input(format!("{name} is missing"))),
+    }
+}
+
+fn number_or(otherwise: f64, name: &str, given: Option<&String>) -> Result<f64, Failure> {
+    given.map_or(Ok(otherwise), |text| number(name, text))
+}
+
+fn oscillator(machine: &MachineArgs, force: &ForceArgs) -> Result<Oscillator<f64>, Failure> {
+    let mass = required("--mass", machine.mass.as_ref())?;
+    let friction = required("--friction", machine.friction.as_ref())?;
+    match (&machine.stiffness, &machine.omega) {
+        (Some(_), Some(_)) => {
+            let text = "--omega and --stiffness: give one of the two, the other follows";
+            return Err(Failure::Input(text.to_owned()));
+        }
+        (Some(k), None) => Oscillator::new(mass, number("--stiffness", k)?, friction),
+        (None, Some(omega)) => {
+            let frequency = required("--frequency", machine.frequency.as_ref())?;
+            Oscillator::tuned(mass, friction, frequency, number("--omega", omega)?)
+        }
+        (None, None) => return Err(Failure::Input("--stiffness (or --omega) is missing".to_owned())),
+    }
+    .map_err(|e| at_fault(e, machine, force))
+}
+
+/// The drive that the arguments name; the inner error is the library's.
+fn drive(
+    oscillator: &Oscillator<f64>,
+    frequency: f64,
+    force: &ForceArgs,
+) -> Result<Result<Drive<f64>, Error>, Failure> {
+    match (&force.force, &force.base_motion, &force.alpha) {
+        (Some(p0), None, None) => Ok(Drive::force(number("--force", p0)?, frequency)),
+        (None, Some(ug), None) => Ok(Drive::base_motion(number("--base-motion", ug)?, frequency)),
+        (None, None, Some(alpha)) => {
+            Ok(Drive::with_force_ratio(oscillator, number("--alpha", alpha)?, frequency))
+        }
+        (None, None, None) => {
+            Err(Failure::Input("--force (or --base-motion, or --alpha) is missing".to_owned()))
+        }
+        (..) => Err(Failure::Input("--force, --base-motion and --alpha: give one of the three".to_owned())),
+    }
+}
+
+/// The library's error behind the argument, or arguments, that it comes from.
+fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
+    let quantity = match &error {
+        Error::NotFinite { quantity, .. }
+        | Error::NotPositive { quantity, .. }
+        | Error::OutOfRange { quantity, .. } => Some(*quantity),
+        _ => None,
+    };
+    let given: [(&str, &Option<String>, &[Quantity]); 8] = {
+        use Quantity as Q;
+        [
+            ("--omega", &machine.omega, &[Q::FrequencyRatio, Q::Stiffness]),
+            ("--mass", &machine.mass, &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness]),
+            ("--stiffness", &machine.stiffness, &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement]),
+            ("--friction", &machine.friction, &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]),
+            (
+                "--frequency",
+                &machine.frequency,
+                &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness],
+            ),
+            ("--alpha", &force.alpha, &[Q::ForceRatio, Q::ForceAmplitude]),
+            (
+                "--force",
+                &force.force,
+                &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
+            ),
+            ("--base-motion", &force.base_motion, &[Q::BaseAmplitude, Q::ForceAmplitude, Q::ForceRatio]),
+        ]
+    };
+    let named: Vec<String> = given
+        .iter()
+        .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
+        .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
+        .collect();
+    Failure::Input(format!("{}: {error}", named.join(" ")))
+}

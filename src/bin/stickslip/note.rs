@@ -1,0 +1,161 @@
+//! The answer as an engineer's note: the regime first, then the numbers, then the force it would need.
+
+use crate::args::UnitNames;
+use crate::input::{BorderScales, Machine};
+use std::io::{self, Write};
+use stickslip::{Border, Cycle, PhaseFunction, Regime, Response, nonsticking};
+
+/// Seven significant digits, without the zeros that say nothing.
+fn digits(x: f64) -> String {
+    let rounded: f64 = format!("{x:.6e}").parse().unwrap_or(x);
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+/// A number in its dimensionless unit and, where there is a machine, in the user's.
+fn both(x: f64, unit: &str, scale: Option<f64>, name: &str) -> String {
+    let own = format!("{} {unit}", digits(x));
+    match scale {
+        Some(scale) => format!("{:<22} = {} {name}", own.trim_end(), digits(x * scale)),
+        None => own.trim_end().to_owned(),
+    }
+}
+
+/// What the body does, in one sentence.
+fn verdict(response: &Response<f64>) -> String {
+    let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
+    let margin = digits(alpha / response.border().min_force_ratio());
+    match response.regime() {
+        Regime::Stuck => {
+            "Stuck: α ≤ 1, the force never exceeds friction, and the body ends at rest for good.".into()
+        }
+        Regime::Sticking => format!(
+            "Sticking: the body stops for a while in every cycle; the force is {margin} of what it would take to keep it sliding."
+        ),
+        Regime::NonSticking => {
+            format!("Non-sticking: the body never stops; the force is {margin} times the least that does it.")
+        }
+        Regime::Unbounded => format!(
+            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the displacement grows in every cycle."
+        ),
+    }
+}
+
+/// The note on a response.
+pub(crate) fn response(
+    response: &Response<f64>,
+    machine: Option<&Machine>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
+    writeln!(out, "{}\n", verdict(response))?;
+    writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
+    writeln!(out, "  force ratio α            {}", digits(alpha))?;
+    if let Some(Machine { oscillator, drive, scales }) = machine {
+        let UnitNames { force, length } = units;
+        writeln!(out, "  natural frequency ω_n    {} rad/s", digits(oscillator.natural_frequency()))?;
+        writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
+        writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
+        writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))?;
+    }
+    if let Some(cycle) = response.cycle() {
+        motion(cycle, machine, units, out)?;
+    }
+    needed_force(response, machine, units, out)
+}
+
+/// The numbers of a non-sticking cycle.
+fn motion(
+    cycle: &Cycle<f64>,
+    machine: Option<&Machine>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = machine.map(|m| &m.scales);
+    let UnitNames { force, length } = units;
+    let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
+    let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
+    let speed = both(cycle.max_velocity(), "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
+    writeln!(out, "\nMotion (steady, symmetric, twice-reversing)")?;
+    writeln!(out, "  maximum displacement     {}", lengths(cycle.max_displacement()))?;
+    writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase()))?;
+    writeln!(out, "  maximum velocity         {speed}")?;
+    writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase()))?;
+    writeln!(out, "    where x = Δ₁           {}", lengths(cycle.deviation()))?;
+    let left = digits(cycle.contraction());
+    writeln!(out, "  a disturbance shrinks to {left} of itself in half a cycle")?;
+    writeln!(out, "\nDissipation in a cycle")?;
+    if let Some(Machine { oscillator, scales, .. }) = machine {
+        let loop_size =
+            nonsticking::loop_size(oscillator.friction_bound(), cycle.max_displacement() * scales.length);
+        writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(loop_size))?;
+    }
+    writeln!(out, "  per static energy        A₁ = {}", digits(cycle.loop_size_stiffness()))?;
+    writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
+}
+
+/// The force that keeps the body from sticking, and the one that dissipates most.
+fn needed_force(
+    response: &Response<f64>,
+    machine: Option<&Machine>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let border = response.border();
+    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), &units.force);
+    writeln!(out, "\nForce")?;
+    writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?;
+    if border.turning_point() < border.min_force_ratio() {
+        let eq_61 = digits(border.turning_point());
+        writeln!(out, "    (eq. 61 asks for {eq_61} r_y only, which does not suffice below Ω = 1/2)")?;
+    }
+    match response.best_loop_size() {
+        Some(size) if response.best_is_reached() => {
+            writeln!(out, "  of the largest loop A₁   {}", forces(response.best_force_ratio()))?;
+            writeln!(out, "    which is A₁ =          {}", digits(size))
+        }
+        None if response.best_is_reached() => {
+            writeln!(
+                out,
+                "  of the largest loop A₁   any above the least: at Ω = 1 the loop grows in every cycle"
+            )
+        }
+        Some(_) | None => writeln!(
+            out,
+            "  of the largest loop A₁   that least one, of those that do not stick (eq. 65 gives {}, which does)",
+            digits(response.best_force_ratio())
+        ),
+    }
+}
+
+/// The note on a border.
+pub(crate) fn border(
+    p: &PhaseFunction<f64>,
+    border: &Border<f64>,
+    scales: Option<BorderScales>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let forces = |x| both(x, "r_y", scales.map(|s| s.force), &units.force);
+    let lengths = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
+    writeln!(
+        out,
+        "At Ω = {} the body does not stick from a force of {} r_y on.\n",
+        digits(p.omega()),
+        digits(border.min_force_ratio())
+    )?;
+    writeln!(out, "  least force              {}", forces(border.min_force_ratio()))?;
+    writeln!(out, "  at the turning point     {}", forces(border.turning_point()))?;
+    writeln!(
+        out,
+        "    (eq. 61{})",
+        if p.omega() >= 0.5 { ", exact here" } else { ", necessary only below Ω = 1/2" }
+    )?;
+    writeln!(out, "  least displacement       {}", lengths(border.least_displacement()))?;
+    writeln!(out, "  it would stop first at   {} after its maximum", times(border.phase()))
+}

@@ -1,0 +1,125 @@
+//! Many points from a file or standard input, answered row by row in bounded memory.
+
+use crate::args::Format;
+use crate::failure::{Failure, Outcome};
+use crate::input::number;
+use crate::record::Record;
+use csv::{ReaderBuilder, StringRecord, Trim};
+use std::cell::RefCell;
+use std::fs::File;
+use std::io::{self, Read, Write};
+use std::path::Path;
+use stickslip::Error;
+
+/// Answers each row of `file` with the record that `answer` makes of its `columns`.
+///
+/// At a row that cannot be answered it stops: the rows before it are written whole, and the failure names the
+/// line and the value.
+pub(crate) fn run<const N: usize>(
+    file: &Path,
+    format: Option<Format>,
+    columns: [&str; N],
+    out: &mut impl Write,
+    answer: impl Fn([f64; N]) -> Result<Record, Error>,
+) -> Outcome {
+    let name = file.display().to_string();
+    let source: Box<dyn Read> = if file == Path::new("-") {
+        Box::new(io::stdin().lock())
+    } else {
+        Box::new(File::open(file).map_err(|e| Failure::Input(format!("--points {name}: {e}")))?)
+    };
+    let sink = RefCell::new(match format.unwrap_or(Format::Jsonl) {
+        Format::Jsonl => Sink::Lines(out),
+        Format::Csv => Sink::Rows { writer: csv::Writer::from_writer(out), header: false },
+        Format::Text | Format::Json => {
+            return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
+        }
+    });
+    let outcome = answer_all(FlushFirst { source, sink: &sink }, &name, columns, &sink, answer);
+    sink.borrow_mut().flush()?;
+    outcome
+}
+
+fn answer_all<const N: usize, W: Write>(
+    source: impl Read,
+    name: &str,
+    columns: [&str; N],
+    sink: &RefCell<Sink<W>>,
+    answer: impl Fn([f64; N]) -> Result<Record, Error>,
+) -> Outcome {
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
+    let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
+    let mut places = [0; N];
+    for (place, column) in places.iter_mut().zip(columns) {
+        *place = header.iter().position(|h| h.trim_start_matches('\u{feff}') == column).ok_or_else(|| {
+            let found = header.iter().collect::<Vec<_>>().join(",");
+            Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”"))
+        })?;
+    }
+    let mut row = StringRecord::new();
+    while reader.read_record(&mut row).map_err(|e| unreadable(name, e))? {
+        let line = row.position().map_or(0, csv::Position::line);
+        let mut values = [0.0; N];
+        for ((value, place), column) in values.iter_mut().zip(places).zip(columns) {
+            let text = row.get(place).unwrap_or_default();
+            *value = number(&format!("{name} line {line}: {column}"), text)?;
+        }
+        let record = answer(values).map_err(|e| Failure::Input(format!("{name} line {line}: {e}")))?;
+        sink.borrow_mut().write(&record)?;
+    }
+    Ok(())
+}
+
+/// What the reader could not make a row of.
+fn unreadable(name: &str, error: csv::Error) -> Failure {
+    let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => Failure::Input(format!("--points {name}: {error}")),
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            Failure::Input(format!("{name}{line}: {len} fields, must be {expected_len} as in the header"))
+        }
+        csv::ErrorKind::Utf8 { .. } => Failure::Input(format!("{name}{line}: must be UTF-8")),
+        other => Failure::Input(format!("{name}{line}: {other:?}")),
+    }
+}
+
+/// Where the records go: lines of JSON, or rows of CSV under one header.
+enum Sink<W: Write> {
+    Lines(W),
+    Rows { writer: csv::Writer<W>, header: bool },
+}
+
+impl<W: Write> Sink<W> {
+    fn write(&mut self, record: &Record) -> Outcome {
+        match self {
+            Self::Lines(out) => record.write_line(out),
+            Self::Rows { writer, header } => {
+                if !*header {
+                    *header = true;
+                    record.write_header(writer)?;
+                }
+                record.write_row(writer)
+            }
+        }
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Lines(out) => out.flush(),
+            Self::Rows { writer, .. } => writer.flush(),
+        }
+    }
+}
+
+/// Flushes the answers before each wait for more input, so that a live pipe sees them at once.
+struct FlushFirst<'a, R, W: Write> {
+    source: R,
+    sink: &'a RefCell<Sink<W>>,
+}
+
+impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        self.sink.borrow_mut().flush()?;
+        self.source.read(bytes)
+    }
+}

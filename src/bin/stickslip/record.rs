@@ -1,0 +1,158 @@
+//! Answers as records: one list of names and values, written as JSON or CSV.
+
+use crate::failure::Outcome;
+use crate::input::{BorderScales, Machine};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io::Write;
+use stickslip::{Border, PhaseFunction, Response, nonsticking};
+
+/// A value of a record.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Cell {
+    Text(&'static str),
+    /// `None` for what does not exist there.
+    Number(Option<f64>),
+}
+
+impl Serialize for Cell {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Self::Text(text) => text.serialize(serializer),
+            Self::Number(number) => number.serialize(serializer),
+        }
+    }
+}
+
+/// Named values in order, and those in physical units.
+#[derive(Debug, Default)]
+pub(crate) struct Record {
+    pub(crate) fields: Vec<(&'static str, Cell)>,
+    pub(crate) physical: Vec<(&'static str, Cell)>,
+}
+
+impl Serialize for Record {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, cell) in &self.fields {
+            map.serialize_entry(name, cell)?;
+        }
+        if !self.physical.is_empty() {
+            map.serialize_entry("physical", &Nested(&self.physical))?;
+        }
+        map.end()
+    }
+}
+
+struct Nested<'a>(&'a [(&'static str, Cell)]);
+
+impl Serialize for Nested<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
+    }
+}
+
+impl Record {
+    /// All outputs of a response; `None` in the cells that a regime does not have.
+    pub(crate) fn of_response(response: &Response<f64>) -> Self {
+        let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
+        let of_cycle = |value: fn(&stickslip::Cycle<f64>) -> f64| Cell::Number(cycle.map(value));
+        Self {
+            fields: vec![
+                ("omega", Cell::Number(Some(ratios.omega()))),
+                ("alpha", Cell::Number(Some(ratios.alpha()))),
+                ("regime", Cell::Text(response.regime().name())),
+                ("max_displacement", of_cycle(|c| c.max_displacement())),
+                ("displacement_phase", of_cycle(|c| c.displacement_phase())),
+                ("max_velocity", of_cycle(|c| c.max_velocity())),
+                ("velocity_phase", of_cycle(|c| c.velocity_phase())),
+                ("deviation", of_cycle(|c| c.deviation())),
+                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
+                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
+                ("loop_size_stiffness", of_cycle(|c| c.loop_size_stiffness())),
+                ("loop_size_inertia", of_cycle(|c| c.loop_size_inertia())),
+                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
+                ("best_loop_size", Cell::Number(response.best_loop_size())),
+                ("contraction", of_cycle(|c| c.contraction())),
+            ],
+            physical: Vec::new(),
+        }
+    }
+
+    /// The border at Ω and the best force ratio there.
+    pub(crate) fn of_border(p: &PhaseFunction<f64>, border: &Border<f64>) -> Self {
+        let best = nonsticking::best_force_ratio(p.value());
+        Self {
+            fields: vec![
+                ("omega", Cell::Number(Some(p.omega()))),
+                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
+                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
+                ("border_phase", Cell::Number(Some(border.phase()))),
+                ("least_displacement", Cell::Number(Some(border.least_displacement()))),
+                ("best_force_ratio", Cell::Number(Some(best))),
+            ],
+            physical: Vec::new(),
+        }
+    }
+
+    /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and both loop sizes
+    /// as the energy of a cycle.
+    pub(crate) fn with_machine(mut self, machine: &Machine) -> Self {
+        let scales = &machine.scales;
+        let p0 = machine.drive.force_amplitude(&machine.oscillator);
+        self.physical = self.rescaled(|name| match name {
+            "max_displacement" | "deviation" => Some(scales.length),
+            "max_velocity" => Some(scales.velocity),
+            "displacement_phase" | "velocity_phase" => Some(scales.time),
+            "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
+            "loop_size_stiffness" | "best_loop_size" => Some(scales.energy_stiffness),
+            "loop_size_inertia" => Some(scales.energy_inertia),
+            "contraction" => Some(1.0),
+            _ => None,
+        });
+        let known = [("omega", machine.drive.angular_frequency()), ("alpha", p0)];
+        self.physical.splice(0..0, known.map(|(name, value)| (name, Cell::Number(Some(value)))));
+        self
+    }
+
+    /// The border in the machine's units.
+    pub(crate) fn with_border_scales(mut self, scales: BorderScales) -> Self {
+        self.physical = self.rescaled(|name| match name {
+            "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
+            "border_phase" => Some(scales.time),
+            "least_displacement" => Some(scales.length),
+            _ => None,
+        });
+        self.physical.insert(0, ("omega", Cell::Number(Some(scales.frequency))));
+        self
+    }
+
+    fn rescaled(&self, scale: impl Fn(&str) -> Option<f64>) -> Vec<(&'static str, Cell)> {
+        let rescale = |&(name, cell): &(&'static str, Cell)| match cell {
+            Cell::Number(value) => scale(name).map(|unit| (name, Cell::Number(value.map(|v| v * unit)))),
+            Cell::Text(_) => None,
+        };
+        self.fields.iter().filter_map(rescale).collect()
+    }
+
+    /// One line of JSON.
+    pub(crate) fn write_line(&self, out: &mut impl Write) -> Outcome {
+        serde_json::to_writer(&mut *out, self)?;
+        Ok(out.write_all(b"\n")?)
+    }
+
+    /// JSON for a single answer, indented.
+    pub(crate) fn write_pretty(&self, out: &mut impl Write) -> Outcome {
+        serde_json::to_writer_pretty(&mut *out, self)?;
+        Ok(out.write_all(b"\n")?)
+    }
+
+    /// One row of CSV; an empty cell for what does not exist. Every number in the digits that give it back.
+    pub(crate) fn write_row(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
+        Ok(out.serialize(self.fields.iter().map(|(_, cell)| cell).collect::<Vec<_>>())?)
+    }
+
+    /// The header of the rows.
+    pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
+        Ok(out.write_record(self.fields.iter().map(|(name, _)| name))?)
+    }
+}

@@ -1,0 +1,37 @@
+//! `stickslip response`.
+
+use crate::args::{Format, ResponseArgs};
+use crate::failure::{Failure, Outcome};
+use crate::record::Record;
+use crate::{input, note, points};
+use std::io::Write;
+use stickslip::{Ratios, Response};
+
+pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
+    input::refuse_bits(&args.output)?;
+    if let Some(file) = &args.output.points {
+        input::refuse_single(&args.machine, Some(&args.force))?;
+        return points::run(file, args.output.format, ["omega", "alpha"], out, |[omega, alpha]| {
+            Ok(Record::of_response(&Response::new(Ratios::new(omega, alpha)?)))
+        });
+    }
+    let point = input::point(&args.machine, &args.force)?;
+    let response = Response::new(point.ratios);
+    match args.output.format.unwrap_or(Format::Text) {
+        Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
+        Format::Json => {
+            let record = Record::of_response(&response);
+            match &point.machine {
+                Some(machine) => record.with_machine(machine),
+                None => record,
+            }
+            .write_pretty(out)
+        }
+        Format::Jsonl | Format::Csv => Err(single_format()),
+    }
+}
+
+/// `jsonl` and `csv` are for streams.
+pub(crate) fn single_format() -> Failure {
+    Failure::Input("--format: jsonl and csv go with --points; a single answer is text or json".to_owned())
+}

@@ -1,0 +1,131 @@
+//! Each erratum of `docs/errata.md`: the form as printed, the corrected one, and the reference value.
+
+use stickslip::nonsticking::{self, matching, printed};
+use stickslip::{Border, Cycle, PhaseFunction, Ratios, Response};
+
+fn cycle(omega: f64, alpha: f64) -> Cycle<f64> {
+    Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap()
+}
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a - b).abs() <= tolerance * b.abs(), "{a} against {b}");
+}
+
+fn printed_velocity(c: &Cycle<f64>) -> f64 {
+    let (omega, alpha) = (c.ratios().omega(), c.ratios().alpha());
+    printed::max_velocity(omega, alpha, matching::pi_1(omega).cos(), c.deviation())
+}
+
+fn corrected_velocity(c: &Cycle<f64>) -> f64 {
+    let g = c.given();
+    nonsticking::max_velocity_from_phase(
+        g.amplitude,
+        g.omega,
+        matching::pi_1(g.omega).cos(),
+        c.velocity_phase().sin_cos(),
+        c.deviation(),
+        (1.0 - g.omega).signum(),
+    )
+}
+
+#[test]
+fn erratum_1_the_second_root_of_49_above_the_natural_frequency() {
+    let c = cycle(1.5, 2.5);
+    let reference = 1.654_152_276_482_076_4;
+    close(c.max_velocity(), reference, 1e-15);
+    close(corrected_velocity(&c), reference, 1e-14);
+    close(printed_velocity(&c), 1.933_924_354_979_769, 1e-14);
+    // Eq. 37 and 48 print the same root.
+    let (g, u) = (c.given(), c.unknowns());
+    close(g.max_velocity(&u, -1.0) / 1.5, reference, 1e-14);
+    close(g.max_velocity(&u, 1.0) / 1.5, 1.933_924_354_979_769, 1e-14);
+}
+
+#[test]
+fn erratum_2_the_first_root_of_49_near_the_border() {
+    let c = cycle(0.939_24, 1.249_1);
+    let reference = 1.961_975_184_344_734_2;
+    assert!(c.velocity_phase().cos() < 0.0, "the root stands for a negative number");
+    close(c.max_velocity(), reference, 1e-14);
+    close(corrected_velocity(&c), reference, 1e-12);
+    close(printed_velocity(&c), 5.435_169_765_408_348, 1e-12);
+    // Away from the border, below the natural frequency, the printed form is right.
+    let c = cycle(0.7, 2.0);
+    close(printed_velocity(&c), 3.761_239_935_323_71, 1e-14);
+}
+
+#[test]
+fn erratum_3_the_range_of_43_where_k_is_positive() {
+    let c = cycle(0.4, 9.0);
+    close(c.displacement_phase(), 1.335_292_090_074_097, 1e-15);
+    let ratio = c.max_displacement() / c.ratios().forced_amplitude();
+    close(printed::displacement_phase(ratio), 1.806_300_563_515_696_3, 1e-14);
+    // Where K < 0, on both sides of Ω = 1, the printed range is right.
+    for (omega, alpha) in [(0.7, 2.0), (1.5, 2.5), (0.3, 12.0)] {
+        let c = cycle(omega, alpha);
+        let ratio = c.max_displacement() / c.ratios().forced_amplitude();
+        close(printed::displacement_phase(ratio), c.displacement_phase(), 1e-14);
+    }
+}
+
+#[test]
+fn erratum_4_equation_61_does_not_suffice_below_one_half() {
+    let p = PhaseFunction::new(0.4f64).unwrap();
+    close(nonsticking::turning_point_border(p.value(), 0.4), 5.654_423_047_491_228, 1e-15);
+    close(Border::at(&p).min_force_ratio(), 6.949_737_755_908_733, 1e-15);
+    // Between the two, eq. 62 holds and the motion of eq. 54 runs backwards: it is not one.
+    let alpha = 6.0;
+    assert!(nonsticking::turning_point_criterion(p.value(), 0.4, alpha));
+    let delta = nonsticking::max_displacement(p.value(), alpha, 1.0 - 0.16);
+    let phase = nonsticking::displacement_phase(p.value(), alpha, 0.4);
+    let half = nonsticking::den_hartog::FallingHalf {
+        amplitude: alpha / (1.0 - 0.16),
+        friction_displacement: 1.0,
+        omega: 0.4,
+        phase_lag: nonsticking::den_hartog::phase_lag(phase),
+        c1: nonsticking::den_hartog::sine_coefficient(1.0, p.tangent()),
+        c2: nonsticking::den_hartog::cosine_coefficient(1.0),
+    };
+    close(half.displacement(0.0), delta, 1e-14);
+    assert!(half.velocity(0.47) > 0.1, "x′ > 0 in a half cycle that is to fall: {}", half.velocity(0.47));
+    // At and above the exact border it does not.
+    let c = cycle(0.4, 7.0);
+    let half = c.den_hartog();
+    assert!((1..1000).all(|i| half.velocity(f64::from(i) * std::f64::consts::PI / 1000.0) < 0.0));
+}
+
+#[test]
+fn erratum_5_the_optimum_of_65_sticks_for_some_frequencies() {
+    let at = |omega: f64| Response::new(Ratios::new(omega, 2.0).unwrap());
+    // At Ω = 0.6 eq. 65 asks for 0.87, where the body is at rest; the best non-sticking is the border, 1.88.
+    let low = at(0.6);
+    close(low.best_force_ratio(), 0.870_929_686_322_907_64, 1e-14);
+    assert!(!low.best_is_reached());
+    let loop_at = |alpha| cycle(0.6, alpha).loop_size_stiffness();
+    let border = low.border().min_force_ratio();
+    assert!(loop_at(border) > loop_at(border * 1.001) && loop_at(border) < low.best_loop_size().unwrap());
+    // At Ω = 1.5 it counts.
+    assert!(at(1.5).best_is_reached());
+    close(cycle(1.5, at(1.5).best_force_ratio()).loop_size_stiffness(), at(1.5).best_loop_size().unwrap(), 1e-14);
+    // For Ω ≥ 1/2 the dividing line is Ω|T| = 1.
+    for i in 0..300 {
+        let omega = 0.5 + f64::from(i) * 0.0101;
+        let tangent = PhaseFunction::new(omega).unwrap().tangent();
+        assert_eq!(at(omega).best_is_reached(), omega * tangent.abs() >= 1.0, "{omega}");
+    }
+}
+
+#[test]
+fn erratum_6_the_deviation_grows_in_one_unit_and_falls_in_the_other() {
+    let ratios = [1.6, 2.0, 10.0];
+    let in_b = ratios.map(|alpha| cycle(0.7, alpha).deviation());
+    for (got, expected) in in_b.iter().zip([0.3728, 0.4665, 0.6597]) {
+        assert!((got - expected).abs() < 5e-5);
+    }
+    // With p₀ fixed, B = p₀/(αk) and Δ₁ k/p₀ = (Δ₁/B)/α: it falls from α ≈ 1.78 on, and rises before.
+    let at_fixed_force = [1.6, 1.8, 2.0, 3.0, 10.0].map(|alpha| cycle(0.7, alpha).deviation() / alpha);
+    let expected = [0.233_010_73, 0.236_864_99, 0.233_242_65, 0.190_285_85, 0.065_970_232];
+    for (got, expected) in at_fixed_force.iter().zip(expected) {
+        close(*got, expected, 1e-7);
+    }
+}
