@@ -116,3 +116,16 @@ pub enum Error {
         alpha: String,
     },
 }
+
+impl Error {
+    /// The quantity whose value is at fault on its own; `None` where two do not go together.
+    #[must_use]
+    pub const fn quantity(&self) -> Option<Quantity> {
+        match self {
+            Self::NotFinite { quantity, .. }
+            | Self::NotPositive { quantity, .. }
+            | Self::OutOfRange { quantity, .. } => Some(*quantity),
+            Self::Sticks { .. } | Self::Unbounded { .. } => None,
+        }
+    }
+}

@@ -16,9 +16,10 @@
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Response::new(drive.ratios(&body)?);
+//! let scales = Scales::new(&body, &drive)?;
 //! assert_eq!(answer.regime(), Regime::NonSticking);
-//! let amplitude = answer.cycle().map(|c| c.max_displacement() * Scales::new(&body, &drive).unwrap().length);
-//! assert!((amplitude.unwrap() - 0.010368).abs() < 1e-6); // metres
+//! let metres = answer.cycle().map(|cycle| cycle.max_displacement() * scales.length);
+//! assert!((metres.unwrap() - 0.009914465_f64).abs() < 1e-9);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 //!
@@ -53,14 +54,14 @@
 //! * `cli`: the command `stickslip`.
 
 #![cfg_attr(
-    test,
-    allow(
+    not(test),
+    deny(
         clippy::unwrap_used,
         clippy::expect_used,
         clippy::panic,
         clippy::indexing_slicing,
-        clippy::wildcard_enum_match_arm,
-        reason = "a failing test may panic"
+        clippy::unreachable,
+        clippy::wildcard_enum_match_arm
     )
 )]
 

@@ -42,7 +42,7 @@ use half_cycle::HalfCycle;
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
-/// let cycle = Cycle::new(Ratios::new(1.5, 2.5)?)?;
+/// let cycle = Cycle::new(Ratios::new(1.5f64, 2.5)?)?;
 /// assert!((cycle.max_displacement() - 1.632993161855452).abs() < 1e-15);
 /// assert!((cycle.max_velocity() - 1.654152276482076).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
@@ -180,10 +180,7 @@ impl<F: Float> Cycle<F> {
             friction_displacement: one,
             omega: self.ratios.omega(),
             phase_lag: den_hartog::phase_lag(self.displacement_phase),
-            c1: den_hartog::sine_coefficient(
-                one,
-                PhaseFunction::of_valid(self.ratios.omega()).tangent(),
-            ),
+            c1: den_hartog::sine_coefficient(one, PhaseFunction::of_valid(self.ratios.omega()).tangent()),
             c2: den_hartog::cosine_coefficient(one),
         }
     }

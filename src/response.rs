@@ -36,7 +36,7 @@ impl Regime {
 ///
 /// ```
 /// use stickslip::{Ratios, Regime, Response};
-/// let answer = Response::new(Ratios::new(0.4, 6.0)?);
+/// let answer = Response::new(Ratios::new(0.4f64, 6.0)?);
 /// assert_eq!(answer.regime(), Regime::Sticking);
 /// assert!((answer.border().min_force_ratio() - 6.949737755908733).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())

@@ -99,10 +99,10 @@ pub(crate) struct Fastest<F> {
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
     if F::PRECISION <= f64::MANTISSA_DIGITS {
-        if half.omega() >= F::ratio(1, 2) {
-            if let Some(found) = from_centre(half) {
-                return found;
-            }
+        if half.omega() >= F::ratio(1, 2)
+            && let Some(found) = from_centre(half)
+        {
+            return found;
         }
         polish(half, F::from_f64(from_bracket(&half.to_f64(), k.to_f64(), alpha.to_f64())))
     } else {
@@ -122,7 +122,9 @@ fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
         let jet = half.velocity(psi);
         let step = householder(&jet);
         psi = psi + step;
-        if !(psi.abs() * F::int(2) <= F::pi()) {
+        // Said so that NaN is outside, too.
+        let inside = psi.abs() * F::int(2) <= F::pi();
+        if !inside {
             return None;
         }
         if is_final(step) {

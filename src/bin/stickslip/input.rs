@@ -81,7 +81,12 @@ pub(crate) fn border_point(machine: &MachineArgs) -> Result<BorderPoint, Failure
     let scales = Scales::new(&oscillator, &drive).map_err(named)?;
     Ok(BorderPoint {
         omega: number_or(ratios.omega(), "--omega", machine.omega.as_ref())?,
-        physical: Some(BorderScales { length: scales.length, force: scales.force, time: scales.time, frequency }),
+        physical: Some(BorderScales {
+            length: scales.length,
+            force: scales.force,
+            time: scales.time,
+            frequency,
+        }),
     })
 }
 
@@ -155,12 +160,7 @@ fn drive(
 
 /// The library's error behind the argument, or arguments, that it comes from.
 fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
-    let quantity = match &error {
-        Error::NotFinite { quantity, .. }
-        | Error::NotPositive { quantity, .. }
-        | Error::OutOfRange { quantity, .. } => Some(*quantity),
-        _ => None,
-    };
+    let quantity = error.quantity();
     let given: [(&str, &Option<String>, &[Quantity]); 8] = {
         use Quantity as Q;
         [

@@ -1,5 +1,17 @@
 //! The command over the library: `stickslip response`, `stickslip border`.
 
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::indexing_slicing,
+        clippy::unreachable,
+        clippy::wildcard_enum_match_arm
+    )
+)]
+
 mod args;
 mod border;
 mod failure;

@@ -30,7 +30,7 @@ pub(crate) fn run<const N: usize>(
     };
     let sink = RefCell::new(match format.unwrap_or(Format::Jsonl) {
         Format::Jsonl => Sink::Lines(out),
-        Format::Csv => Sink::Rows { writer: csv::Writer::from_writer(out), header: false },
+        Format::Csv => Sink::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false },
         Format::Text | Format::Json => {
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
@@ -73,20 +73,17 @@ fn answer_all<const N: usize, W: Write>(
 /// What the reader could not make a row of.
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
-    match error.into_kind() {
-        csv::ErrorKind::Io(error) => Failure::Input(format!("--points {name}: {error}")),
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            Failure::Input(format!("{name}{line}: {len} fields, must be {expected_len} as in the header"))
-        }
-        csv::ErrorKind::Utf8 { .. } => Failure::Input(format!("{name}{line}: must be UTF-8")),
-        other => Failure::Input(format!("{name}{line}: {other:?}")),
-    }
+    Failure::Input(if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
+        format!("{name}{line}: {len} fields, must be {expected_len} as in the header")
+    } else {
+        format!("{name}{line}: {error}")
+    })
 }
 
 /// Where the records go: lines of JSON, or rows of CSV under one header.
 enum Sink<W: Write> {
     Lines(W),
-    Rows { writer: csv::Writer<W>, header: bool },
+    Rows { writer: Box<csv::Writer<W>>, header: bool },
 }
 
 impl<W: Write> Sink<W> {

@@ -1,0 +1,30 @@
+//! The library's side of the comparison, one function a kernel.
+
+use stickslip::Ratios;
+use stickslip::nonsticking::{Cycle, loop_size_stiffness, max_displacement, turning_point_border};
+use stickslip::phase_function::{PhaseFunction, one_minus_square};
+
+/// {Δ₀, eq. 61, A₁}
+#[inline]
+pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
+    let Ok(p) = PhaseFunction::new(omega) else { return [f64::NAN; 3] };
+    let k = p.value();
+    let delta = max_displacement(k, alpha, one_minus_square(omega));
+    [delta, turning_point_border(k, omega), loop_size_stiffness(delta, alpha)]
+}
+
+/// {Δ₀, t₂, V₀, t₁, Δ₁, contraction} of a checked [`Cycle`].
+#[inline]
+pub fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
+    match Ratios::new(omega, alpha).and_then(Cycle::new) {
+        Ok(c) => [
+            c.max_displacement(),
+            c.displacement_phase(),
+            c.max_velocity(),
+            c.velocity_phase(),
+            c.deviation(),
+            c.contraction(),
+        ],
+        Err(_) => [f64::NAN; 6],
+    }
+}

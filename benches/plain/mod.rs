@@ -1,0 +1,118 @@
+//! The library's formulae written out by hand for f64, without traits or types: what the generic code has to cost.
+//!
+//! The same steps in the same order as `Cycle` and `Border`, so that the results are the same to the last bit.
+
+use std::f64::consts::PI;
+
+/// q mod 4 and the remainder w of π/2Ω, for Ω ≥ 2/5 (the bench keeps to Ω ≥ 1/2).
+#[inline]
+fn reduced(omega: f64) -> (u8, f64) {
+    let (quarter, rest) = if omega >= 2.0 {
+        (0, 1.0)
+    } else if 3.0 * omega >= 2.0 {
+        (1, 1.0 - omega)
+    } else {
+        (2, 1.0 - 2.0 * omega)
+    };
+    (quarter, PI * rest / (2.0 * omega))
+}
+
+#[inline]
+fn phase_function(omega: f64, quarter: u8, w: f64) -> f64 {
+    if quarter == 1 {
+        let w2 = w * w;
+        let y_cot_y = if w2 < f64::EPSILON { 1.0 - w2 / 3.0 } else { w / w.tan() };
+        -2.0 * (1.0 + omega) / PI * y_cot_y
+    } else {
+        (1.0 - omega) * (1.0 + omega) * w.tan() / omega
+    }
+}
+
+#[inline]
+fn in_range(x: f64, least: f64) -> bool {
+    x.is_finite() && x > 0.0 && x >= least && x <= 1.0 / RANGE
+}
+
+const RANGE: f64 = 1.0 / (1u128 << 125) as f64 / (1u128 << 125) as f64;
+
+/// {Δ₀, eq. 61, A₁}
+#[inline]
+pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
+    if !in_range(omega, RANGE) {
+        return [f64::NAN; 3];
+    }
+    let (quarter, w) = reduced(omega);
+    let k = phase_function(omega, quarter, w);
+    let q = (1.0 - omega) * (1.0 + omega);
+    let delta = ((alpha - k) * (alpha + k)).sqrt() / q.abs();
+    [delta, k.hypot(q / (omega * omega)), 8.0 * (delta / alpha) / alpha]
+}
+
+/// {Δ₀, t₂, V₀, t₁, Δ₁, contraction}
+#[inline]
+pub fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
+    if !in_range(omega, RANGE) || !in_range(alpha, alpha) {
+        return [f64::NAN; 6];
+    }
+    let (quarter, w) = reduced(omega);
+    let k = phase_function(omega, quarter, w);
+    let q = (1.0 - omega) * (1.0 + omega);
+    if alpha < k.hypot(q / (omega * omega)) || omega == 1.0 {
+        return [f64::NAN; 6];
+    }
+    let sine = ((alpha - k) * (alpha + k)).sqrt();
+    let delta = sine / q.abs();
+    let t2 = if omega < 1.0 { sine.atan2(k) } else { PI + sine.atan2(-k) };
+    let (ws, wc) = w.sin_cos();
+    let (sb, cb) = match quarter {
+        0 => (ws, wc),
+        1 => (wc, -ws),
+        _ => (-ws, -wc),
+    };
+    let mut psi = 0.0;
+    for _ in 0..4 {
+        let half = psi / 2.0;
+        let (sp, cp) = ((1.0 + omega) * half).sin_cos();
+        let (sm, cm) = ((1.0 - omega) * half).sin_cos();
+        let (s, c) = (sp * cm + cp * sm, cp * cm - sp * sm);
+        let (so, co) = (sp * cm - cp * sm, cp * cm + sp * sm);
+        let (h, h1) = if quarter == 1 {
+            let tangent = cb / (1.0 + sb);
+            let slope = (1.0 - omega) / cb + omega * tangent;
+            let double = 2.0 * sm / cb;
+            (double * cp + tangent * so, slope * co - double * sp)
+        } else {
+            ((s - sb * so) / cb, (c - omega * sb * co) / cb)
+        };
+        let omega2 = omega * omega;
+        let value = omega * delta * co + h;
+        let first = h1 - omega2 * delta * so;
+        let forcing = -((1.0 - omega) * (1.0 + omega) / cb);
+        let second = forcing * s - omega2 * value;
+        let third = forcing * c - omega2 * first;
+        let fourth = -(forcing * s) - omega2 * second;
+        let inverse = 1.0 / second;
+        let newton = -(first * inverse);
+        let curvature = third * inverse * newton;
+        let bend = fourth * inverse * (newton * newton) / 6.0;
+        let step = newton * (1.0 + curvature / 2.0) / (1.0 + curvature + bend);
+        psi += step;
+        let square = step * step;
+        if square * square * 64.0 <= f64::EPSILON {
+            let v = value + step * (first + step / 2.0 * (third * step / 3.0 + second));
+            let mut t1 = t2 - PI / 2.0 - omega * psi;
+            if !(0.0..2.0 * PI).contains(&t1) {
+                t1 -= 2.0 * PI * (t1 / (2.0 * PI)).floor();
+            }
+            let g = omega * omega * delta;
+            let g_sine = g * (2.0 * sb * cb).abs();
+            let contraction = if g_sine > 1.0 {
+                ((1.0 - 1.0 / g) / (1.0 + 1.0 / g)).sqrt()
+            } else {
+                (g * ((cb - sb) * (cb + sb)).abs() + ((1.0 - g_sine) * (1.0 + g_sine)).sqrt()) / (g + 1.0)
+            };
+            return [delta, t2, v / omega, t1, alpha * t1.sin() - 1.0, contraction];
+        }
+    }
+    [f64::NAN; 6]
+}

@@ -1,0 +1,26 @@
+//! Points for the benches: Ω uniform in (0.5, 2.5) but not within 0.02 of 1, α from 1.05 to 4.05 times the border.
+
+use stickslip::Border;
+
+/// `n` points from a fixed seed.
+pub fn points(n: usize) -> Vec<(f64, f64)> {
+    let mut state = 7u64;
+    // The generator SplitMix64: enough for benches, the same everywhere.
+    let mut uniform = move || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+    };
+    let mut points = Vec::with_capacity(n);
+    while points.len() < n {
+        let omega = 0.5 + 2.0 * uniform();
+        if (omega - 1.0).abs() > 0.02
+            && let Ok(border) = Border::new(omega)
+        {
+            points.push((omega, border.min_force_ratio() * (1.05 + 3.0 * uniform())));
+        }
+    }
+    points
+}
