@@ -4,6 +4,12 @@
 //! that start-up does not count. Without arguments it checks that the generic and the plain kernels agree to the
 //! last bit.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program of its own: what it prints is its answer"
+)]
+
 mod kernels;
 mod plain;
 mod points;

@@ -98,7 +98,7 @@ fn physical_units_are_the_ratios_times_their_scales() {
     let frequency = std::f64::consts::TAU;
     let by_ratio = json(&format!("response {PAPER} --omega 0.8 --alpha 2.5 --format json"));
     let by_force = json(&format!("response {PAPER} --stiffness 3084.25137534 --force 12.5 --format json"));
-    let length = 5.0 / 3084.251_375_34;
+    let length = 5.0 / 3_084.251_375_34;
     let by_base =
         json(&format!("response {PAPER} --stiffness 3084.25137534 --base-motion 0.00405285 --format json"));
     for (answer, tolerance) in [(&by_ratio, 1e-11f64), (&by_force, 1e-11), (&by_base, 1e-6)] {
@@ -135,7 +135,7 @@ fn the_border_in_all_its_forms() {
     assert!(
         (answer["min_force_ratio_turning_point"].as_f64().unwrap() / 5.654423047491228 - 1.0).abs() < 1e-14
     );
-    assert!((answer["border_phase"].as_f64().unwrap() - 0.47178709471398863).abs() < 1e-13);
+    assert!((answer["border_phase"].as_f64().unwrap() - 0.471_787_094_713_988_6).abs() < 1e-13);
     let physical = json(&format!("border {PAPER} --omega 0.4 --format json"));
     let ratio = physical["physical"]["min_force_ratio"].as_f64().unwrap();
     assert!((ratio / (5.0 * 6.949737755908733) - 1.0).abs() < 1e-14);

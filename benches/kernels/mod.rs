@@ -6,7 +6,7 @@ use stickslip::phase_function::{PhaseFunction, one_minus_square};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline]
-pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
+pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     let Ok(p) = PhaseFunction::new(omega) else { return [f64::NAN; 3] };
     let k = p.value();
     let delta = max_displacement(k, alpha, one_minus_square(omega));
@@ -15,7 +15,7 @@ pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
 
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction} of a checked [`Cycle`].
 #[inline]
-pub fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
+pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     match Ratios::new(omega, alpha).and_then(Cycle::new) {
         Ok(c) => [
             c.max_displacement(),

@@ -37,7 +37,7 @@ const RANGE: f64 = 1.0 / (1u128 << 125) as f64 / (1u128 << 125) as f64;
 
 /// {Δ₀, eq. 61, A₁}
 #[inline]
-pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
+pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     if !in_range(omega, RANGE) {
         return [f64::NAN; 3];
     }
@@ -50,7 +50,7 @@ pub fn triple(omega: f64, alpha: f64) -> [f64; 3] {
 
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction}
 #[inline]
-pub fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
+pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     if !in_range(omega, RANGE) || !in_range(alpha, alpha) {
         return [f64::NAN; 6];
     }

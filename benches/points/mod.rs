@@ -3,7 +3,7 @@
 use stickslip::Border;
 
 /// `n` points from a fixed seed.
-pub fn points(n: usize) -> Vec<(f64, f64)> {
+pub(crate) fn points(n: usize) -> Vec<(f64, f64)> {
     let mut state = 7u64;
     // The generator SplitMix64: enough for benches, the same everywhere.
     let mut uniform = move || {
