@@ -13,6 +13,8 @@ use core::fmt::{Debug, Display};
 use core::ops::Neg;
 use num_traits::NumOps;
 
+#[cfg(feature = "mp")]
+pub mod mp;
 mod primitive;
 
 /// What a formula needs of its numbers.
@@ -60,6 +62,14 @@ pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
     }
 }
 
+/// A task that an iteration at the number type `F` hands to a narrower one ([`Float::narrowed`]).
+pub trait Narrowed<F> {
+    /// What it comes to.
+    type Output;
+    /// The task at the narrower type `G`, with the ways there and back.
+    fn run<G: Float>(self, narrow: impl Fn(F) -> G, widen: impl Fn(G) -> F) -> Self::Output;
+}
+
 /// What a decision needs of its numbers: order, precision, range.
 pub trait Float: Real + PartialOrd + Display {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
@@ -83,6 +93,13 @@ pub trait Float: Real + PartialOrd + Display {
     fn round(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Runs a task at a lower precision: from about a quarter of the bits on, one step of third order gives
+    /// them all. At `f64` unless the type knows better.
+    #[inline]
+    fn narrowed<T: Narrowed<Self>>(task: T) -> T::Output {
+        task.run::<f64>(Self::to_f64, Self::from_f64)
+    }
 
     /// The larger of two numbers; `self` where they are unordered.
     #[inline]
