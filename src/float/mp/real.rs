@@ -96,11 +96,11 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         match LIMBS {
             ..=3 => task.run::<f64>(Self::to_f64, Self::of_f64),
             4 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
-            ..=8 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
-            ..=16 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
-            ..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
-            ..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
-            ..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
+            5..=8 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
+            9..=16 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
+            17..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
+            33..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
+            65..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
             // A width wider than any named one: whatever is left is Newton's to do.
             _ => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
         }

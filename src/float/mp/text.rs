@@ -1,10 +1,10 @@
 //! Decimal text: read at full precision, written with all the digits that tell a number from its
-//! neighbours, or rounded once to as many as asked for.
+//! neighbours and no more, or rounded once to as many as asked for.
 
 use super::Mp;
 use core::fmt::{self, Debug, Display, Formatter, LowerExp};
 use core::str::FromStr;
-use rug::{Float, Rational, ops::Pow};
+use rug::{Float, Rational, float::Round, ops::Pow};
 use std::cmp::Ordering;
 
 /// Text that is not a number.
@@ -44,26 +44,43 @@ struct Decimal {
 }
 
 impl Decimal {
-    /// `x`, finite and not zero, rounded once to `count` ≥ 1 digits; all that tell it apart where `None`,
-    /// without trailing zeros.
-    fn of(x: &Float, count: Option<usize>) -> Self {
-        let (_, mut digits, point) = x.to_sign_string_exp(10, count);
-        if count.is_none() {
-            digits.truncate(digits.trim_end_matches('0').len());
-        }
+    /// `x`, finite and not zero, rounded once to `count` ≥ 1 digits.
+    fn rounded(x: &Float, count: usize) -> Self {
+        let (_, digits, point) = x.to_sign_string_exp(10, Some(count));
         Self { digits, point: point.map_or(0, i64::from) }
+    }
+
+    /// `x`, finite and not zero, with the fewest digits that read back as the same number.
+    ///
+    /// A number read from no more than `(bits − 1) log₁₀ 2` digits gives those digits back; three more always do.
+    fn whole(x: &Float) -> Self {
+        // log₁₀ 2 from below, so that the search begins low enough.
+        let least = ((u64::from(x.prec()) - 1) * 30_102 / 100_000).max(1) as usize;
+        let same = |decimal: &Self| {
+            let text = format!("0.{}e{}", decimal.digits, decimal.point);
+            Float::parse(text).is_ok_and(|parsed| Float::with_val(x.prec(), parsed) == *x.as_abs())
+        };
+        let mut decimal = (least..least + 4)
+            .map(|count| Self::rounded(x, count))
+            .find(same)
+            // As many as MPFR itself says are enough.
+            .unwrap_or_else(|| Self::rounded(x, 0));
+        decimal.digits.truncate(decimal.digits.trim_end_matches('0').len());
+        decimal
     }
 
     /// `x` rounded once to `places` after the point: as an integer's digits, empty of zero.
     fn to_places(x: &Float, places: usize) -> String {
-        let whole = Self::of(x, None);
+        // Truncated, so that it is the number's own exponent, not that of a neighbouring power of ten.
+        let (_, _, point) = x.to_sign_string_exp_round(10, Some(1), Round::Zero);
+        let point = point.map_or(0, i64::from);
         // A number below a unit of the last place asked for is a unit or nothing, as it is above half of it or not.
-        let count = whole.point.saturating_add(i64::try_from(places).unwrap_or(i64::MAX));
+        let count = point.saturating_add(i64::try_from(places).unwrap_or(i64::MAX));
         if count > 0 {
             let count = usize::try_from(count).unwrap_or(usize::MAX);
-            let rounded = Self::of(x, Some(count));
+            let rounded = Self::rounded(x, count);
             // 9.99… to 10.0…: one digit more, a zero.
-            return if rounded.point > whole.point { rounded.digits + "0" } else { rounded.digits };
+            return if rounded.point > point { rounded.digits + "0" } else { rounded.digits };
         }
         let half_unit = || Rational::from(10).pow(-i32::try_from(places).unwrap_or(i32::MAX)) / 2u32;
         let above = count == 0 && x.clone().abs().partial_cmp(&half_unit()) == Some(Ordering::Greater);
@@ -114,7 +131,7 @@ fn special<const LIMBS: usize>(x: Mp<LIMBS>) -> Option<&'static str> {
     }
 }
 
-/// All digits needed to read the same number back, without an exponent between 1e-7 and 1e21; with a
+/// The fewest digits that read back as the same number, without an exponent between 1e-7 and 1e21; with a
 /// precision (`{:.40}`), that many after the point, rounded once.
 impl<const LIMBS: usize> Display for Mp<LIMBS> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
@@ -126,7 +143,7 @@ impl<const LIMBS: usize> Display for Mp<LIMBS> {
             (Some(places), true) => with_point("", places),
             (Some(places), false) => with_point(&Decimal::to_places(&self.to_rug(), places), places),
             (None, false) => {
-                let decimal = Decimal::of(&self.to_rug(), None);
+                let decimal = Decimal::whole(&self.to_rug());
                 if (-6..=21).contains(&decimal.point) { decimal.plain() } else { decimal.scientific() }
             }
         };
@@ -134,7 +151,7 @@ impl<const LIMBS: usize> Display for Mp<LIMBS> {
     }
 }
 
-/// With an exponent: all digits, or as many after the point as the precision says, rounded once.
+/// With an exponent: the same digits, or as many after the point as the precision says, rounded once.
 impl<const LIMBS: usize> LowerExp for Mp<LIMBS> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if let Some(text) = special(*self) {
@@ -144,7 +161,10 @@ impl<const LIMBS: usize> LowerExp for Mp<LIMBS> {
         let decimal = if self.is_zero() {
             Decimal { digits: "0".repeat(count.unwrap_or(1)), point: 1 }
         } else {
-            Decimal::of(&self.to_rug(), count)
+            count.map_or_else(
+                || Decimal::whole(&self.to_rug()),
+                |count| Decimal::rounded(&self.to_rug(), count),
+            )
         };
         write(*self, &decimal.scientific(), f)
     }
