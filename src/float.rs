@@ -62,12 +62,12 @@ pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
     }
 }
 
-/// A task that an iteration at the number type `F` hands to a narrower one ([`Float::narrowed`]).
-pub trait Narrowed<F> {
+/// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`], [`Float::guarded`]).
+pub trait AtPrecision<F> {
     /// What it comes to.
     type Output;
-    /// The task at the narrower type `G`, with the ways there and back.
-    fn run<G: Float>(self, narrow: impl Fn(F) -> G, widen: impl Fn(G) -> F) -> Self::Output;
+    /// The task at the type `G`, with the ways there and back, each of which rounds once.
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output;
 }
 
 /// What a decision needs of its numbers: order, precision, range.
@@ -94,11 +94,17 @@ pub trait Float: Real + PartialOrd + Display {
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// Runs a task at a lower precision: from about a quarter of the bits on, one step of third order gives
-    /// them all. At `f64` unless the type knows better.
+    /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
+    /// on, one step that quadruples them is left to do. At `f64` unless the type knows better.
     #[inline]
-    fn narrowed<T: Narrowed<Self>>(task: T) -> T::Output {
+    fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<f64>(Self::to_f64, Self::from_f64)
+    }
+
+    /// Runs a task with guard bits, where the type has a wider one at hand; at the type itself otherwise.
+    #[inline]
+    fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
+        task.run::<Self>(|x| x, |x| x)
     }
 
     /// The larger of two numbers; `self` where they are unordered.

@@ -33,7 +33,7 @@
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
 use crate::error::Error;
-use crate::float::{Float, Real};
+use crate::float::{AtPrecision, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::root;
 
@@ -167,11 +167,33 @@ impl<F: Float> Border<F> {
     }
 }
 
-/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at full precision.
+/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
 ///
 /// g is increasing, so every zero in the bracket is the one; Newton only polishes.
 fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
-    let (omega_f64, gamma_f64) = (omega.to_f64(), gamma.to_f64());
-    let start = root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega_f64, gamma_f64, eta).0);
-    root::newton(F::from_f64(start), F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
+        // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
+        gamma / F::int(2)
+    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
+        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
+        let g = |eta| stationarity(omega, gamma, eta).0;
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
+    } else {
+        F::narrowed(Start { omega, gamma })
+    };
+    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+}
+
+/// The stationary point at a lower precision.
+struct Start<F> {
+    omega: F,
+    gamma: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(stationary_point(there(self.omega), there(self.gamma)))
+    }
 }

@@ -24,7 +24,7 @@
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
 use super::half_cycle::{HalfCycle, Jet};
-use crate::float::{Float, Real};
+use crate::float::{AtPrecision, Float, Real};
 use crate::root;
 
 /// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
@@ -104,10 +104,24 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
         {
             return found;
         }
-        polish(half, F::from_f64(from_bracket(&half.to_f64(), k.to_f64(), alpha.to_f64())))
+        polish(half, F::from_f64(from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64())))
     } else {
-        let start = fastest(&half.to_f64(), k.to_f64(), alpha.to_f64());
-        polish(half, F::from_f64(start.psi))
+        polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
+    }
+}
+
+/// The ψ of the greatest velocity at a lower precision.
+struct Start<F> {
+    half: HalfCycle<F>,
+    k: F,
+    alpha: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(fastest(&self.half.map(&there), there(self.k), there(self.alpha)).psi)
     }
 }
 

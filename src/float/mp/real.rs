@@ -1,7 +1,7 @@
 //! [`Real`] and [`Float`] for [`Mp`].
 
 use super::Mp;
-use crate::float::{Float, Narrowed, Real};
+use crate::float::{AtPrecision, Float, Real};
 
 impl<const LIMBS: usize> Real for Mp<LIMBS> {
     #[inline]
@@ -92,7 +92,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     }
 
     /// At the least of a few widths that has a quarter of the bits and a guard limb.
-    fn narrowed<T: Narrowed<Self>>(task: T) -> T::Output {
+    fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         match LIMBS {
             ..=3 => task.run::<f64>(Self::to_f64, Self::of_f64),
             4 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
@@ -101,8 +101,29 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
             17..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
             33..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
             65..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
-            // A width wider than any named one: whatever is left is Newton's to do.
+            // Wider than any width of the ladder: an iteration takes its further steps.
             _ => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
+        }
+    }
+
+    /// With one more limb, or to the next width that has a limb more than one of the ladder.
+    fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
+        match LIMBS {
+            1 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
+            2 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
+            3 => task.run::<Mp<4>>(Mp::rounded, Self::rounded),
+            4 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
+            5..=6 => task.run::<Mp<7>>(Mp::rounded, Self::rounded),
+            7..=8 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
+            9..=12 => task.run::<Mp<13>>(Mp::rounded, Self::rounded),
+            13..=16 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
+            17..=24 => task.run::<Mp<25>>(Mp::rounded, Self::rounded),
+            25..=32 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
+            33..=48 => task.run::<Mp<49>>(Mp::rounded, Self::rounded),
+            49..=64 => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
+            65..=96 => task.run::<Mp<97>>(Mp::rounded, Self::rounded),
+            97..=128 => task.run::<Mp<129>>(Mp::rounded, Self::rounded),
+            _ => task.run::<Self>(|x| x, |x| x),
         }
     }
 }
