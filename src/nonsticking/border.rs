@@ -113,33 +113,30 @@ impl<F: Float> Border<F> {
     }
 
     /// The border at the frequency ratio of `p`.
+    #[inline]
     pub fn at(p: &PhaseFunction<F>) -> Self {
         let omega = p.omega();
         let turning_point = turning_point_border(p.value(), omega);
+        let limit = F::int(1) / omega.square();
         let at_turning_point = Self {
             min_force_ratio: turning_point,
             turning_point,
             phase: F::int(0),
-            least_displacement: F::int(1) / omega.square(),
+            least_displacement: limit,
         };
-        if omega >= F::ratio(1, 2) || p.tangent() == F::int(0) {
+        if omega >= F::ratio(1, 2) {
             return at_turning_point;
         }
-        let gamma = p.lobe_phase();
-        let (_, cos_beta) = p.sin_cos();
-        let eta = stationary_point(omega, gamma);
-        let tau = omega * (gamma + eta);
-        let supremum = stationary_value(gamma, cos_beta, tau, eta) / omega;
-        // NaN cannot occur: τ lies in (0, π/2] and cos β is not zero.
-        if supremum <= at_turning_point.least_displacement {
-            return at_turning_point;
-        }
-        let phase = if p.tangent() > F::int(0) { tau } else { F::pi() - tau };
-        Self {
-            min_force_ratio: p.value().hypot(one_minus_square(omega) * supremum),
-            turning_point,
-            phase,
-            least_displacement: supremum,
+        let (supremum, phase) = inner_maximum(omega);
+        if supremum > limit {
+            Self {
+                min_force_ratio: p.value().hypot(one_minus_square(omega) * supremum),
+                turning_point,
+                phase,
+                least_displacement: supremum,
+            }
+        } else {
+            at_turning_point
         }
     }
 
@@ -165,6 +162,25 @@ impl<F: Float> Border<F> {
     pub const fn least_displacement(&self) -> F {
         self.least_displacement
     }
+}
+
+/// The stationary value `|f(ζ*)|` below Ω = 1/2 and the phase τ* in (0, π) where f has it; (0, 0) where T = 0.
+///
+/// Takes Ω alone and reduces it again, so that the path above 1/2 keeps everything in registers.
+#[inline(never)]
+fn inner_maximum<F: Float>(omega: F) -> (F, F) {
+    let (p, zero) = (PhaseFunction::of_valid(omega), F::int(0));
+    let tangent = p.tangent();
+    if tangent == zero {
+        return (zero, zero);
+    }
+    let gamma = p.lobe_phase();
+    let (_, cos_beta) = p.sin_cos();
+    let eta = stationary_point(omega, gamma);
+    // τ lies in (0, π/2] and cos β is not zero.
+    let tau = omega * (gamma + eta);
+    let phase = if tangent > zero { tau } else { F::pi() - tau };
+    (stationary_value(gamma, cos_beta, tau, eta) / omega, phase)
 }
 
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.

@@ -58,6 +58,12 @@ impl<F: Float> HalfCycle<F> {
         }
     }
 
+    /// `(sin β, cos β)`, β = π/2Ω.
+    #[inline]
+    pub(crate) fn sin_cos_beta(&self) -> (F, F) {
+        (self.sin_beta, self.cos_beta)
+    }
+
     /// The same half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so that
     /// an Ω closer to 1 than the other type can tell keeps its distance.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfCycle<G> {
@@ -90,6 +96,12 @@ impl<F: Float> HalfCycle<F> {
     #[inline]
     pub(crate) fn omega(&self) -> F {
         self.omega
+    }
+
+    /// Maximum displacement Δ₀/B.
+    #[inline]
+    pub(crate) fn max_displacement(&self) -> F {
+        self.max_displacement
     }
 
     /// Ω < 1, decided by 1 − Ω itself.
