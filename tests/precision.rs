@@ -1,7 +1,8 @@
 //! The closed forms at any precision: against 40 digits computed independently, and N bits against 2N.
 #![cfg(feature = "mp")]
 
-use stickslip::float::mp::Mp;
+use std::collections::BTreeMap;
+use stickslip::float::{AtPrecision, mp::Mp};
 use stickslip::{Border, Float, Ratios, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
@@ -91,48 +92,72 @@ fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// The largest error of each output of `N` limbs, in units in the last place, against `D` limbs.
-fn worst<const N: usize, const D: usize>(count: usize) -> Vec<(&'static str, f64, f64, f64)> {
-    let mut worst: Vec<(&'static str, f64, f64, f64)> = Vec::new();
+/// All answers with guard bits, each rounded once.
+struct Guarded<F>(F, F);
+
+impl<F: Float> AtPrecision<F> for Guarded<F> {
+    type Output = Vec<(&'static str, Option<F>)>;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
+        let all = answers(there(self.0), there(self.1));
+        all.into_iter().map(|(name, answer)| (name, answer.map(&back))).collect()
+    }
+}
+
+/// The largest error of each output of N limbs against D limbs, in the units of the design: the last place of the
+/// output, of max(phase, 1) for a phase and of max(|Δ₁|, V₀) for the deviation.
+fn worst<const N: usize, const D: usize>(
+    count: usize,
+    guarded: bool,
+) -> BTreeMap<&'static str, (f64, String)> {
+    let mut worst = BTreeMap::new();
     for (omega, over) in points(count) {
         let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
-        let narrow = answers(Mp::<N>::from(omega), Mp::<N>::from(alpha));
+        let (x, y) = (Mp::<N>::from(omega), Mp::<N>::from(alpha));
+        let narrow = if guarded { Mp::guarded(Guarded(x, y)) } else { answers(x, y) };
         let wide = answers(Mp::<D>::from(omega), Mp::<D>::from(alpha));
-        let speed = narrow[2].1.unwrap();
-        for (i, ((name, narrow), (_, wide))) in narrow.into_iter().zip(wide).enumerate() {
+        let speed = narrow.iter().find(|(name, _)| *name == "max_velocity").and_then(|(_, v)| *v).unwrap();
+        for ((name, narrow), (_, wide)) in narrow.into_iter().zip(wide) {
             let (Some(narrow), Some(wide)) = (narrow, wide) else { panic!("{name} at ({omega}, {alpha})") };
-            let ulp = match name {
-                _ if name.ends_with("phase") => {
-                    if narrow > Mp::of_int(1) {
-                        narrow.ulp()
-                    } else {
-                        Mp::epsilon()
-                    }
-                }
-                "deviation" => {
-                    if narrow.abs() > speed {
-                        narrow.ulp()
-                    } else {
-                        speed.ulp()
-                    }
-                }
-                _ => narrow.ulp(),
+            let least = match name {
+                "displacement_phase" | "velocity_phase" | "border_phase" => Mp::of_int(1),
+                "deviation" => speed,
+                _ => Mp::ZERO,
             };
-            let error = ((Mp::<D>::rounded(narrow) - wide).abs() / Mp::rounded(ulp)).to_f64();
-            if worst.len() <= i {
-                worst.push((name, 0.0, 0.0, 0.0));
-            }
-            if error > worst[i].1 || error.is_nan() {
-                worst[i] = (name, error, omega, over);
+            let ulp = if narrow.abs() > least { narrow.ulp() } else { least.ulp() };
+            let error = ((Mp::<D>::rounded(narrow) - wide) / Mp::rounded(ulp)).abs().to_f64();
+            let entry = worst.entry(name).or_insert((0.0, String::new()));
+            // Said so that NaN counts.
+            let better = error <= entry.0;
+            if !better {
+                *entry = (error, format!("({omega}, {alpha})"));
             }
         }
     }
+    assert_eq!(worst.len(), 13);
     worst
 }
 
+fn agrees<const N: usize, const D: usize>(count: usize) {
+    for (name, (error, place)) in worst::<N, D>(count, true) {
+        assert!(error <= 1.0, "{name} at {place}, {N} limbs: {error} units in the last place");
+    }
+}
+
 #[test]
-fn measure() {
-    for (name, error, omega, over) in worst::<4, 8>(3000) {
-        println!("{name:30} {error:10.3} at {omega} {over}");
+fn with_guard_bits_twice_the_precision_changes_nothing() {
+    agrees::<1, 2>(4_000);
+    agrees::<2, 4>(10_000);
+    agrees::<4, 8>(10_000);
+    agrees::<8, 16>(2_000);
+    agrees::<16, 32>(500);
+    agrees::<64, 128>(24);
+}
+
+#[test]
+#[ignore = "prints the errors without guard bits"]
+fn without_guard_bits() {
+    for (name, (error, place)) in worst::<4, 8>(10_000, false) {
+        println!("{name:30} {error:10.2} at {place}");
     }
 }
