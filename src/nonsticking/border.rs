@@ -85,13 +85,40 @@ fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
 }
 
 /// `(g, g′)` at η: the stationarity condition of the module's head and its derivative.
+///
+/// Beside Ω = 1/(2n) all of g's terms are small and their sum is of the third order. There, with ζ = γ + η,
+/// `g = sin η (cos Ωζ − cos ζ) − cos η (sin Ωζ/Ω − sin ζ)`, whose brackets are known to full relative accuracy.
 #[inline]
-fn stationarity<R: Real>(omega: R, lobe_phase: R, eta: R) -> (R, R) {
-    let (sin_tau, cos_tau) = (omega * (lobe_phase + eta)).sin_cos();
+fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
+    let (one, zeta) = (F::int(1), lobe_phase + eta);
+    let (sin_tau, cos_tau) = (omega * zeta).sin_cos();
     let (sin_eta, cos_eta) = eta.sin_cos();
-    let inverse = R::int(1) / omega;
-    let g = cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin();
+    let inverse = one / omega;
+    let g = if zeta * F::int(64) < one {
+        let half = zeta / F::int(2);
+        let cosines = F::int(2) * ((one + omega) * half).sin() * ((one - omega) * half).sin();
+        sin_eta * cosines - cos_eta * sine_excess(omega, zeta)
+    } else {
+        cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin()
+    };
     (g, (inverse - omega) * sin_tau * sin_eta)
+}
+
+/// `sin Ωζ/Ω − sin ζ` by its series `Σ (−1)ʲ (Ω²ʲ − 1) ζ²ʲ⁺¹/(2j+1)!`, for small ζ.
+#[cold]
+fn sine_excess<F: Float>(omega: F, zeta: F) -> F {
+    let (mut power, mut odd, mut sum) = (F::int(1), zeta, F::int(0));
+    // Each term is below 2⁻¹² of the one before.
+    for j in 1..=8 + F::PRECISION as i32 / 12 {
+        power = power * omega.square();
+        odd = -(odd * zeta.square() / F::int(2 * j * (2 * j + 1)));
+        let term = odd * (power - F::int(1));
+        sum = sum + term;
+        if term.abs() <= F::epsilon() * sum.abs() {
+            break;
+        }
+    }
+    sum
 }
 
 /// The least force ratio at a frequency ratio: exact, and by eq. 61.
@@ -128,12 +155,14 @@ impl<F: Float> Border<F> {
             return at_turning_point;
         }
         let (supremum, phase) = inner_maximum(omega);
-        if supremum > limit {
+        // Where T > 0, so that τ* lies in the first quarter, it exceeds the limit even if rounding hides by how much.
+        if supremum > limit || (phase > F::int(0) && phase * F::int(2) < F::pi()) {
+            let min_force_ratio = p.value().hypot(one_minus_square(omega) * supremum);
             Self {
-                min_force_ratio: p.value().hypot(one_minus_square(omega) * supremum),
+                min_force_ratio: turning_point.or_larger(min_force_ratio),
                 turning_point,
                 phase,
-                least_displacement: supremum,
+                least_displacement: limit.or_larger(supremum),
             }
         } else {
             at_turning_point
