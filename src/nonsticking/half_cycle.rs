@@ -37,7 +37,7 @@ pub(crate) struct Jet<F> {
 }
 
 /// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
-struct Angles<F> {
+pub(crate) struct Angles<F> {
     psi: (F, F),
     omega_psi: (F, F),
     half_sum: (F, F),
@@ -118,7 +118,7 @@ impl<F: Float> HalfCycle<F> {
 
     /// The half sum and half difference give the angles themselves, but only where neither outgrows the other.
     #[inline]
-    fn angles(&self, psi: F) -> Angles<F> {
+    pub(crate) fn angles(&self, psi: F) -> Angles<F> {
         if !self.beside_one {
             return Angles {
                 psi: psi.sin_cos(),
@@ -147,8 +147,14 @@ impl<F: Float> HalfCycle<F> {
     /// Velocity and its derivatives by ψ.
     #[inline]
     pub(crate) fn velocity(&self, psi: F) -> Jet<F> {
-        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
-            self.angles(psi);
+        self.velocity_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::velocity`] at angles that are known.
+    #[inline]
+    pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
+            angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
         let (h, h1) = if self.beside_one {
             let tangent = self.tan_half_offset();
@@ -171,8 +177,13 @@ impl<F: Float> HalfCycle<F> {
 
     /// Displacement x/B at ψ.
     pub(crate) fn displacement(&self, psi: F) -> F {
-        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } =
-            self.angles(psi);
+        self.displacement_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::displacement`] at angles that are known.
+    #[inline]
+    pub(crate) fn displacement_of(&self, angles: &Angles<F>) -> F {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } = angles;
         let (one, sb, cb) = (F::int(1), self.sin_beta, self.cos_beta);
         let j_less_one = if self.beside_one {
             let slope = (self.tan_half_offset() - self.one_minus_omega / cb) / self.omega;

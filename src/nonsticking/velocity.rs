@@ -91,6 +91,8 @@ pub(crate) struct Fastest<F> {
     pub(crate) psi: F,
     /// `V₀/(Bω_n)`.
     pub(crate) velocity: F,
+    /// x/B there, where it comes without further circular functions.
+    pub(crate) displacement: Option<F>,
 }
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
@@ -162,7 +164,8 @@ fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
 /// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final.
 fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
     let mut psi = start;
-    let mut jet = half.velocity(psi);
+    let mut angles = half.angles(psi);
+    let mut jet = half.velocity_of(&angles);
     for _ in 0..F::PRECISION.ilog2() {
         let step = householder(&jet);
         if !step.is_finite() {
@@ -170,11 +173,22 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
         }
         psi = psi + step;
         if is_final(half, step) {
-            return arrive(&jet, psi, step);
+            // At high precision the circular functions are the cost; at f64 it is not worth another rounding.
+            let wide = F::PRECISION > f64::MANTISSA_DIGITS;
+            let displacement = wide.then(|| slide(half.displacement_of(&angles), &jet, step));
+            return Fastest { displacement, ..arrive(&jet, psi, step) };
         }
-        jet = half.velocity(psi);
+        angles = half.angles(psi);
+        jet = half.velocity_of(&angles);
     }
-    Fastest { psi, velocity: jet.value }
+    Fastest { psi, velocity: jet.value, displacement: None }
+}
+
+/// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
+fn slide<F: Float>(x: F, jet: &Jet<F>, step: F) -> F {
+    let third = jet.second + jet.third * step / F::int(4);
+    let second = jet.first + third * step / F::int(3);
+    x - step * (jet.value + second * step / F::int(2))
 }
 
 /// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
@@ -188,7 +202,8 @@ fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
 #[inline]
 fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
     let cubic = jet.third * step / F::int(3) + jet.second;
-    Fastest { psi, velocity: jet.value + step * (jet.first + step / F::int(2) * cubic) }
+    let velocity = jet.value + step * (jet.first + step / F::int(2) * cubic);
+    Fastest { psi, velocity, displacement: None }
 }
 
 /// The step of Householder's third-order method on v′ = 0.
