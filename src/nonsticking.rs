@@ -94,10 +94,10 @@ impl<F: Float> Cycle<F> {
             max_velocity: fastest.velocity / omega,
             velocity_phase,
             // Far above Ω = 1 the deviation is of the order 1/Ω², the difference of eq. 47 nearly all cancellation.
-            deviation: if omega >= F::int(2) {
-                half.displacement(fastest.psi)
-            } else {
-                deviation(alpha, velocity_phase.sin())
+            deviation: match fastest.displacement {
+                Some(displacement) => displacement,
+                None if omega >= F::int(2) => half.displacement(fastest.psi),
+                None => deviation(alpha, velocity_phase.sin()),
             },
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }

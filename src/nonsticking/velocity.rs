@@ -24,7 +24,7 @@
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
 use super::half_cycle::{HalfCycle, Jet};
-use crate::float::{Float, Real};
+use crate::float::{AtPrecision, Float, Real};
 use crate::phase_function::PhaseFunction;
 use crate::root;
 
@@ -91,6 +91,8 @@ pub(crate) struct Fastest<F> {
     pub(crate) psi: F,
     /// `V₀/(Bω_n)`.
     pub(crate) velocity: F,
+    /// x/B there, where it comes without further circular functions.
+    pub(crate) displacement: Option<F>,
 }
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
@@ -99,8 +101,10 @@ pub(crate) struct Fastest<F> {
 /// settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
-    if F::PRECISION <= f64::MANTISSA_DIGITS
-        && half.omega() >= F::ratio(1, 2)
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }));
+    }
+    if half.omega() >= F::ratio(1, 2)
         && let Some(found) = from_centre(half)
     {
         return found;
@@ -108,19 +112,29 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
     from_afar(half.omega(), half.max_displacement(), k, alpha)
 }
 
-/// Householder steps from the answer at f64, and at f64 itself from the bracketed root.
+/// Householder steps from the bracketed root.
 ///
 /// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
 #[inline(never)]
 fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
     let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
-    let (narrow, k, alpha) = (half.to_f64(), k.to_f64(), alpha.to_f64());
-    let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
-        from_bracket(&narrow, k, alpha)
-    } else {
-        fastest(&narrow, k, alpha).psi
-    };
+    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
     polish(&half, F::from_f64(start))
+}
+
+/// The ψ of the greatest velocity at a lower precision.
+struct Start<F> {
+    half: HalfCycle<F>,
+    k: F,
+    alpha: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(fastest(&self.half.map(&there), there(self.k), there(self.alpha)).psi)
+    }
 }
 
 /// Four Householder steps from ψ = 0, for Ω ≥ 1/2; `None` where they do not settle in |ψ| ≤ π/2.
@@ -150,7 +164,8 @@ fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
 /// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final.
 fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
     let mut psi = start;
-    let mut jet = half.velocity(psi);
+    let mut angles = half.angles(psi);
+    let mut jet = half.velocity_of(&angles);
     for _ in 0..F::PRECISION.ilog2() {
         let step = householder(&jet);
         if !step.is_finite() {
@@ -158,11 +173,22 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
         }
         psi = psi + step;
         if is_final(half, step) {
-            return arrive(&jet, psi, step);
+            // At high precision the circular functions are the cost; at f64 it is not worth another rounding.
+            let wide = F::PRECISION > f64::MANTISSA_DIGITS;
+            let displacement = wide.then(|| slide(half.displacement_of(&angles), &jet, step));
+            return Fastest { displacement, ..arrive(&jet, psi, step) };
         }
-        jet = half.velocity(psi);
+        angles = half.angles(psi);
+        jet = half.velocity_of(&angles);
     }
-    Fastest { psi, velocity: jet.value }
+    Fastest { psi, velocity: jet.value, displacement: None }
+}
+
+/// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
+fn slide<F: Float>(x: F, jet: &Jet<F>, step: F) -> F {
+    let third = jet.second + jet.third * step / F::int(4);
+    let second = jet.first + third * step / F::int(3);
+    x - step * (jet.value + second * step / F::int(2))
 }
 
 /// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
@@ -176,7 +202,8 @@ fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
 #[inline]
 fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
     let cubic = jet.third * step / F::int(3) + jet.second;
-    Fastest { psi, velocity: jet.value + step * (jet.first + step / F::int(2) * cubic) }
+    let velocity = jet.value + step * (jet.first + step / F::int(2) * cubic);
+    Fastest { psi, velocity, displacement: None }
 }
 
 /// The step of Householder's third-order method on v′ = 0.
