@@ -2,7 +2,7 @@
 #![cfg(feature = "mp")]
 
 use stickslip::float::{AtPrecision, mp::Mp};
-use stickslip::{Border, Float, Ratios, Real, Response};
+use stickslip::{Border, Cycle, Float, Ratios, Real, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
 fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {
@@ -156,7 +156,7 @@ fn with_guard_bits_twice_the_precision_changes_nothing() {
     agrees::<64, 128>(ordinary(24));
 }
 
-/// Ω = 1/n ± 2⁻ᵏ with α at 1.05 and 3 times the border.
+/// Ω = 1/n ± 2⁻ᵏ with α at 1.0001, 1.05 and 3 times the border.
 fn beside<const N: usize>(n: &[i32], k: &[i32]) -> Vec<(Mp<N>, Mp<N>)> {
     let mut places = Vec::new();
     for &n in n {
@@ -164,7 +164,7 @@ fn beside<const N: usize>(n: &[i32], k: &[i32]) -> Vec<(Mp<N>, Mp<N>)> {
             for sign in [-1, 1] {
                 let omega = Mp::ratio(1, n) + Mp::of_int(sign).scale2(-k);
                 let border = Border::new(omega).unwrap().min_force_ratio();
-                places.extend([21, 60].map(|over| (omega, border * Mp::ratio(over, 20))));
+                places.extend([20_002, 21_000, 60_000].map(|over| (omega, border * Mp::ratio(over, 20_000))));
             }
         }
     }
@@ -179,6 +179,20 @@ fn beside_the_natural_frequency_and_its_fractions() {
     agrees::<8, 16>(beside(&n, &[100, 200, 240]).into_iter());
     // Closer than f64 has exponents for. Beside a pole the border is then out of the domain.
     agrees::<32, 64>(beside(&[1, 2, 4], &[600, 1100, 1900]).into_iter());
+}
+
+/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀.
+#[test]
+fn the_maximum_velocity_beside_the_fractions_is_the_greatest() {
+    for (omega, alpha) in beside::<4>(&[1, 2, 3, 4, 5, 6], &[20, 45, 58, 61, 64, 100, 150]) {
+        let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
+        let greatest = cycle.max_velocity() * (Mp::of_int(1) + Mp::epsilon().scale2(20));
+        for i in 0..200 {
+            let phase = Mp::pi() * Mp::ratio(i, 100);
+            let velocity = cycle.velocity_at(phase);
+            assert!(velocity <= greatest, "({omega}, {alpha}) at {phase}: {velocity}");
+        }
+    }
 }
 
 /// Without guard bits: no output loses more units in the last place than this over the ordinary points. The
