@@ -51,7 +51,11 @@
 //! # Features
 //!
 //! * default: the library, for `f32` and `f64`;
-//! * `cli`: the command `stickslip`.
+//! * `cli`: the command `stickslip`;
+//! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
+//!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
+//! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `matching`: `nalgebra`'s matrices over `Mp` (with `mp`).
 
 #![cfg_attr(
     not(test),

@@ -188,7 +188,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
             "response --mass 1 --stiffness 1 --omega 1 --friction 1 --frequency 1 --force 1",
             vec!["--omega and --stiffness"],
         ),
+        #[cfg(not(feature = "mp"))]
         ("response --omega 1 --alpha 2 --bits 256", vec!["--bits 256", "mp"]),
+        #[cfg(feature = "mp")]
+        ("response --omega 1 --alpha 2 --bits 0", vec!["--bits 0", "≥ 1"]),
         ("response --omega 1.5 --alpha 2.5 --format csv", vec!["--points"]),
         ("response --points no-such-file.csv", vec!["no-such-file.csv"]),
         ("response --points - --omega 2", vec!["--points"]),
