@@ -43,16 +43,15 @@ impl<F: Float> Ratios<F> {
     }
 }
 
+/// `x`, where it is finite.
+pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+    if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: x.to_string() }) }
+}
+
 /// `x`, where it is finite and above zero.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
-    let value = || x.to_string();
-    if !x.is_finite() {
-        Err(Error::NotFinite { quantity, value: value() })
-    } else if x <= F::int(0) {
-        Err(Error::NotPositive { quantity, value: value() })
-    } else {
-        Ok(x)
-    }
+    let x = finite(quantity, x)?;
+    if x <= F::int(0) { Err(Error::NotPositive { quantity, value: x.to_string() }) } else { Ok(x) }
 }
 
 /// `x`, where it is finite, above zero and within `[least, greatest]`.

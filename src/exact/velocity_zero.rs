@@ -1,0 +1,112 @@
+//! The end of a slide: the first zero of its velocity.
+
+use super::drive::DrivePhase;
+use super::event::{Found, Jet, Safe, Search, next_zero};
+use super::slide::{Direction, Equation, Motion, Slide};
+use crate::float::Float;
+
+/// How a slide ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct VelocityZero<F> {
+    /// Natural time since the start of the slide.
+    pub(crate) phi: F,
+    pub(crate) phase: DrivePhase<F>,
+    pub(crate) x: F,
+    /// `α sin θ − x − s` at the end: not positive along the slide.
+    pub(crate) acceleration: F,
+    /// (sin φ, cos φ)
+    pub(crate) rotation: (F, F),
+    /// The velocity touches zero and keeps its sign.
+    pub(crate) grazes: bool,
+}
+
+impl<F: Float> Slide<F> {
+    /// The velocity zero that ends the slide, if not after `limit`; `hint` is when it is expected (natural time).
+    #[inline]
+    pub(crate) fn velocity_zero(&self, hint: F, limit: Option<F>) -> Option<VelocityZero<F>> {
+        let zero = F::int(0);
+        let Equation { omega, .. } = self.equation;
+        let sign = self.direction.sign::<F>();
+        let start = Jet {
+            value: sign * self.w,
+            first: sign * self.acceleration,
+            second: sign * self.jerk_at_start(),
+        };
+        let search = Search {
+            omega,
+            angle: self.start.angle(),
+            helping: self.start.is_even() == (self.direction == Direction::Forward),
+            from_zero: start.value <= zero,
+            limit,
+            hint,
+            safe: self.safe_window(),
+            noise: F::int(4) * F::epsilon() * self.velocity_scale(),
+        };
+        let found = next_zero(&search, start, |phi| {
+            let m = self.motion(phi);
+            (Jet { value: sign * m.w, first: sign * m.acceleration, second: sign * m.jerk }, m)
+        })?;
+        Some(self.arrival(&found))
+    }
+
+    /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.
+    #[inline]
+    fn arrival(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
+        let Found { at, step: h, motion: m, grazes } = *found;
+        let (half, third) = (h / F::int(2), h / F::int(3));
+        let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
+        let acceleration = m.acceleration + h * m.jerk;
+        let (s, c) = m.rotation;
+        let phase = self.start.advanced(self.equation.omega * (at + h));
+        // A slide too short for its phase to move ends where the half turn does.
+        let stands = phase.since(self.start) <= F::int(0);
+        let quarter = F::pi() / F::int(2);
+        VelocityZero {
+            phi: at + h,
+            phase: if stands {
+                DrivePhase::of_half_turn(self.start.half_turns() + 1, -quarter)
+            } else {
+                phase
+            },
+            x,
+            acceleration,
+            rotation: (s + h * (c - half * s), c - h * (s + half * c)),
+            grazes,
+        }
+    }
+
+    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2].
+    ///
+    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²). The margin keeps rounding out.
+    fn safe_window(&self) -> Option<Safe<F>> {
+        let (one, two) = (F::int(1), F::int(2));
+        let Equation { omega, alpha, .. } = self.equation;
+        if (omega * two >= one && omega <= two) || alpha == F::int(0) {
+            return None;
+        }
+        let forced = alpha * omega / ((one - omega) * (one + omega));
+        let (sine, cosine) = self.start.sin_cos();
+        let sign = self.direction.sign::<F>();
+        let free = sign * (self.w - forced * cosine);
+        let free_rate = sign * (self.acceleration + forced * omega * sine);
+        let amplitude = free.hypot(free_rate);
+        let margin = one + F::ratio(1, 1024);
+        let arccosine = |small: F, large: F| {
+            let y = small * margin / large;
+            (y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
+        };
+        if omega < one {
+            let half_width = arccosine(amplitude, forced)? / omega;
+            let helping = self.start.is_even() == (self.direction == Direction::Forward);
+            let crest = if helping { F::int(0) } else { F::pi() };
+            Some(Safe {
+                centre: (crest - self.start.angle()) / omega,
+                half_width,
+                period: two * F::pi() / omega,
+            })
+        } else {
+            let half_width = arccosine(forced.abs(), amplitude)?;
+            Some(Safe { centre: free_rate.atan2(free), half_width, period: two * F::pi() })
+        }
+    }
+}
