@@ -21,16 +21,27 @@
 
 mod drive;
 mod event;
+mod family;
+mod fastest;
 mod free;
+mod matrix;
+mod measures;
+mod rest;
 mod samples;
+mod shooting;
 mod slide;
+mod steady;
 mod stick;
 mod trajectory;
 mod velocity_zero;
+mod walk;
 
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
+pub use measures::{ErrorMeasures, Extreme};
+pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::{Direction, Slide};
+pub use steady::{DEFAULT_BUDGET, LongRun, SteadyState, errors_after};
 pub use stick::Stick;
 pub use trajectory::{End, Instant, Kind, Phase, State, Trajectory};

@@ -93,19 +93,20 @@ struct Stretch<F> {
 }
 
 /// What a stretch turned out to hold: a zero, or none, with the function at its end where that was evaluated.
-enum Verdict<F, M> {
+pub(crate) enum Verdict<F, M> {
     Zero(Found<F, M>),
-    Clear(Option<Jet<F>>),
+    Clear(Option<(Jet<F>, M)>),
 }
 
-/// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; `None` where there is none.
+/// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none, with what f
+/// is at the limit if that had to be known.
 ///
 /// `f` gives the function with whatever else the caller wants to know of that instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
     search: &Search<F>,
     start: Jet<F>,
     f: impl Fn(F) -> (Jet<F>, M),
-) -> Option<Found<F, M>> {
+) -> Verdict<F, M> {
     let three = F::int(3);
     let mut phi = F::int(0);
     let mut jet = Some(start);
@@ -134,7 +135,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
                 }
                 (half_turn, phi, jet, from_zero) = (skipped, ends, None, false);
                 if search.limit.is_some_and(|l| l <= phi) {
-                    return None;
+                    return Verdict::Clear(None);
                 }
                 continue;
             }
@@ -152,14 +153,13 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
         let verdict =
             if helping { in_helping(search, stretch, &f) } else { in_opposing(search, stretch, &f) };
         match verdict {
-            Verdict::Zero(found) => return Some(found),
-            Verdict::Clear(_) if last => return None,
-            Verdict::Clear(end) => jet = end,
+            Verdict::Clear(end) if !last => jet = end.map(|(jet, _)| jet),
+            answer => return answer,
         }
         phi = to;
         from_zero = false;
     }
-    None
+    Verdict::Clear(None)
 }
 
 const MOST_STRETCHES: u32 = 64;
@@ -229,7 +229,7 @@ fn bracketed<F: Float, M: Copy>(
         if jet.value > zero {
             low = phi;
             if phi >= end && !below {
-                return Verdict::Clear(Some(jet));
+                return Verdict::Clear(Some((jet, motion)));
             }
         } else {
             (high, below) = (phi, true);
@@ -309,7 +309,7 @@ fn in_helping<F: Float, M: Copy>(
             (j, Some(m))
         }
     };
-    let (right, _) = f(to);
+    let (right, right_motion) = f(to);
     if let Some(motion) = left_motion
         && left.value <= F::int(0)
     {
@@ -319,7 +319,7 @@ fn in_helping<F: Float, M: Copy>(
     if right.value < F::int(0) {
         return bracketed(search, from, to, true, start_of_bracket(from, to, left), f);
     }
-    dip(search, (from, left), (to, right), f)
+    dip(search, (from, left), (to, right), right_motion, f)
 }
 
 /// A first guess inside a bracket: where the tangent bound vanishes, or the middle.
@@ -369,6 +369,7 @@ fn dip<F: Float, M: Copy>(
     search: &Search<F>,
     left: (F, Jet<F>),
     right: (F, Jet<F>),
+    right_motion: M,
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
     let end = right.1;
@@ -378,7 +379,7 @@ fn dip<F: Float, M: Copy>(
     let mut lowest = right;
     for _ in 0..2 * F::PRECISION {
         if low >= high {
-            return Verdict::Clear(Some(end));
+            return Verdict::Clear(Some((end, right_motion)));
         }
         let phi = (low + high) / two;
         let (jet, motion) = f(phi);

@@ -286,7 +286,7 @@ impl<F: Float> Iterator for Trajectory<F> {
             }
             Next::Slide(slide) => {
                 // Every slide ends: the search comes back empty only where it is given a limit.
-                let zero = slide.velocity_zero(self.hint, None)?;
+                let zero = slide.velocity_zero(self.hint)?;
                 self.hint = zero.phi;
                 let (next, end) = Next::after(&slide, &zero);
                 self.next = Some(next);

@@ -1,7 +1,7 @@
 //! The end of a slide: the first zero of its velocity.
 
 use super::drive::DrivePhase;
-use super::event::{Found, Jet, Safe, Search, next_zero};
+use super::event::{Found, Jet, Safe, Search, Verdict, next_zero};
 use super::slide::{Direction, Equation, Motion, Slide};
 use crate::float::Float;
 
@@ -21,9 +21,18 @@ pub(crate) struct VelocityZero<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The velocity zero that ends the slide, if not after `limit`; `hint` is when it is expected (natural time).
+    /// The velocity zero that ends the slide; `hint` is when it is expected (natural time).
     #[inline]
-    pub(crate) fn velocity_zero(&self, hint: F, limit: Option<F>) -> Option<VelocityZero<F>> {
+    pub(crate) fn velocity_zero(&self, hint: F) -> Option<VelocityZero<F>> {
+        self.until(hint, None).ok()
+    }
+
+    /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
+    ///
+    /// # Errors
+    /// The motion at the limit, which comes first (`None` where there is no limit: every slide ends).
+    #[inline]
+    pub(crate) fn until(&self, hint: F, limit: Option<F>) -> Result<VelocityZero<F>, Option<Motion<F>>> {
         let zero = F::int(0);
         let Equation { omega, .. } = self.equation;
         let sign = self.direction.sign::<F>();
@@ -45,8 +54,12 @@ impl<F: Float> Slide<F> {
         let found = next_zero(&search, start, |phi| {
             let m = self.motion(phi);
             (Jet { value: sign * m.w, first: sign * m.acceleration, second: sign * m.jerk }, m)
-        })?;
-        Some(self.arrival(&found))
+        });
+        match found {
+            Verdict::Zero(found) => Ok(self.arrival(&found)),
+            Verdict::Clear(Some((_, motion))) => Err(Some(motion)),
+            Verdict::Clear(None) => Err(limit.map(|phi| self.motion(phi))),
+        }
     }
 
     /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.

@@ -1,0 +1,82 @@
+//! Ω = 1/(2n): a family of periodic motions.
+//!
+//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the forced one, and
+//! any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One
+//! multiplier of the cycle is 1. Which member a motion tends to depends on its start, so it is followed there.
+
+use super::matrix::Matrix;
+use super::measures::Tally;
+use super::shooting::{Budget, rounding};
+use super::slide::Equation;
+use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
+use super::walk::{Point, walk};
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::phase_function::PhaseFunction;
+use crate::ratios::Ratios;
+
+/// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
+pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
+    let omega = ratios.omega();
+    is_even_subharmonic(omega)
+        && ratios.alpha() >= Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio()
+}
+
+/// The member that the motion through a point tends to.
+///
+/// The change from cycle to cycle shrinks by the other multiplier μ, so that what is left after a change d is
+/// `d μ/(1 − μ)`; it is added once it is small enough for the motion to be linear in it.
+pub(crate) fn member<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    hint: F,
+    mut budget: Budget,
+) -> LongRun<F> {
+    let one = F::int(1);
+    let mut y = start;
+    let mut parts = Vec::new();
+    let mut added = false;
+    loop {
+        let cycle = walk(equation, y, 2, hint, parts);
+        budget.half_turns += 2;
+        let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
+        let change = dx.hypot(dw);
+        let other = cycle.monodromy.determinant().abs();
+        let left = change / (one - other);
+        let noise = rounding(&equation, &y);
+        let size = one + y.x.abs() + y.w.abs();
+        let settled = left <= noise * F::int(4) || (added && change <= noise * F::int(4));
+        if settled {
+            return finish(equation, y, &cycle.parts, cycle.monodromy, left + noise, &budget);
+        }
+        if budget.half_turns > budget.most {
+            return unsettled(&equation, &y, change, &budget);
+        }
+        // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
+        let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && other < one;
+        let reach = if jump { one / (one - other) } else { one };
+        y = Point { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
+        added = added || jump;
+        parts = cycle.parts;
+    }
+}
+
+fn finish<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    parts: &[super::walk::Part<F>],
+    monodromy: Matrix<F>,
+    distance: F,
+    budget: &Budget,
+) -> LongRun<F> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let tally = Tally::of(&start, equation.omega, parts);
+    LongRun::Family(SteadyState {
+        equation,
+        start,
+        tally: Summary::of(&tally),
+        multipliers: [(one, zero), (monodromy.determinant(), zero)],
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    })
+}
