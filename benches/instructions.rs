@@ -41,6 +41,20 @@ fn main() {
         "triple-plain" => run(plain::triple, &points, n),
         "cycle-generic" => run(kernels::cycle, &points, n),
         "cycle-plain" => run(plain::cycle, &points, n),
+        "steady-from-rest" => run(kernels::steady_from_rest, &points, n),
+        "steady-beside-resonance" => run(|_, alpha| kernels::steady_from_rest(1.02, alpha + 1.0), &points, n),
+        "steady-from-cycle" => {
+            let ratios = |&(omega, alpha)| stickslip::Ratios::new(omega, alpha);
+            let cycles: Vec<_> =
+                points.iter().map(ratios).flatten().map(stickslip::Cycle::new).flatten().collect();
+            cycles
+                .iter()
+                .cycle()
+                .take(n)
+                .map(|c| black_box(kernels::steady_from_cycle(black_box(c)))[0])
+                .sum()
+        }
+        "twenty-slides" => run(kernels::twenty_slides, &points, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -15,3 +15,8 @@ for kernel in triple-generic triple-plain cycle-generic cycle-plain; do
     many=$(count "$kernel" 12000)
     echo "$kernel $(((many - few) / 10000))"
 done
+for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
+    few=$(count "$kernel" 1000)
+    many=$(count "$kernel" 3000)
+    echo "$kernel $(((many - few) / 2000))"
+done

@@ -6,7 +6,7 @@
 
 use super::matrix::Matrix;
 use super::measures::Tally;
-use super::shooting::{Budget, rounding};
+use super::shooting::{Budget, Residual};
 use super::slide::Equation;
 use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
 use super::walk::{Point, walk};
@@ -40,14 +40,15 @@ pub(crate) fn member<F: Float>(
         let cycle = walk(equation, y, 2, hint, parts);
         budget.half_turns += 2;
         let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
-        let change = dx.hypot(dw);
+        let residual = Residual::new(&equation, &y, (dx, dw));
+        let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
         let left = change / (one - other);
-        let noise = rounding(&equation, &y);
         let size = one + y.x.abs() + y.w.abs();
-        let settled = left <= noise * F::int(4) || (added && change <= noise * F::int(4));
-        if settled {
-            return finish(equation, y, &cycle.parts, cycle.monodromy, left + noise, &budget);
+        let rounding = F::int(4) * (residual.bound() - change);
+        if left <= rounding || (added && change <= rounding) {
+            let off = left + rounding;
+            return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
         }
         if budget.half_turns > budget.most {
             return unsettled(&equation, &y, change, &budget);
@@ -66,7 +67,7 @@ fn finish<F: Float>(
     start: Point<F>,
     parts: &[super::walk::Part<F>],
     monodromy: Matrix<F>,
-    distance: F,
+    distance: (F, F),
     budget: &Budget,
 ) -> LongRun<F> {
     let (zero, one) = (F::int(0), F::int(1));

@@ -58,9 +58,9 @@ impl<F: Float> Matrix<F> {
         (self.a * x + self.b * w, self.c * x + self.d * w)
     }
 
-    /// The largest absolute row sum.
-    pub(crate) fn norm(self) -> F {
-        (self.a.abs() + self.b.abs()).or_larger(self.c.abs() + self.d.abs())
+    /// The absolute values of the entries.
+    pub(crate) fn absolute(self) -> Self {
+        Self { a: self.a.abs(), b: self.b.abs(), c: self.c.abs(), d: self.d.abs() }
     }
 
     /// The squares of the eigenvalues, each as (re, im), the larger first.

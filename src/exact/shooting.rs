@@ -24,8 +24,8 @@ use crate::float::Float;
 pub(crate) struct Fixed<F> {
     pub(crate) start: Point<F>,
     pub(crate) walk: Walk<F>,
-    /// How far the motion found can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`.
-    pub(crate) distance: F,
+    /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by entry.
+    pub(crate) distance: (F, F),
 }
 
 /// What shooting ends with.
@@ -42,19 +42,55 @@ pub(crate) struct Budget {
     pub(crate) most: u64,
 }
 
-/// What rounding leaves of H(y) − y: that of the state, and that of the phase divided by Ω.
-pub(crate) fn rounding<F: Float>(equation: &Equation<F>, y: &Point<F>) -> F {
-    let Equation { omega, alpha, .. } = *equation;
-    let (one, size) = (F::int(1), y.x.abs() + y.w.abs());
-    let gain = alpha * omega / (one + omega.square());
-    let rates = y.w.abs() + y.x.abs() + one + alpha;
-    let excursion = if omega > one { rates / omega } else { rates };
-    F::int(2) * F::epsilon() * (size + gain + excursion / omega)
+/// `H(y) − y`, and what rounding makes of a zero of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Residual<F> {
+    pub(crate) x: F,
+    pub(crate) w: F,
+    noise_x: F,
+    noise_w: F,
 }
 
-/// `H(y) − y`.
-fn residual<F: Float>(y: &Point<F>, walk: &Walk<F>) -> (F, F) {
-    (-walk.end.x - y.x, -walk.end.w - y.w)
+impl<F: Float> Residual<F> {
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of and that of the phase: half a unit
+    /// of θ moves x by w/Ω and w by w′/Ω.
+    pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
+        let Equation { omega, alpha, .. } = *equation;
+        let (one, unit) = (F::int(1), F::int(2) * F::epsilon());
+        let forced = alpha / (one + omega.square());
+        let rate = (one + alpha + y.x.abs()) / omega;
+        Self {
+            x,
+            w,
+            noise_x: unit * (y.x.abs() + forced + y.w.abs() / omega),
+            noise_w: unit * (y.w.abs() + forced * omega + rate),
+        }
+    }
+
+    /// The distance that the motion never lets grow.
+    pub(crate) fn norm(&self) -> F {
+        self.x.hypot(self.w)
+    }
+
+    /// Whether it is `times` rounding or less.
+    pub(crate) fn is_rounding(&self, times: i32) -> bool {
+        let times = F::int(times);
+        self.x.abs() <= times * self.noise_x && self.w.abs() <= times * self.noise_w
+    }
+
+    /// The norm of the residual with that of its rounding added.
+    pub(crate) fn bound(&self) -> F {
+        self.norm() + self.noise_x.hypot(self.noise_w)
+    }
+
+    /// Bounds on x and w of the residual, rounding included.
+    pub(crate) fn bounds(&self) -> (F, F) {
+        (self.x.abs() + self.noise_x, self.w.abs() + self.noise_w)
+    }
+}
+
+fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> Residual<F> {
+    Residual::new(equation, y, (-walk.end.x - y.x, -walk.end.w - y.w))
 }
 
 /// Natural time from the start of a walk to its first velocity zero.
@@ -66,42 +102,56 @@ fn first_zero<F: Float>(walk: &Walk<F>, usual: F) -> F {
 }
 
 /// Newton's method from a start; `hint` is the natural time to its first velocity zero.
+///
+/// `guess` is a second place to try, with its own hint, when Newton's step from the start fails. It needs no justification:
+/// its residual judges it, and where it leads is the limit of every start.
 pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
+    guess: impl FnOnce() -> Option<(Point<F>, F)>,
     budget: &mut Budget,
 ) -> Shot<F> {
     let two = F::int(2);
+    let mut guess = Some(guess);
     let mut best = walk(equation, start, 1, hint, Vec::new());
     let mut y = start;
-    let mut norm = norm_of(residual(&y, &best));
+    let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
     let mut follow = 1;
     budget.half_turns += 1;
     loop {
-        let noise = rounding(&equation, &y);
         let inverse = best.monodromy.inverse_of_one_plus();
-        if norm <= noise {
-            return Shot::Settled(settled(y, best, inverse, norm, noise));
+        if left.is_rounding(1) {
+            return Shot::Settled(settled(y, best, inverse, &left));
         }
-        let (dx, dw) = inverse.times(residual(&y, &best));
+        let (dx, dw) = inverse.times((left.x, left.w));
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
-        let sound = dx.is_finite() && dw.is_finite();
-        if sound {
+        if dx.is_finite() && dw.is_finite() {
             let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
             budget.half_turns += 1;
-            let after = norm_of(residual(&trial, &tried));
-            if after * two <= norm {
-                (y, norm) = (trial, after);
+            let after = residual(&equation, &trial, &tried);
+            if after.norm() * two <= left.norm() {
+                (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
             }
             spare = tried.parts;
             // Rounding alone is left, a little more of it than expected.
-            if norm <= noise * F::int(64) {
-                return Shot::Settled(settled(y, best, inverse, norm, noise));
+            if left.is_rounding(64) {
+                return Shot::Settled(settled(y, best, inverse, &left));
             }
+        }
+        if let Some((elsewhere, hint)) = guess.take().and_then(|guess| guess()) {
+            let tried = walk(equation, elsewhere, 1, hint, spare);
+            budget.half_turns += 1;
+            let after = residual(&equation, &elsewhere, &tried);
+            if after.norm() < left.norm() || after.is_rounding(1) {
+                (y, left) = (elsewhere, after);
+                spare = core::mem::replace(&mut best, tried).parts;
+                continue;
+            }
+            spare = tried.parts;
         }
         // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's reach.
         for _ in 0..follow {
@@ -111,21 +161,16 @@ pub(crate) fn shoot<F: Float>(
             spare = core::mem::replace(&mut best, next).parts;
             budget.half_turns += 1;
         }
-        norm = norm_of(residual(&y, &best));
+        left = residual(&equation, &y, &best);
         follow = if follow < LONGEST_FOLLOW { follow * 2 } else { follow };
         if budget.half_turns > budget.most {
-            return Shot::Unsettled(y, norm);
+            return Shot::Unsettled(y, left.norm());
         }
     }
 }
 
 const LONGEST_FOLLOW: u32 = 64;
 
-fn norm_of<F: Float>((x, w): (F, F)) -> F {
-    x.hypot(w)
-}
-
-fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, norm: F, noise: F) -> Fixed<F> {
-    let rounding = if norm > noise { norm } else { noise };
-    Fixed { start, walk, distance: inverse.norm() * (norm + rounding) }
+fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
+    Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }
 }

@@ -67,11 +67,18 @@ impl<F: Float> LongRun<F> {
         if family::is_one(ratios) {
             return Ok(family::member(equation, section, hint, budget));
         }
-        Ok(Self::shot(equation, section, hint, budget))
+        let guess = || Cycle::new(ratios).ok().map(|cycle| middle_of_rise(equation, &cycle));
+        Ok(Self::shot(equation, section, hint, guess, budget))
     }
 
-    fn shot(equation: Equation<F>, section: Point<F>, hint: F, mut budget: Budget) -> Self {
-        match shoot(equation, section, hint, &mut budget) {
+    fn shot(
+        equation: Equation<F>,
+        section: Point<F>,
+        hint: F,
+        guess: impl FnOnce() -> Option<(Point<F>, F)>,
+        mut budget: Budget,
+    ) -> Self {
+        match shoot(equation, section, hint, guess, &mut budget) {
             Shot::Settled(fixed) => {
                 let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
                 let multipliers = fixed.walk.monodromy.squared_eigenvalues();
@@ -138,6 +145,14 @@ fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budg
     (middle(&slide, half), half)
 }
 
+/// The middle of the half cycle with x′ > 0 of a non-sticking cycle, and the natural time from there to its end.
+fn middle_of_rise<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
+    let minimum = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.displacement_phase() - F::pi());
+    let slide = Slide::new(equation, minimum, -cycle.max_displacement(), F::int(0), Direction::Forward);
+    let half = F::pi() / (F::int(2) * equation.omega);
+    (middle(&slide, half), half)
+}
+
 /// The point of a slide at natural time φ.
 fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
     let motion = slide.motion(phi);
@@ -195,7 +210,7 @@ pub struct SteadyState<F> {
     pub(crate) start: Point<F>,
     pub(crate) tally: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
-    pub(crate) distance: F,
+    pub(crate) distance: (F, F),
     pub(crate) periods: F,
 }
 
@@ -208,15 +223,12 @@ impl<F: Float> SteadyState<F> {
     pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
-        let minimum = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.displacement_phase() - F::pi());
-        let slide = Slide::new(equation, minimum, -cycle.max_displacement(), F::int(0), Direction::Forward);
-        let half = F::pi() / (F::int(2) * equation.omega);
         let budget = Budget { half_turns: 0, most: 2 * u64::from(DEFAULT_BUDGET) };
-        let section = middle(&slide, half);
+        let (section, half) = middle_of_rise(equation, cycle);
         if family::is_one(ratios) {
             return Ok(family::member(equation, section, half, budget));
         }
-        Ok(LongRun::shot(equation, section, half, budget))
+        Ok(LongRun::shot(equation, section, half, || None, budget))
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
@@ -297,9 +309,11 @@ impl<F: Float> SteadyState<F> {
         a.hypot(b).or_larger(c.hypot(d))
     }
 
-    /// Bound on the distance `hypot(δx, Ωδv)` of the motion found from the limit, rounding included.
-    pub const fn distance(&self) -> F {
-        self.distance
+    /// Bounds on how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]: the residual of half a
+    /// turn and its rounding, multiplied by what the map's contraction leaves of its resistance, `|(1 + M)⁻¹|`.
+    pub fn distance(&self) -> (F, F) {
+        let (x, w) = self.distance;
+        (x, w / self.equation.omega)
     }
 
     /// Periods of the drive that were walked to find it.
