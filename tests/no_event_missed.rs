@@ -4,31 +4,14 @@
 //! turned on by rotations), which shares nothing with the library's own evaluation but the start of the slide. A
 //! velocity of the wrong sign before the end that the library found is a zero that it missed.
 
+mod random;
+
+use random::Random;
 use stickslip::Ratios;
 use stickslip::exact::{Direction, Kind, Phase, State, Trajectory};
 
 const MOTIONS: u64 = 100_000;
 const SAMPLES: usize = 10_000;
-
-/// SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-    /// Uniform in the logarithm.
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-}
 
 /// One motion: ratios and start. All of Ω from 1e-3 to 1e3, with a preference for where zeros crowd.
 fn draw(random: &mut Random) -> (f64, f64, State<f64>) {

@@ -3,13 +3,18 @@
 //! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the forced one, and
 //! any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One
 //! multiplier of the cycle is 1. Which member a motion tends to depends on its start, so it is followed there.
+//!
+//! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the edge, which touches
+//! the border of sticking: the distance falls like 1/cycles only. It never grows (`shooting`), so that once the motion is
+//! close to that member it is the limit to within that distance.
 
+use super::drive::DrivePhase;
 use super::matrix::Matrix;
 use super::measures::Tally;
 use super::shooting::{Budget, Residual};
-use super::slide::Equation;
+use super::slide::{Direction, Equation, Slide};
 use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
-use super::walk::{Point, walk};
+use super::walk::{Part, Point, walk};
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::phase_function::PhaseFunction;
@@ -50,6 +55,15 @@ pub(crate) fn member<F: Float>(
             let off = left + rounding;
             return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
         }
+        let sticks = cycle.parts.iter().any(|part| matches!(part, Part::Stick(..)));
+        if sticks && budget.half_turns >= LONG_CREEP {
+            let edge = nearest_edge(equation, &y);
+            let off = (edge.x - y.x).hypot(edge.w - y.w);
+            if off * F::int(16) < size {
+                let cycle = walk(equation, edge, 2, hint, cycle.parts);
+                return finish(equation, edge, &cycle.parts, cycle.monodromy, (off, off), &budget);
+            }
+        }
         if budget.half_turns > budget.most {
             return unsettled(&equation, &y, change, &budget);
         }
@@ -62,10 +76,35 @@ pub(crate) fn member<F: Float>(
     }
 }
 
+/// Half turns after which a motion of a family that still sticks is taken to creep.
+const LONG_CREEP: u64 = 400;
+
+/// The member at the edge of the family that is nearest to y, at the phase of y.
+///
+/// The members are the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
+fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let Equation { omega, alpha, .. } = equation;
+    let amplitude = alpha / ((one - omega) * (one + omega));
+    let room = omega.square() * amplitude - one;
+    // t₂ is at π/2: K = 0. The half turn before y begins at an extremum, a maximum where sin θ > 0.
+    let before = DrivePhase::of_half_turn(y.phase.half_turns(), -(F::pi() / F::int(2)));
+    let maximum = !before.is_even();
+    let (side, direction) = if maximum { (one, Direction::Backward) } else { (-one, Direction::Forward) };
+    let phi = y.phase.since(before) / omega;
+    let at = |c: F| {
+        let motion = Slide::new(equation, before, side * amplitude + c, zero, direction).motion(phi);
+        Point { phase: y.phase, x: motion.x, w: motion.w }
+    };
+    let (high, low) = (at(room), at(-room));
+    let distance = |p: &Point<F>| (p.x - y.x).hypot(p.w - y.w);
+    if distance(&high) <= distance(&low) { high } else { low }
+}
+
 fn finish<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
-    parts: &[super::walk::Part<F>],
+    parts: &[Part<F>],
     monodromy: Matrix<F>,
     distance: (F, F),
     budget: &Budget,
