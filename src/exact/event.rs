@@ -154,7 +154,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             if helping { in_helping(search, stretch, &f) } else { in_opposing(search, stretch, &f) };
         match verdict {
             Verdict::Clear(end) if !last => jet = end.map(|(jet, _)| jet),
-            answer => return answer,
+            answer @ (Verdict::Zero(_) | Verdict::Clear(_)) => return answer,
         }
         phi = to;
         from_zero = false;

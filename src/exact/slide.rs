@@ -19,7 +19,8 @@
 //!
 //! of which only q is a quotient of small numbers, both known to full relative accuracy; q(Ω = 1) = φ. The first form
 //! of S is used below Ω = 1 and the second above, where each has no cancellation. The terms are those that vanish
-//! with φ, so that neither a short slide nor a high frequency costs digits.
+//! with φ, so that neither a short slide nor a high frequency costs digits. A long slide at a low frequency is written as a
+//! slow and a fast wave instead.
 
 use super::drive::DrivePhase;
 use crate::float::Float;
@@ -193,6 +194,9 @@ impl<F: Float> Slide<F> {
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
         let Equation { omega, alpha, .. } = self.equation;
+        if omega < F::ratio(1, 2) && phi > F::int(1) {
+            return self.slow_and_fast(phi);
+        }
         let Waves { free: (sine, cosine), drive, c, s, d } = self.equation.waves(phi);
         let (si, ci) = (self.sin_start, self.cos_start);
         let sign = self.direction.sign::<F>();
@@ -208,6 +212,34 @@ impl<F: Float> Slide<F> {
             acceleration: self.acceleration * cosine - self.w * sine + rate * (ci * d - omega * si * c),
             jerk: rate * (ci * drive.1 - si * drive.0) - w,
             force: alpha * (si * drive.1 + ci * drive.0),
+            rotation: (sine, cosine),
+        }
+    }
+
+    /// The same as a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1.
+    ///
+    /// ```text
+    /// x = A sin θ − s + a cos φ + b sin φ,   a = −(a_i + Ω²A sin θ_i),   b = w_i − ΩA cos θ_i,   A = α/(1 − Ω²)
+    /// ```
+    ///
+    /// The rounding of the fast angle, φ up to π/Ω, then counts with the amplitude of the fast wave only.
+    fn slow_and_fast(&self, phi: F) -> Motion<F> {
+        let Equation { omega, alpha, .. } = self.equation;
+        let (si, ci) = (self.sin_start, self.cos_start);
+        let (sd, cd) = (omega * phi).sin_cos();
+        let (sine, cosine) = phi.sin_cos();
+        let (sin_theta, cos_theta) = (si * cd + ci * sd, ci * cd - si * sd);
+        let amplitude = alpha / ((F::int(1) - omega) * (F::int(1) + omega));
+        let a = -(self.acceleration + omega.square() * amplitude * si);
+        let b = self.w - omega * amplitude * ci;
+        let fast = a * cosine + b * sine;
+        let w = omega * amplitude * cos_theta + b * cosine - a * sine;
+        Motion {
+            x: amplitude * sin_theta - self.direction.sign::<F>() + fast,
+            w,
+            acceleration: -(omega.square() * amplitude * sin_theta) - fast,
+            jerk: alpha * omega * cos_theta - w,
+            force: alpha * sin_theta,
             rotation: (sine, cosine),
         }
     }
