@@ -65,7 +65,7 @@ fn the_page_holds_what_the_library_gives() {
             );
         }
         assert!(values[5].is_nan() == cells[8].is_nan());
-        assert!(!(values[5] > 1e-13), "Ω = {omega}, 1/α = {inverse}: {:e}", values[5]);
+        assert!(values[5].is_nan() || values[5] < 1e-13, "Ω = {omega}, 1/α = {inverse}: {:e}", values[5]);
     }
 }
 

@@ -176,10 +176,13 @@ fn in_opposing<F: Float, M: Copy>(
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
     let Stretch { from, to, jet, .. } = stretch;
+    // A hint beyond the stretch says that no zero is expected: the end decides.
     let mut guess = to;
     if search.hint > from && search.hint < to {
         guess = search.hint;
-    } else if let Some(j) = jet {
+    } else if let Some(j) = jet
+        && search.hint <= from
+    {
         let h = first_zero_of_bound(j);
         if h > F::int(0) && from + h < to {
             guess = from + h;

@@ -17,22 +17,35 @@ pub(crate) struct Fastest<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The greatest speed for natural times from 0 to `end`.
-    pub(crate) fn fastest(&self, end: F) -> Fastest<F> {
+    /// The greatest speed for natural times from 0 to `end`, where the motion is `arrival`.
+    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
+        let start = self.motion_at_start();
         if omega * two >= one && omega <= two {
-            self.scan(zero, end, &mut best);
+            self.scan((zero, &start), (end, arrival), &mut best);
             return best;
         }
         let fast = two * F::pi() / one.or_larger(omega);
         let crest = self.slow_crest();
+        let motion = |phi: F| {
+            if phi == zero {
+                start
+            } else if phi == end {
+                *arrival
+            } else {
+                self.motion(phi)
+            }
+        };
         for (from, to) in [(zero, fast), (crest - fast, crest + fast), (end - fast, end)] {
             let from = from.or_larger(zero);
             let to = if to < end { to } else { end };
             if from < to {
-                self.scan(from, to, &mut best);
+                self.scan((from, &motion(from)), (to, &motion(to)), &mut best);
+                if to - from >= end {
+                    break;
+                }
             }
         }
         best
@@ -56,8 +69,8 @@ impl<F: Float> Slide<F> {
         if crest < F::int(0) { crest + period } else { crest }
     }
 
-    /// Every zero of the acceleration in [from, to], and the ends.
-    fn scan(&self, from: F, to: F, best: &mut Fastest<F>) {
+    /// Every zero of the acceleration between two instants whose motion is known, and these themselves.
+    fn scan(&self, (from, first): (F, &Motion<F>), (to, last): (F, &Motion<F>), best: &mut Fastest<F>) {
         let zero = F::int(0);
         let sign = self.direction.sign::<F>();
         let mut consider = |phi: F, w: F| {
@@ -65,25 +78,23 @@ impl<F: Float> Slide<F> {
                 *best = Fastest { phi, w };
             }
         };
-        let starts = from == zero;
-        let mut at = from;
-        let first = self.motion(at);
-        consider(at, first.w);
-        let mut motion = if starts {
-            Motion { acceleration: self.acceleration, jerk: self.jerk_at_start(), ..first }
-        } else {
-            first
-        };
-        let mut speeds_up = sign * motion.acceleration > zero;
-        let mut from_zero = false;
-        if motion.acceleration == zero {
-            (speeds_up, from_zero) = (true, true);
-        }
+        consider(from, first.w);
+        consider(to, last.w);
+        let noise =
+            F::int(4) * F::epsilon() * self.velocity_scale() * F::int(1).or_larger(self.equation.omega);
+        let (mut at, mut motion) = (from, *first);
+        // At an extremum to within rounding, or at a release, the jerk says which way it goes.
+        let mut from_zero = motion.acceleration.abs() <= noise;
+        let mut speeds_up = sign * if from_zero { motion.jerk } else { motion.acceleration } > zero;
         for _ in 0..MOST_EXTREMA {
             let side = if speeds_up { sign } else { -sign };
-            let Verdict::Zero(found) = self.acceleration_zero(at, to, &motion, side, from_zero) else {
-                break;
-            };
+            let search = self.acceleration_search(at, to, side, from_zero, noise);
+            let jet = |m: &Motion<F>| self.acceleration_jet(m, side);
+            let verdict = next_zero(&search, jet(&motion), |phi| {
+                let m = if at + phi >= to { *last } else { self.motion(at + phi) };
+                (jet(&m), m)
+            });
+            let Verdict::Zero(found) = verdict else { break };
             let Found { at: passed, step, motion: m, .. } = found;
             at = at + passed + step;
             if at >= to {
@@ -94,45 +105,39 @@ impl<F: Float> Slide<F> {
             if speeds_up {
                 consider(at, w);
             }
-            // The jerk that follows is all that the next search starts from.
             motion = Motion { acceleration: zero, w, ..m };
             (speeds_up, from_zero) = (!speeds_up, true);
         }
-        consider(to, self.motion(to).w);
     }
 
-    /// The first zero after φ = `at` of the acceleration, whose sign there is `side`.
-    fn acceleration_zero(
-        &self,
-        at: F,
-        to: F,
-        motion: &Motion<F>,
-        side: F,
-        from_zero: bool,
-    ) -> Verdict<F, Motion<F>> {
-        let (one, omega) = (F::int(1), self.equation.omega);
-        let quarter = F::pi() / F::int(2);
-        // −sin θ = cos(θ + π/2)
-        let shifted = self.start.advanced(omega * at + quarter);
-        let jet = |m: &Motion<F>| Jet {
+    /// The acceleration, its sign turned to `side`, with two derivatives.
+    #[inline]
+    fn acceleration_jet(&self, m: &Motion<F>, side: F) -> Jet<F> {
+        let omega = self.equation.omega;
+        Jet {
             value: side * m.acceleration,
             first: side * m.jerk,
             second: -(side * (omega.square() * m.force + m.acceleration)),
-        };
-        let search = Search {
+        }
+    }
+
+    /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
+    #[inline]
+    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<F> {
+        let omega = self.equation.omega;
+        // −sin θ = cos(θ + π/2)
+        let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));
+        Search {
             omega,
             angle: shifted.angle(),
             helping: shifted.is_even() == (side > F::int(0)),
             from_zero,
             limit: Some(to - at),
-            hint: quarter / one.or_larger(omega),
+            // The end, where the motion is known, is looked at first.
+            hint: to - at,
             safe: None,
-            noise: F::int(4) * F::epsilon() * self.velocity_scale() * one.or_larger(omega),
-        };
-        next_zero(&search, jet(motion), |phi| {
-            let m = self.motion(at + phi);
-            (jet(&m), m)
-        })
+            noise,
+        }
     }
 }
 
@@ -161,7 +166,7 @@ mod tests {
             let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
             for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().take(12) {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
-                let fastest = slide.fastest(zero.phi);
+                let fastest = slide.fastest(zero.phi, &slide.motion_at(zero));
                 assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * fastest.w.abs().max(1.0));
                 let n = 20_000;
                 for i in 0..=n {

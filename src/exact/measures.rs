@@ -1,7 +1,7 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
 use super::drive::DrivePhase;
-use super::slide::Slide;
+use super::slide::{Motion, Slide};
 use super::walk::{Part, Point};
 use crate::float::Float;
 
@@ -52,9 +52,9 @@ impl<F: Float> Tally<F> {
             match part {
                 Part::Slide(slide, end) => {
                     tally.zeros += 1;
-                    tally.slide(slide, end.phi, &Point { phase: end.phase, x: end.x, w: zero });
+                    tally.slide(slide, end.phi, end.phase, &slide.motion_at(end));
                 }
-                Part::Onward(slide, phi, end) => tally.slide(slide, *phi, end),
+                Part::Onward(slide, phi, phase, end) => tally.slide(slide, *phi, *phase, end),
                 Part::Stick(_, length) => {
                     tally.sticks += 1;
                     tally.rest = tally.rest + *length;
@@ -64,13 +64,13 @@ impl<F: Float> Tally<F> {
         tally
     }
 
-    fn slide(&mut self, slide: &Slide<F>, phi: F, end: &Point<F>) {
+    fn slide(&mut self, slide: &Slide<F>, phi: F, phase: DrivePhase<F>, end: &Motion<F>) {
         let omega = slide.equation.omega;
-        self.displaced(Extreme { value: end.x, phase: end.phase });
-        let fastest = slide.fastest(phi);
+        self.displaced(Extreme { value: end.x, phase });
+        let fastest = slide.fastest(phi, end);
         self.moved(Extreme { value: fastest.w / omega, phase: slide.start.advanced(omega * fastest.phi) });
         self.work_out = self.work_out + (end.x - slide.x).abs();
-        self.work_in = self.work_in + slide.work_of_drive(end);
+        self.work_in = self.work_in + slide.work_of_drive(phase, end);
     }
 
     fn displaced(&mut self, x: Extreme<F>) {
@@ -156,7 +156,7 @@ impl<F: Float> Slide<F> {
     /// ```
     ///
     /// For |1 − Ω²| < 1/64, where that loses digits, from the balance of energy instead: `[½x² + ½w²] + |Δx|`.
-    pub(crate) fn work_of_drive(&self, end: &Point<F>) -> F {
+    pub(crate) fn work_of_drive(&self, phase: DrivePhase<F>, end: &Motion<F>) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let (omega, alpha) = (self.equation.omega, self.equation.alpha);
         let sign = self.direction.sign::<F>();
@@ -166,10 +166,11 @@ impl<F: Float> Slide<F> {
             let kinetic = (end.w - self.w) * (end.w + self.w);
             return (spring + kinetic) / two + sign * (end.x - self.x);
         }
-        let bracket = |phase: &DrivePhase<F>, x: F, w: F| {
-            let (sine, cosine) = phase.sin_cos();
-            sine * (x + sign - alpha * sine / two) + omega * w * cosine
-        };
-        alpha * (bracket(&end.phase, end.x, end.w) - bracket(&self.start, self.x, self.w)) / divisor
+        let bracket =
+            |sine: F, cosine: F, x: F, w: F| sine * (x + sign - alpha * sine / two) + omega * w * cosine;
+        let (sine, cosine) = phase.sin_cos();
+        let (sine_start, cosine_start) = self.sin_cos_start();
+        let work = bracket(sine, cosine, end.x, end.w) - bracket(sine_start, cosine_start, self.x, self.w);
+        alpha * work / divisor
     }
 }

@@ -162,7 +162,19 @@ impl<F: Float> Slide<F> {
     /// The slide with a velocity `w = Ωv` that is not zero, or zero with the force above friction.
     #[inline]
     pub(crate) fn new(equation: Equation<F>, start: DrivePhase<F>, x: F, w: F, direction: Direction) -> Self {
-        let (sin_start, cos_start) = start.sin_cos();
+        Self::with_sin_cos(equation, start, start.sin_cos(), x, w, direction)
+    }
+
+    /// The same with (sin θ_i, cos θ_i) known.
+    #[inline]
+    pub(crate) fn with_sin_cos(
+        equation: Equation<F>,
+        start: DrivePhase<F>,
+        (sin_start, cos_start): (F, F),
+        x: F,
+        w: F,
+        direction: Direction,
+    ) -> Self {
         let acceleration = equation.alpha * sin_start - x - direction.sign::<F>();
         Self { equation, start, direction, x, w, acceleration, sin_start, cos_start }
     }
@@ -242,6 +254,11 @@ impl<F: Float> Slide<F> {
             force: alpha * sin_theta,
             rotation: (sine, cosine),
         }
+    }
+
+    /// (sin θ_i, cos θ_i)
+    pub(crate) fn sin_cos_start(&self) -> (F, F) {
+        (self.sin_start, self.cos_start)
     }
 
     /// `w″ = αΩ cos θ − w` at the start.

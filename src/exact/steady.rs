@@ -67,7 +67,7 @@ impl<F: Float> LongRun<F> {
         if family::is_one(ratios) {
             return Ok(family::member(equation, section, hint, budget));
         }
-        let guess = || Cycle::new(ratios).ok().map(|cycle| middle_of_rise(equation, &cycle));
+        let guess = || Cycle::new(ratios).ok().map(|cycle| fastest_point(equation, &cycle));
         Ok(Self::shot(equation, section, hint, guess, budget))
     }
 
@@ -145,12 +145,13 @@ fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budg
     (middle(&slide, half), half)
 }
 
-/// The middle of the half cycle with x′ > 0 of a non-sticking cycle, and the natural time from there to its end.
-fn middle_of_rise<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
+/// The fastest point of a non-sticking cycle, and the natural time from there to the maximum displacement.
+fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
     let minimum = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.displacement_phase() - F::pi());
     let slide = Slide::new(equation, minimum, -cycle.max_displacement(), F::int(0), Direction::Forward);
-    let half = F::pi() / (F::int(2) * equation.omega);
-    (middle(&slide, half), half)
+    let lag = cycle.displacement_phase() - cycle.velocity_phase();
+    let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
+    (middle(&slide, (F::pi() - lag) / equation.omega), lag / equation.omega)
 }
 
 /// The point of a slide at natural time φ.
@@ -224,11 +225,11 @@ impl<F: Float> SteadyState<F> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
         let budget = Budget { half_turns: 0, most: 2 * u64::from(DEFAULT_BUDGET) };
-        let (section, half) = middle_of_rise(equation, cycle);
+        let (section, hint) = fastest_point(equation, cycle);
         if family::is_one(ratios) {
-            return Ok(family::member(equation, section, half, budget));
+            return Ok(family::member(equation, section, hint, budget));
         }
-        Ok(LongRun::shot(equation, section, half, || None, budget))
+        Ok(LongRun::shot(equation, section, hint, || None, budget))
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].

@@ -195,10 +195,12 @@ impl<F: Float> Next<F> {
     /// falls holds.
     #[inline]
     pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
-        let force = equation.alpha * phase.sin_cos().0 - x;
+        let sin_cos = phase.sin_cos();
+        let force = equation.alpha * sin_cos.0 - x;
         let bound = F::int(1) + force_rounding(equation.alpha, x);
         if force.abs() > bound {
-            return Self::Slide(Slide::new(equation, phase, x, F::int(0), Direction::of(force)));
+            let direction = Direction::of(force);
+            return Self::Slide(Slide::with_sin_cos(equation, phase, sin_cos, x, F::int(0), direction));
         }
         let stick = Stick::new(equation, phase, x);
         match stick.release {

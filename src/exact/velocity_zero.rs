@@ -14,6 +14,8 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) x: F,
     /// `α sin θ − x − s` at the end: not positive along the slide.
     pub(crate) acceleration: F,
+    /// `w″` at the end.
+    pub(crate) jerk: F,
     /// (sin φ, cos φ)
     pub(crate) rotation: (F, F),
     /// The velocity touches zero and keeps its sign.
@@ -69,6 +71,8 @@ impl<F: Float> Slide<F> {
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
         let acceleration = m.acceleration + h * m.jerk;
+        let omega = self.equation.omega;
+        let jerk = m.jerk - h * (omega.square() * m.force + m.acceleration);
         let (s, c) = m.rotation;
         let phase = self.start.advanced(self.equation.omega * (at + h));
         // A slide too short for its phase to move ends where the half turn does.
@@ -83,8 +87,34 @@ impl<F: Float> Slide<F> {
             },
             x,
             acceleration,
+            jerk,
             rotation: (s + h * (c - half * s), c - h * (s + half * c)),
             grazes,
+        }
+    }
+
+    /// The motion at the velocity zero that ends the slide.
+    pub(crate) fn motion_at(&self, zero: &VelocityZero<F>) -> Motion<F> {
+        Motion {
+            x: zero.x,
+            w: F::int(0),
+            acceleration: zero.acceleration,
+            jerk: zero.jerk,
+            force: zero.acceleration + zero.x + self.direction.sign::<F>(),
+            rotation: zero.rotation,
+        }
+    }
+
+    /// The motion at the start of the slide.
+    pub(crate) fn motion_at_start(&self) -> Motion<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        Motion {
+            x: self.x,
+            w: self.w,
+            acceleration: self.acceleration,
+            jerk: self.jerk_at_start(),
+            force: self.acceleration + self.x + self.direction.sign::<F>(),
+            rotation: (zero, one),
         }
     }
 

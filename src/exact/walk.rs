@@ -2,7 +2,7 @@
 
 use super::drive::DrivePhase;
 use super::matrix::Matrix;
-use super::slide::{Equation, Slide};
+use super::slide::{Equation, Motion, Slide};
 use super::stick::Stick;
 use super::trajectory::Next;
 use super::velocity_zero::VelocityZero;
@@ -21,8 +21,8 @@ pub(crate) struct Point<F> {
 pub(crate) enum Part<F> {
     /// A slide, and the velocity zero that ends it.
     Slide(Slide<F>, VelocityZero<F>),
-    /// A slide that goes on: its length in natural time, and the x and w there.
-    Onward(Slide<F>, F, Point<F>),
+    /// A slide that goes on: its length in natural time, the phase and the motion there.
+    Onward(Slide<F>, F, DrivePhase<F>, Motion<F>),
     /// A stop, and its length as a phase.
     Stick(Stick<F>, F),
 }
@@ -82,7 +82,7 @@ pub(crate) fn walk<F: Float>(
                     Err(motion) => {
                         let motion = motion.unwrap_or_else(|| slide.motion(limit));
                         let end = Point { phase: target, x: motion.x, w: motion.w };
-                        parts.push(Part::Onward(slide, limit, end));
+                        parts.push(Part::Onward(slide, limit, target, motion));
                         let monodromy = monodromy.after_slide(motion.rotation);
                         return Walk { end, monodromy, parts };
                     }
