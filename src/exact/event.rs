@@ -22,16 +22,17 @@
 //! a zero once it is as long as the fast period, and each window is at least half a slow period, not shorter than the
 //! fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
 //! at most 8 stretches. Within a stretch a step that does not halve the bracket is followed by a bisection: **at most
-//! 2·PRECISION + 8 evaluations, and 2 or 3 as a rule**, because Halley's steps triple the good digits.
+//! 2·PRECISION + 8 evaluations, and 2 or 3 as a rule**, because Householder's steps quadruple the good digits.
 
 use crate::float::Float;
 
-/// A value and its first two derivatives.
+/// A value and its first three derivatives.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Jet<F> {
     pub(crate) value: F,
     pub(crate) first: F,
     pub(crate) second: F,
+    pub(crate) third: F,
 }
 
 /// The first zero: at `at + step`, where `step` is the last, final one, and `motion` is that of `at`.
@@ -193,7 +194,7 @@ fn in_opposing<F: Float, M: Copy>(
 
 /// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g as it is at h = 0; zero where there is none.
 fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
-    let Jet { value, first, second } = jet;
+    let Jet { value, first, second, .. } = jet;
     let g = second + value;
     let discriminant = first.square() + value * (value - F::int(2) * g);
     if discriminant < F::int(0) {
@@ -237,7 +238,7 @@ fn bracketed<F: Float, M: Copy>(
         } else {
             (high, below) = (phi, true);
         }
-        let step = halley(&jet);
+        let step = householder(&jet);
         let next = phi + step;
         if jet.first < zero && is_final(search, &jet, phi, step) && next > begin && next <= end {
             return crossing(step);
@@ -263,21 +264,26 @@ fn bracketed<F: Float, M: Copy>(
     }
 }
 
-/// Halley's step towards a zero: `−2ff′/(2f′² − ff″)`.
+/// Householder's step of third order towards a zero, which quadruples the good digits:
+/// `−f (6f′² − 3ff″)/(6f′³ − 6ff′f″ + f²f‴)`.
 #[inline]
-fn halley<F: Float>(jet: &Jet<F>) -> F {
-    let two = F::int(2);
-    -(two * jet.value * jet.first) / (two * jet.first.square() - jet.value * jet.second)
+fn householder<F: Float>(jet: &Jet<F>) -> F {
+    let Jet { value, first, second, third } = *jet;
+    let (three, six) = (F::int(3), F::int(6));
+    let bent = value * second;
+    let above = value * (six * first.square() - three * bent);
+    let below = six * first * (first.square() - bent) + value.square() * third;
+    -above / below
 }
 
 /// Whether what a step leaves is below the rounding of φ.
 ///
-/// Halley's method leaves `h (κ²/4 + f‴h²/6f′)` with κ = f″h/f′, and f‴ is of the order of `max(1, Ω)² f′`.
+/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of `max(1, Ω) h` each.
 #[inline]
 fn is_final<F: Float>(search: &Search<F>, jet: &Jet<F>, phi: F, step: F) -> bool {
-    let curvature = jet.second * step / jet.first;
-    let turned = step * F::int(1).or_larger(search.omega);
-    let left = step.abs() * (curvature.square() + turned.square());
+    let curvature = (jet.second * step / jet.first).abs();
+    let turned = step.abs() * F::int(1).or_larger(search.omega);
+    let left = step.abs() * (curvature + turned) * (curvature + turned).square();
     left <= F::epsilon() / F::int(4) * phi.abs().or_larger(step.abs())
         || jet.value == F::int(0)
         || step.abs() <= F::epsilon() * phi.abs()
@@ -337,7 +343,7 @@ fn forward_cover<F: Float>(jet: Jet<F>) -> F {
     jet.value.atan2(-jet.first)
 }
 
-/// Halley's method from the hint; an answer only where it settles on a downward zero in (from, to].
+/// Householder's method from the hint; an answer only where it settles on a downward zero in (from, to].
 fn polished_guess<F: Float, M: Copy>(
     search: &Search<F>,
     from: F,
@@ -347,7 +353,7 @@ fn polished_guess<F: Float, M: Copy>(
     let mut phi = search.hint;
     for _ in 0..MOST_POLISHES {
         let (jet, motion) = f(phi);
-        let step = halley(&jet);
+        let step = householder(&jet);
         let next = phi + step;
         let inside = next > from && next <= to && jet.first < F::int(0);
         if !inside {
@@ -361,7 +367,7 @@ fn polished_guess<F: Float, M: Copy>(
     None
 }
 
-/// Six of Halley's steps multiply the good digits by 3⁶: more never pays.
+/// Six steps multiply the good digits by 4⁶: more never pays.
 const MOST_POLISHES: u32 = 6;
 
 /// The dip between two points with f ≥ 0 where g ≥ 0: a zero, a grazing, or nothing.

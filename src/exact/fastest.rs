@@ -5,7 +5,7 @@
 //! be as many as fast periods in the slide; but a point that lies a fast period or more from where the slow wave is greatest
 //! is exceeded by the one a fast period closer, so that only the neighbourhoods of that crest and of the ends count.
 
-use super::event::{Found, Jet, Search, Verdict, next_zero};
+use super::event::{Found, Search, Verdict, next_zero};
 use super::slide::{Motion, Slide};
 use crate::float::Float;
 
@@ -89,7 +89,7 @@ impl<F: Float> Slide<F> {
         for _ in 0..MOST_EXTREMA {
             let side = if speeds_up { sign } else { -sign };
             let search = self.acceleration_search(at, to, side, from_zero, noise);
-            let jet = |m: &Motion<F>| self.acceleration_jet(m, side);
+            let jet = |m: &Motion<F>| m.acceleration_jet(self.equation.omega, side);
             let verdict = next_zero(&search, jet(&motion), |phi| {
                 let m = if at + phi >= to { *last } else { self.motion(at + phi) };
                 (jet(&m), m)
@@ -100,24 +100,14 @@ impl<F: Float> Slide<F> {
             if at >= to {
                 break;
             }
-            let half = step / F::int(2);
-            let w = m.w + step * (m.acceleration + half * m.jerk);
+            let (half, third) = (step / F::int(2), step / F::int(3));
+            let (fourth, _) = m.higher(self.equation.omega);
+            let w = m.w + step * (m.acceleration + half * (m.jerk + third * fourth));
             if speeds_up {
                 consider(at, w);
             }
-            motion = Motion { acceleration: zero, w, ..m };
+            motion = Motion { acceleration: zero, w, jerk: m.jerk + step * fourth, ..m };
             (speeds_up, from_zero) = (!speeds_up, true);
-        }
-    }
-
-    /// The acceleration, its sign turned to `side`, with two derivatives.
-    #[inline]
-    fn acceleration_jet(&self, m: &Motion<F>, side: F) -> Jet<F> {
-        let omega = self.equation.omega;
-        Jet {
-            value: side * m.acceleration,
-            first: side * m.jerk,
-            second: -(side * (omega.square() * m.force + m.acceleration)),
         }
     }
 

@@ -23,6 +23,7 @@
 //! slow and a fast wave instead.
 
 use super::drive::DrivePhase;
+use super::event::Jet;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -139,6 +140,39 @@ pub(crate) struct Motion<F> {
     pub(crate) force: F,
     /// (sin φ, cos φ) of the time since the start of the slide.
     pub(crate) rotation: (F, F),
+}
+
+impl<F: Float> Motion<F> {
+    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′` and `w⁗ = −Ω² αΩ cos θ − w″`.
+    #[inline]
+    pub(crate) fn higher(&self, omega: F) -> (F, F) {
+        let square = omega.square();
+        (-(square * self.force + self.acceleration), -(square * (self.jerk + self.w) + self.jerk))
+    }
+
+    /// The velocity with its derivatives, turned to the sign of the slide.
+    #[inline]
+    pub(crate) fn velocity_jet(&self, omega: F, sign: F) -> Jet<F> {
+        let third = self.higher(omega).0;
+        Jet {
+            value: sign * self.w,
+            first: sign * self.acceleration,
+            second: sign * self.jerk,
+            third: sign * third,
+        }
+    }
+
+    /// The acceleration with its derivatives, turned to a sign.
+    #[inline]
+    pub(crate) fn acceleration_jet(&self, omega: F, sign: F) -> Jet<F> {
+        let (second, third) = self.higher(omega);
+        Jet {
+            value: sign * self.acceleration,
+            first: sign * self.jerk,
+            second: sign * second,
+            third: sign * third,
+        }
+    }
 }
 
 /// One slide from `(θ_i, x_i, v_i)` in a given direction: a closed form in time.

@@ -1,7 +1,7 @@
 //! The end of a slide: the first zero of its velocity.
 
 use super::drive::DrivePhase;
-use super::event::{Found, Jet, Safe, Search, Verdict, next_zero};
+use super::event::{Found, Safe, Search, Verdict, next_zero};
 use super::slide::{Direction, Equation, Motion, Slide};
 use crate::float::Float;
 
@@ -38,11 +38,7 @@ impl<F: Float> Slide<F> {
         let zero = F::int(0);
         let Equation { omega, .. } = self.equation;
         let sign = self.direction.sign::<F>();
-        let start = Jet {
-            value: sign * self.w,
-            first: sign * self.acceleration,
-            second: sign * self.jerk_at_start(),
-        };
+        let start = self.motion_at_start().velocity_jet(omega, sign);
         let search = Search {
             omega,
             angle: self.start.angle(),
@@ -55,7 +51,7 @@ impl<F: Float> Slide<F> {
         };
         let found = next_zero(&search, start, |phi| {
             let m = self.motion(phi);
-            (Jet { value: sign * m.w, first: sign * m.acceleration, second: sign * m.jerk }, m)
+            (m.velocity_jet(omega, sign), m)
         });
         match found {
             Verdict::Zero(found) => Ok(self.arrival(&found)),
@@ -68,12 +64,14 @@ impl<F: Float> Slide<F> {
     #[inline]
     fn arrival(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
         let Found { at, step: h, motion: m, grazes } = *found;
+        let omega = self.equation.omega;
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
-        let acceleration = m.acceleration + h * m.jerk;
-        let omega = self.equation.omega;
-        let jerk = m.jerk - h * (omega.square() * m.force + m.acceleration);
+        let (fourth, fifth) = m.higher(omega);
+        let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
+        let jerk = m.jerk + h * fourth;
         let (s, c) = m.rotation;
+        let rotation = (s + h * (c - half * (s + third * c)), c - h * (s + half * (c - third * s)));
         let phase = self.start.advanced(self.equation.omega * (at + h));
         // A slide too short for its phase to move ends where the half turn does.
         let stands = phase.since(self.start) <= F::int(0);
@@ -88,7 +86,7 @@ impl<F: Float> Slide<F> {
             x,
             acceleration,
             jerk,
-            rotation: (s + h * (c - half * s), c - h * (s + half * c)),
+            rotation,
             grazes,
         }
     }
