@@ -70,7 +70,7 @@ impl<F: Float> Tally<F> {
         let fastest = slide.fastest(phi, end);
         self.moved(Extreme { value: fastest.w / omega, phase: slide.start.advanced(omega * fastest.phi) });
         self.work_out = self.work_out + (end.x - slide.x).abs();
-        self.work_in = self.work_in + slide.work_of_drive(phase, end);
+        self.work_in = self.work_in + slide.work_of_drive(end);
     }
 
     fn displaced(&mut self, x: Extreme<F>) {
@@ -156,9 +156,9 @@ impl<F: Float> Slide<F> {
     /// ```
     ///
     /// For |1 − Ω²| < 1/64, where that loses digits, from the balance of energy instead: `[½x² + ½w²] + |Δx|`.
-    pub(crate) fn work_of_drive(&self, phase: DrivePhase<F>, end: &Motion<F>) -> F {
+    pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
         let (one, two) = (F::int(1), F::int(2));
-        let (omega, alpha) = (self.equation.omega, self.equation.alpha);
+        let omega = self.equation.omega;
         let sign = self.direction.sign::<F>();
         let divisor = (one - omega) * (one + omega);
         if divisor.abs() * F::int(64) < one {
@@ -166,11 +166,8 @@ impl<F: Float> Slide<F> {
             let kinetic = (end.w - self.w) * (end.w + self.w);
             return (spring + kinetic) / two + sign * (end.x - self.x);
         }
-        let bracket =
-            |sine: F, cosine: F, x: F, w: F| sine * (x + sign - alpha * sine / two) + omega * w * cosine;
-        let (sine, cosine) = phase.sin_cos();
-        let (sine_start, cosine_start) = self.sin_cos_start();
-        let work = bracket(sine, cosine, end.x, end.w) - bracket(sine_start, cosine_start, self.x, self.w);
-        alpha * work / divisor
+        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w.
+        let bracket = |m: &Motion<F>| m.force * (m.x + sign - m.force / two) + (m.jerk + m.w) * m.w;
+        (bracket(end) - bracket(&self.motion_at_start())) / divisor
     }
 }

@@ -290,11 +290,6 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// (sin θ_i, cos θ_i)
-    pub(crate) fn sin_cos_start(&self) -> (F, F) {
-        (self.sin_start, self.cos_start)
-    }
-
     /// `w″ = αΩ cos θ − w` at the start.
     #[inline]
     pub(crate) fn jerk_at_start(&self) -> F {

@@ -151,3 +151,68 @@ impl<F: Float> Slide<F> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::VelocityZero;
+    use crate::exact::drive::DrivePhase;
+    use crate::exact::slide::{Direction, Equation, Slide};
+    use crate::nonsticking::{displacement_phase, max_displacement};
+    use crate::phase_function::{PhaseFunction, one_minus_square};
+    use crate::{Border, Ratios};
+    use std::f64::consts::PI;
+
+    /// The end of the rising half of the closed-form cycle at (Ω, α), which need not be a motion.
+    fn end_of_rise(omega: f64, alpha: f64) -> VelocityZero<f64> {
+        let k = PhaseFunction::new(omega).unwrap().value();
+        let delta = max_displacement(k, alpha, one_minus_square(omega));
+        let start = DrivePhase::new(displacement_phase(k, alpha, omega) - PI).unwrap();
+        let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+        let slide = Slide::new(equation, start, -delta, 0.0, Direction::Forward);
+        slide.velocity_zero(PI / omega).unwrap()
+    }
+
+    #[test]
+    fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
+        for omega in [0.35, 0.4, 0.45, 0.3, 0.22] {
+            let border = Border::new(omega).unwrap();
+            let least = border.min_force_ratio();
+            // τ* is counted from t₂ within the falling half: the same place in the rising one.
+            let touch = border.phase() / omega;
+            let above = end_of_rise(omega, least * (1.0 + 1e-9));
+            assert!(!above.grazes && (above.phi - PI / omega).abs() < 1e-9, "Ω = {omega}: {above:?}");
+            let below = end_of_rise(omega, least * (1.0 - 1e-9));
+            assert!(!below.grazes && (below.phi - touch).abs() < 1e-3, "Ω = {omega}: {touch} {below:?}");
+            // To within rounding it grazes.
+            let close = (-40..=40).map(|i| end_of_rise(omega, least * (1.0 + f64::from(i) * 2e-16)));
+            let grazing: Vec<_> = close.filter(|end| end.grazes).collect();
+            assert!(!grazing.is_empty(), "Ω = {omega}");
+            for end in grazing {
+                assert!((end.phi - touch).abs() < 1e-6, "Ω = {omega}: {touch} {end:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_wrong_hint_changes_nothing() {
+        for (omega, alpha, theta, x, w) in [
+            (0.3, 5.0, 0.2, -1.0, 3.0),
+            (0.8, 2.0, 1.0, 0.5, 4.0),
+            (1.4, 3.0, -0.5, 0.1, 2.0),
+            (20.0, 9.0, 0.3, 0.0, 0.7),
+        ] {
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let start = DrivePhase::new(theta).unwrap();
+            let slide = Slide::new(equation, start, x, w, Direction::Forward);
+            let right = slide.velocity_zero(0.0).unwrap();
+            for i in 1..100 {
+                let end = slide.velocity_zero(f64::from(i) * 0.11).unwrap();
+                assert!(
+                    (end.phi - right.phi).abs() < 1e-13 * (1.0 + omega),
+                    "Ω = {omega}: {end:?} {right:?}"
+                );
+                assert!((end.x - right.x).abs() < 1e-13);
+            }
+        }
+    }
+}
