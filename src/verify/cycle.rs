@@ -85,7 +85,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             nonsticking::deviation(c.alpha(), c.unknowns.velocity_phase.sin()) - c.unknowns.deviation
         },
         "48, 49" "V₀ = Bω_d [A/B cos ω_d t₁ + ρ/(BΩ)], signs corrected": |c| {
-            (by_49(c) - c.cycle.max_velocity()) * c.given.rho(&c.unknowns) * c.one_plus_cos()
+            c.near_pole((by_49(c) - c.cycle.max_velocity()) * c.given.rho(&c.unknowns) * c.one_plus_cos())
         },
         "50" "Den Hartog: x(0) = Δ₀": |c| c.half.displacement(F::int(0)) - c.unknowns.max_displacement,
         "51" "Den Hartog: x′(0) = 0": |c| c.half.velocity(F::int(0)),
@@ -106,8 +106,8 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "60" "vanishes on eq. 61": |c| {
             let (alpha, ..) = at_turning_point(c);
             border::turning_point_residual(F::int(1), alpha, c.omega(), c.phase_function.tangent())
-                / c.omega().square().or_larger(F::int(1))
-                / c.omega().square().or_larger(F::int(1))
+                / c.omega().square().or_larger(F::int(1)).square()
+                / c.scale
         },
         "61" "Δ₀/B = 1/Ω² there": |c| {
             let (_, delta, _) = at_turning_point(c);

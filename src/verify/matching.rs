@@ -63,7 +63,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "29" "a sin θ − b cos θ = 2B": |c| c.given.elimination_of_position(&c.unknowns),
         "32" "a² + b² = 2(1 + cos π₁)(ρ² + X²)": |c| {
             let (a, b, _) = coefficients(c);
-            (a.square() + b.square() - c.given.squared_coefficients(&c.unknowns)) / F::int(4)
+            c.near_pole(a.square() + b.square() - c.given.squared_coefficients(&c.unknowns))
         },
         "33" "cos θ = −2Bb/(a² + b²)": |c| {
             (lag(c).1 - c.given.cos_lag_from_coefficients(&c.unknowns)) * c.one_plus_cos()
@@ -76,13 +76,12 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             a.square() + b.square() - F::int(4)
         },
         "36" "ρ² = 2B²/(1 + cos π₁) − X²": |c| {
-            (coefficients(c).2.square() - c.given.squared_rho(&c.unknowns)) * c.one_plus_cos()
+            c.near_pole((coefficients(c).2.square() - c.given.squared_rho(&c.unknowns)) * c.one_plus_cos())
         },
         "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c| {
             // Times ρ: the root of a small difference has half its digits.
-            (c.given.max_velocity(&c.unknowns, c.sign()) - c.unknowns.max_velocity)
-                * coefficients(c).2
-                * c.one_plus_cos()
+            let left = c.given.max_velocity(&c.unknowns, c.sign()) - c.unknowns.max_velocity;
+            c.near_pole(left * coefficients(c).2 * c.one_plus_cos())
         },
         "38" "cos θ = −b/(2B)": |c| lag(c).1 - c.given.cos_lag(&c.unknowns),
         "39" "sin θ = a/(2B)": |c| lag(c).0 - c.given.sin_lag(&c.unknowns),
