@@ -44,6 +44,11 @@ impl<F: Float> Ratios<F> {
     }
 }
 
+/// `x`, where it is finite.
+pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+    if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: x.to_string() }) }
+}
+
 /// `x`, where it is finite and above zero.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }

@@ -113,28 +113,17 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
 /// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,
 /// which are the cost at high precision.
 pub(crate) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
-    polish(half, start(half, k, alpha))
+    polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
 }
 
-/// [`fastest`] at f64 where ψ = 0 does not lead to it.
+/// Householder steps from the bracketed root.
 ///
 /// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
 #[inline(never)]
 fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
     let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
-    polish(&half, start(&half, k, alpha)).0
-}
-
-/// A ψ to begin with: at a lower precision the whole answer, at f64 the bracketed root.
-///
-/// The half cycle is the caller's own, rounded field by field: rounded to f64, an Ω beside a singular frequency
-/// would belong to another half cycle.
-fn start<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> F {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
-        F::narrowed(Start { half: half.in_range(), k, alpha })
-    } else {
-        F::from_f64(from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64()))
-    }
+    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
+    polish(&half, F::from_f64(start)).0
 }
 
 /// The ψ of the greatest velocity at a lower precision.
@@ -149,10 +138,15 @@ impl<F: Float> AtPrecision<F> for Start<F> {
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
-        // So close to the border that f64 cannot tell α from |K|, the bracket has no width, and ψ = 0 is a start.
-        let central = G::PRECISION <= f64::MANTISSA_DIGITS && half.omega() >= G::ratio(1, 2);
-        let centred = if central { from_centre(&half) } else { None };
-        back(centred.unwrap_or_else(|| polish(&half, start(&half, k, alpha)).0).psi)
+        if G::PRECISION > f64::MANTISSA_DIGITS {
+            return back(fastest(&half, k, alpha).psi);
+        }
+        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
+        // pole of K.
+        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
+        let bracketed =
+            || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
+        back(centred.unwrap_or_else(bracketed).psi)
     }
 }
 
