@@ -1,0 +1,13 @@
+//! The equations of the paper by exact algebra over ℚ, on the library's own functions.
+//!
+//! `docs/proof.md` says which equation follows from which, and in what sense.
+
+mod border;
+mod den_hartog;
+mod dissipation;
+mod fraction;
+mod ideal;
+mod matching;
+mod polynomial;
+mod scalar;
+mod velocity;

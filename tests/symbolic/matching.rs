@@ -1,0 +1,344 @@
+//! Eq. 1–41 and 45: what follows from the matching conditions.
+//!
+//! ρ and X = B + Δ₁ − A sin ω_d t₁ are taken as symbols in place of V₀ and Δ₁, and P = A Ω cos ω_d t₂ and
+//! Q = A sin ω_d t₂ in place of the sine and cosine: a change of variables, on which the library's functions run as on
+//! any others.
+
+use crate::ideal::Ideal;
+use crate::polynomial::Polynomial;
+use crate::scalar::{Symbol, angle, angle_with, factor, free, reset};
+use stickslip::Real;
+use stickslip::nonsticking::matching::{Given, Unknowns, half_period_later, pi_1};
+use stickslip::nonsticking::{cos_displacement_phase, sin_displacement_phase};
+use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};
+
+pub(crate) fn int(n: i32) -> Symbol {
+    Symbol::int(n)
+}
+
+/// The matching problem in symbols.
+pub(crate) struct Matching {
+    pub(crate) given: Given<Symbol>,
+    pub(crate) unknowns: Unknowns<Symbol>,
+    pub(crate) rho: Symbol,
+    pub(crate) offset: Symbol,
+    /// P = A Ω cos ω_d t₂.
+    pub(crate) rate: Symbol,
+    /// Q = A sin ω_d t₂.
+    pub(crate) height: Symbol,
+    /// (sin, cos) of ω_n(t₂ − t₁).
+    pub(crate) lag: (Symbol, Symbol),
+    /// (sin, cos) of π₁.
+    pub(crate) pi_1: (Symbol, Symbol),
+    /// (sin, cos) of ω_d t₁.
+    pub(crate) t1: (Symbol, Symbol),
+}
+
+impl Matching {
+    /// With the angle ω_n(t₂ − t₁) and P, Q free.
+    pub(crate) fn new() -> Self {
+        let mut m = Self::without_lag(None);
+        m.lag = angle("θ", m.given.lag(&m.unknowns));
+        m
+    }
+
+    /// With rational sines and cosines for π₁ and ω_n(t₂ − t₁): eq. 21–24 are linear then. What does not follow
+    /// here does not follow in general.
+    fn at_rational_angles() -> Self {
+        let mut m = Self::without_lag(Some((3, 4, 5)));
+        m.lag = (Symbol::ratio(5, 13), Symbol::ratio(12, 13));
+        angle_with(m.given.lag(&m.unknowns), m.lag.0, m.lag.1);
+        m
+    }
+
+    /// With no angle named for ω_n(t₂ − t₁).
+    fn without_lag(sin_cos_pi_1: Option<(i32, i32, i32)>) -> Self {
+        reset();
+        let [rate, height, offset, rho, delta] = ["P", "Q", "X", "ρ", "Δ₀"].map(free);
+        let [amplitude, friction, omega, t1, t2] = ["A", "B", "Ω", "t₁", "t₂"].map(free);
+        let given = Given { amplitude, friction_displacement: friction, omega };
+        let of_pi_1 = match sin_cos_pi_1 {
+            None => angle("π₁", pi_1(omega)),
+            Some((sine, cosine, of)) => {
+                let values = (Symbol::ratio(sine, of), Symbol::ratio(cosine, of));
+                angle_with(pi_1(omega), values.0, values.1);
+                values
+            }
+        };
+        factor(int(1) + of_pi_1.1);
+        factor(one_minus_square(omega));
+        let of_t1 = angle("t₁", t1);
+        angle_with(t2, height / amplitude, rate / (amplitude * omega));
+        let unknowns = Unknowns {
+            velocity_phase: t1,
+            displacement_phase: t2,
+            max_velocity: rho + amplitude * omega * of_t1.1,
+            max_displacement: delta,
+            deviation: offset - friction + amplitude * of_t1.0,
+        };
+        Self { given, unknowns, rho, offset, rate, height, lag: (int(0), int(1)), pi_1: of_pi_1, t1: of_t1 }
+    }
+
+    pub(crate) fn residuals(&self) -> [Symbol; 5] {
+        self.given.residuals(&self.unknowns)
+    }
+
+    /// Eq. 21–24 as hypotheses.
+    pub(crate) fn first_four(&self) -> Vec<Symbol> {
+        self.residuals()[..4].to_vec()
+    }
+
+    /// 1 + cos π₁.
+    pub(crate) fn one_plus(&self) -> Symbol {
+        int(1) + self.pi_1.1
+    }
+
+    /// T = sin π₁/(1 + cos π₁).
+    pub(crate) fn tangent(&self) -> Symbol {
+        self.pi_1.0 / self.one_plus()
+    }
+
+    /// α = A(1 − Ω²)/B (eq. 5, 6, 8).
+    pub(crate) fn alpha(&self) -> Symbol {
+        self.given.amplitude * one_minus_square(self.given.omega) / self.given.friction_displacement
+    }
+
+    /// K(Ω).
+    pub(crate) fn phase_function(&self) -> Symbol {
+        phase_function_of_tangent(self.given.omega, self.tangent())
+    }
+
+    /// Eq. 40 in units of B: sin ω_d t₂ less the library's form of it.
+    pub(crate) fn equation_40(&self) -> Symbol {
+        let delta = self.unknowns.max_displacement / self.given.friction_displacement;
+        self.unknowns.displacement_phase.sin()
+            - sin_displacement_phase(delta, self.alpha(), one_minus_square(self.given.omega))
+    }
+
+    /// Eq. 41: cos ω_d t₂ less the library's form of it, K/α.
+    pub(crate) fn equation_41(&self) -> Symbol {
+        self.unknowns.displacement_phase.cos() - cos_displacement_phase(self.phase_function(), self.alpha())
+    }
+}
+
+#[test]
+fn the_symbols_rho_and_x_are_the_librarys() {
+    let m = Matching::new();
+    assert_eq!(m.given.rho(&m.unknowns).value(), m.rho.value());
+    assert_eq!(m.given.offset(&m.unknowns).value(), m.offset.value());
+    // What eq. 40 and 41 divide by.
+    assert_eq!(m.equation_40().denominator().len(), 1);
+    assert_eq!(m.equation_40().numerator(), (m.height - m.unknowns.max_displacement).numerator());
+    let e41 = m.rate * m.one_plus() - m.given.friction_displacement * m.pi_1.0;
+    assert_eq!(m.equation_41().numerator(), e41.numerator());
+}
+
+#[test]
+fn equations_1_to_20_are_identities() {
+    let m = Matching::new();
+    let (g, u) = (&m.given, &m.unknowns);
+    let (t1, t2) = (u.velocity_phase, u.displacement_phase);
+    let (t3, t4) = (half_period_later(t1), half_period_later(t2));
+    for (name, zero) in [
+        ("11", g.rising_displacement(u, t1) - u.deviation),
+        ("12", g.falling_displacement(u, t3) + u.deviation),
+        ("13", g.rising_velocity(u, t1) - u.max_velocity),
+        ("14", g.falling_velocity(u, t3) + u.max_velocity),
+        ("17 is 21", g.rising_velocity(u, t2) - m.residuals()[0]),
+        ("18 is 22", g.falling_velocity(u, t2) - m.residuals()[1]),
+        ("19 is 23", g.rising_displacement(u, t2) - u.max_displacement - m.residuals()[2]),
+        ("20 is 24", g.falling_displacement(u, t2) - u.max_displacement - m.residuals()[3]),
+        ("2, 3: x", g.falling_displacement(u, t4) + g.rising_displacement(u, t2)),
+        ("2, 3: v", g.falling_velocity(u, t4) + g.rising_velocity(u, t2)),
+    ] {
+        assert!(zero.is_zero(), "{name}: {zero:?}");
+    }
+    // At any phase, with the branch's own angle named.
+    let phase = free("τ");
+    let _ = (angle("τ", phase), angle("ω_n(t − t₁)", (phase - t1) / g.omega));
+    let q = one_minus_square(g.omega);
+    let later = half_period_later(phase);
+    for (x, v, friction) in [
+        (g.rising_displacement(u, phase), g.rising_velocity(u, phase), g.friction_displacement),
+        (g.falling_displacement(u, phase), g.falling_velocity(u, phase), -g.friction_displacement),
+    ] {
+        assert!((v - g.omega * x.derivative(phase)).is_zero(), "v is not x′");
+        // Eq. 1 over k, in the phase: Ω² x″ + x ± B = (p₀/k) sin ω_d t, p₀/k = A(1 − Ω²).
+        let second = g.omega * v.derivative(phase);
+        let one = second + x + friction - g.amplitude * q * phase.sin();
+        assert!(one.is_zero(), "eq. 1: {one:?}");
+        assert!(!(one + friction).is_zero());
+    }
+    assert!((g.falling_displacement(u, later) + g.rising_displacement(u, phase)).is_zero(), "symmetry");
+    // Eq. 25 says that eq. 1 at t₁, where x = Δ₁, leaves no acceleration.
+    let acceleration = g.amplitude * q * m.t1.0 - u.deviation - g.friction_displacement;
+    assert!((acceleration + m.residuals()[4]).is_zero(), "25");
+}
+
+#[test]
+fn equations_28_and_29_are_differences_and_32_an_identity_of_the_circle() {
+    let m = Matching::new();
+    let (g, u) = (&m.given, &m.unknowns);
+    let [e21, e22, e23, e24, _] = m.residuals();
+    assert!((g.elimination_of_rate(u) - (e21 - e22)).is_zero(), "28");
+    assert!((g.elimination_of_position(u) - (e23 - e24)).is_zero(), "29");
+    let (a, b) = (g.coefficient_a(u), g.coefficient_b(u));
+    let e32 = a * a + b * b - g.squared_coefficients(u);
+    Ideal::new(&[], &[e32]).assert_exactly("32", e32);
+    // The denominators of eq. 33 and 34 are a² + b² alone, of eq. 36 1 + cos π₁.
+    assert_eq!(g.cos_lag_from_coefficients(u).denominator(), [(a * a + b * b).numerator()]);
+    assert_eq!(g.squared_rho(u).denominator(), [m.one_plus().numerator()]);
+}
+
+/// (name, left less right side) of eq. 28–45 as far as they follow from eq. 21–24 plainly.
+fn plain_consequences(m: &Matching) -> Vec<(&'static str, Symbol)> {
+    let (g, u, (s, c)) = (&m.given, &m.unknowns, m.lag);
+    let (a, b) = (g.coefficient_a(u), g.coefficient_b(u));
+    let friction = g.friction_displacement;
+    vec![
+        ("28", g.elimination_of_rate(u)),
+        ("29", g.elimination_of_position(u)),
+        ("33", c - g.cos_lag_from_coefficients(u)),
+        ("34", s - g.sin_lag_from_coefficients(u)),
+        ("35", a * a + b * b - int(4) * friction * friction),
+        ("36", m.rho * m.rho - g.squared_rho(u)),
+        ("38", c - g.cos_lag(u)),
+        ("39", s - g.sin_lag(u)),
+        ("41", m.equation_41()),
+        ("45", g.combined_lag(u)),
+    ]
+}
+
+#[test]
+fn equations_28_to_39_41_and_45_follow_from_21_to_24() {
+    let m = Matching::new();
+    let ideal = Ideal::new(&m.first_four(), &[]);
+    for (name, claim) in plain_consequences(&m) {
+        ideal.assert_exactly(name, claim);
+    }
+}
+
+#[test]
+fn equation_40_follows_times_one_plus_cos_pi_1() {
+    let m = Matching::new();
+    let ideal = Ideal::new(&m.first_four(), &[]);
+    let e40 = m.height - m.unknowns.max_displacement;
+    assert_eq!(m.equation_40().numerator(), e40.numerator());
+    assert!(!ideal.holds(e40), "plainly it does not follow");
+    ideal.assert_exactly("40", m.one_plus() * e40);
+    // Where 1 + cos π₁ has an inverse, it does.
+    let inverse = free("1/(1 + cos π₁)");
+    let mut hypotheses = m.first_four();
+    hypotheses.push(inverse * m.one_plus() - int(1));
+    Ideal::new(&hypotheses, &[]).assert_exactly("40", e40);
+}
+
+#[test]
+fn the_certificates_of_40_and_41_by_hand() {
+    let m = Matching::new();
+    let [e21, e22, e23, e24, _] = m.residuals();
+    let ((s, c), (s1, c1)) = (m.lag, m.pi_1);
+    let circle = c1 * c1 + s1 * s1 - int(1);
+    let e40 = m.height - m.unknowns.max_displacement;
+    let by_hand = m.one_plus() * (e23 + e24) - s1 * (e21 - e22) + circle * (m.offset * c + m.rho * s);
+    assert!((int(2) * m.one_plus() * e40 - by_hand).is_zero());
+    let e41 = m.rate * m.one_plus() - m.given.friction_displacement * s1;
+    let by_hand = m.one_plus() * (e21 + e22) + s1 * (e23 - e24) + circle * (m.rho * c - m.offset * s);
+    assert!((int(2) * e41 - by_hand).is_zero());
+    assert!(!(int(2) * e41 + by_hand).is_zero());
+}
+
+#[test]
+fn equation_37_leaves_the_sign_of_its_root_open() {
+    let m = Matching::new();
+    let (g, u) = (&m.given, &m.unknowns);
+    let plus = u.max_velocity - g.max_velocity(u, int(1));
+    let minus = u.max_velocity - g.max_velocity(u, int(-1));
+    let ideal = Ideal::new(&m.first_four(), &[plus]);
+    assert!(ideal.holds(m.one_plus() * plus * minus), "one of the two signs is right");
+    assert!(!ideal.holds(plus) && !ideal.holds(minus), "and algebra does not say which");
+}
+
+#[test]
+fn equations_24_and_22_add_nothing_but_36() {
+    let mut m = Matching::without_lag(None);
+    let (g, friction) = (m.given, m.given.friction_displacement);
+    let e36 = m.rho * m.rho - g.squared_rho(&m.unknowns);
+    // Eq. 38–41 put in: P, Q and the angle are what these say.
+    let (sine, cosine) = (g.sin_lag(&m.unknowns), g.cos_lag(&m.unknowns));
+    let t2 = free("t₂ of 40, 41");
+    angle_with(
+        t2,
+        m.unknowns.max_displacement / g.amplitude,
+        cos_displacement_phase(m.phase_function(), m.alpha()),
+    );
+    m.unknowns.displacement_phase = t2;
+    angle_with(g.lag(&m.unknowns), sine, cosine);
+    let [e21, e22, e23, e24, _] = m.residuals();
+
+    let with_36 = Ideal::new(&[e36], &[m.pi_1.0]);
+    with_36.assert_exactly("24", e24);
+    with_36.assert_exactly("22", e22);
+    with_36.assert_exactly("21", e21);
+    with_36.assert_exactly("23", e23);
+    // And each gives eq. 36 back: eq. 24 plainly, eq. 22 times sin π₁.
+    Ideal::new(&[e24], &[m.pi_1.0]).assert_exactly("36", friction * e36);
+    let from_22 = Ideal::new(&[e22], &[m.pi_1.0]);
+    assert!(!from_22.holds(e36), "where sin π₁ = 0, eq. 22 says nothing");
+    from_22.assert_exactly("36", m.pi_1.0 * e36);
+    assert!(!Ideal::new(&[], &[e24]).holds(e24), "eq. 24 is not void");
+}
+
+#[test]
+fn wrong_equations_are_rejected() {
+    let m = Matching::new();
+    let (g, u, (s, c)) = (&m.given, &m.unknowns, m.lag);
+    let ideal = Ideal::new(&m.first_four(), &[]);
+    let (a, b) = (g.coefficient_a(u), g.coefficient_b(u));
+    let wrong_b = m.rho * m.pi_1.0 + m.offset * m.one_plus();
+    let friction = g.friction_displacement;
+    let wrong = [
+        ("sign in 31: 28", a * c + wrong_b * s),
+        ("sign in 31: 29", a * s - wrong_b * c - int(2) * friction),
+        ("38 and 39 exchanged", c - g.sin_lag(u)),
+        ("39 and 38 exchanged", s - g.cos_lag(u)),
+        ("33 without its sign", c + g.cos_lag_from_coefficients(u)),
+        ("2B² for 4B² in 35", a * a + b * b - int(2) * friction * friction),
+        (
+            "1 − cos π₁ in 36",
+            (int(1) - m.pi_1.1) * (m.rho * m.rho + m.offset * m.offset) - int(2) * friction * friction,
+        ),
+        ("Δ₀ + B in 40", m.one_plus() * (m.height - u.max_displacement - friction)),
+        ("sine for cosine in 41", m.one_plus() * m.height - friction * m.pi_1.0),
+        ("no Ω in 41", m.one_plus() * m.rate - g.omega * friction * m.pi_1.0),
+    ];
+    for (what, claim) in wrong {
+        assert!(!ideal.holds(claim), "{what} follows");
+    }
+    // A certificate is not taken on trust: with one cofactor changed it shows nothing.
+    let claim = g.cos_lag(u) - c;
+    let mut certificate = ideal.certificate(&claim.numerator()).unwrap();
+    let at = certificate.cofactors.iter().position(|h| !h.is_zero()).unwrap();
+    certificate.cofactors[at] = -&certificate.cofactors[at];
+    assert!(!certificate.shows(&claim.numerator()));
+}
+
+#[test]
+fn from_wrong_hypotheses_the_equations_do_not_follow() {
+    let m = Matching::at_rational_angles();
+    let (hypotheses, claims) = (m.first_four(), plain_consequences(&m));
+    let surviving = |hypotheses: &[Symbol]| {
+        let ideal = Ideal::new(hypotheses, &[m.rho, m.offset]);
+        claims.iter().filter(|(_, claim)| ideal.holds(*claim)).count()
+    };
+    assert_eq!(surviving(&hypotheses), claims.len());
+    for (at, hypothesis) in hypotheses.iter().enumerate() {
+        for (exponents, c) in hypothesis.numerator().terms() {
+            let term = Symbol::from(Polynomial::from_terms([(exponents.clone(), c.clone())]));
+            let mut mutated = hypotheses.clone();
+            mutated[at] = Symbol::from(hypothesis.numerator()) - int(2) * term;
+            let kept = surviving(&mutated);
+            assert!(kept < claims.len(), "eq. {} with the other sign of {term:?}: all follow", at + 21);
+        }
+    }
+}
