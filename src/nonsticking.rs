@@ -64,17 +64,12 @@ impl<F: Float> Cycle<F> {
     ///
     /// # Errors
     /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above it.
+    #[inline]
     pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
         let p = PhaseFunction::of_valid(ratios.omega());
-        let (alpha, border) = (ratios.alpha(), Border::at(&p));
-        if alpha < border.min_force_ratio() {
-            Err(Error::Sticks {
-                omega: ratios.omega().to_string(),
-                alpha: alpha.to_string(),
-                least: border.min_force_ratio().to_string(),
-            })
-        } else if ratios.omega() == F::int(1) {
-            Err(Error::Unbounded { alpha: alpha.to_string() })
+        let least = Border::at(&p).min_force_ratio();
+        if ratios.alpha() < least || ratios.omega() == F::int(1) {
+            Err(no_cycle(ratios, least))
         } else {
             Ok(Self::at(&p, ratios))
         }
@@ -99,7 +94,7 @@ impl<F: Float> Cycle<F> {
             max_velocity: fastest.velocity / omega,
             velocity_phase,
             deviation: deviation(alpha, velocity_phase.sin()),
-            contraction: stability::contraction(omega, max_displacement, p.sin_cos()),
+            contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }
     }
 
@@ -208,6 +203,17 @@ impl<F: Float> Cycle<F> {
         let rising = after_maximum >= F::pi();
         let turns = if rising { F::int(3) } else { F::int(1) };
         ((turns * F::pi() / F::int(2) - after_maximum) / self.ratios.omega(), rising)
+    }
+}
+
+/// Why there is no cycle where the least force ratio without sticking is `least`.
+#[cold]
+fn no_cycle<F: Float>(ratios: Ratios<F>, least: F) -> Error {
+    let alpha = ratios.alpha().to_string();
+    if ratios.alpha() < least {
+        Error::Sticks { omega: ratios.omega().to_string(), alpha, least: least.to_string() }
+    } else {
+        Error::Unbounded { alpha }
     }
 }
 

@@ -41,12 +41,13 @@ fn y_cot_y<F: Float>(y: F) -> F {
     if y2 < F::epsilon() { F::int(1) - y2 / F::int(3) } else { y / y.tan() }
 }
 
-/// A validated frequency ratio Ω with its angle `β = π/2Ω` reduced: all that depends on Ω alone.
+/// A validated frequency ratio Ω with its angle `β = π/2Ω` reduced and K(Ω): what depends on Ω alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,
     remainder: F,
+    value: F,
 }
 
 impl<F: Float> PhaseFunction<F> {
@@ -64,7 +65,7 @@ impl<F: Float> PhaseFunction<F> {
     pub(crate) fn of_valid(omega: F) -> Self {
         let (quarter, rest) = nearest_quarter(omega);
         let remainder = F::pi() * rest / (F::int(2) * omega);
-        Self { omega, quarter, remainder }
+        Self { omega, quarter, remainder, value: phase_function(omega, quarter, remainder) }
     }
 
     /// Frequency ratio Ω.
@@ -85,18 +86,16 @@ impl<F: Float> PhaseFunction<F> {
         self.remainder
     }
 
-    /// Whether the nearest multiple of π/2 is π/2 itself: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.
+    /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
     #[inline]
     pub(crate) fn is_beside_one(&self) -> bool {
-        let omega = self.omega;
-        omega < F::int(2) && F::int(3) * omega >= F::int(2)
+        is_beside_one(self.omega)
     }
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
     #[inline]
     pub fn tangent(&self) -> F {
-        let t = self.remainder.tan();
-        if self.quarter & 1 == 0 { t } else { -(F::int(1) / t) }
+        tangent(self.quarter, self.remainder)
     }
 
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
@@ -130,14 +129,32 @@ impl<F: Float> PhaseFunction<F> {
     ///
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 4 ulp.
     #[inline]
-    pub fn value(&self) -> F {
-        if self.is_beside_one() {
-            let scale = F::int(-2) * (F::int(1) + self.omega) / F::pi();
-            scale * y_cot_y(self.remainder)
-        } else {
-            phase_function_of_tangent(self.omega, self.tangent())
-        }
+    pub const fn value(&self) -> F {
+        self.value
     }
+}
+
+/// K(Ω) from the angle `β = q π/2 + w`, in the form that keeps its accuracy there.
+#[inline]
+fn phase_function<F: Float>(omega: F, quarter: u8, w: F) -> F {
+    if is_beside_one(omega) {
+        F::int(-2) * (F::int(1) + omega) / F::pi() * y_cot_y(w)
+    } else {
+        phase_function_of_tangent(omega, tangent(quarter, w))
+    }
+}
+
+/// `tan(q π/2 + w)`.
+#[inline]
+fn tangent<F: Float>(quarter: u8, w: F) -> F {
+    let t = w.tan();
+    if quarter & 1 == 0 { t } else { -(F::int(1) / t) }
+}
+
+/// Whether the nearest multiple of π/2 to π/2Ω is π/2 itself: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.
+#[inline]
+fn is_beside_one<F: Float>(omega: F) -> bool {
+    omega < F::int(2) && F::int(3) * omega >= F::int(2)
 }
 
 /// `(q mod 4, 1 − qΩ)` with `q = round(1/Ω)`.
@@ -160,6 +177,7 @@ fn nearest_quarter<F: Float>(omega: F) -> (u8, F) {
     }
 }
 
+#[inline(never)]
 fn reduce_small<F: Float>(omega: F) -> (u8, F) {
     let mut quarter = 0;
     let mut rest = F::int(1);

@@ -22,6 +22,7 @@ impl<F: Float> Ratios<F> {
     ///
     /// # Errors
     /// [`Error`] with the value and the inequality it breaks.
+    #[inline]
     pub fn new(omega: F, alpha: F) -> Result<Self, Error> {
         Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)? })
     }
@@ -45,40 +46,49 @@ impl<F: Float> Ratios<F> {
 
 /// `x`, where it is finite and above zero.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
-    let value = || x.to_string();
-    if !x.is_finite() {
-        Err(Error::NotFinite { quantity, value: value() })
-    } else if x <= F::int(0) {
-        Err(Error::NotPositive { quantity, value: value() })
-    } else {
-        Ok(x)
-    }
+    if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }
 }
 
-/// `x`, where it is finite, above zero and within `[least, greatest]`.
-pub(crate) fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
-    let x = positive(quantity, x)?;
-    if x < least || x > greatest {
-        return Err(Error::OutOfRange {
-            quantity,
-            value: x.to_string(),
-            least: least.to_string(),
-            greatest: greatest.to_string(),
-        });
-    }
-    Ok(x)
+/// `x`, where it is within `[least, greatest]`, `least` > 0.
+#[inline]
+fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
+    if x >= least && x <= greatest { Ok(x) } else { Err(outside(quantity, x, least, greatest)) }
+}
+
+/// Why `x` is not a finite number above zero.
+#[cold]
+fn not_positive<F: Float>(quantity: Quantity, x: F) -> Error {
+    let value = x.to_string();
+    if x.is_finite() { Error::NotPositive { quantity, value } } else { Error::NotFinite { quantity, value } }
+}
+
+/// Why `x` is not within `[least, greatest]`: of several reasons the plainest.
+#[cold]
+fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
+    positive(quantity, x).err().unwrap_or_else(|| Error::OutOfRange {
+        quantity,
+        value: x.to_string(),
+        least: least.to_string(),
+        greatest: greatest.to_string(),
+    })
 }
 
 /// Ω, where `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
+#[inline]
 pub(crate) fn frequency_ratio<F: Float>(omega: F) -> Result<F, Error> {
     let e = F::RATIO_EXPONENT;
     within(Quantity::FrequencyRatio, omega, F::exp2i(-e), F::exp2i(e))
 }
 
 /// α, where `0 < α ≤ 2ᵉ`. Any smaller α is at rest, so that there is no lower bound to respect.
+#[inline]
 fn force_ratio<F: Float>(alpha: F) -> Result<F, Error> {
-    let alpha = positive(Quantity::ForceRatio, alpha)?;
-    within(Quantity::ForceRatio, alpha, alpha, F::exp2i(F::RATIO_EXPONENT))
+    let greatest = F::exp2i(F::RATIO_EXPONENT);
+    if alpha > F::int(0) && alpha <= greatest {
+        Ok(alpha)
+    } else {
+        Err(outside(Quantity::ForceRatio, alpha, F::int(0), greatest))
+    }
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use stickslip::nonsticking::{Cycle, loop_size_stiffness, max_displacement, turni
 use stickslip::phase_function::{PhaseFunction, one_minus_square};
 
 /// {Δ₀, eq. 61, A₁}
-#[inline]
+#[inline(never)]
 pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     let Ok(p) = PhaseFunction::new(omega) else { return [f64::NAN; 3] };
     let k = p.value();
@@ -14,7 +14,7 @@ pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
 }
 
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction} of a checked [`Cycle`].
-#[inline]
+#[inline(never)]
 pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     match Ratios::new(omega, alpha).and_then(Cycle::new) {
         Ok(c) => [

@@ -4,39 +4,60 @@
 
 use std::f64::consts::PI;
 
-/// q mod 4 and the remainder w of π/2Ω, for Ω ≥ 2/5 (the bench keeps to Ω ≥ 1/2).
+/// q mod 4 and the remainder w of π/2Ω.
 #[inline]
 fn reduced(omega: f64) -> (u8, f64) {
     let (quarter, rest) = if omega >= 2.0 {
         (0, 1.0)
     } else if 3.0 * omega >= 2.0 {
         (1, 1.0 - omega)
-    } else {
+    } else if 5.0 * omega >= 2.0 {
         (2, 1.0 - 2.0 * omega)
+    } else {
+        reduced_small(omega)
     };
     (quarter, PI * rest / (2.0 * omega))
 }
 
-#[inline]
-fn phase_function(omega: f64, quarter: u8, w: f64) -> f64 {
-    if quarter == 1 {
-        let w2 = w * w;
-        let y_cot_y = if w2 < f64::EPSILON { 1.0 - w2 / 3.0 } else { w / w.tan() };
-        -2.0 * (1.0 + omega) / PI * y_cot_y
-    } else {
-        (1.0 - omega) * (1.0 + omega) * w.tan() / omega
+#[inline(never)]
+fn reduced_small(omega: f64) -> (u8, f64) {
+    let (mut quarter, mut rest) = (0.0, 1.0f64);
+    loop {
+        let q = (rest / omega).round();
+        quarter = (quarter + q.rem_euclid(4.0)) % 4.0;
+        rest = (-q).mul_add(omega, rest);
+        if rest.abs() * 2.0 <= omega {
+            return (quarter as u8, rest);
+        }
     }
 }
 
 #[inline]
+fn phase_function(omega: f64, quarter: u8, w: f64) -> f64 {
+    if beside_one(omega) {
+        let w2 = w * w;
+        let y_cot_y = if w2 < f64::EPSILON { 1.0 - w2 / 3.0 } else { w / w.tan() };
+        -2.0 * (1.0 + omega) / PI * y_cot_y
+    } else {
+        let t = w.tan();
+        (1.0 - omega) * (1.0 + omega) * if quarter & 1 == 0 { t } else { -1.0 / t } / omega
+    }
+}
+
+#[inline]
+fn beside_one(omega: f64) -> bool {
+    omega < 2.0 && 3.0 * omega >= 2.0
+}
+
+#[inline]
 fn in_range(x: f64, least: f64) -> bool {
-    x.is_finite() && x > 0.0 && x >= least && x <= 1.0 / RANGE
+    x >= least && x <= 1.0 / RANGE
 }
 
 const RANGE: f64 = 1.0 / (1u128 << 125) as f64 / (1u128 << 125) as f64;
 
 /// {Δ₀, eq. 61, A₁}
-#[inline]
+#[inline(never)]
 pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     if !in_range(omega, RANGE) {
         return [f64::NAN; 3];
@@ -48,16 +69,24 @@ pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     [delta, k.hypot(q / (omega * omega)), 8.0 * (delta / alpha) / alpha]
 }
 
+/// The border below Ω = 1/2: never called in the bench, and so the library's own.
+#[cold]
+fn raised(omega: f64) -> f64 {
+    stickslip::Border::new(omega).map_or(f64::NAN, |b| b.min_force_ratio())
+}
+
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction}
-#[inline]
+#[inline(never)]
 pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
-    if !in_range(omega, RANGE) || !in_range(alpha, alpha) {
+    if !in_range(omega, RANGE) || !(alpha > 0.0 && alpha <= 1.0 / RANGE) {
         return [f64::NAN; 6];
     }
     let (quarter, w) = reduced(omega);
     let k = phase_function(omega, quarter, w);
     let q = (1.0 - omega) * (1.0 + omega);
-    if alpha < k.hypot(q / (omega * omega)) || omega == 1.0 {
+    let turning_point = k.hypot(q / (omega * omega));
+    let border = if omega >= 0.5 { turning_point } else { raised(omega) };
+    if alpha < border || omega == 1.0 {
         return [f64::NAN; 6];
     }
     let sine = ((alpha - k) * (alpha + k)).sqrt();
@@ -67,7 +96,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     let (sb, cb) = match quarter {
         0 => (ws, wc),
         1 => (wc, -ws),
-        _ => (-ws, -wc),
+        2 => (-ws, -wc),
+        _ => (-wc, ws),
     };
     let mut psi = 0.0;
     for _ in 0..4 {
@@ -76,7 +106,7 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         let (sm, cm) = ((1.0 - omega) * half).sin_cos();
         let (s, c) = (sp * cm + cp * sm, cp * cm - sp * sm);
         let (so, co) = (sp * cm - cp * sm, cp * cm + sp * sm);
-        let (h, h1) = if quarter == 1 {
+        let (h, h1) = if beside_one(omega) {
             let tangent = cb / (1.0 + sb);
             let slope = (1.0 - omega) / cb + omega * tangent;
             let double = 2.0 * sm / cb;
@@ -97,8 +127,14 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         let bend = fourth * inverse * (newton * newton) / 6.0;
         let step = newton * (1.0 + curvature / 2.0) / (1.0 + curvature + bend);
         psi += step;
+        if !(psi.abs() * 2.0 <= PI) {
+            break;
+        }
         let square = step * step;
         if square * square * 64.0 <= f64::EPSILON {
+            if !(second < 0.0) {
+                break;
+            }
             let v = value + step * (first + step / 2.0 * (third * step / 3.0 + second));
             let mut t1 = t2 - PI / 2.0 - omega * psi;
             if !(0.0..2.0 * PI).contains(&t1) {

@@ -58,22 +58,50 @@ impl<F: Float> HalfCycle<F> {
         }
     }
 
-    /// The same half cycle at f64: each field is rounded on its own, 1 − Ω and cos β too, so that an Ω closer
-    /// to 1 than f64 can tell keeps its distance.
-    pub(crate) fn to_f64(self) -> HalfCycle<f64> {
+    /// `(sin β, cos β)`, β = π/2Ω.
+    #[inline]
+    pub(crate) fn sin_cos_beta(&self) -> (F, F) {
+        (self.sin_beta, self.cos_beta)
+    }
+
+    /// The same half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so that
+    /// an Ω closer to 1 than the other type can tell keeps its distance.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfCycle<G> {
         HalfCycle {
-            omega: self.omega.to_f64(),
-            one_minus_omega: self.one_minus_omega.to_f64(),
-            max_displacement: self.max_displacement.to_f64(),
-            sin_beta: self.sin_beta.to_f64(),
-            cos_beta: self.cos_beta.to_f64(),
+            omega: to(self.omega),
+            one_minus_omega: to(self.one_minus_omega),
+            max_displacement: to(self.max_displacement),
+            sin_beta: to(self.sin_beta),
+            cos_beta: to(self.cos_beta),
             beside_one: self.beside_one,
+        }
+    }
+
+    /// A half cycle within the range of f64 for the start of an iteration: below 2⁻²⁵⁰ only the ratio of 1 − Ω
+    /// and cos β matters, and above 2²⁵⁰ only that Δ₀ is large.
+    pub(crate) fn in_range(self) -> Self {
+        let (least, greatest) = (F::exp2i(-F::RATIO_EXPONENT), F::exp2i(F::RATIO_EXPONENT));
+        if !self.beside_one || self.one_minus_omega.abs() >= least {
+            return self;
+        }
+        let scale = least / self.one_minus_omega.abs();
+        Self {
+            one_minus_omega: self.one_minus_omega * scale,
+            cos_beta: self.cos_beta * scale,
+            max_displacement: if self.max_displacement < greatest { self.max_displacement } else { greatest },
+            ..self
         }
     }
 
     #[inline]
     pub(crate) fn omega(&self) -> F {
         self.omega
+    }
+
+    /// Maximum displacement Δ₀/B.
+    #[inline]
+    pub(crate) fn max_displacement(&self) -> F {
+        self.max_displacement
     }
 
     /// Ω < 1, decided by 1 − Ω itself.

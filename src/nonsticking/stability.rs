@@ -39,6 +39,7 @@ pub fn characteristic_polynomial<R: Real>(lambda: R, product: R, cos_pi_1: R) ->
 ///
 /// Source: linearisation of the exact half-cycle map. Accuracy at f64: 4 ulp, away from the double root
 /// gσ = 1, where λ itself turns like a square root.
+#[inline]
 pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let (s, c) = sin_cos_beta;

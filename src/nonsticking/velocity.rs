@@ -24,7 +24,8 @@
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
 use super::half_cycle::{HalfCycle, Jet};
-use crate::float::{Float, Real};
+use crate::float::{AtPrecision, Float, Real};
+use crate::phase_function::PhaseFunction;
 use crate::root;
 
 /// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
@@ -98,16 +99,39 @@ pub(crate) struct Fastest<F> {
 /// settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
-    if F::PRECISION <= f64::MANTISSA_DIGITS {
-        if half.omega() >= F::ratio(1, 2)
-            && let Some(found) = from_centre(half)
-        {
-            return found;
-        }
-        polish(half, F::from_f64(from_bracket(&half.to_f64(), k.to_f64(), alpha.to_f64())))
-    } else {
-        let start = fastest(&half.to_f64(), k.to_f64(), alpha.to_f64());
-        polish(half, F::from_f64(start.psi))
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }));
+    }
+    if half.omega() >= F::ratio(1, 2)
+        && let Some(found) = from_centre(half)
+    {
+        return found;
+    }
+    from_afar(half.omega(), half.max_displacement(), k, alpha)
+}
+
+/// Householder steps from the bracketed root.
+///
+/// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
+#[inline(never)]
+fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
+    let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
+    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
+    polish(&half, F::from_f64(start))
+}
+
+/// The ψ of the greatest velocity at a lower precision.
+struct Start<F> {
+    half: HalfCycle<F>,
+    k: F,
+    alpha: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(fastest(&self.half.map(&there), there(self.k), there(self.alpha)).psi)
     }
 }
 
