@@ -6,6 +6,12 @@
 
 use crate::float::Real;
 
+pub mod balanced;
+#[cfg(feature = "matching")]
+pub mod newton;
+#[cfg(feature = "matching")]
+mod start;
+
 /// What is given: A (eq. 5), B (eq. 6) and Ω (eq. 9).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Given<R> {

@@ -1,0 +1,133 @@
+//! Where Newton's method starts: from the motion without friction, the friction growing to its value, at f64.
+
+use super::Unknowns;
+use super::balanced::Balanced;
+use super::newton::{largest, newton_step};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// A point of the path: the unknowns of the system with a friction.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    at: [f64; 5],
+    friction: f64,
+}
+
+/// A step is taken where it changes no phase by more than this.
+const LONGEST: f64 = 0.2;
+
+fn unknowns(x: &[f64; 5]) -> Unknowns<f64> {
+    let [velocity_phase, displacement_phase, max_velocity, max_displacement, deviation] = *x;
+    Unknowns { velocity_phase, displacement_phase, max_velocity, max_displacement, deviation }
+}
+
+fn moved(x: &[f64; 5], by: &[f64; 5], times: f64) -> [f64; 5] {
+    let mut result = *x;
+    for (x, dx) in result.iter_mut().zip(by) {
+        *x += times * dx;
+    }
+    result
+}
+
+/// `x = A sin ω_d t`: greatest velocity at t₁ = 0, greatest displacement at π/2; half a turn later where A < 0.
+fn without_friction(system: &Balanced<f64>, below: bool) -> Point {
+    let (sign, turn) = if below { (1.0, 0.0) } else { (-1.0, PI) };
+    Point { at: [turn, turn + FRAC_PI_2, sign * system.omega, sign, 0.0], friction: 0.0 }
+}
+
+/// A step along the path to another friction: the tangent, then Newton. `None` where that does not settle close
+/// by.
+fn step(system: &Balanced<f64>, from: &Point, friction: f64) -> Option<Point> {
+    let here = Balanced { friction: from.friction, ..*system };
+    let u = unknowns(&from.at);
+    let tangent = newton_step(&here.by_friction(&u), &here.jacobian(&u))?;
+    let mut at = moved(&from.at, &tangent, from.friction - friction);
+    let there = Balanced { friction, ..*system };
+    let mut last = f64::INFINITY;
+    for _ in 0..12 {
+        let u = unknowns(&at);
+        let correction = newton_step(&there.residuals(&u), &there.jacobian(&u))?;
+        at = moved(&at, &correction, -1.0);
+        let size = largest(&correction);
+        if size < 1e-11 || (size < 1e-7 && size >= last / 2.0) {
+            let [t1, t2, ..] = at;
+            let [s1, s2, ..] = from.at;
+            let close = (t1 - s1).abs() <= LONGEST && (t2 - s2).abs() <= LONGEST;
+            return close.then_some(Point { at, friction });
+        }
+        if size > LONGEST {
+            return None;
+        }
+        last = size;
+    }
+    None
+}
+
+/// Follows the path to `target`, or to where it ends, or to where `left_over` is within a tenth of zero; the steps
+/// adapt, and none goes further than that.
+fn follow(system: &Balanced<f64>, from: Point, target: f64, left_over: impl Fn(&Point) -> f64) -> Point {
+    let (mut point, mut length) = (from, target - from.friction);
+    for _ in 0..4000 {
+        let left = target - point.friction;
+        if left == 0.0 || left_over(&point) < 0.1 {
+            break;
+        }
+        let last = left.abs() <= length.abs();
+        let next = if last { target } else { point.friction + length };
+        match step(system, &point, next).filter(|p| left_over(p) > -0.1) {
+            Some(found) => {
+                point = found;
+                length *= 1.5;
+            }
+            None => length = if last { left / 2.0 } else { length / 2.0 },
+        }
+        if length.abs() <= 1e-15 * target.abs() {
+            break;
+        }
+    }
+    point
+}
+
+/// The cycle with all of its friction; the part of the friction where the path ends otherwise.
+pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f64; 5], f64> {
+    let below = (friction > 0.0) == (system.sin_cos_beta.1 > 0.0);
+    let end = follow(system, without_friction(system, below), friction, |_| 1.0);
+    let part = end.friction / friction;
+    // Beside the end of the branch f64 may stop short of it by rounding: Newton goes on from there.
+    if part < 1.0 - 1e-6 {
+        Err(part)
+    } else {
+        Ok(at_fastest(&Balanced { friction: end.friction, ..*system }, end.at, below))
+    }
+}
+
+/// A cycle near the border: where the force left over at t₂ has fallen to a tenth, or the path ends before.
+pub(super) fn on_the_border(system: &Balanced<f64>, sign: f64) -> [f64; 6] {
+    let below = (sign > 0.0) == (system.sin_cos_beta.1 > 0.0);
+    let start = without_friction(system, below);
+    let excess = |p: &Point| Balanced { friction: p.friction, ..*system }.turning_point(&unknowns(&p.at));
+    let whole = excess(&start);
+    // κ = Ω/|sin β| would be the end of the branch; twice that is beyond it.
+    let beyond = sign * 2.0 * system.omega / system.sin_cos_beta.0.abs();
+    let end = follow(system, start, beyond, |p| excess(p) / whole);
+    let [t1, t2, v, d, e] = end.at;
+    [t1, t2, v, d, e, end.friction]
+}
+
+/// The same cycle with t₁ at the greatest velocity of the half cycle before t₂, looked for on a grid.
+fn at_fastest(system: &Balanced<f64>, at: [f64; 5], below: bool) -> [f64; 5] {
+    let (given, u) = (system.given(), unknowns(&at));
+    let sign = if below { 1.0 } else { -1.0 };
+    let points = 64 + (256.0 / system.omega).min(1e6) as u32;
+    let phases = (1..points).map(|i| u.displacement_phase - PI * f64::from(i) / f64::from(points));
+    let velocity = |phase: f64| sign * given.rising_velocity(&u, phase);
+    let fastest = phases.fold(
+        u.velocity_phase,
+        |best, phase| {
+            if velocity(phase) > velocity(best) { phase } else { best }
+        },
+    );
+    let [_, t2, _, d, _] = at;
+    let phase =
+        if velocity(fastest) > velocity(u.velocity_phase) + 1e-9 { fastest } else { u.velocity_phase };
+    [phase, t2, given.rising_velocity(&u, phase), d, given.rising_displacement(&u, phase)]
+}
