@@ -81,3 +81,8 @@ pub use oscillator::{Drive, Oscillator, Scales};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use response::{Regime, Response, regime};
+
+/// The examples of README.md are run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -127,3 +127,57 @@ fn tiny_force_is_at_rest_and_formulae_outside_their_domain_say_nan() {
     assert!(cycle.displacement_at(f64::NAN).is_nan() && cycle.velocity_at(f64::INFINITY).is_nan());
     assert_eq!(matching::pi_1(0.5f64), std::f64::consts::TAU);
 }
+
+#[test]
+fn far_above_the_natural_frequency_no_digit_is_lost() {
+    // Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁ from eq. 44, 41, the velocity's own maximum and eq. 47 at 150 digits.
+    for (omega, alpha, expected) in [
+        (
+            1e3,
+            3.0,
+            [
+                2.555_897_658_560_855e-6,
+                4.161_319_506_393_069,
+                2.617_197_129_611_493_5e-6,
+                2.801_755_669_397_666_5,
+                2.113_909_972_789_074e-7,
+            ],
+        ),
+        (
+            1e6,
+            2.5,
+            [
+                1.944_890_459_572_492_6e-12,
+                4.032_999_053_633_882,
+                2.023_414_766_796_564_5e-12,
+                2.730_075_807_522_219,
+                1.978_225_564_588_333e-13,
+            ],
+        ),
+        (
+            1e30,
+            2.0,
+            [
+                1.237_981_784_893_324e-60,
+                3.809_049_869_618_177,
+                1.352_310_472_400_663_3e-60,
+                2.617_993_877_991_494_4,
+                1.615_991_890_593_36e-61,
+            ],
+        ),
+    ] {
+        let answer = response(omega, alpha);
+        let c = answer.cycle().unwrap();
+        let found = [
+            c.max_displacement(),
+            c.displacement_phase(),
+            c.max_velocity(),
+            c.velocity_phase(),
+            c.deviation(),
+        ];
+        for (value, reference) in found.iter().zip(expected) {
+            assert!((value / reference - 1.0).abs() < 5e-15, "{omega:e}: {value:e} for {reference:e}");
+        }
+        assert!((c.displacement_at(c.velocity_phase()) / c.deviation() - 1.0).abs() < 1e-13);
+    }
+}

@@ -181,8 +181,8 @@ impl<F: Float> Border<F> {
         self.turning_point
     }
 
-    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)`, where the velocity first touches zero on the border; 0
-    /// where that is the turning point itself.
+    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` but for rounding, where the velocity first touches zero on
+    /// the border; 0 where that is the turning point itself.
     pub const fn phase(&self) -> F {
         self.phase
     }

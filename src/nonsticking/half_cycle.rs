@@ -9,7 +9,8 @@
 //!
 //! H and J are 0/0 at Ω = 1. Beside it they are computed from the half sum and half difference
 //! `p = (1+Ω)ψ/2`, `m = (1−Ω)ψ/2` of the two angles, which leaves only quotients of small quantities that
-//! are known to full relative accuracy.
+//! are known to full relative accuracy. Far above it ψ is tiny and J − 1 of the order 1/Ω²: there
+//! `cos ψ − cos β = (sin β − sin ψ)(sin β + sin ψ)/(cos ψ + cos β)`.
 
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
@@ -36,7 +37,7 @@ pub(crate) struct Jet<F> {
 }
 
 /// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
-struct Angles<F> {
+pub(crate) struct Angles<F> {
     psi: (F, F),
     omega_psi: (F, F),
     half_sum: (F, F),
@@ -115,8 +116,17 @@ impl<F: Float> HalfCycle<F> {
         self.cos_beta
     }
 
+    /// The half sum and half difference give the angles themselves, but only where neither outgrows the other.
     #[inline]
-    fn angles(&self, psi: F) -> Angles<F> {
+    pub(crate) fn angles(&self, psi: F) -> Angles<F> {
+        if !self.beside_one {
+            return Angles {
+                psi: psi.sin_cos(),
+                omega_psi: (self.omega * psi).sin_cos(),
+                half_sum: (F::int(0), F::int(1)),
+                sin_half_difference: F::int(0),
+            };
+        }
         let half = psi / F::int(2);
         let (sp, cp) = ((F::int(1) + self.omega) * half).sin_cos();
         let (sm, cm) = (self.one_minus_omega * half).sin_cos();
@@ -137,8 +147,14 @@ impl<F: Float> HalfCycle<F> {
     /// Velocity and its derivatives by ψ.
     #[inline]
     pub(crate) fn velocity(&self, psi: F) -> Jet<F> {
-        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
-            self.angles(psi);
+        self.velocity_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::velocity`] at angles that are known.
+    #[inline]
+    pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
+            angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
         let (h, h1) = if self.beside_one {
             let tangent = self.tan_half_offset();
@@ -161,16 +177,23 @@ impl<F: Float> HalfCycle<F> {
 
     /// Displacement x/B at ψ.
     pub(crate) fn displacement(&self, psi: F) -> F {
-        let Angles { psi: (_, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } =
-            self.angles(psi);
-        let cb = self.cos_beta;
-        let j = if self.beside_one {
+        self.displacement_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::displacement`] at angles that are known.
+    #[inline]
+    pub(crate) fn displacement_of(&self, angles: &Angles<F>) -> F {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } = angles;
+        let (one, sb, cb) = (F::int(1), self.sin_beta, self.cos_beta);
+        let j_less_one = if self.beside_one {
             let slope = (self.tan_half_offset() - self.one_minus_omega / cb) / self.omega;
-            co * slope - F::int(2) * sp * sm / cb
+            co * slope - F::int(2) * sp * sm / cb - one
+        } else if self.omega > one {
+            ((sb - s) * (sb + s) / (c + cb) - sb / self.omega * co) / cb
         } else {
-            (c - self.sin_beta / self.omega * co) / cb
+            (c - sb / self.omega * co) / cb - one
         };
-        j - self.max_displacement * so - F::int(1)
+        j_less_one - self.max_displacement * so
     }
 }
 

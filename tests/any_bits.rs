@@ -1,0 +1,38 @@
+//! The promises of `invariants` over inputs of any bits, and over inputs that mostly have an answer.
+
+mod invariants;
+
+use proptest::num::f64::ANY;
+use proptest::prelude::*;
+use stickslip::Border;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn any_three_numbers(omega in ANY, alpha in ANY, phase in ANY) {
+        invariants::closed_forms(omega, alpha, phase);
+    }
+
+    #[test]
+    fn any_magnitude(e in -250.0..250.0, over in -2.0..8.0, phase in -700.0..700.0) {
+        let omega = 2f64.powf(e);
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        invariants::closed_forms(omega, least * 2f64.powf(over), phase);
+    }
+
+    #[test]
+    fn beside_a_whole_quotient(n in 1u32..60, bits in -60i64..60, over in 0.0..3.0, phase in -7.0..7.0) {
+        let omega = f64::from_bits((1.0 / f64::from(n)).to_bits().wrapping_add_signed(bits));
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        invariants::closed_forms(omega, least * 2f64.powf(over), phase);
+        invariants::closed_forms(omega, least.next_down(), phase);
+    }
+
+    #[test]
+    fn any_machine(numbers in prop::array::uniform5(ANY), base in any::<bool>()) {
+        let [m, k, r, p, w] = numbers.map(f64::abs);
+        invariants::physical_units(m, k, r, p, w, base);
+        invariants::physical_units(numbers[0], k, r, p, w, base);
+    }
+}

@@ -1,0 +1,101 @@
+//! What holds of every answer, whatever the bits of the input: shared by the property tests and the fuzz targets.
+
+#![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
+
+use stickslip::{Cycle, Drive, Error, Oscillator, Quantity, Ratios, Regime, Response, Scales};
+
+/// Everything the closed forms promise at (Ω, α), and the waveform at one phase.
+///
+/// # Panics
+/// Where a promise is broken: that is the finding.
+pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
+    let range = 2f64.powi(-250)..=2f64.powi(250);
+    let ratios = match Ratios::new(omega, alpha) {
+        Ok(ratios) => ratios,
+        Err(error) => return refused(&error, range.contains(&omega), alpha > 0.0 && alpha <= *range.end()),
+    };
+    assert!(range.contains(&omega) && alpha > 0.0 && alpha <= *range.end());
+    let answer = Response::new(ratios);
+    let border = answer.border();
+    let (least, by_turning_point) = (border.min_force_ratio(), border.turning_point());
+    assert!(least >= by_turning_point, "α_min = {least:e} below eq. 61 = {by_turning_point:e}");
+    assert!(least >= 1.209_998 && least.is_finite(), "α_min = {least:e}");
+    assert!(omega < 0.5 || least == by_turning_point, "eq. 61 is exact for Ω ≥ 1/2");
+    assert!(border.phase() >= 0.0 && border.phase() <= std::f64::consts::PI);
+    assert!(border.least_displacement() >= 1.0 / (omega * omega));
+    match answer.regime() {
+        Regime::Stuck => assert!(alpha <= 1.0),
+        Regime::Sticking => assert!(alpha > 1.0 && alpha < least),
+        Regime::Unbounded => assert!(omega == 1.0 && alpha >= least),
+        Regime::NonSticking => assert!(omega != 1.0 && alpha >= least),
+    }
+    let again = Cycle::new(ratios);
+    match answer.cycle() {
+        Some(found) => {
+            assert_eq!(again, Ok(*found));
+            cycle(found, phase);
+        }
+        None => assert!(again.is_err()),
+    }
+}
+
+/// Refused: then something was wrong, and the message names it.
+fn refused(error: &Error, omega_is_in_range: bool, alpha_is_in_range: bool) {
+    match error.quantity() {
+        Some(Quantity::FrequencyRatio) => assert!(!omega_is_in_range, "{error}"),
+        Some(Quantity::ForceRatio) => assert!(!alpha_is_in_range, "{error}"),
+        other => panic!("{error} names {other:?}"),
+    }
+    assert!(error.to_string().contains(" must be "));
+}
+
+fn cycle(cycle: &Cycle<f64>, phase: f64) {
+    let (delta, speed) = (cycle.max_displacement(), cycle.max_velocity());
+    let omega = cycle.ratios().omega();
+    assert!(delta > 0.0 && delta.is_finite(), "Δ₀ = {delta:e}");
+    assert!(speed > 0.0 && speed.is_finite(), "V₀ = {speed:e}");
+    for value in [cycle.displacement_phase(), cycle.velocity_phase()] {
+        assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
+    }
+    assert!(cycle.deviation().is_finite());
+    assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
+    assert!(cycle.loop_size_stiffness() >= 0.0 && cycle.loop_size_inertia() >= 0.0);
+    let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
+    assert_eq!(x.is_nan(), !phase.is_finite());
+    if phase.is_finite() {
+        // A phase is known to its own rounding; the faster wave turns 1/Ω times for one turn of the drive.
+        let slack = 1.0 + 1e-11 * (1.0 + 1.0 / omega);
+        assert!(x.abs() <= delta * slack, "|x| = {x:e} above Δ₀ = {delta:e}");
+        assert!(v.abs() <= speed * slack, "|v| = {v:e} above V₀ = {speed:e}");
+    }
+}
+
+/// Physical input either says what is wrong with it, or leads to ratios and finite scales.
+///
+/// # Panics
+/// Where it does neither.
+pub(crate) fn physical_units(
+    mass: f64,
+    stiffness: f64,
+    friction_bound: f64,
+    amplitude: f64,
+    frequency: f64,
+    base: bool,
+) {
+    let good = |x: f64| x.is_finite() && x > 0.0;
+    let body = Oscillator::new(mass, stiffness, friction_bound);
+    assert_eq!(body.is_ok(), good(mass) && good(stiffness) && good(friction_bound));
+    let drive =
+        if base { Drive::base_motion(amplitude, frequency) } else { Drive::force(amplitude, frequency) };
+    assert_eq!(drive.is_ok(), good(amplitude) && good(frequency));
+    let (Ok(body), Ok(drive)) = (body, drive) else { return };
+    if let Ok(scales) = Scales::new(&body, &drive) {
+        for scale in [scales.length, scales.velocity, scales.time, scales.force] {
+            assert!(good(scale));
+        }
+    }
+    match drive.ratios(&body) {
+        Ok(ratios) => closed_forms(ratios.omega(), ratios.alpha(), 0.3),
+        Err(error) => assert!(error.to_string().contains(" must be "), "{error}"),
+    }
+}
