@@ -133,7 +133,16 @@ impl<F: Float> AtPrecision<F> for Start<F> {
     type Output = F;
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
-        back(fastest(&self.half.map(&there), there(self.k), there(self.alpha)).psi)
+        let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
+        if G::PRECISION > f64::MANTISSA_DIGITS {
+            return back(fastest(&half, k, alpha).psi);
+        }
+        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
+        // pole of K.
+        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
+        let bracketed =
+            || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64())));
+        back(centred.unwrap_or_else(bracketed).psi)
     }
 }
 
