@@ -28,9 +28,11 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
     let linear = turns * (amplitude * (one + Real::square(omega)) + Real::abs(rho) + Real::abs(x) + one);
     let squares = linear * linear;
     let sign = Float::with_sign_of(one, one - omega);
-    let velocity = max_velocity_from_phase(g.amplitude, omega, c1, (sin_t1, cos_t1), u.deviation, sign);
+    // Eq. 37 and 49 with their root squared, which rounding can make negative where it is nearly zero.
     let rest = u.max_velocity / omega - g.amplitude * cos_t1;
+    let velocity = max_velocity_from_phase(g.amplitude, omega, c1, (sin_t1, cos_t1), u.deviation, sign);
     let root = velocity - g.amplitude * cos_t1;
+    let root = if Float::is_finite(root) { root } else { <F as Real>::int(0) };
     let phase = displacement_phase(p.value(), alpha, omega);
     let delta = max_displacement(p.value(), alpha, q);
     let by_40 = sin_displacement_phase(u.max_displacement, alpha, q);
@@ -54,7 +56,7 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
         ("37, 49", (one + c1) * (Real::square(rest) - Real::square(root)), squares / Real::square(omega)),
         (
             "37, 49: sign",
-            if rest * sign >= -linear * Float::exp2i(-20) { rest - rest } else { linear },
+            if rest * sign >= -linear * Float::exp2i(-20) { <F as Real>::int(0) } else { linear },
             linear,
         ),
     ]

@@ -66,7 +66,8 @@ impl Worst {
         self.lost_bits = self.lost_bits.max(found.lost_bits);
         for (name, residual, size) in equations(omega, alpha, &u) {
             let ulp = apart(residual, <F as Real>::int(0), size);
-            assert!(ulp < 1e3, "eq. {name} at Ω = {omega}, α = {alpha}: {ulp} ulp");
+            let ulp = ulp / 2f64.powi(found.lost_bits as i32);
+            assert!(ulp < 16.0, "eq. {name} at Ω = {omega}, α = {alpha}: {ulp} ulp");
             if ulp > self.equation.0 {
                 self.equation = (ulp, name);
             }
@@ -93,6 +94,7 @@ impl Worst {
     }
 
     /// Prints what was seen; fails beyond these bounds.
+    #[expect(clippy::print_stdout, reason = "the figures of docs/proof.md, seen with --nocapture")]
     pub(crate) fn check(&self, name: &str, error: f64, iterations: u32) {
         println!("{name}: {self:?}");
         assert!(self.points > 0 && self.error <= error && self.iterations <= iterations, "{name}: {self:?}");

@@ -1,9 +1,10 @@
 //! The same at 256, 1024 and 4096 bits.
 
-use crate::points::{Worst, special};
+use crate::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Float, Real};
+use stickslip::nonsticking::matching::newton;
+use stickslip::{Border, Float, Ratios, Real};
 
 /// Both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between, in thousandths.
 const ORDINARY: [i32; 16] =
@@ -39,4 +40,31 @@ fn at_1024_bits() {
 #[test]
 fn at_4096_bits() {
     all::<Mp<64>>("4096 bits", 14);
+}
+
+/// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how many.
+#[test]
+fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
+    type Wide = Mp<8>;
+    for k in [3, 10, 20, 30] {
+        for sign in [1, -1] {
+            let omega = <Wide as Real>::int(1) + <Wide as Real>::int(sign) * tenth_power::<Wide>(k);
+            let alpha = Border::new(omega).unwrap().min_force_ratio();
+            let mut worst = Worst::default();
+            worst.add(omega, alpha);
+            worst.check(&format!("border at 1 ± 1e-{k}"), 4.0, 140);
+            let lost = newton::solve(Ratios::new(omega, alpha).unwrap()).unwrap().lost_bits;
+            let zeros = f64::from(k) * 10f64.log2();
+            assert!((f64::from(lost) - 2.0 * zeros).abs() < 12.0, "{lost} bits lost at 1e-{k}: {zeros}");
+        }
+    }
+}
+
+#[test]
+fn the_border_at_resonance_itself_is_four_over_pi() {
+    let found = newton::solve_border(<Mp<4> as Real>::int(1) + tenth_power::<Mp<4>>(60)).unwrap();
+    let four_over_pi = <Mp<4> as Real>::int(4) / <Mp<4> as Real>::pi();
+    let off = Float::to_f64((found.force_ratio - four_over_pi) / tenth_power::<Mp<4>>(60));
+    // The border rises with the slope 2/π there.
+    assert!((off - std::f64::consts::FRAC_2_PI).abs() < 1e-9 && found.iterations < 40, "{off}");
 }

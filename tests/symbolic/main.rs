@@ -2,6 +2,7 @@
 //!
 //! `docs/proof.md` says which equation follows from which, and in what sense.
 
+mod balanced;
 mod border;
 mod den_hartog;
 mod dissipation;

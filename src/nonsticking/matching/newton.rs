@@ -6,7 +6,7 @@
 //! assert!((found.unknowns.max_displacement - 1.632993161855452).abs() < 1e-14);
 //! assert!(found.residuals.iter().all(|r| *r < 8.0));
 //! // With eq. 58 and 59 and α free: the border at the turning point.
-//! assert!((newton::solve_border(2.0f64)?.force_ratio - 27f64.sqrt() / 4.0 * 1.25f64.sqrt()).abs() < 1.0);
+//! assert!((newton::solve_border(2.0f64)?.force_ratio - 1.6770509831248424).abs() < 1e-14);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -233,7 +233,8 @@ pub(super) fn largest<F: Float>(x: &[F]) -> F {
     x.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()))
 }
 
-/// Newton's method until the step is rounding: it falls below the last places, or stops shrinking.
+/// Newton's method until the step is rounding: it falls below the last places, or stops shrinking where the
+/// residuals are rounding.
 ///
 /// From ten good digits each step doubles them. Beside the end of the branch, α → |K|, where two cycles
 /// meet, it only halves the error, once for each bit: so many iterations are allowed.
@@ -249,10 +250,11 @@ fn iterate<F: Float + RealField, const N: usize>(
         residual = largest(&residuals);
         let Some(step) = newton_step(&residuals, &jacobian) else { break };
         for (x, dx) in at.iter_mut().zip(&step) {
-            *x = *x - *dx;
+            *x -= *dx;
         }
         let size = largest(&step);
-        let settled = size <= <F as Float>::epsilon() || (last <= small && size + size >= last);
+        let least = last <= small || residual <= <F as Real>::int(16) * <F as Float>::epsilon();
+        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Real>::ratio(3, 2) >= last);
         if settled {
             return Ok(Found { at, iterations });
         }
@@ -262,12 +264,12 @@ fn iterate<F: Float + RealField, const N: usize>(
     Err(MatchingError::NoConvergence { iterations: F::PRECISION + 64, step, residual })
 }
 
-/// Bits that the inverse Jacobian takes from a phase, V₀ or Δ₀, the residuals being good to a last place of
-/// their terms.
+/// Bits that the inverse Jacobian takes from a phase, V₀ or Δ₀, the residuals being good to a few last places
+/// of their terms.
 fn lost_bits<F: Float + RealField>(jacobian: &[[F; 5]; 5], at: &[F; 5], omega: F) -> u32 {
     let matrix = DMatrix::from_row_iterator(5, 5, jacobian.iter().flatten().map(|x| Float::to_f64(*x)));
     let Some(inverse) = matrix.try_inverse() else { return F::PRECISION };
-    let terms = 1.0 + Float::to_f64(omega) + 1.0 / Float::to_f64(omega);
+    let terms = 4.0 * (1.0 + Float::to_f64(omega) + 1.0 / Float::to_f64(omega));
     let worst = inverse.row_iter().zip(at).take(4).enumerate().map(|(i, (row, x))| {
         let size = if i < 2 { 1.0 } else { Float::to_f64(*x).abs() };
         terms * row.iter().map(|y| y.abs()).sum::<f64>() / size

@@ -106,8 +106,8 @@ pub(super) fn on_the_border(system: &Balanced<f64>, sign: f64) -> [f64; 6] {
     let start = without_friction(system, below);
     let excess = |p: &Point| Balanced { friction: p.friction, ..*system }.turning_point(&unknowns(&p.at));
     let whole = excess(&start);
-    // κ = Ω/|sin β| would be the end of the branch; twice that is beyond it.
-    let beyond = sign * 2.0 * system.omega / system.sin_cos_beta.0.abs();
+    // More friction than any border has: the force left over is gone, or the path at its end, long before.
+    let beyond = sign * 8.0 * (1.0 + system.omega).powi(2);
     let end = follow(system, start, beyond, |p| excess(p) / whole);
     let [t1, t2, v, d, e] = end.at;
     [t1, t2, v, d, e, end.friction]
