@@ -2,6 +2,7 @@
 //!
 //! `docs/proof.md` says which equation follows from which, and in what sense.
 
+mod angles;
 mod balanced;
 mod border;
 mod den_hartog;
@@ -9,6 +10,8 @@ mod dissipation;
 mod fraction;
 mod ideal;
 mod matching;
+mod operators;
 mod polynomial;
 mod scalar;
+mod setting;
 mod velocity;

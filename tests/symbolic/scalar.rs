@@ -4,13 +4,12 @@
 //! its numbers. Generators are free, or the root of a rational function, or the sine or cosine of an angle. An
 //! angle that is a combination with integer coefficients of the named ones has its sine and cosine by the addition theorems.
 
+use crate::angles::combination;
 use crate::fraction::Fraction;
 use crate::polynomial::Polynomial;
 use num_rational::BigRational;
-use num_traits::{One, ToPrimitive, Zero};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use stickslip::Real;
 
 /// A rational function in the arena of this thread.
@@ -30,10 +29,10 @@ enum Rule {
 }
 
 #[derive(Clone)]
-struct Angle {
-    size: Symbol,
-    sine: Symbol,
-    cosine: Symbol,
+pub(crate) struct Angle {
+    pub(crate) size: Symbol,
+    pub(crate) sine: Symbol,
+    pub(crate) cosine: Symbol,
 }
 
 #[derive(Default)]
@@ -53,11 +52,19 @@ fn arena<T>(f: impl FnOnce(&mut Arena) -> T) -> T {
     ARENA.with_borrow_mut(f)
 }
 
-fn stored(value: Fraction) -> Symbol {
+pub(crate) fn stored(value: Fraction) -> Symbol {
     arena(|a| {
         a.values.push(value);
         Symbol(a.values.len() - 1)
     })
+}
+
+/// `1/of`, its denominator in the factors known so far; new ones become known.
+pub(crate) fn inverse(of: Symbol) -> Fraction {
+    let known = arena(|a| a.factors.clone());
+    let inverse = of.value().inverse(&known);
+    arena(|a| a.factors.extend(inverse.denominator.keys().filter(|f| !known.contains(f)).cloned()));
+    inverse
 }
 
 fn generator(name: String, rule: Rule) -> Symbol {
@@ -89,6 +96,10 @@ pub(crate) fn angle(name: &str, size: Symbol) -> (Symbol, Symbol) {
 /// Names an angle whose sine and cosine are these.
 pub(crate) fn angle_with(size: Symbol, sine: Symbol, cosine: Symbol) {
     arena(|a| a.angles.push(Angle { size, sine, cosine }));
+}
+
+pub(crate) fn named_angles() -> Vec<Angle> {
+    arena(|a| a.angles.clone())
 }
 
 /// Makes a polynomial known as a factor of denominators.
@@ -179,43 +190,6 @@ impl Symbol {
         };
         (slope(&numerator) * d - n * slope(&divisor.numerator)) / (d * d)
     }
-
-    /// The coefficients of the named angles in this one.
-    fn combination(self) -> Vec<(i32, Angle)> {
-        let angles = arena(|a| a.angles.clone());
-        let mut common = self.value().denominator;
-        for angle in &angles {
-            for (factor, power) in angle.size.value().denominator {
-                let least = common.entry(factor).or_insert(0);
-                *least = (*least).max(power);
-            }
-        }
-        // Echelon form of the angles over the common denominator, each row with what it is made of.
-        let mut rows: Vec<(Polynomial, Vec<BigRational>)> = Vec::new();
-        let reduce =
-            |mut p: Polynomial, mut of: Vec<BigRational>, rows: &[(Polynomial, Vec<BigRational>)]| {
-                for (row, parts) in rows {
-                    let (lead, c) = row.leading().unwrap();
-                    let times = p.coefficient(lead) / c;
-                    p = &p - &row.scaled(&times);
-                    of = of.iter().zip(parts).map(|(a, b)| a - b * &times).collect();
-                }
-                (p, of)
-            };
-        for (i, angle) in angles.iter().enumerate() {
-            let mut unit = vec![BigRational::zero(); angles.len()];
-            unit[i] = BigRational::one();
-            let (p, of) = reduce(angle.size.value().over(&common), unit, &rows);
-            assert!(!p.is_zero(), "the named angles are independent");
-            rows.push((p, of));
-        }
-        let (rest, of) = reduce(self.value().over(&common), vec![BigRational::zero(); angles.len()], &rows);
-        assert!(rest.is_zero(), "{self:?} is not a combination of the named angles");
-        let whole = |c: &BigRational| {
-            (-c).to_integer().to_i32().filter(|n| *c == BigRational::from_integer((-n).into()))
-        };
-        of.iter().zip(angles).map(|(c, angle)| (whole(c).expect("an integer combination"), angle)).collect()
-    }
 }
 
 /// The derivative of a generator by a free symbol.
@@ -235,57 +209,6 @@ impl std::fmt::Debug for Symbol {
         let Fraction { numerator, denominator } = self.value();
         write!(f, "{}", written(&numerator))?;
         denominator.iter().try_for_each(|(factor, power)| write!(f, " / ({})^{power}", written(factor)))
-    }
-}
-
-impl From<Polynomial> for Symbol {
-    fn from(polynomial: Polynomial) -> Self {
-        stored(polynomial.into())
-    }
-}
-
-impl Add for Symbol {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        stored(self.value().plus(&other.value()))
-    }
-}
-
-impl Sub for Symbol {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        stored(self.value().minus(&other.value()))
-    }
-}
-
-impl Mul for Symbol {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
-        stored(self.value().times(&other.value()))
-    }
-}
-
-impl Div for Symbol {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
-        let known = arena(|a| a.factors.clone());
-        let inverse = other.value().inverse(&known);
-        arena(|a| a.factors.extend(inverse.denominator.keys().filter(|f| !known.contains(f)).cloned()));
-        stored(self.value().times(&inverse))
-    }
-}
-
-impl Rem for Symbol {
-    type Output = Self;
-    fn rem(self, _: Self) -> Self {
-        unimplemented!("no formula has a remainder")
-    }
-}
-
-impl Neg for Symbol {
-    type Output = Self;
-    fn neg(self) -> Self {
-        stored(self.value().negated())
     }
 }
 
@@ -321,7 +244,7 @@ impl Real for Symbol {
 
     fn sin_cos(self) -> (Self, Self) {
         let mut result = (Self::int(0), Self::int(1));
-        for (n, angle) in self.combination() {
+        for (n, angle) in combination(self) {
             let sine = if n < 0 { -angle.sine } else { angle.sine };
             for _ in 0..n.abs() {
                 let (s, c) = result;
