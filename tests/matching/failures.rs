@@ -1,7 +1,7 @@
 //! Where there is nothing to find, the solver says so.
 
 use stickslip::nonsticking::matching::newton::{self, MatchingError};
-use stickslip::{PhaseFunction, Ratios};
+use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 #[test]
 fn below_the_end_of_the_branch_there_is_no_cycle() {
@@ -28,4 +28,27 @@ fn at_resonance_there_is_none_either() {
 fn a_frequency_ratio_outside_its_domain_is_refused() {
     let error = newton::solve_border(-1.0).unwrap_err();
     assert!(matches!(error, MatchingError::Input(_)) && error.to_string().contains("-1"), "{error}");
+}
+
+#[test]
+fn an_iteration_that_does_not_settle_is_no_answer() {
+    // On the border at Ω = 1 itself the cycle is no part of A.
+    let error = newton::solve_border(1.0).unwrap_err();
+    assert!(matches!(error, MatchingError::NoConvergence { .. }), "{error}");
+    assert!(error.to_string().starts_with("last Newton step = "), "{error}");
+}
+
+#[test]
+fn the_lost_bits_hold_far_from_resonance() {
+    for omega in [1e-4f64, 1e-2, 1e2, 1e4] {
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * 2.0;
+        let c = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
+        let found = newton::solve(c.ratios()).unwrap();
+        let error = found.unknowns.max_displacement / c.max_displacement() - 1.0;
+        let bound = f64::EPSILON * 2f64.powi(found.lost_bits as i32);
+        assert!(error.abs() <= bound && bound < 1e-3, "{omega}: {error:e}, {} bits", found.lost_bits);
+    }
+    // At single precision the same code.
+    let found = newton::solve(Ratios::new(0.7f32, 2.0).unwrap()).unwrap();
+    assert!((found.unknowns.max_displacement - 3.488_508).abs() < 2e-5);
 }

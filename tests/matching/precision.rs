@@ -7,8 +7,8 @@ use stickslip::nonsticking::matching::newton;
 use stickslip::{Border, Float, Ratios, Real};
 
 /// Both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between, in thousandths.
-const ORDINARY: [i32; 16] =
-    [150, 210, 220, 240, 280, 300, 350, 400, 450, 550, 700, 940, 1100, 1500, 3000, 20000];
+const ORDINARY: [i32; 19] =
+    [50, 150, 210, 220, 240, 250, 280, 300, 350, 400, 450, 500, 550, 700, 940, 1100, 1500, 3000, 20000];
 
 /// α over the border, in ten thousandths.
 const OVER: [i32; 3] = [10_001, 15_000, 80_000];

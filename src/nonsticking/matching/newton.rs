@@ -18,8 +18,9 @@
 //!
 //! **Digits.** [`Balanced`] is solved, which has no cancellation beside Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
 //! keep the digits of the type where they are of the order of A. Where they are smaller, near the border,
-//! the problem itself loses digits, up to twice the zeros of 1 − Ω; [`Solution::lost_bits`] says how many, so that
-//! a result of N bits takes N + `lost_bits` of them.
+//! the problem itself loses digits, up to twice the zeros of 1 − Ω: 202 bits on the border at |1 − Ω| = 10⁻³⁰.
+//! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how many, so
+//! that a result of N bits takes N + `lost_bits` of them.
 
 use super::balanced::Balanced;
 use super::{Given, Unknowns, start};
@@ -39,8 +40,9 @@ pub enum MatchingError {
     /// At Ω = 1 no bounded motion has this friction.
     #[error("frequency ratio Ω = 1 must be ≠ 1: there is no cycle to match")]
     Resonance,
-    /// The path from the motion without friction ends, at this part of the friction: there is no cycle with α.
-    #[error("friction = {part:.6} of r_y must reach 1: no cycle at Ω = {omega}, α = {alpha} beyond it")]
+    /// The path from the motion without friction ends, at this part of the friction: there is no cycle with α, or
+    /// Ω is so far from 1 that f64 cannot follow it.
+    #[error("friction = {part:.6} of r_y must reach 1: no cycle found at Ω = {omega}, α = {alpha} beyond it")]
     NoCycle {
         /// Frequency ratio Ω.
         omega: String,
@@ -117,7 +119,7 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
-    let lost_bits = lost_bits(&system.jacobian(&u), &found.at, omega);
+    let lost_bits = lost_bits(&system, &u);
     Ok(Solution { unknowns, residuals, iterations: found.iterations, lost_bits })
 }
 
@@ -266,13 +268,17 @@ fn iterate<F: Float + RealField, const N: usize>(
 
 /// Bits that the inverse Jacobian takes from a phase, V₀ or Δ₀, the residuals being good to a few last places
 /// of their terms.
-fn lost_bits<F: Float + RealField>(jacobian: &[[F; 5]; 5], at: &[F; 5], omega: F) -> u32 {
-    let matrix = DMatrix::from_row_iterator(5, 5, jacobian.iter().flatten().map(|x| Float::to_f64(*x)));
-    let Some(inverse) = matrix.try_inverse() else { return F::PRECISION };
-    let terms = 4.0 * (1.0 + Float::to_f64(omega) + 1.0 / Float::to_f64(omega));
-    let worst = inverse.row_iter().zip(at).take(4).enumerate().map(|(i, (row, x))| {
-        let size = if i < 2 { 1.0 } else { Float::to_f64(*x).abs() };
-        terms * row.iter().map(|y| y.abs()).sum::<f64>() / size
+fn lost_bits<F: Float + RealField>(system: &Balanced<F>, u: &Unknowns<F>) -> u32 {
+    let entries = system.jacobian(u).into_iter().flatten().map(Float::to_f64);
+    let Some(inverse) = DMatrix::from_row_iterator(5, 5, entries).try_inverse() else { return F::PRECISION };
+    let given = system.given();
+    let one = <F as Real>::int(1);
+    let parts =
+        [system.omega, one / system.omega, given.friction_displacement, given.rho(u), given.offset(u)];
+    let terms = parts.into_iter().fold(1.0, |sum, x| sum + Float::to_f64(x).abs());
+    let sizes = [one, one, u.max_velocity, u.max_displacement];
+    let worst = inverse.row_iter().zip(sizes).map(|(row, size)| {
+        4.0 * terms * row.iter().map(|y| y.abs()).sum::<f64>() / Float::to_f64(size).abs()
     });
     let bits = worst.fold(1.0, f64::max).log2().ceil();
     (bits as u32).min(F::PRECISION)
