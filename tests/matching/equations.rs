@@ -8,10 +8,10 @@ use stickslip::nonsticking::{
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Float, PhaseFunction, Real};
 
-/// (name, residual, size of its terms) of each.
+/// (name, residual, size of its terms, whether it compares with a closed form) of each.
 ///
 /// Where an equation divides by 1 + cos π₁ or holds for a square root only, it is taken multiplied out or squared.
-pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&'static str, F, F)> {
+pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&'static str, F, F, bool)> {
     let (one, two) = (<F as Real>::int(1), <F as Real>::int(2));
     let q = one_minus_square(omega);
     let g = Given { amplitude: alpha / q, friction_displacement: one, omega };
@@ -36,7 +36,7 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
     let phase = displacement_phase(p.value(), alpha, omega);
     let delta = max_displacement(p.value(), alpha, q);
     let by_40 = sin_displacement_phase(u.max_displacement, alpha, q);
-    vec![
+    let all = vec![
         ("28", g.elimination_of_rate(u), linear),
         ("29", g.elimination_of_position(u), linear),
         ("32", Real::square(a) + Real::square(b) - g.squared_coefficients(u), squares),
@@ -59,5 +59,7 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
             if rest * sign >= -linear * Float::exp2i(-20) { <F as Real>::int(0) } else { linear },
             linear,
         ),
-    ]
+    ];
+    let closed = |name: &str| ["40", "41", "42, 44", "43", "47", "37, 49"].contains(&name);
+    all.into_iter().map(|(name, residual, size)| (name, residual, size, closed(name))).collect()
 }
