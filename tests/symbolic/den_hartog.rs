@@ -45,6 +45,15 @@ fn equations_55_and_56_follow_from_50_to_53() {
     let right = half.c2 - cosine_coefficient(b);
     assert!(!all.holds(right), "as eq. 40, not where 1 + cos π₁ vanishes");
     all.assert_exactly("56, right", m.one_plus() * right);
+    // The certificates of docs/proof.md.
+    let [d50, d51, d52, d53] = conditions;
+    let (positions, rates) = (d50 + d52, d51 + d53);
+    let ((s1, c1), one_plus) = (m.pi_1, m.one_plus());
+    let circle = c1 * c1 + s1 * s1 - int(1);
+    let e55 = int(2) * (one_plus * half.c1 + b * s1);
+    assert!((e55 - (s1 * positions + one_plus * rates - half.c1 * circle)).is_zero());
+    let e56 = int(2) * one_plus * (half.c2 + b);
+    assert!((e56 - (one_plus * positions - s1 * rates - half.c2 * circle)).is_zero());
     for (what, wrong) in [
         ("55 with the other sign", half.c1 + sine_coefficient(b, m.tangent())),
         ("56 with the other sign", m.one_plus() * (half.c2 + cosine_coefficient(b))),

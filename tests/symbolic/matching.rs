@@ -121,19 +121,46 @@ fn equation_40_follows_times_one_plus_cos_pi_1() {
     Ideal::new(&hypotheses, &[]).assert_exactly("40", e40);
 }
 
+/// The certificates of `docs/proof.md`, each an identity of polynomials.
 #[test]
-fn the_certificates_of_40_and_41_by_hand() {
+fn the_certificates_by_hand_expand() {
     let m = Matching::new();
-    let [e21, e22, e23, e24, _] = m.residuals();
-    let ((s, c), (s1, c1)) = (m.lag, m.pi_1);
-    let circle = c1 * c1 + s1 * s1 - int(1);
-    let e40 = m.height - m.unknowns.max_displacement;
-    let by_hand = m.one_plus() * (e23 + e24) - s1 * (e21 - e22) + circle * (m.offset * c + m.rho * s);
-    assert!((int(2) * m.one_plus() * e40 - by_hand).is_zero());
-    let e41 = m.rate * m.one_plus() - m.given.friction_displacement * s1;
-    let by_hand = m.one_plus() * (e21 + e22) + s1 * (e23 - e24) + circle * (m.rho * c - m.offset * s);
-    assert!((int(2) * e41 - by_hand).is_zero());
-    assert!(!(int(2) * e41 + by_hand).is_zero());
+    let (g, u) = (&m.given, &m.unknowns);
+    let [e21, e22, e23, e24, e25] = m.residuals();
+    let ((s, c), (s1, c1), (rho, x)) = (m.lag, m.pi_1, (m.rho, m.offset));
+    let (one_plus, friction, two) = (m.one_plus(), g.friction_displacement, int(2));
+    let (a, b) = (g.coefficient_a(u), g.coefficient_b(u));
+    let (r1, r) = (c1 * c1 + s1 * s1 - int(1), c * c + s * s - int(1));
+    let (e28, e29) = (e21 - e22, e23 - e24);
+    let (e38, e39) = (two * friction * c + b, two * friction * s - a);
+    let e35 = a * a + b * b - int(4) * friction * friction;
+    let norm = rho * rho + x * x;
+    let e36 = one_plus * norm - two * friction * friction;
+    let e40 = m.height - u.max_displacement;
+    let e41 = m.rate * one_plus - friction * s1;
+    let e45 = g.combined_lag(u);
+    let e46 = e45 + one_plus * (g.amplitude * g.omega * g.omega * m.t1.0 + x);
+    for (name, claim, certificate) in [
+        ("32", a * a + b * b - two * one_plus * norm, norm * r1),
+        ("33", (a * a + b * b) * c + two * friction * b, a * e28 - b * e29),
+        ("34", (a * a + b * b) * s - two * friction * a, b * e28 + a * e29),
+        ("35", e35, e28 * e28 + (e29 + int(4) * friction) * e29 - (a * a + b * b) * r),
+        ("36", two * e36, e35 - norm * r1),
+        ("38", e38, s * e28 - c * e29 - b * r),
+        ("39", e39, a * r - c * e28 - s * e29),
+        ("40", two * one_plus * e40, one_plus * (e23 + e24) - s1 * e28 + r1 * (x * c + rho * s)),
+        ("41", two * e41, one_plus * (e21 + e22) + s1 * e29 + r1 * (rho * c - x * s)),
+        ("45", two * e45, one_plus * e38 + s1 * e39 + x * r1),
+        ("46", e46, e45 + one_plus * e25),
+    ] {
+        assert!((claim - certificate).is_zero(), "{name}");
+        assert!(!(claim + certificate).is_zero(), "{name}, with the other sign");
+    }
+    assert_eq!((g.elimination_of_rate(u) - e28).numerator(), int(0).numerator());
+    assert_eq!(
+        (c - g.cos_lag(u)).numerator(),
+        e38.numerator().scaled(&Symbol::ratio(1, 2).numerator().as_constant().unwrap())
+    );
 }
 
 #[test]
