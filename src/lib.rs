@@ -51,7 +51,8 @@
 //! # Features
 //!
 //! * default: the library, for `f32` and `f64`;
-//! * `cli`: the command `stickslip`.
+//! * `cli`: the command `stickslip`;
+//! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`).
 
 #![cfg_attr(
     not(test),

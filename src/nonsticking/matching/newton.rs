@@ -18,7 +18,7 @@
 //!
 //! **Digits.** [`Balanced`] is solved, which has no cancellation beside Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
 //! keep the digits of the type where they are of the order of A. Where they are smaller, near the border,
-//! the problem itself loses digits, up to twice the zeros of 1 − Ω: 202 bits on the border at |1 − Ω| = 10⁻³⁰.
+//! the problem itself loses digits, up to twice the zeros of 1 − Ω: 203 bits on the border at |1 − Ω| = 10⁻³⁰.
 //! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how many, so
 //! that a result of N bits takes N + `lost_bits` of them.
 
