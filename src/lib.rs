@@ -74,6 +74,7 @@ pub mod phase_function;
 mod ratios;
 mod response;
 mod root;
+pub mod verify;
 
 pub use error::{Error, Quantity};
 pub use float::{Float, Real};

@@ -102,24 +102,37 @@ pub(crate) struct Fastest<F> {
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
     if F::PRECISION > f64::MANTISSA_DIGITS {
-        return polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }));
+        return polish(half, start(half, k, alpha));
     }
     if half.omega() >= F::ratio(1, 2)
         && let Some(found) = from_centre(half)
     {
         return found;
     }
-    from_afar(half.omega(), half.max_displacement(), k, alpha)
+    let (psi, velocity) = from_afar(half.omega(), half.max_displacement(), k, alpha);
+    Fastest { psi, velocity, displacement: None }
 }
 
-/// Householder steps from the bracketed root.
+/// The same where ψ = 0 does not lead to it.
 ///
-/// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
+/// Takes and gives numbers and builds the half cycle again, so that the common path keeps its own in registers.
 #[inline(never)]
-fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
+fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> (F, F) {
     let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
-    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
-    polish(&half, F::from_f64(start))
+    let found = polish(&half, start(&half, k, alpha));
+    (found.psi, found.velocity)
+}
+
+/// A ψ to begin with: at a lower precision the whole answer, at f64 the bracketed root.
+///
+/// The half cycle is the caller's own, rounded field by field: rounded to f64, an Ω beside a singular frequency
+/// would belong to another half cycle.
+fn start<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> F {
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        F::narrowed(Start { half: half.in_range(), k, alpha })
+    } else {
+        F::from_f64(from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64()))
+    }
 }
 
 /// The ψ of the greatest velocity at a lower precision.
@@ -134,15 +147,7 @@ impl<F: Float> AtPrecision<F> for Start<F> {
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
-        if G::PRECISION > f64::MANTISSA_DIGITS {
-            return back(fastest(&half, k, alpha).psi);
-        }
-        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
-        // pole of K.
-        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
-        let bracketed =
-            || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64())));
-        back(centred.unwrap_or_else(bracketed).psi)
+        back(polish(&half, start(&half, k, alpha)).psi)
     }
 }
 
