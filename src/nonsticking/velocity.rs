@@ -91,8 +91,6 @@ pub(crate) struct Fastest<F> {
     pub(crate) psi: F,
     /// `V₀/(Bω_n)`.
     pub(crate) velocity: F,
-    /// x/B there, where it comes without further circular functions.
-    pub(crate) displacement: Option<F>,
 }
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
@@ -102,37 +100,30 @@ pub(crate) struct Fastest<F> {
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
     if F::PRECISION > f64::MANTISSA_DIGITS {
-        return polish(half, start(half, k, alpha));
+        return fastest_and_displacement(half, k, alpha).0;
     }
     if half.omega() >= F::ratio(1, 2)
         && let Some(found) = from_centre(half)
     {
         return found;
     }
-    let (psi, velocity) = from_afar(half.omega(), half.max_displacement(), k, alpha);
-    Fastest { psi, velocity, displacement: None }
+    from_afar(half.omega(), half.max_displacement(), k, alpha)
 }
 
-/// The same where ψ = 0 does not lead to it.
+/// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,
+/// which are the cost at high precision.
+pub(crate) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
+    polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
+}
+
+/// Householder steps from the bracketed root.
 ///
-/// Takes and gives numbers and builds the half cycle again, so that the common path keeps its own in registers.
+/// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
 #[inline(never)]
-fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> (F, F) {
+fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
     let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
-    let found = polish(&half, start(&half, k, alpha));
-    (found.psi, found.velocity)
-}
-
-/// A ψ to begin with: at a lower precision the whole answer, at f64 the bracketed root.
-///
-/// The half cycle is the caller's own, rounded field by field: rounded to f64, an Ω beside a singular frequency
-/// would belong to another half cycle.
-fn start<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> F {
-    if F::PRECISION > f64::MANTISSA_DIGITS {
-        F::narrowed(Start { half: half.in_range(), k, alpha })
-    } else {
-        F::from_f64(from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64()))
-    }
+    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
+    polish(&half, F::from_f64(start)).0
 }
 
 /// The ψ of the greatest velocity at a lower precision.
@@ -147,7 +138,15 @@ impl<F: Float> AtPrecision<F> for Start<F> {
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
-        back(polish(&half, start(&half, k, alpha)).psi)
+        if G::PRECISION > f64::MANTISSA_DIGITS {
+            return back(fastest(&half, k, alpha).psi);
+        }
+        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
+        // pole of K.
+        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
+        let bracketed =
+            || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
+        back(centred.unwrap_or_else(bracketed).psi)
     }
 }
 
@@ -175,8 +174,9 @@ fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
     None
 }
 
-/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final.
-fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
+/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final; with the
+/// displacement there.
+fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     let mut psi = start;
     let mut angles = half.angles(psi);
     let mut jet = half.velocity_of(&angles);
@@ -187,15 +187,12 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
         }
         psi = psi + step;
         if is_final(half, step) {
-            // At high precision the circular functions are the cost; at f64 it is not worth another rounding.
-            let wide = F::PRECISION > f64::MANTISSA_DIGITS;
-            let displacement = wide.then(|| slide(half.displacement_of(&angles), &jet, step));
-            return Fastest { displacement, ..arrive(&jet, psi, step) };
+            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), &jet, step));
         }
         angles = half.angles(psi);
         jet = half.velocity_of(&angles);
     }
-    Fastest { psi, velocity: jet.value, displacement: None }
+    (Fastest { psi, velocity: jet.value }, half.displacement_of(&angles))
 }
 
 /// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
@@ -217,7 +214,7 @@ fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
 fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
     let cubic = jet.third * step / F::int(3) + jet.second;
     let velocity = jet.value + step * (jet.first + step / F::int(2) * cubic);
-    Fastest { psi, velocity, displacement: None }
+    Fastest { psi, velocity }
 }
 
 /// The step of Householder's third-order method on v′ = 0.

@@ -143,6 +143,12 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         next.minus(x)
     }
 
+    /// The significand of a regular number, least limb first.
+    #[inline]
+    pub(super) fn significand(&self) -> &[limb_t; LIMBS] {
+        &self.limbs
+    }
+
     /// The order of two numbers; `None` where one is NaN.
     #[inline]
     pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
@@ -231,12 +237,12 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
 /// MPFR's functions whose arguments are numbers and all else converts to plain C types.
 macro_rules! functions {
-    ($($(#[$doc:meta])* $name:ident($($number:ident),*; $($plain:ident: $type:ty),*) = $mpfr:ident($($rnd:ident)?);)*) => {
+    ($($(#[$doc:meta])* $visible:vis $name:ident($($number:ident),*; $($plain:ident: $type:ty),*) = $mpfr:ident($($rnd:ident)?);)*) => {
         impl<const LIMBS: usize> Mp<LIMBS> {$(
             $(#[$doc])*
             #[inline]
             #[must_use]
-            pub fn $name($($number: Self,)* $($plain: $type),*) -> Self {
+            $visible fn $name($($number: Self,)* $($plain: $type),*) -> Self {
                 // SAFETY: the arguments are valid and only read.
                 Self::output(|r| unsafe {
                     mpfr::$mpfr(r, $(&$number.input(),)* $($plain.into(),)* $(rnd_t::$rnd)?);
@@ -248,85 +254,89 @@ macro_rules! functions {
 
 functions! {
     /// `√self`; NaN below zero.
-    sqrt(self;) = sqrt(RNDN);
+    pub sqrt(self;) = sqrt(RNDN);
     /// The real cube root.
-    cbrt(self;) = cbrt(RNDN);
+    pub cbrt(self;) = cbrt(RNDN);
     /// `self²`.
-    square(self;) = sqr(RNDN);
+    pub square(self;) = sqr(RNDN);
     /// `sin self`.
-    sin(self;) = sin(RNDN);
+    pub sin(self;) = sin(RNDN);
     /// `cos self`.
-    cos(self;) = cos(RNDN);
+    pub cos(self;) = cos(RNDN);
     /// `tan self`.
-    tan(self;) = tan(RNDN);
+    pub tan(self;) = tan(RNDN);
     /// The angle in `[−π/2, π/2]` whose sine is `self`.
-    asin(self;) = asin(RNDN);
+    pub asin(self;) = asin(RNDN);
     /// The angle in `[0, π]` whose cosine is `self`.
-    acos(self;) = acos(RNDN);
+    pub acos(self;) = acos(RNDN);
     /// The angle in `[−π/2, π/2]` whose tangent is `self`.
-    atan(self;) = atan(RNDN);
+    pub atan(self;) = atan(RNDN);
     /// `sinh self`.
-    sinh(self;) = sinh(RNDN);
+    pub sinh(self;) = sinh(RNDN);
     /// `cosh self`.
-    cosh(self;) = cosh(RNDN);
+    pub cosh(self;) = cosh(RNDN);
     /// `tanh self`.
-    tanh(self;) = tanh(RNDN);
+    pub tanh(self;) = tanh(RNDN);
     /// The inverse of `sinh`.
-    asinh(self;) = asinh(RNDN);
+    pub asinh(self;) = asinh(RNDN);
     /// The inverse of `cosh`, ≥ 0; NaN below 1.
-    acosh(self;) = acosh(RNDN);
+    pub acosh(self;) = acosh(RNDN);
     /// The inverse of `tanh`; NaN outside `[−1, 1]`.
-    atanh(self;) = atanh(RNDN);
+    pub atanh(self;) = atanh(RNDN);
     /// `e^self`.
-    exp(self;) = exp(RNDN);
+    pub exp(self;) = exp(RNDN);
     /// `2^self`.
-    exp2(self;) = exp2(RNDN);
+    pub exp2(self;) = exp2(RNDN);
     /// `e^self − 1`, accurate beside 0.
-    exp_m1(self;) = expm1(RNDN);
+    pub exp_m1(self;) = expm1(RNDN);
     /// The natural logarithm; NaN below zero.
-    ln(self;) = log(RNDN);
+    pub ln(self;) = log(RNDN);
     /// The logarithm to base 2.
-    log2(self;) = log2(RNDN);
+    pub log2(self;) = log2(RNDN);
     /// The logarithm to base 10.
-    log10(self;) = log10(RNDN);
+    pub log10(self;) = log10(RNDN);
     /// `ln(1 + self)`, accurate beside 0.
-    ln_1p(self;) = log1p(RNDN);
+    pub ln_1p(self;) = log1p(RNDN);
     /// The largest integer not above `self`.
-    floor(self;) = rint_floor(RNDN);
+    pub floor(self;) = rint_floor(RNDN);
     /// The least integer not below `self`.
-    ceil(self;) = rint_ceil(RNDN);
+    pub ceil(self;) = rint_ceil(RNDN);
     /// The nearest integer, halves away from zero.
-    round(self;) = rint_round(RNDN);
+    pub round(self;) = rint_round(RNDN);
     /// `self` without its fraction.
-    trunc(self;) = rint_trunc(RNDN);
+    pub trunc(self;) = rint_trunc(RNDN);
     /// `self − trunc self`.
-    fract(self;) = frac(RNDN);
+    pub fract(self;) = frac(RNDN);
     /// `self + other`.
-    plus(self, other;) = add(RNDN);
+    pub(super) plus(self, other;) = add(RNDN);
     /// `self − other`.
-    minus(self, other;) = sub(RNDN);
+    pub(super) minus(self, other;) = sub(RNDN);
     /// `self · other`.
-    times(self, other;) = mul(RNDN);
+    pub(super) times_full(self, other;) = mul(RNDN);
     /// `self / other`.
-    over(self, other;) = div(RNDN);
+    pub(super) over_full(self, other;) = div(RNDN);
+    /// `self · n`.
+    pub(super) times_int(self; n: u64) = mul_ui(RNDN);
+    /// `self / n`.
+    pub(super) over_int(self; n: u64) = div_ui(RNDN);
     /// What is left of `self` after division by `other` with the quotient truncated; the sign of `self`.
-    remainder(self, other;) = fmod(RNDN);
+    pub(super) remainder(self, other;) = fmod(RNDN);
     /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
-    atan2(self, x;) = atan2(RNDN);
+    pub atan2(self, x;) = atan2(RNDN);
     /// `√(self² + other²)` without needless overflow or underflow.
-    hypot(self, other;) = hypot(RNDN);
+    pub hypot(self, other;) = hypot(RNDN);
     /// `self^exponent`.
-    powf(self, exponent;) = pow(RNDN);
+    pub powf(self, exponent;) = pow(RNDN);
     /// `selfⁿ`.
-    powi(self; n: i32) = pow_si(RNDN);
+    pub powi(self; n: i32) = pow_si(RNDN);
     /// `self · 2ᵉ`: exact within the range.
-    scale2(self; e: i32) = mul_2si(RNDN);
+    pub scale2(self; e: i32) = mul_2si(RNDN);
     /// π.
-    pi(;) = const_pi(RNDN);
+    pub pi(;) = const_pi(RNDN);
     /// ln 2.
-    ln_2(;) = const_log2(RNDN);
+    pub ln_2(;) = const_log2(RNDN);
     /// The number nearest to `x`, which is `x` itself.
-    of_f64(; x: f64) = set_d(RNDN);
+    pub of_f64(; x: f64) = set_d(RNDN);
     /// The integer n, exactly.
-    of_int(; n: i32) = set_si(RNDN);
+    pub of_int(; n: i32) = set_si(RNDN);
 }
