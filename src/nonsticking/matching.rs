@@ -9,7 +9,11 @@
 
 use crate::float::Real;
 
+#[cfg(feature = "matching")]
+mod accuracy;
 pub mod balanced;
+#[cfg(feature = "matching")]
+mod fastest;
 #[cfg(feature = "matching")]
 pub mod newton;
 #[cfg(feature = "matching")]

@@ -42,6 +42,22 @@ fn at_4096_bits() {
     all::<Mp<64>>("4096 bits", 14);
 }
 
+/// Where the two cycles of eq. 42 all but meet, or velocities do, f64 leads to the wrong one.
+#[test]
+fn at_256_bits_on_the_border_and_just_above() {
+    type Wide = Mp<4>;
+    let one = <Wide as Real>::int(1);
+    let mut worst = Worst::default();
+    let points = ORDINARY.iter().map(|n| <Wide as Real>::ratio(*n, 1000));
+    for omega in points.chain(special::<Wide>(&[3, 6, 8, 10, 12, 15, 18])) {
+        let border = Border::new(omega).unwrap().min_force_ratio();
+        for above in [<Wide as Real>::int(0), tenth_power(20), tenth_power(12), tenth_power(6)] {
+            worst.add(omega, border * (one + above));
+        }
+    }
+    worst.check("256 bits, border", 4.0, 100);
+}
+
 /// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how many.
 #[test]
 fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {

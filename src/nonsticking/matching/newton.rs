@@ -22,8 +22,9 @@
 //! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how many, so
 //! that a result of N bits takes N + `lost_bits` of them.
 
+use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
-use super::{Given, Unknowns, start};
+use super::{Given, Unknowns, fastest, start};
 use crate::error::Error;
 use crate::float::{Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
@@ -50,6 +51,14 @@ pub enum MatchingError {
         alpha: String,
         /// Part of the friction that was reached.
         part: f64,
+    },
+    /// Newton's method settles on a solution that is no cycle, with a negative Δ₀ or α.
+    #[error("{what} = {value} must be > 0: the iteration has left the branch of the cycle")]
+    NotACycle {
+        /// Δ₀/B or α.
+        what: &'static str,
+        /// Its value.
+        value: String,
     },
     /// Newton's method does not settle.
     #[error(
@@ -96,7 +105,8 @@ pub struct BorderSolution<F> {
 ///
 /// # Errors
 /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
-/// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`].
+/// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
+/// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
 pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     if omega == <F as Real>::int(1) {
@@ -110,17 +120,33 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     let start = start::with_friction(&to_f64(&system), Float::to_f64(friction)).map_err(|part| {
         MatchingError::NoCycle { omega: omega.to_string(), alpha: alpha.to_string(), part }
     })?;
-    let found = iterate(start.map(<F as Float>::from_f64), |x| {
-        let u = unknowns(x);
-        (system.residuals(&u), system.jacobian(&u))
-    })?;
-    let u = unknowns(&found.at);
+    let mut start = start.map(<F as Float>::from_f64);
+    let mut iterations = 0;
+    // Where f64 could not tell which stationary point is the fastest, the full precision can.
+    let u = loop {
+        let found = iterate(start, |x| {
+            let u = unknowns(x);
+            (system.residuals(&u), system.jacobian(&u))
+        })?;
+        iterations += found.iterations;
+        let u = unknowns(&found.at);
+        let Some(faster) = fastest::on_a_grid(&system, &u) else { break u };
+        if iterations > most_iterations::<F>() {
+            return Err(MatchingError::NoConvergence {
+                iterations,
+                step: found.step,
+                residual: found.residual,
+            });
+        }
+        start = in_order(&faster);
+    };
     let unknowns = in_units_of_b(&u, alpha / q);
+    positive("Δ₀/B", unknowns.max_displacement)?;
     let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
     let lost_bits = lost_bits(&system, &u);
-    Ok(Solution { unknowns, residuals, iterations: found.iterations, lost_bits })
+    Ok(Solution { unknowns, residuals, iterations, lost_bits })
 }
 
 /// Solves eq. 21–25 and 59 for t₁, t₂, V₀, Δ₀, Δ₁ and α at Ω: six equations, six unknowns.
@@ -151,6 +177,7 @@ pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>,
     let [t1, t2, v, d, e, friction] = found.at;
     // b = κ cos β = (1 − Ω²)/α; at Ω = 1 the quotient is its limit, which needs no cycle of finite size.
     let force_ratio = q / (friction * system.sin_cos_beta.1);
+    positive("force ratio α", force_ratio)?;
     let amplitude = force_ratio / q;
     let unknowns = in_units_of_b(&unknowns(&[t1, t2, v, d, e]), amplitude);
     let one = <F as Real>::int(1);
@@ -169,7 +196,15 @@ fn friction_sign<F: Float>(omega: F, p: &PhaseFunction<F>) -> f64 {
     if below == (cosine > F::int(0)) { 1.0 } else { -1.0 }
 }
 
-fn unknowns<F: Real>(x: &[F; 5]) -> Unknowns<F> {
+fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
+    if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: value.to_string() }) }
+}
+
+pub(super) fn in_order<F: Real>(u: &Unknowns<F>) -> [F; 5] {
+    [u.velocity_phase, u.displacement_phase, u.max_velocity, u.max_displacement, u.deviation]
+}
+
+pub(super) fn unknowns<F: Real>(x: &[F; 5]) -> Unknowns<F> {
     let [velocity_phase, displacement_phase, max_velocity, max_displacement, deviation] = *x;
     Unknowns { velocity_phase, displacement_phase, max_velocity, max_displacement, deviation }
 }
@@ -194,27 +229,17 @@ fn to_f64<F: Float>(system: &Balanced<F>) -> Balanced<f64> {
     }
 }
 
-/// The largest term of eq. 21–25.
-fn largest_term<F: Float>(given: &Given<F>, u: &Unknowns<F>) -> F {
-    let a = given.amplitude.abs();
-    let terms = [
-        a * given.omega,
-        a * given.omega.square(),
-        given.rho(u).abs(),
-        given.offset(u).abs(),
-        u.max_displacement,
-    ];
-    terms.into_iter().fold(a, F::or_larger)
-}
-
-fn in_last_places<F: Float>(residual: F, size: F) -> F {
-    residual.abs() / (size * F::epsilon())
-}
-
 /// Where the iteration ends.
 struct Found<F, const N: usize> {
     at: [F; N],
     iterations: u32,
+    step: f64,
+    residual: f64,
+}
+
+/// Where the error is only halved, one iteration for each bit, and some.
+fn most_iterations<F: Float>() -> u32 {
+    F::PRECISION + 64
 }
 
 /// The solution of `jacobian · step = residuals` by LU with partial pivoting.
@@ -247,7 +272,7 @@ fn iterate<F: Float + RealField, const N: usize>(
     let (mut at, mut last) = (start, <F as Real>::int(1));
     let small = Real::sqrt(<F as Float>::epsilon());
     let mut residual = last;
-    for iterations in 1..=F::PRECISION + 64 {
+    for iterations in 1..=most_iterations::<F>() {
         let (residuals, jacobian) = system(&at);
         residual = largest(&residuals);
         let Some(step) = newton_step(&residuals, &jacobian) else { break };
@@ -258,28 +283,11 @@ fn iterate<F: Float + RealField, const N: usize>(
         let least = last <= small || residual <= <F as Real>::int(16) * <F as Float>::epsilon();
         let settled = size <= <F as Float>::epsilon() || (least && size * <F as Real>::ratio(3, 2) >= last);
         if settled {
-            return Ok(Found { at, iterations });
+            let (step, residual) = (Float::to_f64(size), Float::to_f64(residual));
+            return Ok(Found { at, iterations, step, residual });
         }
         last = size;
     }
     let (step, residual) = (Float::to_f64(last), Float::to_f64(residual));
-    Err(MatchingError::NoConvergence { iterations: F::PRECISION + 64, step, residual })
-}
-
-/// Bits that the inverse Jacobian takes from a phase, V₀ or Δ₀, the residuals being good to a few last places
-/// of their terms.
-fn lost_bits<F: Float + RealField>(system: &Balanced<F>, u: &Unknowns<F>) -> u32 {
-    let entries = system.jacobian(u).into_iter().flatten().map(Float::to_f64);
-    let Some(inverse) = DMatrix::from_row_iterator(5, 5, entries).try_inverse() else { return F::PRECISION };
-    let given = system.given();
-    let one = <F as Real>::int(1);
-    let parts =
-        [system.omega, one / system.omega, given.friction_displacement, given.rho(u), given.offset(u)];
-    let terms = parts.into_iter().fold(1.0, |sum, x| sum + Float::to_f64(x).abs());
-    let sizes = [one, one, u.max_velocity, u.max_displacement];
-    let worst = inverse.row_iter().zip(sizes).map(|(row, size)| {
-        4.0 * terms * row.iter().map(|y| y.abs()).sum::<f64>() / Float::to_f64(size).abs()
-    });
-    let bits = worst.fold(1.0, f64::max).log2().ceil();
-    (bits as u32).min(F::PRECISION)
+    Err(MatchingError::NoConvergence { iterations: most_iterations::<F>(), step, residual })
 }

@@ -1,8 +1,8 @@
 //! Where Newton's method starts: from the motion without friction, the friction growing to its value, at f64.
 
-use super::Unknowns;
 use super::balanced::Balanced;
-use super::newton::{largest, newton_step};
+use super::fastest;
+use super::newton::{in_order, largest, newton_step, unknowns};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A point of the path: the unknowns of the system with a friction.
@@ -14,11 +14,6 @@ struct Point {
 
 /// A step is taken where it changes no phase by more than this.
 const LONGEST: f64 = 0.2;
-
-fn unknowns(x: &[f64; 5]) -> Unknowns<f64> {
-    let [velocity_phase, displacement_phase, max_velocity, max_displacement, deviation] = *x;
-    Unknowns { velocity_phase, displacement_phase, max_velocity, max_displacement, deviation }
-}
 
 fn moved(x: &[f64; 5], by: &[f64; 5], times: f64) -> [f64; 5] {
     let mut result = *x;
@@ -94,10 +89,21 @@ pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f6
     let part = end.friction / friction;
     // Beside the end of the branch f64 may stop short of it by rounding: Newton goes on from there.
     if part < 1.0 - 1e-6 {
-        Err(part)
-    } else {
-        Ok(at_fastest(&Balanced { friction: end.friction, ..*system }, end.at, below))
+        return Err(part);
     }
+    let system = Balanced { friction: end.friction, ..*system };
+    let at = off_the_other_branch(end.at, below);
+    Ok(fastest::on_a_grid(&system, &unknowns(&at)).map_or(at, |u| in_order(&u)))
+}
+
+/// Two cycles meet at the end of the branch, where Δ₀ = A sin ω_d t₂ passes through zero. Where f64 cannot tell them
+/// apart, a Δ₀ that is small and positive is on the side of the right one.
+fn off_the_other_branch(at: [f64; 5], below: bool) -> [f64; 5] {
+    let sign = if below { 1.0 } else { -1.0 };
+    let [t1, t2, v, d, e] = at;
+    let least = 1e-6;
+    let shift = if sign * d < least { sign * least - d } else { 0.0 };
+    [t1, t2 + shift / t2.cos(), v, d + shift, e]
 }
 
 /// A cycle near the border: where the force left over at t₂ has fallen to a tenth, or the path ends before.
@@ -111,23 +117,4 @@ pub(super) fn on_the_border(system: &Balanced<f64>, sign: f64) -> [f64; 6] {
     let end = follow(system, start, beyond, |p| excess(p) / whole);
     let [t1, t2, v, d, e] = end.at;
     [t1, t2, v, d, e, end.friction]
-}
-
-/// The same cycle with t₁ at the greatest velocity of the half cycle before t₂, looked for on a grid.
-fn at_fastest(system: &Balanced<f64>, at: [f64; 5], below: bool) -> [f64; 5] {
-    let (given, u) = (system.given(), unknowns(&at));
-    let sign = if below { 1.0 } else { -1.0 };
-    let points = 64 + (256.0 / system.omega).min(1e6) as u32;
-    let phases = (1..points).map(|i| u.displacement_phase - PI * f64::from(i) / f64::from(points));
-    let velocity = |phase: f64| sign * given.rising_velocity(&u, phase);
-    let fastest = phases.fold(
-        u.velocity_phase,
-        |best, phase| {
-            if velocity(phase) > velocity(best) { phase } else { best }
-        },
-    );
-    let [_, t2, _, d, _] = at;
-    let phase =
-        if velocity(fastest) > velocity(u.velocity_phase) + 1e-9 { fastest } else { u.velocity_phase };
-    [phase, t2, given.rising_velocity(&u, phase), d, given.rising_displacement(&u, phase)]
 }
