@@ -52,3 +52,20 @@ fn the_lost_bits_hold_far_from_resonance() {
     let found = newton::solve(Ratios::new(0.7f32, 2.0).unwrap()).unwrap();
     assert!((found.unknowns.max_displacement - 3.488_508).abs() < 2e-5);
 }
+
+#[test]
+fn where_the_digits_do_not_suffice_it_is_said() {
+    // On the border 80 bits are lost at 1e-12, and f64 has 53.
+    for off in [1e-9, 1e-10, 1e-11, 1e-12, 1e-13, -1e-9, -1e-10, -1e-11, -1e-12, -1e-13] {
+        let omega = 1.0 + off;
+        let alpha = Border::new(omega).unwrap().min_force_ratio();
+        let answer = newton::solve(Ratios::new(omega, alpha).unwrap());
+        match answer {
+            Ok(found) => {
+                assert!(found.lost_bits > 40 && found.residuals.iter().all(|r| *r < 32.0), "{found:?}")
+            }
+            Err(MatchingError::NotACycle { .. } | MatchingError::NoConvergence { .. }) => {}
+            Err(other) => panic!("{off}: {other}"),
+        }
+    }
+}

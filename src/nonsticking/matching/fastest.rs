@@ -7,13 +7,17 @@ use crate::float::Float;
 /// The same cycle with t₁ at the fastest point of a grid over the half cycle before t₂, and V₀ and Δ₁ the velocity and the
 /// displacement there; `None` where the t₁ it has is in that half cycle, and faster.
 ///
-/// Eq. 25 alone says that the velocity is stationary at t₁. In units of A, which is negative above the natural
+/// The grid has `per_swing` points in π/ω_n and a few more. Eq. 25 alone says that the velocity is stationary at t₁. In units of A, which is negative above the natural
 /// frequency.
-pub(super) fn on_a_grid<F: Float>(system: &Balanced<F>, u: &Unknowns<F>) -> Option<Unknowns<F>> {
+pub(super) fn on_a_grid<F: Float>(
+    system: &Balanced<F>,
+    u: &Unknowns<F>,
+    per_swing: f64,
+) -> Option<Unknowns<F>> {
     let (given, one) = (system.given(), F::int(1));
     let upwards = one.with_sign_of(u.max_displacement);
     let velocity = |phase: F| upwards * given.rising_velocity(u, phase);
-    let points = 24 + (72.0 / system.omega.to_f64()).min(1e6) as i32;
+    let points = 8 + (per_swing / system.omega.to_f64()).min(1e6) as i32;
     let end = u.displacement_phase;
     let inside = u.velocity_phase < end && u.velocity_phase > end - F::pi();
     // At t₂ the velocity is zero.

@@ -123,28 +123,27 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     let mut start = start.map(<F as Float>::from_f64);
     let mut iterations = 0;
     // Where f64 could not tell which stationary point is the fastest, the full precision can.
-    let u = loop {
+    let (u, found, faster) = loop {
         let found = iterate(start, |x| {
             let u = unknowns(x);
             (system.residuals(&u), system.jacobian(&u))
         })?;
         iterations += found.iterations;
         let u = unknowns(&found.at);
-        let Some(faster) = fastest::on_a_grid(&system, &u) else { break u };
-        if iterations > most_iterations::<F>() {
-            return Err(MatchingError::NoConvergence {
-                iterations,
-                step: found.step,
-                residual: found.residual,
-            });
+        match fastest::on_a_grid(&system, &u, 16.0) {
+            Some(faster) if iterations <= most_iterations::<F>() => start = in_order(&faster),
+            faster => break (u, found, faster),
         }
-        start = in_order(&faster);
     };
     let unknowns = in_units_of_b(&u, alpha / q);
     positive("Δ₀/B", unknowns.max_displacement)?;
     let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
+    let rounding = <F as Real>::int(16) * (<F as Real>::int(1) + <F as Real>::int(1) / omega);
+    if faster.is_some() || largest(&residuals) > rounding {
+        return Err(MatchingError::NoConvergence { iterations, step: found.step, residual: found.residual });
+    }
     let lost_bits = lost_bits(&system, &u);
     Ok(Solution { unknowns, residuals, iterations, lost_bits })
 }

@@ -93,7 +93,7 @@ pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f6
     }
     let system = Balanced { friction: end.friction, ..*system };
     let at = off_the_other_branch(end.at, below);
-    Ok(fastest::on_a_grid(&system, &unknowns(&at)).map_or(at, |u| in_order(&u)))
+    Ok(fastest::on_a_grid(&system, &unknowns(&at), 96.0).map_or(at, |u| in_order(&u)))
 }
 
 /// Two cycles meet at the end of the branch, where Δ₀ = A sin ω_d t₂ passes through zero. Where f64 cannot tell them
