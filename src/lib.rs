@@ -71,6 +71,7 @@
 )]
 
 mod error;
+pub mod exact;
 pub mod float;
 pub mod nonsticking;
 mod oscillator;

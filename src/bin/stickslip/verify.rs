@@ -31,13 +31,16 @@ impl<W: Write> Task for Run<'_, W> {
                 return Err(Failure::Input("--format: the answer to verify is text or json".to_owned()));
             }
         }
-        match verdicts.iter().filter(|v| !v.passed).count() {
-            0 => Ok(()),
-            failed => {
-                out.flush()?;
-                Err(Failure::Verdict(format!("{failed} of {} identities failed", verdicts.len())))
-            }
-        }
+        out.flush()?;
+        conclusion(&verdicts)
+    }
+}
+
+/// A failure where one identity is not as it should be.
+fn conclusion(verdicts: &[Verdict]) -> Outcome {
+    match verdicts.iter().filter(|v| !v.passed).count() {
+        0 => Ok(()),
+        failed => Err(Failure::Verdict(format!("{failed} of {} identities failed", verdicts.len()))),
     }
 }
 
@@ -119,4 +122,31 @@ fn json<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> Outcome {
     };
     serde_json::to_writer_pretty(&mut *out, &report)?;
     Ok(out.write_all(b"\n")?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{conclusion, text};
+    use crate::failure::Failure;
+    use stickslip::verify::{Standing, Verdict};
+
+    #[test]
+    fn one_failure_is_enough_and_says_where() {
+        let verdict = |passed| Verdict {
+            equation: "36",
+            statement: "ρ² = 2B²/(1 + cos π₁) − X²",
+            standing: Standing::Holds,
+            points: 3,
+            worst: 1e9,
+            at: Some(("0.7".into(), "2".into())),
+            passed,
+        };
+        assert!(conclusion(&[verdict(true), verdict(true)]).is_ok());
+        let verdicts = [verdict(true), verdict(false)];
+        assert!(matches!(conclusion(&verdicts), Err(Failure::Verdict(text)) if text.starts_with("1 of 2")));
+        let mut table = Vec::new();
+        text::<f64>(&verdicts, &mut table).unwrap();
+        let table = String::from_utf8(table).unwrap();
+        assert!(table.contains("FAILS") && table.contains("at Ω = 0.7, α = 2"), "{table}");
+    }
 }
