@@ -93,7 +93,8 @@ pub struct Solution<F> {
 pub struct BorderSolution<F> {
     /// The force ratio α, which eq. 61 gives in closed form.
     pub force_ratio: F,
-    /// The cycle on the border, as in [`Solution`]. Δ₀ and V₀ are in units of B.
+    /// The cycle on the border, as in [`Solution`]. Beside Ω = 1, unlike α, it lacks the digits that
+    /// [`Solution::lost_bits`] counts; t₁ is not looked for again.
     pub unknowns: Unknowns<F>,
     /// |left − right| of eq. 21–25 and 59, in units of the last place of their largest term.
     pub residuals: [F; 6],
@@ -140,8 +141,7 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
-    let rounding = <F as Real>::int(16) * (<F as Real>::int(1) + <F as Real>::int(1) / omega);
-    if faster.is_some() || largest(&residuals) > rounding {
+    if faster.is_some() || largest(&residuals) > rounding(omega) {
         return Err(MatchingError::NoConvergence { iterations, step: found.step, residual: found.residual });
     }
     let lost_bits = lost_bits(&system, &u);
@@ -186,7 +186,11 @@ pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>,
     let sine = Real::sin(unknowns.displacement_phase);
     let e59 = crate::nonsticking::border::slip_excess(force_ratio, sine, one, unknowns.max_displacement, one);
     let residuals = [r1, r2, r3, r4, r5, e59].map(|r| in_last_places(r, size));
-    Ok(BorderSolution { force_ratio, unknowns, residuals, iterations: found.iterations })
+    let Found { iterations, step, residual, .. } = found;
+    if largest(&residuals) > rounding(omega) {
+        return Err(MatchingError::NoConvergence { iterations, step, residual });
+    }
+    Ok(BorderSolution { force_ratio, unknowns, residuals, iterations })
 }
 
 /// The sign of κ = (1 − Ω²)/(α cos β).
@@ -234,6 +238,11 @@ struct Found<F, const N: usize> {
     iterations: u32,
     step: f64,
     residual: f64,
+}
+
+/// The last places a residual may have by rounding of the angles t/Ω.
+fn rounding<F: Float>(omega: F) -> F {
+    F::int(16) * (F::int(1) + F::int(1) / omega)
 }
 
 /// Where the error is only halved, one iteration for each bit, and some.
