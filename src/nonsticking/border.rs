@@ -185,9 +185,38 @@ fn inner_maximum<F: Float>(omega: F) -> (F, F) {
 
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at full precision.
 ///
-/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
+/// g is increasing, so every zero in the bracket is the one; Newton only polishes. Beside Ω = 1/(2n), where γ is
+/// small, g is a difference of order γ³ and drowns in rounding: there `η = γ/2 + O(γ³)`, and the stationary value
+/// feels the rest at the order γ⁶ only.
 fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
-    let (omega_f64, gamma_f64) = (omega.to_f64(), gamma.to_f64());
-    let start = root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega_f64, gamma_f64, eta).0);
-    root::newton(F::from_f64(start), F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let fourth_power = gamma.square().square();
+    if fourth_power < F::epsilon() {
+        return gamma / F::int(2);
+    }
+    let start = if fourth_power < F::from_f64(f64::EPSILON) {
+        gamma / F::int(2)
+    } else {
+        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega, gamma, eta).0))
+    };
+    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Border;
+
+    /// The reference is the same condition at 60 digits.
+    #[test]
+    fn beside_one_over_2n_no_digit_is_lost() {
+        for (omega, exact) in [
+            (0.499_998_533_901_356_57, 3.000_023_457_784_889),
+            (0.031_249_988_944_768_197, 1023.000_724_637_401_5),
+            (0.038_461_525_039_324_97, 675.000_471_869_339_2),
+            (0.249_999_9, 15.000_012_800_043_951),
+        ] {
+            let found = Border::new(omega).unwrap().min_force_ratio();
+            assert!((found / exact - 1.0f64).abs() < 8.0 * f64::EPSILON, "{omega}: {found} against {exact}");
+        }
+    }
 }
