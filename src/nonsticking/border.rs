@@ -32,9 +32,11 @@
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
+mod slope;
+
 use crate::error::Error;
 use crate::float::{Float, Real};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
@@ -158,6 +160,11 @@ impl<F: Float> Border<F> {
         self.phase
     }
 
+    /// Whether the velocity first touches zero at the turning point, so that eq. 61 is exact here.
+    pub fn is_turning_point(&self) -> bool {
+        self.phase == F::int(0)
+    }
+
     /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
     pub const fn least_displacement(&self) -> F {
         self.least_displacement
@@ -185,21 +192,35 @@ fn inner_maximum<F: Float>(omega: F) -> (F, F) {
 
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at full precision.
 ///
-/// g is increasing, so every zero in the bracket is the one; Newton only polishes. Beside Ω = 1/(2n), where γ is
-/// small, g is a difference of order γ³ and drowns in rounding: there `η = γ/2 + O(γ³)`, and the stationary value
-/// feels the rest at the order γ⁶ only.
+/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
 fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
-    let fourth_power = gamma.square().square();
-    if fourth_power < F::epsilon() {
-        return gamma / F::int(2);
+    if F::int(8) * gamma < F::int(1) {
+        return stationary_point_beside_zero(omega, gamma);
     }
-    let start = if fourth_power < F::from_f64(f64::EPSILON) {
-        gamma / F::int(2)
-    } else {
-        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
-        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega, gamma, eta).0))
-    };
-    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let (omega_f64, gamma_f64) = (omega.to_f64(), gamma.to_f64());
+    let start = root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega_f64, gamma_f64, eta).0);
+    root::newton(F::from_f64(start), F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+}
+
+/// The same where γ is small, beside Ω = 1/(2n): there g is of the order γ³, and its three terms of order γ drown it
+/// in rounding. With γ = ζ − η and τ = Ωζ it is
+///
+/// ```text
+/// g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω],
+/// ```
+///
+/// two terms that lose nothing for Ω < 1/2. Newton's method from η = γ/2 + O(γ³).
+#[cold]
+fn stationary_point_beside_zero<F: Float>(omega: F, gamma: F) -> F {
+    let half = F::ratio(1, 2);
+    root::newton(half * gamma, F::int(0), F::pi(), |eta| {
+        let zeta = gamma + eta;
+        let tau = omega * zeta;
+        let (sin_eta, cos_eta) = eta.sin_cos();
+        let fall = F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin();
+        let defect = arc_less_sine(zeta) - arc_less_sine(tau) / omega;
+        (sin_eta * fall - cos_eta * defect, (F::int(1) / omega - omega) * tau.sin() * sin_eta)
+    })
 }
 
 #[cfg(test)]
