@@ -97,6 +97,16 @@ pub enum Error {
         /// Greatest admissible value.
         greatest: String,
     },
+    /// A range whose lower end is above its upper one.
+    #[error("range of {quantity}: {low} must be ≤ {high}")]
+    EmptyRange {
+        /// What it is.
+        quantity: Quantity,
+        /// Its lower end.
+        low: String,
+        /// Its upper end.
+        high: String,
+    },
     /// No non-sticking cycle: the force ratio is below the border.
     #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
     Sticks {
@@ -124,7 +134,8 @@ impl Error {
         match self {
             Self::NotFinite { quantity, .. }
             | Self::NotPositive { quantity, .. }
-            | Self::OutOfRange { quantity, .. } => Some(*quantity),
+            | Self::OutOfRange { quantity, .. }
+            | Self::EmptyRange { quantity, .. } => Some(*quantity),
             Self::Sticks { .. } | Self::Unbounded { .. } => None,
         }
     }

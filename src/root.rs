@@ -51,7 +51,6 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
 /// At the precision of the type from start to end, and certain: the bracket only ever shrinks. Inverse quadratic
 /// interpolation where the three last points promise a monotone one, halving elsewhere (Chandrupatla's criterion).
 /// Where `f` has one sign at both ends there is nothing to enclose, and the end where |f| is smaller is returned twice.
-#[allow(dead_code, reason = "used from the next change on")]
 pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> (F, F) {
     let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
     let positive = |y: F| y >= zero;

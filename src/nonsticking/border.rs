@@ -32,12 +32,18 @@
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
+pub mod lobe;
+mod range;
+mod shortfall;
 mod slope;
 
 use crate::error::Error;
 use crate::float::{Float, Real};
 use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
+pub use lobe::{Lobe, Minimum};
+pub use range::{BorderRange, border_range};
+pub use shortfall::Shortfall;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
@@ -232,7 +238,7 @@ mod tests {
     fn beside_one_over_2n_no_digit_is_lost() {
         for (omega, exact) in [
             (0.499_998_533_901_356_57, 3.000_023_457_784_889),
-            (0.031_249_988_944_768_197, 1023.000_724_637_401_5),
+            (0.031_249_988_944_768_197, 1_023.000_724_637_401_5),
             (0.038_461_525_039_324_97, 675.000_471_869_339_2),
             (0.249_999_9, 15.000_012_800_043_951),
         ] {

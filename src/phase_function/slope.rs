@@ -9,16 +9,22 @@ impl<F: Float> PhaseFunction<F> {
     /// ```text
     /// K′ = −(1 + 1/Ω²) T − (π/2)(1 − Ω²)(1 + T²)/Ω³,
     /// K′ = −(2/π) E(w) + (1 + Ω) E′(w)/Ω²,   E(w) = w cot w,   beside Ω = 1,
+    /// K′ = −(π/Ω³) T/β + (1 − 1/Ω²)(2β − sin 2β)/(2 cos²β)   for Ω ≥ 2,
     /// ```
     ///
-    /// with `T′ = −(π/2Ω²)(1 + T²)` and `w = (π/2)(1 − Ω)/Ω`, of which K = −(2/π)(1 + Ω) E(w). K′(1) = −2/π.
-    /// Accuracy at f64: 8 ulp of the larger term.
+    /// with `T′ = −(π/2Ω²)(1 + T²)`; `w = (π/2)(1 − Ω)/Ω`, of which K = −(2/π)(1 + Ω) E(w), so that K′(1) = −2/π;
+    /// and `β = π/2Ω`, of which K = −(π/2)(1 − 1/Ω²) T/β: there the first form loses all digits, K′ being of the
+    /// order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
     #[must_use]
     pub fn slope(&self) -> F {
         let (omega, w, one) = (self.omega(), self.remainder(), F::int(1));
         let inverse_square = one / omega.square();
         if self.is_beside_one() {
             F::int(-2) / F::pi() * y_cot_y(w) + (one + omega) * y_cot_y_slope(w) * inverse_square
+        } else if omega >= F::int(2) {
+            let shrinking = F::pi() * inverse_square / omega * (w.tan() / w);
+            let bending = arc_less_sine(w + w) / (F::int(2) * w.cos().square());
+            (one - inverse_square) * bending - shrinking
         } else {
             let t = self.tangent();
             let turning = F::pi() / F::int(2) * one_minus_square(omega) * (one + t.square());
