@@ -34,6 +34,18 @@ pub enum Quantity {
     StaticEnergy,
     /// Lossless static pseudo-elastic energy p₀²/(2 m ω_d²).
     PseudoStaticEnergy,
+    /// Maximum displacement Δ₀, in physical units.
+    MaxDisplacement,
+    /// Maximum displacement Δ₀/B.
+    MaxDisplacementRatio,
+    /// Maximum velocity V₀, in physical units.
+    MaxVelocity,
+    /// Maximum velocity V₀/(B ω_d).
+    MaxVelocityRatio,
+    /// Loop size A₁.
+    LoopSizeStiffness,
+    /// Loop size A₂.
+    LoopSizeInertia,
 }
 
 impl Quantity {
@@ -55,6 +67,12 @@ impl Quantity {
             Self::PseudoStiffness => "pseudo-elastic stiffness m ω_d²",
             Self::StaticEnergy => "static elastic energy p₀²/(2k)",
             Self::PseudoStaticEnergy => "static pseudo-elastic energy p₀²/(2 m ω_d²)",
+            Self::MaxDisplacement => "maximum displacement Δ₀",
+            Self::MaxDisplacementRatio => "maximum displacement Δ₀/B",
+            Self::MaxVelocity => "maximum velocity V₀",
+            Self::MaxVelocityRatio => "maximum velocity V₀/(B ω_d)",
+            Self::LoopSizeStiffness => "loop size A₁",
+            Self::LoopSizeInertia => "loop size A₂",
         }
     }
 }
@@ -117,6 +135,55 @@ pub enum Error {
         /// Least force ratio without sticking, α_min(Ω).
         least: String,
     },
+    /// No non-sticking cycle anywhere in a range of frequency ratios.
+    #[error(
+        "force ratio α = {alpha} must be ≥ {least}, the least of the border for {low} ≤ Ω ≤ {high}: below it the body sticks throughout"
+    )]
+    SticksThroughout {
+        /// Force ratio α.
+        alpha: String,
+        /// The least force ratio without sticking in the range.
+        least: String,
+        /// Lower end of the range of Ω.
+        low: String,
+        /// Upper end of the range of Ω.
+        high: String,
+    },
+    /// A target so small that the body would stick in a motion of that size.
+    #[error("{quantity} = {value} must be ≥ {least} at Ω = {omega}: in a smaller motion the body sticks")]
+    TargetSticks {
+        /// What it is.
+        quantity: Quantity,
+        /// The value asked for.
+        value: String,
+        /// The least value without sticking.
+        least: String,
+        /// Frequency ratio Ω.
+        omega: String,
+    },
+    /// A force ratio closer to the least of the border than the arithmetic can tell.
+    #[error(
+        "force ratio α = {alpha} must be further from {least}, the least of the border around Ω = {omega}, for this number type to tell on which side it is"
+    )]
+    Undecided {
+        /// Force ratio α.
+        alpha: String,
+        /// The least of the border.
+        least: String,
+        /// Where that is.
+        omega: String,
+    },
+    /// A question without a finite answer at Ω = 1, where the body either sticks or moves ever more.
+    #[error(
+        "frequency ratio Ω = 1 must be left out for {quantity} to have an answer: there the body sticks or its motion grows without bound"
+    )]
+    AtResonance {
+        /// What was asked for.
+        quantity: Quantity,
+    },
+    /// A base motion, whose force k u_g0 changes with the stiffness that is asked for.
+    #[error("drive = base motion must be a force: that of a base motion changes with the stiffness")]
+    BaseMotion,
     /// No bounded motion: Ω = 1 and α above 4/π.
     #[error(
         "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
@@ -136,7 +203,13 @@ impl Error {
             | Self::NotPositive { quantity, .. }
             | Self::OutOfRange { quantity, .. }
             | Self::EmptyRange { quantity, .. } => Some(*quantity),
-            Self::Sticks { .. } | Self::Unbounded { .. } => None,
+            Self::TargetSticks { .. }
+            | Self::AtResonance { .. }
+            | Self::Sticks { .. }
+            | Self::SticksThroughout { .. }
+            | Self::Undecided { .. }
+            | Self::BaseMotion
+            | Self::Unbounded { .. } => None,
         }
     }
 }

@@ -71,6 +71,7 @@ pub mod nonsticking;
 mod oscillator;
 pub mod phase_function;
 mod ratios;
+pub mod regime;
 mod response;
 mod root;
 
@@ -80,7 +81,8 @@ pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Oscillator, Scales};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
-pub use response::{Regime, Response, regime};
+pub use regime::{Place, Regime, Verdict, regime};
+pub use response::Response;
 
 /// The examples of README.md are run as tests.
 #[cfg(doctest)]
