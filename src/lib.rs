@@ -65,6 +65,7 @@
     )
 )]
 
+pub mod design;
 mod error;
 pub mod float;
 pub mod nonsticking;

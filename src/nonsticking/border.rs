@@ -42,6 +42,7 @@ use crate::float::{Float, Real};
 use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 pub use lobe::{Lobe, Minimum};
+pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
 
