@@ -4,7 +4,7 @@
 //! |---|---|---|---|
 //! | least force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`least_force`], [`least_base_amplitude`] | `force.rs` |
 //! | greatest friction that lets it slide | the same, p₀/α_min | [`greatest_friction`] | `friction.rs` |
-//! | frequencies at which it never sticks | [`bands`] | [`frequency_bands`] | `bands.rs` |
+//! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
