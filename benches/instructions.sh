@@ -16,3 +16,8 @@ for kernel in triple-generic triple-plain cycle-generic cycle-plain; do
         "$binary" "$kernel" $points 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p')
     echo "$kernel $((total / points)).$((total * 10 / points % 10))"
 done
+for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
+    few=$(count "$kernel" 1000)
+    many=$(count "$kernel" 3000)
+    echo "$kernel $(((many - few) / 2000))"
+done

@@ -34,6 +34,14 @@ pub enum Quantity {
     StaticEnergy,
     /// Lossless static pseudo-elastic energy p₀²/(2 m ω_d²).
     PseudoStaticEnergy,
+    /// Phase ω_d t of the drive.
+    DrivePhase,
+    /// Displacement x/B.
+    Displacement,
+    /// Velocity v, in units of B ω_d (of B ω_n without a drive).
+    Velocity,
+    /// Samples in a cycle.
+    SamplesPerCycle,
     /// Maximum displacement Δ₀, in physical units.
     MaxDisplacement,
     /// Maximum displacement Δ₀/B.
@@ -67,6 +75,10 @@ impl Quantity {
             Self::PseudoStiffness => "pseudo-elastic stiffness m ω_d²",
             Self::StaticEnergy => "static elastic energy p₀²/(2k)",
             Self::PseudoStaticEnergy => "static pseudo-elastic energy p₀²/(2 m ω_d²)",
+            Self::DrivePhase => "phase ω_d t",
+            Self::Displacement => "displacement x/B",
+            Self::Velocity => "velocity v",
+            Self::SamplesPerCycle => "samples per cycle",
             Self::MaxDisplacement => "maximum displacement Δ₀",
             Self::MaxDisplacementRatio => "maximum displacement Δ₀/B",
             Self::MaxVelocity => "maximum velocity V₀",

@@ -13,6 +13,8 @@ use core::fmt::{Debug, Display};
 use core::ops::Neg;
 use num_traits::NumOps;
 
+#[cfg(feature = "mp")]
+pub mod mp;
 mod primitive;
 
 /// What a formula needs of its numbers.
@@ -60,6 +62,14 @@ pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
     }
 }
 
+/// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`], [`Float::guarded`]).
+pub trait AtPrecision<F> {
+    /// What it comes to.
+    type Output;
+    /// The task at the type `G`, with the ways there and back, each of which rounds once.
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output;
+}
+
 /// What a decision needs of its numbers: order, precision, range.
 pub trait Float: Real + PartialOrd + Display {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
@@ -83,6 +93,19 @@ pub trait Float: Real + PartialOrd + Display {
     fn round(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
+    /// on, one step that quadruples them is left to do. At `f64` unless the type knows better.
+    #[inline]
+    fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
+        task.run::<f64>(Self::to_f64, Self::from_f64)
+    }
+
+    /// Runs a task with guard bits, where the type has a wider one at hand; at the type itself otherwise.
+    #[inline]
+    fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
+        task.run::<Self>(|x| x, |x| x)
+    }
 
     /// The larger of two numbers; `self` where they are unordered.
     #[inline]

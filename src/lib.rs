@@ -52,7 +52,11 @@
 //! # Features
 //!
 //! * default: the library, for `f32` and `f64`;
-//! * `cli`: the command `stickslip`.
+//! * `cli`: the command `stickslip`;
+//! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
+//!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
+//! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `matching`: `nalgebra`'s matrices over `Mp` (with `mp`).
 
 #![cfg_attr(
     not(test),
@@ -68,6 +72,7 @@
 
 pub mod design;
 mod error;
+pub mod exact;
 pub mod float;
 pub mod nonsticking;
 mod oscillator;
@@ -76,6 +81,7 @@ mod ratios;
 pub mod regime;
 mod response;
 mod root;
+pub mod verify;
 
 pub use error::{Error, Quantity};
 pub use float::{Float, Real};

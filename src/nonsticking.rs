@@ -88,7 +88,12 @@ impl<F: Float> Cycle<F> {
         let max_displacement = max_displacement(k, alpha, one_minus_square(omega));
         let half = HalfCycle::new(p, max_displacement);
         let displacement_phase = displacement_phase(k, alpha, omega);
-        let fastest = velocity::fastest(&half, k, alpha);
+        let (fastest, displacement) = if F::PRECISION > f64::MANTISSA_DIGITS {
+            let (fastest, displacement) = velocity::fastest_and_displacement(&half, k, alpha);
+            (fastest, Some(displacement))
+        } else {
+            (velocity::fastest(&half, k, alpha), None)
+        };
         let quarter = F::pi() / F::int(2);
         let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);
         Self {
@@ -99,10 +104,10 @@ impl<F: Float> Cycle<F> {
             max_velocity: fastest.velocity / omega,
             velocity_phase,
             // Far above Ω = 1 the deviation is of the order 1/Ω², the difference of eq. 47 nearly all cancellation.
-            deviation: if omega >= F::int(2) {
-                half.displacement(fastest.psi)
-            } else {
-                deviation(alpha, velocity_phase.sin())
+            deviation: match displacement {
+                Some(displacement) => displacement,
+                None if omega >= F::int(2) => half.displacement(fastest.psi),
+                None => deviation(alpha, velocity_phase.sin()),
             },
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }

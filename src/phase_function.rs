@@ -104,12 +104,31 @@ impl<F: Float> PhaseFunction<F> {
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
     #[inline]
     pub fn sin_cos(&self) -> (F, F) {
-        let (s, c) = self.remainder.sin_cos();
+        let (s, c) = if F::PRECISION > f64::MANTISSA_DIGITS {
+            // At high precision a circular function costs as much as fifty products.
+            let t = self.remainder_tangent();
+            let c = F::int(1) / (F::int(1) + t.square()).sqrt();
+            (t * c, c)
+        } else {
+            self.remainder.sin_cos()
+        };
         match self.quarter {
             0 => (s, c),
             1 => (c, -s),
             2 => (-s, -c),
             _ => (-c, s),
+        }
+    }
+
+    /// `tan w`, from K.
+    fn remainder_tangent(&self) -> F {
+        let (omega, k) = (self.omega, self.value);
+        if is_beside_one(omega) {
+            F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
+        } else if self.quarter & 1 == 0 {
+            k * omega / one_minus_square(omega)
+        } else {
+            -(one_minus_square(omega) / (k * omega))
         }
     }
 

@@ -44,6 +44,11 @@ impl<F: Float> Ratios<F> {
     }
 }
 
+/// `x`, where it is finite.
+pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+    if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: x.to_string() }) }
+}
+
 /// `x`, where it is finite and above zero.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }
@@ -51,7 +56,7 @@ pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
 
 /// `x`, where it is within `[least, greatest]`, `least` > 0.
 #[inline]
-fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
+pub(crate) fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
     if x >= least && x <= greatest { Ok(x) } else { Err(outside(quantity, x, least, greatest)) }
 }
 

@@ -23,22 +23,25 @@ pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f
 
 /// Newton's method from a `start` good to about 1e-8, inside `[low, high]`; `f` gives (value, slope).
 ///
-/// Each step doubles the good bits, so that `log₂(PRECISION)` steps bound the loop; it ends as soon as a step
-/// no longer moves by more than the rounding of the type.
+/// Each step doubles the good bits, so that `log₂(PRECISION)` steps bound the loop. It ends with the step whose
+/// square is below rounding: the error it leaves is of that order, measured by the distance from the ends, where a
+/// second zero may be near.
 pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
-    let tolerance = F::epsilon();
+    let tolerance = F::epsilon() / F::int(64);
     let mut x = start;
     for _ in 0..F::PRECISION.ilog2() {
         let (value, slope) = f(x);
-        let next = x - value / slope;
+        let step = value / slope;
+        let next = x - step;
         // A slope of zero sends the step to infinity or NaN, which are outside as well.
         let inside = next > low && next < high;
         if !inside {
             break;
         }
-        let step = (next - x).abs();
         x = next;
-        if step <= tolerance * x.abs() {
+        let (left, right) = (x - low, high - x);
+        let room = if left < right { left } else { right };
+        if step.square() <= tolerance * x.abs() * room {
             break;
         }
     }

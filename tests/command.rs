@@ -188,7 +188,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
             "response --mass 1 --stiffness 1 --omega 1 --friction 1 --frequency 1 --force 1",
             vec!["--omega and --stiffness"],
         ),
+        #[cfg(not(feature = "mp"))]
         ("response --omega 1 --alpha 2 --bits 256", vec!["--bits 256", "mp"]),
+        #[cfg(feature = "mp")]
+        ("response --omega 1 --alpha 2 --bits 0", vec!["--bits 0", "≥ 1"]),
         ("response --omega 1.5 --alpha 2.5 --format csv", vec!["--points"]),
         ("response --points no-such-file.csv", vec!["no-such-file.csv"]),
         ("response --points - --omega 2", vec!["--points"]),
@@ -299,4 +302,52 @@ fn a_closed_pipe_ends_quietly() {
 fn help_and_version_go_to_standard_output() {
     assert!(stdout("--version").contains(env!("CARGO_PKG_VERSION")));
     assert!(stdout("response --help").contains("--base-motion"));
+}
+
+#[test]
+fn verify_holds_every_equation() {
+    let text = stdout("verify");
+    assert!(text.contains("53 bits") && text.trim_end().ends_with("as they should be"), "{text}");
+    let report = json("verify --format json");
+    assert_eq!((report["bits"].as_u64(), report["passed"].as_bool()), (Some(53), Some(true)));
+    let identities = report["identities"].as_array().unwrap();
+    for equation in ["21", "35", "48, 49", "61", "67"] {
+        let named = |i: &&serde_json::Value| i["equation"] == equation && i["standing"] == "holds";
+        let found = identities.iter().find(named).unwrap_or_else(|| panic!("{equation}"));
+        assert!(found["worst_residual"].as_f64().unwrap() < 128.0 && found["points"].as_u64() > Some(100));
+    }
+    assert!(identities.iter().any(|i| i["equation"] == "49" && i["standing"] == "refuted"));
+}
+
+/// At more bits the same answers, as strings with all their digits.
+#[cfg(feature = "mp")]
+#[test]
+fn bits_give_all_the_digits_of_the_reference() {
+    let points = include_str!("data/points.csv");
+    let header: Vec<&str> = points.lines().next().unwrap().split(',').collect();
+    let mut long = 0;
+    for row in points.lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        // The reference is at the doubles nearest to what the row says: here with every digit they have.
+        let exactly = |cell: &str| format!("{:.120}", cell.parse::<f64>().unwrap());
+        let (omega, alpha) = (exactly(cells[0]), exactly(cells[1]));
+        let answer = json(&format!("response --omega {omega} --alpha {alpha} --bits 256 --format json"));
+        for (name, reference) in header.iter().zip(&cells).skip(2) {
+            if *name == "border_phase" || reference.is_empty() {
+                continue;
+            }
+            let digits = answer[*name].as_str().unwrap_or_else(|| panic!("{name}: {}", answer[*name]));
+            let as_mp = |text: &str| text.parse::<stickslip::float::mp::Mp<4>>().unwrap();
+            let (found, expected) = (as_mp(digits), as_mp(reference));
+            let off = stickslip::Float::to_f64(found - expected).abs();
+            let size = stickslip::Float::to_f64(expected).abs().max(1e-3);
+            assert!(off <= 1e-38 * size, "{name} at {row}: {digits}");
+            long += usize::from(digits.len() > 70);
+        }
+    }
+    // Some are short because they are whole numbers.
+    assert!(long > 150, "{long} answers with all digits");
+    assert!(stdout("verify --bits 192").contains("192 bits"));
+    let csv = stdout("response --points tests/data/points.csv --format csv --bits 128");
+    assert_eq!(csv.lines().count(), 18);
 }

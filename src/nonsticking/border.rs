@@ -38,8 +38,8 @@ mod shortfall;
 mod slope;
 
 use crate::error::Error;
-use crate::float::{Float, Real};
-use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
+use crate::float::{AtPrecision, Float, Real};
+use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::root;
 pub use lobe::{Lobe, Minimum};
 pub(crate) use range::ordered_lobes;
@@ -94,13 +94,40 @@ fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
 }
 
 /// `(g, g′)` at η: the stationarity condition of the module's head and its derivative.
+///
+/// Beside Ω = 1/(2n) all of g's terms are small and their sum is of the third order. There, with ζ = γ + η,
+/// `g = sin η (cos Ωζ − cos ζ) − cos η (sin Ωζ/Ω − sin ζ)`, whose brackets are known to full relative accuracy.
 #[inline]
-fn stationarity<R: Real>(omega: R, lobe_phase: R, eta: R) -> (R, R) {
-    let (sin_tau, cos_tau) = (omega * (lobe_phase + eta)).sin_cos();
+fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
+    let (one, zeta) = (F::int(1), lobe_phase + eta);
+    let (sin_tau, cos_tau) = (omega * zeta).sin_cos();
     let (sin_eta, cos_eta) = eta.sin_cos();
-    let inverse = R::int(1) / omega;
-    let g = cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin();
+    let inverse = one / omega;
+    let g = if zeta * F::int(64) < one {
+        let half = zeta / F::int(2);
+        let cosines = F::int(2) * ((one + omega) * half).sin() * ((one - omega) * half).sin();
+        sin_eta * cosines - cos_eta * sine_excess(omega, zeta)
+    } else {
+        cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin()
+    };
     (g, (inverse - omega) * sin_tau * sin_eta)
+}
+
+/// `sin Ωζ/Ω − sin ζ` by its series `Σ (−1)ʲ (Ω²ʲ − 1) ζ²ʲ⁺¹/(2j+1)!`, for small ζ.
+#[cold]
+fn sine_excess<F: Float>(omega: F, zeta: F) -> F {
+    let (mut power, mut odd, mut sum) = (F::int(1), zeta, F::int(0));
+    // Each term is below 2⁻¹² of the one before.
+    for j in 1..=8 + F::PRECISION as i32 / 12 {
+        power = power * omega.square();
+        odd = -(odd * zeta.square() / F::int(2 * j * (2 * j + 1)));
+        let term = odd * (power - F::int(1));
+        sum = sum + term;
+        if term.abs() <= F::epsilon() * sum.abs() {
+            break;
+        }
+    }
+    sum
 }
 
 /// The least force ratio at a frequency ratio: exact, and by eq. 61.
@@ -137,12 +164,14 @@ impl<F: Float> Border<F> {
             return at_turning_point;
         }
         let (supremum, phase) = inner_maximum(omega);
-        if supremum > limit {
+        // Where T > 0, so that τ* lies in the first quarter, it exceeds the limit even if rounding hides by how much.
+        if supremum > limit || (phase > F::int(0) && phase * F::int(2) < F::pi()) {
+            let min_force_ratio = p.value().hypot(one_minus_square(omega) * supremum);
             Self {
-                min_force_ratio: p.value().hypot(one_minus_square(omega) * supremum),
+                min_force_ratio: turning_point.or_larger(min_force_ratio),
                 turning_point,
                 phase,
-                least_displacement: supremum,
+                least_displacement: limit.or_larger(supremum),
             }
         } else {
             at_turning_point
@@ -197,37 +226,35 @@ fn inner_maximum<F: Float>(omega: F) -> (F, F) {
     (stationary_value(gamma, cos_beta, tau, eta) / omega, phase)
 }
 
-/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at full precision.
+/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
 ///
 /// g is increasing, so every zero in the bracket is the one; Newton only polishes.
 fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
-    if F::int(8) * gamma < F::int(1) {
-        return stationary_point_beside_zero(omega, gamma);
-    }
-    let (omega_f64, gamma_f64) = (omega.to_f64(), gamma.to_f64());
-    let start = root::bracketed(0.0, core::f64::consts::PI, |eta| stationarity(omega_f64, gamma_f64, eta).0);
-    root::newton(F::from_f64(start), F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
+        // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
+        gamma / F::int(2)
+    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
+        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
+        let g = |eta| stationarity(omega, gamma, eta).0;
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
+    } else {
+        F::narrowed(Start { omega, gamma })
+    };
+    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
 }
 
-/// The same where γ is small, beside Ω = 1/(2n): there g is of the order γ³, and its three terms of order γ drown it
-/// in rounding. With γ = ζ − η and τ = Ωζ it is
-///
-/// ```text
-/// g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω],
-/// ```
-///
-/// two terms that lose nothing for Ω < 1/2. Newton's method from η = γ/2 + O(γ³).
-#[cold]
-fn stationary_point_beside_zero<F: Float>(omega: F, gamma: F) -> F {
-    let half = F::ratio(1, 2);
-    root::newton(half * gamma, F::int(0), F::pi(), |eta| {
-        let zeta = gamma + eta;
-        let tau = omega * zeta;
-        let (sin_eta, cos_eta) = eta.sin_cos();
-        let fall = F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin();
-        let defect = arc_less_sine(zeta) - arc_less_sine(tau) / omega;
-        (sin_eta * fall - cos_eta * defect, (F::int(1) / omega - omega) * tau.sin() * sin_eta)
-    })
+/// The stationary point at a lower precision.
+struct Start<F> {
+    omega: F,
+    gamma: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(stationary_point(there(self.omega), there(self.gamma)))
+    }
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub(crate) struct Jet<F> {
 }
 
 /// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
-struct Angles<F> {
+pub(crate) struct Angles<F> {
     psi: (F, F),
     omega_psi: (F, F),
     half_sum: (F, F),
@@ -65,16 +65,32 @@ impl<F: Float> HalfCycle<F> {
         (self.sin_beta, self.cos_beta)
     }
 
-    /// The same half cycle at f64: each field is rounded on its own, 1 − Ω and cos β too, so that an Ω closer
-    /// to 1 than f64 can tell keeps its distance.
-    pub(crate) fn to_f64(self) -> HalfCycle<f64> {
+    /// The same half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so that
+    /// an Ω closer to 1 than the other type can tell keeps its distance.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfCycle<G> {
         HalfCycle {
-            omega: self.omega.to_f64(),
-            one_minus_omega: self.one_minus_omega.to_f64(),
-            max_displacement: self.max_displacement.to_f64(),
-            sin_beta: self.sin_beta.to_f64(),
-            cos_beta: self.cos_beta.to_f64(),
+            omega: to(self.omega),
+            one_minus_omega: to(self.one_minus_omega),
+            max_displacement: to(self.max_displacement),
+            sin_beta: to(self.sin_beta),
+            cos_beta: to(self.cos_beta),
             beside_one: self.beside_one,
+        }
+    }
+
+    /// A half cycle within the range of f64 for the start of an iteration: below 2⁻²⁵⁰ only the ratio of 1 − Ω
+    /// and cos β matters, and above 2²⁵⁰ only that Δ₀ is large.
+    pub(crate) fn in_range(self) -> Self {
+        let (least, greatest) = (F::exp2i(-F::RATIO_EXPONENT), F::exp2i(F::RATIO_EXPONENT));
+        if !self.beside_one || self.one_minus_omega.abs() >= least {
+            return self;
+        }
+        let scale = least / self.one_minus_omega.abs();
+        Self {
+            one_minus_omega: self.one_minus_omega * scale,
+            cos_beta: self.cos_beta * scale,
+            max_displacement: if self.max_displacement < greatest { self.max_displacement } else { greatest },
+            ..self
         }
     }
 
@@ -102,7 +118,7 @@ impl<F: Float> HalfCycle<F> {
 
     /// The half sum and half difference give the angles themselves, but only where neither outgrows the other.
     #[inline]
-    fn angles(&self, psi: F) -> Angles<F> {
+    pub(crate) fn angles(&self, psi: F) -> Angles<F> {
         if !self.beside_one {
             return Angles {
                 psi: psi.sin_cos(),
@@ -131,8 +147,14 @@ impl<F: Float> HalfCycle<F> {
     /// Velocity and its derivatives by ψ.
     #[inline]
     pub(crate) fn velocity(&self, psi: F) -> Jet<F> {
-        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
-            self.angles(psi);
+        self.velocity_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::velocity`] at angles that are known.
+    #[inline]
+    pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
+            angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
         let (h, h1) = if self.beside_one {
             let tangent = self.tan_half_offset();
@@ -155,8 +177,13 @@ impl<F: Float> HalfCycle<F> {
 
     /// Displacement x/B at ψ.
     pub(crate) fn displacement(&self, psi: F) -> F {
-        let Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } =
-            self.angles(psi);
+        self.displacement_of(&self.angles(psi))
+    }
+
+    /// [`HalfCycle::displacement`] at angles that are known.
+    #[inline]
+    pub(crate) fn displacement_of(&self, angles: &Angles<F>) -> F {
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } = angles;
         let (one, sb, cb) = (F::int(1), self.sin_beta, self.cos_beta);
         let j_less_one = if self.beside_one {
             let slope = (self.tan_half_offset() - self.one_minus_omega / cb) / self.omega;

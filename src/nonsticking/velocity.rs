@@ -24,7 +24,7 @@
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
 use super::half_cycle::{HalfCycle, Jet};
-use crate::float::{Float, Real};
+use crate::float::{AtPrecision, Float, Real};
 use crate::phase_function::PhaseFunction;
 use crate::root;
 
@@ -99,8 +99,10 @@ pub(crate) struct Fastest<F> {
 /// settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
-    if F::PRECISION <= f64::MANTISSA_DIGITS
-        && half.omega() >= F::ratio(1, 2)
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return fastest_and_displacement(half, k, alpha).0;
+    }
+    if half.omega() >= F::ratio(1, 2)
         && let Some(found) = from_centre(half)
     {
         return found;
@@ -108,19 +110,44 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
     from_afar(half.omega(), half.max_displacement(), k, alpha)
 }
 
-/// Householder steps from the answer at f64, and at f64 itself from the bracketed root.
+/// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,
+/// which are the cost at high precision.
+pub(crate) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
+    polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
+}
+
+/// Householder steps from the bracketed root.
 ///
 /// Takes numbers and builds the half cycle again, so that the common path keeps its own in registers.
 #[inline(never)]
 fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest<F> {
     let half = HalfCycle::new(&PhaseFunction::of_valid(omega), max_displacement);
-    let (narrow, k, alpha) = (half.to_f64(), k.to_f64(), alpha.to_f64());
-    let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
-        from_bracket(&narrow, k, alpha)
-    } else {
-        fastest(&narrow, k, alpha).psi
-    };
-    polish(&half, F::from_f64(start))
+    let start = from_bracket(&half.map(F::to_f64), k.to_f64(), alpha.to_f64());
+    polish(&half, F::from_f64(start)).0
+}
+
+/// The ψ of the greatest velocity at a lower precision.
+struct Start<F> {
+    half: HalfCycle<F>,
+    k: F,
+    alpha: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        let (half, k, alpha) = (self.half.map(&there), there(self.k), there(self.alpha));
+        if G::PRECISION > f64::MANTISSA_DIGITS {
+            return back(fastest(&half, k, alpha).psi);
+        }
+        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
+        // pole of K.
+        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
+        let bracketed =
+            || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
+        back(centred.unwrap_or_else(bracketed).psi)
+    }
 }
 
 /// Four Householder steps from ψ = 0, for Ω ≥ 1/2; `None` where they do not settle in |ψ| ≤ π/2.
@@ -147,10 +174,12 @@ fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
     None
 }
 
-/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final.
-fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
+/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final; with the
+/// displacement there.
+fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     let mut psi = start;
-    let mut jet = half.velocity(psi);
+    let mut angles = half.angles(psi);
+    let mut jet = half.velocity_of(&angles);
     for _ in 0..F::PRECISION.ilog2() {
         let step = householder(&jet);
         if !step.is_finite() {
@@ -158,11 +187,19 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> Fastest<F> {
         }
         psi = psi + step;
         if is_final(half, step) {
-            return arrive(&jet, psi, step);
+            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), &jet, step));
         }
-        jet = half.velocity(psi);
+        angles = half.angles(psi);
+        jet = half.velocity_of(&angles);
     }
-    Fastest { psi, velocity: jet.value }
+    (Fastest { psi, velocity: jet.value }, half.displacement_of(&angles))
+}
+
+/// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
+fn slide<F: Float>(x: F, jet: &Jet<F>, step: F) -> F {
+    let third = jet.second + jet.third * step / F::int(4);
+    let second = jet.first + third * step / F::int(3);
+    x - step * (jet.value + second * step / F::int(2))
 }
 
 /// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
@@ -176,7 +213,8 @@ fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
 #[inline]
 fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
     let cubic = jet.third * step / F::int(3) + jet.second;
-    Fastest { psi, velocity: jet.value + step * (jet.first + step / F::int(2) * cubic) }
+    let velocity = jet.value + step * (jet.first + step / F::int(2) * cubic);
+    Fastest { psi, velocity }
 }
 
 /// The step of Householder's third-order method on v′ = 0.

@@ -19,7 +19,16 @@ pub(crate) enum Command {
     /// The least force that keeps it from sticking at a frequency.
     #[command(after_help = BORDER_EXAMPLES)]
     Border(BorderArgs),
+    /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one fails.
+    #[command(after_help = VERIFY_EXAMPLES)]
+    Verify(VerifyArgs),
 }
+
+const VERIFY_EXAMPLES: &str = "\
+Examples:
+  stickslip verify
+  stickslip verify --bits 1024
+  stickslip verify --bits 256 --format json";
 
 const RESPONSE_EXAMPLES: &str = "\
 Examples:
@@ -50,6 +59,16 @@ pub(crate) struct BorderArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VerifyArgs {
+    /// Bits of precision (needs a build with the feature mp) [default: 53, f64]
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
 }
 
 /// The oscillator and its frequency. In physical units, any consistent system.

@@ -12,6 +12,9 @@ pub(crate) enum Failure {
     /// The input is at fault: exit status 2.
     #[error("{0}")]
     Input(String),
+    /// What was to be shown does not hold: exit status 1.
+    #[error("{0}")]
+    Verdict(String),
     /// The system is: exit status 1.
     #[error("{0}")]
     System(io::Error),
@@ -24,7 +27,7 @@ impl Failure {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
-            Self::System(_) => ExitCode::FAILURE,
+            Self::Verdict(_) | Self::System(_) => ExitCode::FAILURE,
             Self::ClosedPipe => ExitCode::SUCCESS,
         }
     }

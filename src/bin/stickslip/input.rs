@@ -1,49 +1,40 @@
 //! From the arguments to the ratios and, where given, the machine.
 
-use crate::args::{ForceArgs, MachineArgs, OutputArgs};
+use crate::args::{ForceArgs, MachineArgs};
+use crate::bits::Value;
 use crate::failure::Failure;
 use stickslip::{Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Scales};
 
 /// A machine in physical units and the scale of its answers.
-pub(crate) struct Machine {
-    pub(crate) oscillator: Oscillator<f64>,
-    pub(crate) drive: Drive<f64>,
-    pub(crate) scales: Scales<f64>,
+pub(crate) struct Machine<F> {
+    pub(crate) oscillator: Oscillator<F>,
+    pub(crate) drive: Drive<F>,
+    pub(crate) scales: Scales<F>,
 }
 
 /// What `response` is asked: the ratios and, in physical units, the machine.
-pub(crate) struct Point {
-    pub(crate) ratios: Ratios<f64>,
-    pub(crate) machine: Option<Machine>,
+pub(crate) struct Point<F> {
+    pub(crate) ratios: Ratios<F>,
+    pub(crate) machine: Option<Machine<F>>,
 }
 
 /// What `border` is asked: Ω and, in physical units, r_y and ω_d.
-pub(crate) struct BorderPoint {
-    pub(crate) omega: f64,
-    pub(crate) physical: Option<BorderScales>,
+pub(crate) struct BorderPoint<F> {
+    pub(crate) omega: F,
+    pub(crate) physical: Option<BorderScales<F>>,
 }
 
 /// The scales a border has: force r_y, length B, time 1/ω_d, and ω_d itself.
 #[derive(Clone, Copy)]
-pub(crate) struct BorderScales {
-    pub(crate) length: f64,
-    pub(crate) force: f64,
-    pub(crate) time: f64,
-    pub(crate) frequency: f64,
-}
-
-/// Ends with a word on `--bits` where this build has no arithmetic for it.
-pub(crate) fn refuse_bits(output: &OutputArgs) -> Result<(), Failure> {
-    match output.bits {
-        Some(bits) => Err(Failure::Input(format!(
-            "--bits {bits}: this build has 53 bits only; more need the feature mp"
-        ))),
-        None => Ok(()),
-    }
+pub(crate) struct BorderScales<F> {
+    pub(crate) length: F,
+    pub(crate) force: F,
+    pub(crate) time: F,
+    pub(crate) frequency: F,
 }
 
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
-pub(crate) fn point(machine: &MachineArgs, force: &ForceArgs) -> Result<Point, Failure> {
+pub(crate) fn point<F: Value>(machine: &MachineArgs, force: &ForceArgs) -> Result<Point<F>, Failure> {
     if !is_physical(machine) && force.force.is_none() && force.base_motion.is_none() {
         let omega = required("--omega", machine.omega.as_ref())?;
         let alpha = required("--alpha", force.alpha.as_ref())?;
@@ -64,7 +55,7 @@ pub(crate) fn point(machine: &MachineArgs, force: &ForceArgs) -> Result<Point, F
 }
 
 /// Ω of `--omega`, or of the physical arguments.
-pub(crate) fn border_point(machine: &MachineArgs) -> Result<BorderPoint, Failure> {
+pub(crate) fn border_point<F: Value>(machine: &MachineArgs) -> Result<BorderPoint<F>, Failure> {
     let none = ForceArgs { alpha: None, force: None, base_motion: None };
     let named = |e| at_fault(e, machine, &none);
     if !is_physical(machine) {
@@ -102,7 +93,7 @@ pub(crate) fn refuse_single(machine: &MachineArgs, force: Option<&ForceArgs>) ->
 }
 
 /// A number as typed.
-pub(crate) fn number(name: &str, text: &str) -> Result<f64, Failure> {
+pub(crate) fn number<F: Value>(name: &str, text: &str) -> Result<F, Failure> {
     text.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
 }
 
@@ -110,18 +101,18 @@ fn is_physical(machine: &MachineArgs) -> bool {
     [&machine.mass, &machine.stiffness, &machine.friction, &machine.frequency].iter().any(|a| a.is_some())
 }
 
-fn required(name: &str, given: Option<&String>) -> Result<f64, Failure> {
+fn required<F: Value>(name: &str, given: Option<&String>) -> Result<F, Failure> {
     match given {
         Some(text) => number(name, text),
         None => Err(Failure::Input(format!("{name} is missing"))),
     }
 }
 
-fn number_or(otherwise: f64, name: &str, given: Option<&String>) -> Result<f64, Failure> {
+fn number_or<F: Value>(otherwise: F, name: &str, given: Option<&String>) -> Result<F, Failure> {
     given.map_or(Ok(otherwise), |text| number(name, text))
 }
 
-fn oscillator(machine: &MachineArgs, force: &ForceArgs) -> Result<Oscillator<f64>, Failure> {
+fn oscillator<F: Value>(machine: &MachineArgs, force: &ForceArgs) -> Result<Oscillator<F>, Failure> {
     let mass = required("--mass", machine.mass.as_ref())?;
     let friction = required("--friction", machine.friction.as_ref())?;
     match (&machine.stiffness, &machine.omega) {
@@ -140,11 +131,11 @@ fn oscillator(machine: &MachineArgs, force: &ForceArgs) -> Result<Oscillator<f64
 }
 
 /// The drive that the arguments name; the inner error is the library's.
-fn drive(
-    oscillator: &Oscillator<f64>,
-    frequency: f64,
+fn drive<F: Value>(
+    oscillator: &Oscillator<F>,
+    frequency: F,
     force: &ForceArgs,
-) -> Result<Result<Drive<f64>, Error>, Failure> {
+) -> Result<Result<Drive<F>, Error>, Failure> {
     match (&force.force, &force.base_motion, &force.alpha) {
         (Some(p0), None, None) => Ok(Drive::force(number("--force", p0)?, frequency)),
         (None, Some(ug), None) => Ok(Drive::base_motion(number("--base-motion", ug)?, frequency)),

@@ -1,4 +1,4 @@
-//! The command over the library: `stickslip response`, `stickslip border`.
+//! The command over the library: `stickslip response`, `border`, `verify`.
 
 #![cfg_attr(
     not(test),
@@ -13,6 +13,7 @@
 )]
 
 mod args;
+mod bits;
 mod border;
 mod failure;
 mod input;
@@ -20,6 +21,7 @@ mod note;
 mod points;
 mod record;
 mod response;
+mod verify;
 
 use args::{Command, CommandLine};
 use clap::Parser;
@@ -47,6 +49,7 @@ fn run(command: &Command) -> Outcome {
     match command {
         Command::Response(args) => response::run(args, &mut out)?,
         Command::Border(args) => border::run(args, &mut out)?,
+        Command::Verify(args) => verify::run(args, &mut out)?,
     }
     Ok(out.flush()?)
 }

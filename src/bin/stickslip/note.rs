@@ -1,12 +1,17 @@
 //! The answer as an engineer's note: the regime first, then the numbers, then the force it would need.
 
 use crate::args::UnitNames;
+use crate::bits::Value;
 use crate::input::{BorderScales, Machine};
 use std::io::{self, Write};
 use stickslip::{Border, Cycle, PhaseFunction, Regime, Response, nonsticking};
 
-/// Seven significant digits, without the zeros that say nothing.
-fn digits(x: f64) -> String {
+/// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
+fn digits<F: Value>(x: F) -> String {
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return x.to_string();
+    }
+    let x = x.to_f64();
     let rounded: f64 = format!("{x:.6e}").parse().unwrap_or(x);
     if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
         format!("{rounded}")
@@ -16,7 +21,7 @@ fn digits(x: f64) -> String {
 }
 
 /// A number in its dimensionless unit and, where there is a machine, in the user's.
-fn both(x: f64, unit: &str, scale: Option<f64>, name: &str) -> String {
+fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
     let own = format!("{} {unit}", digits(x));
     match scale {
         Some(scale) => format!("{:<22} = {} {name}", own.trim_end(), digits(x * scale)),
@@ -25,7 +30,7 @@ fn both(x: f64, unit: &str, scale: Option<f64>, name: &str) -> String {
 }
 
 /// What the body does, in one sentence.
-fn verdict(response: &Response<f64>) -> String {
+fn verdict<F: Value>(response: &Response<F>) -> String {
     let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
     let margin = digits(alpha / response.border().min_force_ratio());
     match response.regime() {
@@ -45,9 +50,9 @@ fn verdict(response: &Response<f64>) -> String {
 }
 
 /// The note on a response.
-pub(crate) fn response(
-    response: &Response<f64>,
-    machine: Option<&Machine>,
+pub(crate) fn response<F: Value>(
+    response: &Response<F>,
+    machine: Option<&Machine<F>>,
     units: &UnitNames,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -69,9 +74,9 @@ pub(crate) fn response(
 }
 
 /// The numbers of a non-sticking cycle.
-fn motion(
-    cycle: &Cycle<f64>,
-    machine: Option<&Machine>,
+fn motion<F: Value>(
+    cycle: &Cycle<F>,
+    machine: Option<&Machine<F>>,
     units: &UnitNames,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -99,9 +104,9 @@ fn motion(
 }
 
 /// The force that keeps the body from sticking, and the one that dissipates most.
-fn needed_force(
-    response: &Response<f64>,
-    machine: Option<&Machine>,
+fn needed_force<F: Value>(
+    response: &Response<F>,
+    machine: Option<&Machine<F>>,
     units: &UnitNames,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -133,10 +138,10 @@ fn needed_force(
 }
 
 /// The note on a border.
-pub(crate) fn border(
-    p: &PhaseFunction<f64>,
-    border: &Border<f64>,
-    scales: Option<BorderScales>,
+pub(crate) fn border<F: Value>(
+    p: &PhaseFunction<F>,
+    border: &Border<F>,
+    scales: Option<BorderScales<F>>,
     units: &UnitNames,
     out: &mut impl Write,
 ) -> io::Result<()> {
@@ -154,7 +159,7 @@ pub(crate) fn border(
     writeln!(
         out,
         "    (eq. 61{})",
-        if p.omega() >= 0.5 { ", exact here" } else { ", necessary only below Ω = 1/2" }
+        if p.omega() >= F::ratio(1, 2) { ", exact here" } else { ", necessary only below Ω = 1/2" }
     )?;
     writeln!(out, "  least displacement       {}", lengths(border.least_displacement()))?;
     writeln!(out, "  it would stop first at   {} after its maximum", times(border.phase()))

@@ -1,6 +1,7 @@
 //! Many points from a file or standard input, answered row by row in bounded memory.
 
 use crate::args::Format;
+use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
 use crate::record::Record;
@@ -15,12 +16,12 @@ use stickslip::Error;
 ///
 /// At a row that cannot be answered it stops: the rows before it are written whole, and the failure names the
 /// line and the value.
-pub(crate) fn run<const N: usize>(
+pub(crate) fn run<F: Value, const N: usize>(
     file: &Path,
     format: Option<Format>,
     columns: [&str; N],
     out: &mut impl Write,
-    answer: impl Fn([f64; N]) -> Result<Record, Error>,
+    answer: impl Fn([F; N]) -> Result<Record<F>, Error>,
 ) -> Outcome {
     let name = file.display().to_string();
     let source: Box<dyn Read> = if file == Path::new("-") {
@@ -40,12 +41,12 @@ pub(crate) fn run<const N: usize>(
     outcome
 }
 
-fn answer_all<const N: usize, W: Write>(
+fn answer_all<F: Value, const N: usize, W: Write>(
     source: impl Read,
     name: &str,
     columns: [&str; N],
     sink: &RefCell<Sink<W>>,
-    answer: impl Fn([f64; N]) -> Result<Record, Error>,
+    answer: impl Fn([F; N]) -> Result<Record<F>, Error>,
 ) -> Outcome {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
@@ -59,7 +60,7 @@ fn answer_all<const N: usize, W: Write>(
     let mut row = StringRecord::new();
     while reader.read_record(&mut row).map_err(|e| unreadable(name, e))? {
         let line = row.position().map_or(0, csv::Position::line);
-        let mut values = [0.0; N];
+        let mut values = [F::int(0); N];
         for ((value, place), column) in values.iter_mut().zip(places).zip(columns) {
             let text = row.get(place).unwrap_or_default();
             *value = number(&format!("{name} line {line}: {column}"), text)?;
@@ -87,7 +88,7 @@ enum Sink<W: Write> {
 }
 
 impl<W: Write> Sink<W> {
-    fn write(&mut self, record: &Record) -> Outcome {
+    fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
         match self {
             Self::Lines(out) => record.write_line(out),
             Self::Rows { writer, header } => {

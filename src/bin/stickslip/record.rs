@@ -1,5 +1,6 @@
 //! Answers as records: one list of names and values, written as JSON or CSV.
 
+use crate::bits::Value;
 use crate::failure::Outcome;
 use crate::input::{BorderScales, Machine};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -8,29 +9,33 @@ use stickslip::{Border, PhaseFunction, Response, nonsticking};
 
 /// A value of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Cell {
+pub(crate) enum Cell<F> {
     Text(&'static str),
     /// `None` for what does not exist there.
-    Number(Option<f64>),
+    Number(Option<F>),
 }
 
-impl Serialize for Cell {
+/// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
+impl<F: Value> Serialize for Cell<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Self::Text(text) => text.serialize(serializer),
-            Self::Number(number) => number.serialize(serializer),
+            Self::Number(Some(number)) if F::PRECISION > f64::MANTISSA_DIGITS => {
+                serializer.collect_str(number)
+            }
+            Self::Number(number) => number.map(F::to_f64).serialize(serializer),
         }
     }
 }
 
 /// Named values in order, and those in physical units.
-#[derive(Debug, Default)]
-pub(crate) struct Record {
-    pub(crate) fields: Vec<(&'static str, Cell)>,
-    pub(crate) physical: Vec<(&'static str, Cell)>,
+#[derive(Debug)]
+pub(crate) struct Record<F> {
+    pub(crate) fields: Vec<(&'static str, Cell<F>)>,
+    pub(crate) physical: Vec<(&'static str, Cell<F>)>,
 }
 
-impl Serialize for Record {
+impl<F: Value> Serialize for Record<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
         for (name, cell) in &self.fields {
@@ -43,19 +48,19 @@ impl Serialize for Record {
     }
 }
 
-struct Nested<'a>(&'a [(&'static str, Cell)]);
+struct Nested<'a, F>(&'a [(&'static str, Cell<F>)]);
 
-impl Serialize for Nested<'_> {
+impl<F: Value> Serialize for Nested<'_, F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
     }
 }
 
-impl Record {
+impl<F: Value> Record<F> {
     /// All outputs of a response; `None` in the cells that a regime does not have.
-    pub(crate) fn of_response(response: &Response<f64>) -> Self {
+    pub(crate) fn of_response(response: &Response<F>) -> Self {
         let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
-        let of_cycle = |value: fn(&stickslip::Cycle<f64>) -> f64| Cell::Number(cycle.map(value));
+        let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
         Self {
             fields: vec![
                 ("omega", Cell::Number(Some(ratios.omega()))),
@@ -79,7 +84,7 @@ impl Record {
     }
 
     /// The border at Ω and the best force ratio there.
-    pub(crate) fn of_border(p: &PhaseFunction<f64>, border: &Border<f64>) -> Self {
+    pub(crate) fn of_border(p: &PhaseFunction<F>, border: &Border<F>) -> Self {
         let best = nonsticking::best_force_ratio(p.value());
         Self {
             fields: vec![
@@ -96,7 +101,7 @@ impl Record {
 
     /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and both loop sizes
     /// as the energy of a cycle.
-    pub(crate) fn with_machine(mut self, machine: &Machine) -> Self {
+    pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
         let scales = &machine.scales;
         let p0 = machine.drive.force_amplitude(&machine.oscillator);
         self.physical = self.rescaled(|name| match name {
@@ -106,7 +111,7 @@ impl Record {
             "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
             "loop_size_stiffness" | "best_loop_size" => Some(scales.energy_stiffness),
             "loop_size_inertia" => Some(scales.energy_inertia),
-            "contraction" => Some(1.0),
+            "contraction" => Some(F::int(1)),
             _ => None,
         });
         let known = [("omega", machine.drive.angular_frequency()), ("alpha", p0)];
@@ -115,7 +120,7 @@ impl Record {
     }
 
     /// The border in the machine's units.
-    pub(crate) fn with_border_scales(mut self, scales: BorderScales) -> Self {
+    pub(crate) fn with_border_scales(mut self, scales: BorderScales<F>) -> Self {
         self.physical = self.rescaled(|name| match name {
             "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
             "border_phase" => Some(scales.time),
@@ -126,8 +131,8 @@ impl Record {
         self
     }
 
-    fn rescaled(&self, scale: impl Fn(&str) -> Option<f64>) -> Vec<(&'static str, Cell)> {
-        let rescale = |&(name, cell): &(&'static str, Cell)| match cell {
+    fn rescaled(&self, scale: impl Fn(&str) -> Option<F>) -> Vec<(&'static str, Cell<F>)> {
+        let rescale = |&(name, cell): &(&'static str, Cell<F>)| match cell {
             Cell::Number(value) => scale(name).map(|unit| (name, Cell::Number(value.map(|v| v * unit)))),
             Cell::Text(_) => None,
         };

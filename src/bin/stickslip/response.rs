@@ -1,33 +1,47 @@
 //! `stickslip response`.
 
 use crate::args::{Format, ResponseArgs};
+use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::record::Record;
 use crate::{input, note, points};
 use std::io::Write;
 use stickslip::{Ratios, Response};
 
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
+
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
-    input::refuse_bits(&args.output)?;
-    if let Some(file) = &args.output.points {
-        input::refuse_single(&args.machine, Some(&args.force))?;
-        return points::run(file, args.output.format, ["omega", "alpha"], out, |[omega, alpha]| {
-            Ok(Record::of_response(&Response::new(Ratios::new(omega, alpha)?)))
-        });
-    }
-    let point = input::point(&args.machine, &args.force)?;
-    let response = Response::new(point.ratios);
-    match args.output.format.unwrap_or(Format::Text) {
-        Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
-        Format::Json => {
-            let record = Record::of_response(&response);
-            match &point.machine {
-                Some(machine) => record.with_machine(machine),
-                None => record,
-            }
-            .write_pretty(out)
+    bits::run(args.output.bits, Run(args, out))
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        if let Some(file) = &args.output.points {
+            input::refuse_single(&args.machine, Some(&args.force))?;
+            return points::run::<F, 2>(
+                file,
+                args.output.format,
+                ["omega", "alpha"],
+                out,
+                |[omega, alpha]| Ok(Record::of_response(&Response::new(Ratios::new(omega, alpha)?))),
+            );
         }
-        Format::Jsonl | Format::Csv => Err(single_format()),
+        let point = input::point::<F>(&args.machine, &args.force)?;
+        let response = Response::new(point.ratios);
+        match args.output.format.unwrap_or(Format::Text) {
+            Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
+            Format::Json => {
+                let record = Record::of_response(&response);
+                match &point.machine {
+                    Some(machine) => record.with_machine(machine),
+                    None => record,
+                }
+                .write_pretty(out)
+            }
+            Format::Jsonl | Format::Csv => Err(single_format()),
+        }
     }
 }
 

@@ -1,0 +1,38 @@
+//! The exact motion's kernels.
+
+use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
+use stickslip::{Cycle, Ratios};
+
+/// What a steady state is compared by.
+fn answer(motion: &LongRun<f64>) -> [f64; 4] {
+    match motion.steady_state() {
+        Some(s) => {
+            [s.max_displacement(), s.max_velocity(), s.max_displacement_phase(), s.max_velocity_phase()]
+        }
+        None => [f64::NAN; 4],
+    }
+}
+
+/// The exact steady state from rest.
+#[inline]
+pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
+    match Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest())) {
+        Ok(motion) => answer(&motion),
+        Err(_) => [f64::NAN; 4],
+    }
+}
+
+/// The exact steady state from the closed-form cycle.
+#[inline]
+pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
+    SteadyState::from_cycle(cycle).map_or([f64::NAN; 4], |motion| answer(&motion))
+}
+
+/// Twenty slides from rest: ten periods where the motion does not stop.
+#[inline]
+pub(crate) fn twenty_slides(omega: f64, alpha: f64) -> [f64; 1] {
+    match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::rest())) {
+        Ok(motion) => [motion.filter_map(|p| p.end()).take(20).map(|end| end.x).sum()],
+        Err(_) => [f64::NAN],
+    }
+}

@@ -1,0 +1,45 @@
+//! Time a point of the closed forms at 256, 1024 and 4096 bits.
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use std::hint::black_box;
+use stickslip::float::mp::Mp;
+use stickslip::nonsticking::{loop_size_stiffness, max_displacement, turning_point_border};
+use stickslip::phase_function::{PhaseFunction, one_minus_square};
+use stickslip::{Cycle, Float, Ratios, Real};
+
+/// {Δ₀, eq. 61, A₁}
+fn triple<F: Float>(omega: F, alpha: F) -> Option<[F; 3]> {
+    let p = PhaseFunction::new(omega).ok()?;
+    let k = p.value();
+    let delta = max_displacement(k, alpha, one_minus_square(omega));
+    Some([delta, turning_point_border(k, omega), loop_size_stiffness(delta, alpha)])
+}
+
+/// A checked [`Cycle`], with all its outputs.
+fn cycle<F: Float>(omega: F, alpha: F) -> Option<Cycle<F>> {
+    Cycle::new(Ratios::new(omega, alpha).ok()?).ok()
+}
+
+fn at<const L: usize>(criterion: &mut Criterion) {
+    let (omega, alpha) = (Mp::<L>::ratio(23, 14), Mp::<L>::ratio(11, 3));
+    let mut group = criterion.benchmark_group(format!("{} bits", Mp::<L>::BITS));
+    macro_rules! bench {
+        ($($name:literal: $kernel:expr;)*) => {$(
+            group.bench_function($name, |b| b.iter(|| $kernel(black_box(omega), black_box(alpha))));
+        )*};
+    }
+    bench! {
+        "Δ₀, border, A₁": triple;
+        "Δ₀, border, A₁, t₁, V₀ and all other outputs": cycle;
+    }
+    group.finish();
+}
+
+fn precision(criterion: &mut Criterion) {
+    at::<4>(criterion);
+    at::<16>(criterion);
+    at::<64>(criterion);
+}
+
+criterion_group!(benches, precision);
+criterion_main!(benches);

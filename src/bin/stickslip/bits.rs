@@ -1,0 +1,49 @@
+//! `--bits`: the number type a command runs at.
+
+use crate::failure::{Failure, Outcome};
+use std::str::FromStr;
+use stickslip::Float;
+
+/// A number the command can read and write.
+pub(crate) trait Value: Float + FromStr {}
+
+impl<F: Float + FromStr> Value for F {}
+
+/// A command, whatever the number.
+pub(crate) trait Task {
+    fn run<F: Value>(self) -> Outcome;
+}
+
+/// Runs the task at f64, or at no fewer than the bits asked for.
+pub(crate) fn run(bits: Option<u32>, task: impl Task) -> Outcome {
+    match bits {
+        None => task.run::<f64>(),
+        Some(bits) => run_wide(bits, task),
+    }
+}
+
+#[cfg(feature = "mp")]
+fn run_wide(bits: u32, task: impl Task) -> Outcome {
+    use std::fmt::{Debug, Display, LowerExp};
+    use stickslip::float::mp::{ParseError, WithPrecision, with_precision};
+
+    struct Wide<T>(T);
+
+    impl<T: Task> WithPrecision for Wide<T> {
+        type Output = Outcome;
+
+        fn run<F>(self) -> Outcome
+        where
+            F: Float + FromStr<Err = ParseError> + Display + LowerExp + Debug + Send + Sync + 'static,
+        {
+            self.0.run::<F>()
+        }
+    }
+
+    with_precision(bits, Wide(task)).map_err(|e| Failure::Input(format!("--bits {bits}: {e}")))?
+}
+
+#[cfg(not(feature = "mp"))]
+fn run_wide(bits: u32, _: impl Task) -> Outcome {
+    Err(Failure::Input(format!("--bits {bits}: this build has 53 bits only; more need the feature mp")))
+}

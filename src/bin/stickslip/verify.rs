@@ -1,0 +1,152 @@
+//! `stickslip verify`.
+
+use crate::args::{Format, VerifyArgs};
+use crate::bits::{self, Task, Value};
+use crate::failure::{Failure, Outcome};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde::Serialize;
+use std::io::{self, Write};
+use stickslip::verify::{Standing, Verdict, verify};
+
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a VerifyArgs, &'a mut W);
+
+pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+    bits::run(args.bits, Run(args, out))
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        let bar = progress_bar();
+        let verdicts = verify::<F>(|done, all| {
+            bar.set_length(all as u64);
+            bar.set_position(done as u64);
+        });
+        bar.finish_and_clear();
+        match args.format {
+            Format::Json => json::<F>(&verdicts, out)?,
+            Format::Text => text::<F>(&verdicts, out)?,
+            Format::Jsonl | Format::Csv => {
+                return Err(Failure::Input("--format: the answer to verify is text or json".to_owned()));
+            }
+        }
+        out.flush()?;
+        conclusion(&verdicts)
+    }
+}
+
+/// A failure where one identity is not as it should be.
+fn conclusion(verdicts: &[Verdict]) -> Outcome {
+    match verdicts.iter().filter(|v| !v.passed).count() {
+        0 => Ok(()),
+        failed => Err(Failure::Verdict(format!("{failed} of {} identities failed", verdicts.len()))),
+    }
+}
+
+/// On a terminal; indicatif keeps it off anything else.
+fn progress_bar() -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} points, {eta} left");
+    ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr())
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> {
+    let wide = |s: &str, width: usize| format!("{s}{}", " ".repeat(width.saturating_sub(s.chars().count())));
+    writeln!(out, "{} bits; residuals in units of the last place of the terms\n", F::PRECISION)?;
+    writeln!(out, "{}  {}  points  worst      ", wide("eq.", 7), wide("identity", 60))?;
+    for v in verdicts {
+        let verdict = match (v.standing, v.passed) {
+            (Standing::Holds, true) => "holds",
+            (Standing::Holds, false) => "FAILS",
+            (Standing::Refuted, true) => "refuted",
+            (Standing::Refuted, false) => "NOT REFUTED",
+        };
+        let worst = match v.standing {
+            Standing::Holds => format!("{:.3e}", v.worst),
+            Standing::Refuted => format!("{:.1e} rel.", v.worst),
+        };
+        let (equation, statement) = (wide(v.equation, 7), wide(v.statement, 60));
+        writeln!(out, "{equation}  {statement}  {:>6}  {worst:<12} {verdict}", v.points)?;
+        if let (false, Some((omega, alpha))) = (v.passed, &v.at) {
+            writeln!(out, "         at Ω = {omega}, α = {alpha}")?;
+        }
+    }
+    let passed = verdicts.iter().filter(|v| v.passed).count();
+    writeln!(out, "\n{passed} of {} as they should be", verdicts.len())
+}
+
+#[derive(Serialize)]
+struct Report<'a> {
+    bits: u32,
+    passed: bool,
+    identities: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    equation: &'a str,
+    statement: &'a str,
+    standing: &'a str,
+    points: usize,
+    /// In units of the last place where it holds, relative to the terms where it is refuted.
+    worst_residual: f64,
+    worst_omega: Option<&'a str>,
+    worst_alpha: Option<&'a str>,
+    passed: bool,
+}
+
+impl<'a> From<&'a Verdict> for Row<'a> {
+    fn from(v: &'a Verdict) -> Self {
+        Self {
+            equation: v.equation,
+            statement: v.statement,
+            standing: match v.standing {
+                Standing::Holds => "holds",
+                Standing::Refuted => "refuted",
+            },
+            points: v.points,
+            worst_residual: v.worst,
+            worst_omega: v.at.as_ref().map(|(omega, _)| omega.as_str()),
+            worst_alpha: v.at.as_ref().map(|(_, alpha)| alpha.as_str()),
+            passed: v.passed,
+        }
+    }
+}
+
+fn json<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> Outcome {
+    let report = Report {
+        bits: F::PRECISION,
+        passed: verdicts.iter().all(|v| v.passed),
+        identities: verdicts.iter().map(Row::from).collect(),
+    };
+    serde_json::to_writer_pretty(&mut *out, &report)?;
+    Ok(out.write_all(b"\n")?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{conclusion, text};
+    use crate::failure::Failure;
+    use stickslip::verify::{Standing, Verdict};
+
+    #[test]
+    fn one_failure_is_enough_and_says_where() {
+        let verdict = |passed| Verdict {
+            equation: "36",
+            statement: "ρ² = 2B²/(1 + cos π₁) − X²",
+            standing: Standing::Holds,
+            points: 3,
+            worst: 1e9,
+            at: Some(("0.7".into(), "2".into())),
+            passed,
+        };
+        assert!(conclusion(&[verdict(true), verdict(true)]).is_ok());
+        let verdicts = [verdict(true), verdict(false)];
+        assert!(matches!(conclusion(&verdicts), Err(Failure::Verdict(text)) if text.starts_with("1 of 2")));
+        let mut table = Vec::new();
+        text::<f64>(&verdicts, &mut table).unwrap();
+        let table = String::from_utf8(table).unwrap();
+        assert!(table.contains("FAILS") && table.contains("at Ω = 0.7, α = 2"), "{table}");
+    }
+}

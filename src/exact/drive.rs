@@ -1,0 +1,150 @@
+//! The phase of the drive, reduced: whole half turns counted, the rest an angle.
+//!
+//! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. Motion goes on for millions of cycles without the
+//! angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of n: the
+//! half turns are the stretches on which the drive's rate of change keeps its sign, which is what the search for
+//! velocity zeros works by.
+
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::ratios::finite;
+
+/// A phase `θ = ω_d t = nπ + a` of the drive: n half turns and the angle `a` in `[−π/2, π/2)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrivePhase<F> {
+    half_turns: i64,
+    angle: F,
+}
+
+impl<F: Float> DrivePhase<F> {
+    /// The phase θ in radians; `θ = 0` is where the force rises through zero.
+    ///
+    /// # Errors
+    /// Where θ is not finite, or above 2⁵² half turns, where no digit of the angle is left.
+    pub fn new(theta: F) -> Result<Self, Error> {
+        let theta = finite(Quantity::DrivePhase, theta)?;
+        let most = F::pi() * F::from_f64(MOST_HALF_TURNS);
+        if theta.abs() > most {
+            return Err(Error::OutOfRange {
+                quantity: Quantity::DrivePhase,
+                value: theta.to_string(),
+                least: (-most).to_string(),
+                greatest: most.to_string(),
+            });
+        }
+        Ok(Self { half_turns: 0, angle: F::int(0) }.advanced(theta))
+    }
+
+    /// The phase after `cycles` whole cycles and the angle θ of a further one.
+    ///
+    /// # Errors
+    /// As for [`DrivePhase::new`].
+    pub fn in_cycle(cycles: i64, theta: F) -> Result<Self, Error> {
+        Self::new(theta).map(|p| p.later_by_half_turns(cycles.saturating_mul(2)))
+    }
+
+    /// Whole half turns n.
+    pub const fn half_turns(&self) -> i64 {
+        self.half_turns
+    }
+
+    /// The angle `a` in `[−π/2, π/2)` beyond the half turns.
+    pub const fn angle(&self) -> F {
+        self.angle
+    }
+
+    /// θ modulo 2π, in `[0, 2π)`.
+    pub fn reduced(&self) -> F {
+        let turned = if self.is_even() { self.angle } else { self.angle + F::pi() };
+        if turned < F::int(0) { turned + F::int(2) * F::pi() } else { turned }
+    }
+
+    /// Whole cycles: `⌊θ/2π⌋`, so that θ = 2π cycles + [`DrivePhase::reduced`].
+    pub fn cycles(&self) -> i64 {
+        let whole = self.half_turns.div_euclid(2);
+        if self.is_even() && self.angle < F::int(0) { whole - 1 } else { whole }
+    }
+
+    /// `(sin θ, cos θ)`.
+    #[inline]
+    pub fn sin_cos(&self) -> (F, F) {
+        let (s, c) = self.angle.sin_cos();
+        if self.is_even() { (s, c) } else { (-s, -c) }
+    }
+
+    /// `θ − θ′`: exact in whole half turns up to one rounding.
+    #[inline]
+    pub fn since(&self, earlier: Self) -> F {
+        let turns = F::from_f64((self.half_turns - earlier.half_turns) as f64);
+        turns.mul_add(F::pi(), self.angle - earlier.angle)
+    }
+
+    /// The phase `θ + advance`.
+    #[inline]
+    pub(crate) fn advanced(&self, advance: F) -> Self {
+        let theta = self.angle + advance;
+        let turns = (theta / F::pi() + F::ratio(1, 2)).floor();
+        let angle = (-turns).mul_add(F::pi(), theta);
+        Self { half_turns: self.half_turns + turns.to_f64() as i64, angle }
+    }
+
+    /// The phase n half turns later: the same angle.
+    #[inline]
+    pub(crate) const fn later_by_half_turns(&self, half_turns: i64) -> Self {
+        Self { half_turns: self.half_turns.saturating_add(half_turns), angle: self.angle }
+    }
+
+    /// Angle `angle` of the half turn n.
+    #[inline]
+    pub(crate) const fn of_half_turn(half_turns: i64, angle: F) -> Self {
+        Self { half_turns, angle }
+    }
+
+    /// Whether cos θ ≥ 0: an even number of half turns.
+    #[inline]
+    pub(crate) const fn is_even(&self) -> bool {
+        self.half_turns & 1 == 0
+    }
+}
+
+/// More half turns than any angle of the library's types can still resolve.
+const MOST_HALF_TURNS: f64 = 4_503_599_627_370_496.0;
+
+#[cfg(test)]
+mod tests {
+    use super::DrivePhase;
+    use std::f64::consts::{PI, TAU};
+
+    fn phase(theta: f64) -> DrivePhase<f64> {
+        DrivePhase::new(theta).unwrap()
+    }
+
+    #[test]
+    fn reduction_keeps_sine_and_cosine() {
+        for theta in [-7.0, -1.6, -1.5, 0.0, 1.5, 1.6, 3.0, 4.7, 4.8, 6.2, 100.0] {
+            let (s, c) = phase(theta).sin_cos();
+            assert!((s - theta.sin()).abs() < 3e-14 && (c - theta.cos()).abs() < 3e-14, "{theta}");
+            let p = phase(theta);
+            assert!((p.cycles() as f64 * TAU + p.reduced() - theta).abs() < 3e-14);
+            assert!((0.0..TAU).contains(&p.reduced()), "{theta}");
+        }
+    }
+
+    #[test]
+    fn a_million_cycles_cost_no_digit() {
+        let near = phase(1.25);
+        let far = DrivePhase::in_cycle(1_000_000, 1.25).unwrap();
+        assert_eq!(near.sin_cos(), far.sin_cos());
+        assert_eq!(far.cycles(), 1_000_000);
+        assert!((far.since(near) - 1e6 * TAU).abs() < 2e-9);
+        assert_eq!(far.later_by_half_turns(1).sin_cos().0, -near.sin_cos().0);
+        assert!((near.advanced(-PI).since(near) + PI).abs() < 1e-15);
+    }
+
+    #[test]
+    fn what_is_no_phase_is_refused() {
+        let message = |theta: f64| DrivePhase::new(theta).unwrap_err().to_string();
+        assert_eq!(message(f64::NAN), "phase ω_d t = NaN must be finite");
+        assert!(message(1e18).starts_with("phase ω_d t = 1000000000000000000 must be ≥"));
+    }
+}

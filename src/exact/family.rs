@@ -1,0 +1,122 @@
+//! Ω = 1/(2n): a family of periodic motions.
+//!
+//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the forced one, and
+//! any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One
+//! multiplier of the cycle is 1. Which member a motion tends to depends on its start, so it is followed there.
+//!
+//! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the edge, which touches
+//! the border of sticking: the distance falls like 1/cycles only. It never grows (`shooting`), so that once the motion is
+//! close to that member it is the limit to within that distance.
+
+use super::drive::DrivePhase;
+use super::matrix::Matrix;
+use super::measures::Tally;
+use super::shooting::{Budget, Residual};
+use super::slide::{Direction, Equation, Slide};
+use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
+use super::walk::{Part, Point, walk};
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::phase_function::PhaseFunction;
+use crate::ratios::Ratios;
+
+/// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
+pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
+    let omega = ratios.omega();
+    is_even_subharmonic(omega)
+        && ratios.alpha() >= Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio()
+}
+
+/// The member that the motion through a point tends to.
+///
+/// The change from cycle to cycle shrinks by the other multiplier μ, so that what is left after a change d is
+/// `d μ/(1 − μ)`; it is added once it is small enough for the motion to be linear in it.
+pub(crate) fn member<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    hint: F,
+    mut budget: Budget,
+) -> LongRun<F> {
+    let one = F::int(1);
+    let mut y = start;
+    let mut parts = Vec::new();
+    let mut added = false;
+    loop {
+        let cycle = walk(equation, y, 2, hint, parts);
+        budget.half_turns += 2;
+        let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
+        let residual = Residual::new(&equation, &y, (dx, dw));
+        let change = residual.norm();
+        let other = cycle.monodromy.determinant().abs();
+        let left = change / (one - other);
+        let size = one + y.x.abs() + y.w.abs();
+        let rounding = F::int(4) * (residual.bound() - change);
+        if left <= rounding || (added && change <= rounding) {
+            let off = left + rounding;
+            return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
+        }
+        let sticks = cycle.parts.iter().any(|part| matches!(part, Part::Stick(..)));
+        if sticks && budget.half_turns >= LONG_CREEP {
+            let edge = nearest_edge(equation, &y);
+            let off = (edge.x - y.x).hypot(edge.w - y.w);
+            if off * F::int(16) < size {
+                let cycle = walk(equation, edge, 2, hint, cycle.parts);
+                return finish(equation, edge, &cycle.parts, cycle.monodromy, (off, off), &budget);
+            }
+        }
+        if budget.half_turns > budget.most {
+            return unsettled(&equation, &y, change, &budget);
+        }
+        // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
+        let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && other < one;
+        let reach = if jump { one / (one - other) } else { one };
+        y = Point { phase: y.phase, x: y.x + dx * reach, w: y.w + dw * reach };
+        added = added || jump;
+        parts = cycle.parts;
+    }
+}
+
+/// Half turns after which a motion of a family that still sticks is taken to creep.
+const LONG_CREEP: u64 = 400;
+
+/// The member at the edge of the family that is nearest to y, at the phase of y.
+///
+/// The members are the symmetric cycle and `c cos ω_n(t − t₂)`, |c| up to `αΩ²/(1 − Ω²) − 1`.
+fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let Equation { omega, alpha, .. } = equation;
+    let amplitude = alpha / ((one - omega) * (one + omega));
+    let room = omega.square() * amplitude - one;
+    // t₂ is at π/2: K = 0. The half turn before y begins at an extremum, a maximum where sin θ > 0.
+    let before = DrivePhase::of_half_turn(y.phase.half_turns(), -(F::pi() / F::int(2)));
+    let maximum = !before.is_even();
+    let (side, direction) = if maximum { (one, Direction::Backward) } else { (-one, Direction::Forward) };
+    let phi = y.phase.since(before) / omega;
+    let at = |c: F| {
+        let motion = Slide::new(equation, before, side * amplitude + c, zero, direction).motion(phi);
+        Point { phase: y.phase, x: motion.x, w: motion.w }
+    };
+    let (high, low) = (at(room), at(-room));
+    let distance = |p: &Point<F>| (p.x - y.x).hypot(p.w - y.w);
+    if distance(&high) <= distance(&low) { high } else { low }
+}
+
+fn finish<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    parts: &[Part<F>],
+    monodromy: Matrix<F>,
+    distance: (F, F),
+    budget: &Budget,
+) -> LongRun<F> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let tally = Tally::of(&start, equation.omega, parts);
+    LongRun::Family(SteadyState {
+        equation,
+        start,
+        tally: Summary::of(&tally),
+        multipliers: [(one, zero), (monodromy.determinant(), zero)],
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    })
+}

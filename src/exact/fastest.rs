@@ -1,0 +1,169 @@
+//! The greatest speed within a slide.
+//!
+//! The acceleration of a slide obeys `f″ + f = g` as the velocity does, with `g ∝ −sin θ`: its zeros are found with the
+//! same proof, one after the other, and the greatest speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2 there can
+//! be as many as fast periods in the slide; but a point that lies a fast period or more from where the slow wave is greatest
+//! is exceeded by the one a fast period closer, so that only the neighbourhoods of that crest and of the ends count.
+
+use super::event::{Found, Search, Verdict, next_zero};
+use super::slide::{Motion, Slide};
+use crate::float::Float;
+
+/// The fastest instant of a slide: its natural time and the velocity there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fastest<F> {
+    pub(crate) phi: F,
+    pub(crate) w: F,
+}
+
+impl<F: Float> Slide<F> {
+    /// The greatest speed for natural times from 0 to `end`, where the motion is `arrival`.
+    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
+        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let mut best = Fastest { phi: zero, w: self.w };
+        let start = self.motion_at_start();
+        if omega * two >= one && omega <= two {
+            self.scan((zero, &start), (end, arrival), &mut best);
+            return best;
+        }
+        let fast = two * F::pi() / one.or_larger(omega);
+        let crest = self.slow_crest();
+        let motion = |phi: F| {
+            if phi == zero {
+                start
+            } else if phi == end {
+                *arrival
+            } else {
+                self.motion(phi)
+            }
+        };
+        for (from, to) in [(zero, fast), (crest - fast, crest + fast), (end - fast, end)] {
+            let from = from.or_larger(zero);
+            let to = if to < end { to } else { end };
+            if from < to {
+                self.scan((from, &motion(from)), (to, &motion(to)), &mut best);
+                if to - from >= end {
+                    break;
+                }
+            }
+        }
+        best
+    }
+
+    /// The natural time of the crest of the slow wave that lies in the slide, if one does.
+    fn slow_crest(&self) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let (sine, cosine) = self.start.sin_cos();
+        let sign = self.direction.sign::<F>();
+        let crest = if omega < one {
+            // s cos θ = 1
+            (-(sign * sine)).atan2(sign * cosine) / omega
+        } else {
+            let forced = self.equation.alpha * omega / ((one - omega) * (one + omega));
+            let rate = self.acceleration + forced * omega * sine;
+            (sign * rate).atan2(sign * (self.w - forced * cosine))
+        };
+        let period = two * F::pi() / if omega < one { omega } else { one };
+        if crest < F::int(0) { crest + period } else { crest }
+    }
+
+    /// Every zero of the acceleration between two instants whose motion is known, and these themselves.
+    fn scan(&self, (from, first): (F, &Motion<F>), (to, last): (F, &Motion<F>), best: &mut Fastest<F>) {
+        let zero = F::int(0);
+        let sign = self.direction.sign::<F>();
+        let mut consider = |phi: F, w: F| {
+            if sign * w > sign * best.w {
+                *best = Fastest { phi, w };
+            }
+        };
+        consider(from, first.w);
+        consider(to, last.w);
+        let noise =
+            F::int(4) * F::epsilon() * self.velocity_scale() * F::int(1).or_larger(self.equation.omega);
+        let (mut at, mut motion) = (from, *first);
+        // At an extremum to within rounding, or at a release, the jerk says which way it goes.
+        let mut from_zero = motion.acceleration.abs() <= noise;
+        let mut speeds_up = sign * if from_zero { motion.jerk } else { motion.acceleration } > zero;
+        for _ in 0..MOST_EXTREMA {
+            let side = if speeds_up { sign } else { -sign };
+            let search = self.acceleration_search(at, to, side, from_zero, noise);
+            let jet = |m: &Motion<F>| m.acceleration_jet(self.equation.omega, side);
+            let verdict = next_zero(&search, jet(&motion), |phi| {
+                let m = if at + phi >= to { *last } else { self.motion(at + phi) };
+                (jet(&m), m)
+            });
+            let Verdict::Zero(found) = verdict else { break };
+            let Found { at: passed, step, motion: m, .. } = found;
+            at = at + passed + step;
+            if at >= to {
+                break;
+            }
+            let (half, third) = (step / F::int(2), step / F::int(3));
+            let (fourth, _) = m.higher(self.equation.omega);
+            let w = m.w + step * (m.acceleration + half * (m.jerk + third * fourth));
+            if speeds_up {
+                consider(at, w);
+            }
+            motion = Motion { acceleration: zero, w, jerk: m.jerk + step * fourth, ..m };
+            (speeds_up, from_zero) = (!speeds_up, true);
+        }
+    }
+
+    /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
+    #[inline]
+    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<F> {
+        let omega = self.equation.omega;
+        // −sin θ = cos(θ + π/2)
+        let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));
+        Search {
+            omega,
+            angle: shifted.angle(),
+            helping: shifted.is_even() == (side > F::int(0)),
+            from_zero,
+            limit: Some(to - at),
+            // The end, where the motion is known, is looked at first.
+            hint: to - at,
+            safe: None,
+            noise,
+        }
+    }
+}
+
+/// Two fast periods hold four extrema; a slide with Ω in [1/2, 2] at most six.
+const MOST_EXTREMA: u32 = 16;
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::exact::trajectory::Body;
+    use crate::exact::{State, Trajectory};
+
+    #[test]
+    fn no_sample_is_faster() {
+        for (omega, alpha) in [
+            (0.03f64, 3.0f64),
+            (0.1, 3.0),
+            (0.23, 30.0),
+            (0.4, 9.0),
+            (0.5, 4.0),
+            (0.7, 2.0),
+            (1.3, 2.0),
+            (2.5, 3.0),
+            (40.0, 50.0),
+        ] {
+            let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
+            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().take(12) {
+                let Body::Slide(slide, zero) = &phase.body else { continue };
+                let fastest = slide.fastest(zero.phi, &slide.motion_at(zero));
+                assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * fastest.w.abs().max(1.0));
+                let n = 20_000;
+                for i in 0..=n {
+                    let w = slide.motion(zero.phi * f64::from(i) / f64::from(n)).w;
+                    assert!(w.abs() <= fastest.w.abs() + 1e-13, "Ω = {omega}: {w} {fastest:?} in {phase:?}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,173 @@
+//! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
+
+use super::drive::DrivePhase;
+use super::slide::{Motion, Slide};
+use super::walk::{Part, Point};
+use crate::float::Float;
+
+/// An extreme value and its phase.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extreme<F> {
+    /// The value: x/B or x′/(Bω_d).
+    pub value: F,
+    /// Where it is taken first.
+    pub phase: DrivePhase<F>,
+}
+
+/// Extrema, stops and work over some time.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Tally<F> {
+    pub(crate) max_x: Extreme<F>,
+    pub(crate) min_x: Extreme<F>,
+    pub(crate) max_v: Extreme<F>,
+    pub(crate) min_v: Extreme<F>,
+    pub(crate) sticks: u32,
+    pub(crate) zeros: u32,
+    /// Time at rest, as a phase.
+    pub(crate) rest: F,
+    /// Work done by the drive, ∫ α sin θ dx, in r_y B.
+    pub(crate) work_in: F,
+    /// Work done against friction, ∫ |dx|, in r_y B.
+    pub(crate) work_out: F,
+}
+
+impl<F: Float> Tally<F> {
+    /// The tally of the parts of a walk that begins at `start`.
+    pub(crate) fn of(start: &Point<F>, omega: F, parts: &[Part<F>]) -> Self {
+        let zero = F::int(0);
+        let x = Extreme { value: start.x, phase: start.phase };
+        let v = Extreme { value: start.w / omega, phase: start.phase };
+        let mut tally = Self {
+            max_x: x,
+            min_x: x,
+            max_v: v,
+            min_v: v,
+            sticks: 0,
+            zeros: 0,
+            rest: zero,
+            work_in: zero,
+            work_out: zero,
+        };
+        for part in parts {
+            match part {
+                Part::Slide(slide, end) => {
+                    tally.zeros += 1;
+                    tally.slide(slide, end.phi, end.phase, &slide.motion_at(end));
+                }
+                Part::Onward(slide, phi, phase, end) => tally.slide(slide, *phi, *phase, end),
+                Part::Stick(_, length) => {
+                    tally.sticks += 1;
+                    tally.rest = tally.rest + *length;
+                }
+            }
+        }
+        tally
+    }
+
+    fn slide(&mut self, slide: &Slide<F>, phi: F, phase: DrivePhase<F>, end: &Motion<F>) {
+        let omega = slide.equation.omega;
+        self.displaced(Extreme { value: end.x, phase });
+        let fastest = slide.fastest(phi, end);
+        self.moved(Extreme { value: fastest.w / omega, phase: slide.start.advanced(omega * fastest.phi) });
+        self.work_out = self.work_out + (end.x - slide.x).abs();
+        self.work_in = self.work_in + slide.work_of_drive(end);
+    }
+
+    fn displaced(&mut self, x: Extreme<F>) {
+        if x.value > self.max_x.value {
+            self.max_x = x;
+        }
+        if x.value < self.min_x.value {
+            self.min_x = x;
+        }
+    }
+
+    fn moved(&mut self, v: Extreme<F>) {
+        if v.value > self.max_v.value {
+            self.max_v = v;
+        }
+        if v.value < self.min_v.value {
+            self.min_v = v;
+        }
+    }
+
+    /// The tally of a whole turn from that of its first half, the second being the first turned upside down.
+    pub(crate) fn doubled(mut self) -> Self {
+        let two = F::int(2);
+        let mirrored = |e: Extreme<F>| Extreme { value: -e.value, phase: e.phase.later_by_half_turns(1) };
+        for extreme in [mirrored(self.max_x), mirrored(self.min_x)] {
+            self.displaced(extreme);
+        }
+        for extreme in [mirrored(self.max_v), mirrored(self.min_v)] {
+            self.moved(extreme);
+        }
+        Self {
+            sticks: 2 * self.sticks,
+            zeros: 2 * self.zeros,
+            rest: two * self.rest,
+            work_in: two * self.work_in,
+            work_out: two * self.work_out,
+            ..self
+        }
+    }
+
+    /// The paper's error measures of this cycle.
+    pub(crate) fn errors(&self) -> ErrorMeasures<F> {
+        let turn = F::int(2) * F::pi();
+        let size = |max: F, min: F| (max + min).abs() / max;
+        let shift = |max: DrivePhase<F>, min: DrivePhase<F>| (min.since(max).abs() - F::pi()) / turn;
+        ErrorMeasures {
+            error_1: size(self.max_x.value, self.min_x.value),
+            error_2: shift(self.max_x.phase, self.min_x.phase),
+            error_3: size(self.max_v.value, self.min_v.value),
+            error_4: shift(self.max_v.phase, self.min_v.phase),
+        }
+    }
+}
+
+/// How far a cycle is from symmetry: the four error measures of Hong & Liu 2001, section 3.
+///
+/// ```text
+/// Error 1 = |max x + min x|/max x        Error 2 = (|t₄ − t₂| − π/ω_d)/T
+/// Error 3 = |max x′ + min x′|/max x′     Error 4 = (|t₃ − t₁| − π/ω_d)/T
+/// ```
+///
+/// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All are zero for a
+/// motion with `x(t + π/ω_d) = −x(t)`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ErrorMeasures<F> {
+    /// Of the displacements.
+    pub error_1: F,
+    /// Of the phases of the displacements.
+    pub error_2: F,
+    /// Of the velocities.
+    pub error_3: F,
+    /// Of the phases of the velocities.
+    pub error_4: F,
+}
+
+impl<F: Float> Slide<F> {
+    /// Work of the drive `∫ α sin θ dx` from the start to `end`, in r_y B.
+    ///
+    /// From `(w″ + w) sin θ = αΩ cos θ sin θ` by parts, which owes nothing to the balance of energy:
+    ///
+    /// ```text
+    /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
+    /// ```
+    ///
+    /// For |1 − Ω²| < 1/64, where that loses digits, from the balance of energy instead: `[½x² + ½w²] + |Δx|`.
+    pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let sign = self.direction.sign::<F>();
+        let divisor = (one - omega) * (one + omega);
+        if divisor.abs() * F::int(64) < one {
+            let spring = (end.x - self.x) * (end.x + self.x);
+            let kinetic = (end.w - self.w) * (end.w + self.w);
+            return (spring + kinetic) / two + sign * (end.x - self.x);
+        }
+        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w.
+        let bracket = |m: &Motion<F>| m.force * (m.x + sign - m.force / two) + (m.jerk + m.w) * m.w;
+        (bracket(end) - bracket(&self.motion_at_start())) / divisor
+    }
+}

@@ -1,0 +1,176 @@
+//! The periodic motion by Newton's method on the half-turn map.
+//!
+//! `H` takes the state (x, w) at a phase θ₀ half a turn of the drive on and turns it upside down: a symmetric motion is a
+//! fixed point of H, with `H′ = −M`, M the monodromy of the half turn. A Newton step is `(1 + M)⁻¹ (H(y) − y)`.
+//!
+//! # Why this finds the limit of every motion
+//!
+//! Friction is monotone: of two motions under the same drive, `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw ≤ 0`. So
+//!
+//! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from one half turn to
+//!   the next. A Newton step is kept where it halves the residual, and otherwise the motion is simply followed on.
+//! * Two periodic motions keep their distance for ever. If the multipliers of one are inside the unit circle it attracts a
+//!   neighbourhood, and then everything: **there is one limit only, and it is symmetric**, because a motion turned upside
+//!   down half a turn later is a motion, too. More than one limit needs a difference that is itself an undamped free
+//!   vibration of the drive's period: Ω = 1/n.
+
+use super::matrix::Matrix;
+use super::slide::Equation;
+use super::walk::{Part, Point, Walk, walk};
+use crate::float::Float;
+
+/// A fixed point of the half-turn map, with the walk of half a turn from it.
+#[derive(Debug)]
+pub(crate) struct Fixed<F> {
+    pub(crate) start: Point<F>,
+    pub(crate) walk: Walk<F>,
+    /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by entry.
+    pub(crate) distance: (F, F),
+}
+
+/// What shooting ends with.
+#[derive(Debug)]
+pub(crate) enum Shot<F> {
+    Settled(Fixed<F>),
+    /// The budget is spent; the state reached and the residual there.
+    Unsettled(Point<F>, F),
+}
+
+/// Half turns walked, counted over all attempts.
+pub(crate) struct Budget {
+    pub(crate) half_turns: u64,
+    pub(crate) most: u64,
+}
+
+/// `H(y) − y`, and what rounding makes of a zero of it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Residual<F> {
+    pub(crate) x: F,
+    pub(crate) w: F,
+    noise_x: F,
+    noise_w: F,
+}
+
+impl<F: Float> Residual<F> {
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of and that of the phase: half a unit
+    /// of θ moves x by w/Ω and w by w′/Ω.
+    pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
+        let Equation { omega, alpha, .. } = *equation;
+        let (one, unit) = (F::int(1), F::int(2) * F::epsilon());
+        let forced = alpha / (one + omega.square());
+        let rate = (one + alpha + y.x.abs()) / omega;
+        Self {
+            x,
+            w,
+            noise_x: unit * (y.x.abs() + forced + y.w.abs() / omega),
+            noise_w: unit * (y.w.abs() + forced * omega + rate),
+        }
+    }
+
+    /// The distance that the motion never lets grow.
+    pub(crate) fn norm(&self) -> F {
+        self.x.hypot(self.w)
+    }
+
+    /// Whether it is `times` rounding or less.
+    pub(crate) fn is_rounding(&self, times: i32) -> bool {
+        let times = F::int(times);
+        self.x.abs() <= times * self.noise_x && self.w.abs() <= times * self.noise_w
+    }
+
+    /// The norm of the residual with that of its rounding added.
+    pub(crate) fn bound(&self) -> F {
+        self.norm() + self.noise_x.hypot(self.noise_w)
+    }
+
+    /// Bounds on x and w of the residual, rounding included.
+    pub(crate) fn bounds(&self) -> (F, F) {
+        (self.x.abs() + self.noise_x, self.w.abs() + self.noise_w)
+    }
+}
+
+fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> Residual<F> {
+    Residual::new(equation, y, (-walk.end.x - y.x, -walk.end.w - y.w))
+}
+
+/// Natural time from the start of a walk to its first velocity zero.
+fn first_zero<F: Float>(walk: &Walk<F>, usual: F) -> F {
+    match walk.parts.first() {
+        Some(Part::Slide(_, zero)) => zero.phi,
+        Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
+    }
+}
+
+/// Newton's method from a start; `hint` is the natural time to its first velocity zero.
+///
+/// `guess` is a second place to try, with its own hint, when Newton's step from the start fails. It needs no justification:
+/// its residual judges it, and where it leads is the limit of every start.
+pub(crate) fn shoot<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    hint: F,
+    guess: impl FnOnce() -> Option<(Point<F>, F)>,
+    budget: &mut Budget,
+) -> Shot<F> {
+    let two = F::int(2);
+    let mut guess = Some(guess);
+    let mut best = walk(equation, start, 1, hint, Vec::new());
+    let mut y = start;
+    let mut left = residual(&equation, &y, &best);
+    let mut spare = Vec::new();
+    let mut follow = 1;
+    budget.half_turns += 1;
+    loop {
+        let inverse = best.monodromy.inverse_of_one_plus();
+        if left.is_rounding(1) {
+            return Shot::Settled(settled(y, best, inverse, &left));
+        }
+        let (dx, dw) = inverse.times((left.x, left.w));
+        let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
+        if dx.is_finite() && dw.is_finite() {
+            let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
+            budget.half_turns += 1;
+            let after = residual(&equation, &trial, &tried);
+            if after.norm() * two <= left.norm() {
+                (y, left) = (trial, after);
+                spare = core::mem::replace(&mut best, tried).parts;
+                continue;
+            }
+            spare = tried.parts;
+            // Rounding alone is left, a little more of it than expected.
+            if left.is_rounding(64) {
+                return Shot::Settled(settled(y, best, inverse, &left));
+            }
+        }
+        if let Some((elsewhere, hint)) = guess.take().and_then(|guess| guess()) {
+            let tried = walk(equation, elsewhere, 1, hint, spare);
+            budget.half_turns += 1;
+            let after = residual(&equation, &elsewhere, &tried);
+            if after.norm() < left.norm() || after.is_rounding(1) {
+                (y, left) = (elsewhere, after);
+                spare = core::mem::replace(&mut best, tried).parts;
+                continue;
+            }
+            spare = tried.parts;
+        }
+        // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's reach.
+        for _ in 0..follow {
+            y = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
+            let hint = first_zero(&best, hint);
+            let next = walk(equation, y, 1, hint, spare);
+            spare = core::mem::replace(&mut best, next).parts;
+            budget.half_turns += 1;
+        }
+        left = residual(&equation, &y, &best);
+        follow = if follow < LONGEST_FOLLOW { follow * 2 } else { follow };
+        if budget.half_turns > budget.most {
+            return Shot::Unsettled(y, left.norm());
+        }
+    }
+}
+
+const LONGEST_FOLLOW: u32 = 64;
+
+fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
+    Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }
+}

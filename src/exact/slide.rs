@@ -1,0 +1,361 @@
+//! Sliding in one direction, in closed form (Hong & Liu 2001, section 3).
+//!
+//! In natural time `φ = ω_n(t − t_i)`, with `w = dx/dφ = Ω v` and the direction s = sgn v, the equation of motion is
+//! `x″ + x + s = α sin(θ_i + Ωφ)`, and its solution from `(θ_i, x_i, w_i)`
+//!
+//! ```text
+//! x − x_i = −(x_i + s)(1 − cos φ) + w_i sin φ + α [cos θ_i · S + sin θ_i · C]
+//! w       = a_i sin φ + w_i cos φ + αΩ [cos θ_i · C − sin θ_i · S],      a_i = α sin θ_i − x_i − s
+//! w′      = a_i cos φ − w_i sin φ + αΩ [cos θ_i · D − Ω sin θ_i · C]
+//! C = (cos Ωφ − cos φ)/(1−Ω²),   S = (sin Ωφ − Ω sin φ)/(1−Ω²),   D = C′ = (sin φ − Ω sin Ωφ)/(1−Ω²)
+//! ```
+//!
+//! The three quotients are 0/0 at Ω = 1. With `p = (1+Ω)φ/2`, `m = (1−Ω)φ/2` and `q = 2 sin m/(1−Ω)` they are
+//!
+//! ```text
+//! C = sin p · q/(1+Ω),   D = [sin Ωφ + q cos p]/(1+Ω),
+//! S = [sin Ωφ − Ω q cos p]/(1+Ω) = [sin φ − q cos p]/(1+Ω),
+//! ```
+//!
+//! of which only q is a quotient of small numbers, both known to full relative accuracy; q(Ω = 1) = φ. The first form
+//! of S is used below Ω = 1 and the second above, where each has no cancellation. The terms are those that vanish
+//! with φ, so that neither a short slide nor a high frequency costs digits. A long slide at a low frequency is written as a
+//! slow and a fast wave instead.
+
+use super::drive::DrivePhase;
+use super::event::Jet;
+use crate::float::Float;
+use crate::ratios::Ratios;
+
+/// The way a body slides: the sign of its velocity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// Towards larger x: friction is +r_y.
+    Forward,
+    /// Towards smaller x: friction is −r_y.
+    Backward,
+}
+
+impl Direction {
+    /// +1 or −1.
+    #[inline]
+    pub fn sign<F: Float>(self) -> F {
+        F::int(match self {
+            Self::Forward => 1,
+            Self::Backward => -1,
+        })
+    }
+
+    /// The direction of a number's sign; a zero counts as forward.
+    #[inline]
+    pub(crate) fn of<F: Float>(x: F) -> Self {
+        if x < F::int(0) { Self::Backward } else { Self::Forward }
+    }
+
+    /// The other way.
+    #[must_use]
+    pub const fn reversed(self) -> Self {
+        match self {
+            Self::Forward => Self::Backward,
+            Self::Backward => Self::Forward,
+        }
+    }
+}
+
+/// The equation of motion with what of it depends on (Ω, α) alone. α = 0 is free vibration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Equation<F> {
+    pub(crate) omega: F,
+    pub(crate) alpha: F,
+    half_sum: F,
+    half_difference: F,
+    per_one_plus: F,
+    /// `2/(1 − Ω)`, not used at Ω = 1.
+    double_per_one_minus: F,
+}
+
+impl<F: Float> Equation<F> {
+    pub(crate) fn new(ratios: Ratios<F>) -> Self {
+        Self::of(ratios.omega(), ratios.alpha())
+    }
+
+    /// Free vibration: no drive, and the unit of time 1/ω_n.
+    pub(crate) fn free() -> Self {
+        Self::of(F::int(1), F::int(0))
+    }
+
+    fn of(omega: F, alpha: F) -> Self {
+        let (one, two) = (F::int(1), F::int(2));
+        Self {
+            omega,
+            alpha,
+            half_sum: (one + omega) / two,
+            half_difference: (one - omega) / two,
+            per_one_plus: one / (one + omega),
+            double_per_one_minus: two / (one - omega),
+        }
+    }
+
+    /// The circular functions and quotients of the module's head at φ.
+    #[inline]
+    fn waves(&self, phi: F) -> Waves<F> {
+        let (sp, cp) = (self.half_sum * phi).sin_cos();
+        let (sm, cm) = (self.half_difference * phi).sin_cos();
+        let one = F::int(1);
+        let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
+        let free = (sp * cm + cp * sm, cp * cm - sp * sm);
+        let drive = (sp * cm - cp * sm, cp * cm + sp * sm);
+        let qc = q * cp;
+        let s = if self.omega < one { drive.0 - self.omega * qc } else { free.0 - qc };
+        Waves {
+            free,
+            drive,
+            c: sp * q * self.per_one_plus,
+            s: s * self.per_one_plus,
+            d: (drive.0 + qc) * self.per_one_plus,
+        }
+    }
+}
+
+struct Waves<F> {
+    /// (sin φ, cos φ)
+    free: (F, F),
+    /// (sin Ωφ, cos Ωφ)
+    drive: (F, F),
+    c: F,
+    s: F,
+    d: F,
+}
+
+/// What moves at one instant of a slide; rates are by natural time φ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Motion<F> {
+    pub(crate) x: F,
+    pub(crate) w: F,
+    /// `w′ = α sin θ − x − s`
+    pub(crate) acceleration: F,
+    /// `w″ = αΩ cos θ − w`
+    pub(crate) jerk: F,
+    /// `α sin θ`
+    pub(crate) force: F,
+    /// (sin φ, cos φ) of the time since the start of the slide.
+    pub(crate) rotation: (F, F),
+}
+
+impl<F: Float> Motion<F> {
+    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′` and `w⁗ = −Ω² αΩ cos θ − w″`.
+    #[inline]
+    pub(crate) fn higher(&self, omega: F) -> (F, F) {
+        let square = omega.square();
+        (-(square * self.force + self.acceleration), -(square * (self.jerk + self.w) + self.jerk))
+    }
+
+    /// The velocity with its derivatives, turned to the sign of the slide.
+    #[inline]
+    pub(crate) fn velocity_jet(&self, omega: F, sign: F) -> Jet<F> {
+        let third = self.higher(omega).0;
+        Jet {
+            value: sign * self.w,
+            first: sign * self.acceleration,
+            second: sign * self.jerk,
+            third: sign * third,
+        }
+    }
+
+    /// The acceleration with its derivatives, turned to a sign.
+    #[inline]
+    pub(crate) fn acceleration_jet(&self, omega: F, sign: F) -> Jet<F> {
+        let (second, third) = self.higher(omega);
+        Jet {
+            value: sign * self.acceleration,
+            first: sign * self.jerk,
+            second: sign * second,
+            third: sign * third,
+        }
+    }
+}
+
+/// One slide from `(θ_i, x_i, v_i)` in a given direction: a closed form in time.
+///
+/// It holds as long as the velocity keeps its sign, which [`crate::exact::Trajectory`] finds out. Displacements in
+/// units of B = r_y/k, velocities in B ω_d. Accuracy at f64: a few units in the last place of the largest term,
+/// `|x_i| + |w_i| + α/|1 − Ω²|` (beside Ω = 1, αφ for the last), times 1 + φ + Ωφ for the rounding of the angles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slide<F> {
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: DrivePhase<F>,
+    pub(crate) direction: Direction,
+    pub(crate) x: F,
+    pub(crate) w: F,
+    pub(crate) acceleration: F,
+    sin_start: F,
+    cos_start: F,
+}
+
+impl<F: Float> Slide<F> {
+    /// The slide with a velocity `w = Ωv` that is not zero, or zero with the force above friction.
+    #[inline]
+    pub(crate) fn new(equation: Equation<F>, start: DrivePhase<F>, x: F, w: F, direction: Direction) -> Self {
+        Self::with_sin_cos(equation, start, start.sin_cos(), x, w, direction)
+    }
+
+    /// The same with (sin θ_i, cos θ_i) known.
+    #[inline]
+    pub(crate) fn with_sin_cos(
+        equation: Equation<F>,
+        start: DrivePhase<F>,
+        (sin_start, cos_start): (F, F),
+        x: F,
+        w: F,
+        direction: Direction,
+    ) -> Self {
+        let acceleration = equation.alpha * sin_start - x - direction.sign::<F>();
+        Self { equation, start, direction, x, w, acceleration, sin_start, cos_start }
+    }
+
+    /// The slide that begins at rest with the force exactly at the friction bound and rising: zero velocity and zero
+    /// acceleration, whatever rounding makes of their difference.
+    #[inline]
+    pub(crate) fn released(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
+        let zero = F::int(0);
+        Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
+    }
+
+    /// The direction of motion.
+    pub const fn direction(&self) -> Direction {
+        self.direction
+    }
+
+    /// Displacement `x/B` a phase `Δθ = ω_d(t − t_i)` after the start.
+    pub fn displacement_after(&self, advance: F) -> F {
+        self.motion(advance / self.equation.omega).x
+    }
+
+    /// Velocity `x′/(Bω_d)` a phase `Δθ` after the start.
+    pub fn velocity_after(&self, advance: F) -> F {
+        self.motion(advance / self.equation.omega).w / self.equation.omega
+    }
+
+    /// The motion at natural time φ after the start.
+    #[inline]
+    pub(crate) fn motion(&self, phi: F) -> Motion<F> {
+        let Equation { omega, alpha, .. } = self.equation;
+        if omega < F::ratio(1, 2) && phi > F::int(1) {
+            return self.slow_and_fast(phi);
+        }
+        let Waves { free: (sine, cosine), drive, c, s, d } = self.equation.waves(phi);
+        let (si, ci) = (self.sin_start, self.cos_start);
+        let sign = self.direction.sign::<F>();
+        // 1 − cos φ without cancellation.
+        let one = F::int(1);
+        let versine = if cosine > F::int(0) { sine.square() / (one + cosine) } else { one - cosine };
+        let rate = alpha * omega;
+        let travelled = self.w * sine - (self.x + sign) * versine + alpha * (ci * s + si * c);
+        let w = self.acceleration * sine + self.w * cosine + rate * (ci * c - si * s);
+        Motion {
+            x: self.x + travelled,
+            w,
+            acceleration: self.acceleration * cosine - self.w * sine + rate * (ci * d - omega * si * c),
+            jerk: rate * (ci * drive.1 - si * drive.0) - w,
+            force: alpha * (si * drive.1 + ci * drive.0),
+            rotation: (sine, cosine),
+        }
+    }
+
+    /// The same as a slow forced wave and a fast free one, for Ω < 1/2 and φ > 1.
+    ///
+    /// ```text
+    /// x = A sin θ − s + a cos φ + b sin φ,   a = −(a_i + Ω²A sin θ_i),   b = w_i − ΩA cos θ_i,   A = α/(1 − Ω²)
+    /// ```
+    ///
+    /// The rounding of the fast angle, φ up to π/Ω, then counts with the amplitude of the fast wave only.
+    fn slow_and_fast(&self, phi: F) -> Motion<F> {
+        let Equation { omega, alpha, .. } = self.equation;
+        let (si, ci) = (self.sin_start, self.cos_start);
+        let (sd, cd) = (omega * phi).sin_cos();
+        let (sine, cosine) = phi.sin_cos();
+        let (sin_theta, cos_theta) = (si * cd + ci * sd, ci * cd - si * sd);
+        let amplitude = alpha / ((F::int(1) - omega) * (F::int(1) + omega));
+        let a = -(self.acceleration + omega.square() * amplitude * si);
+        let b = self.w - omega * amplitude * ci;
+        let fast = a * cosine + b * sine;
+        let w = omega * amplitude * cos_theta + b * cosine - a * sine;
+        Motion {
+            x: amplitude * sin_theta - self.direction.sign::<F>() + fast,
+            w,
+            acceleration: -(omega.square() * amplitude * sin_theta) - fast,
+            jerk: alpha * omega * cos_theta - w,
+            force: alpha * sin_theta,
+            rotation: (sine, cosine),
+        }
+    }
+
+    /// `w″ = αΩ cos θ − w` at the start.
+    #[inline]
+    pub(crate) fn jerk_at_start(&self) -> F {
+        self.equation.alpha * self.equation.omega * self.cos_start - self.w
+    }
+
+    /// The greatest size of the terms of w, per unit of rounding.
+    #[inline]
+    pub(crate) fn velocity_scale(&self) -> F {
+        let Equation { omega, alpha, .. } = self.equation;
+        // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ beside Ω = 1, where φ ≤ 3π.
+        let gain = omega * alpha / (F::int(1) + omega.square());
+        self.acceleration.abs() + self.w.abs() + F::int(4) * gain
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Direction, Equation, Slide};
+    use crate::Ratios;
+    use crate::exact::drive::DrivePhase;
+
+    fn slide(omega: f64, alpha: f64, theta: f64, x: f64, w: f64) -> Slide<f64> {
+        let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+        Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, Direction::of(w))
+    }
+
+    #[test]
+    fn against_forty_digits() {
+        // The textbook solution at 40 digits, rounded: (Ω, φ, x, w, w′) for α = 2.3, θ_i = 0.4, x_i = −0.7, w_i = 0.9.
+        for (omega, phi, x, w, a) in REFERENCE {
+            let m = slide(omega, 2.3, 0.4, -0.7, 0.9).motion(phi);
+            let scale = 4e-16 * (1.0 + phi + omega * phi) * (1.0 + 2.3);
+            for (got, expected) in [(m.x, x), (m.w, w), (m.acceleration, a)] {
+                assert!((got - expected).abs() < scale, "Ω = {omega}, φ = {phi}: {got} {expected}");
+            }
+        }
+    }
+
+    include!("slide/reference.rs");
+
+    #[test]
+    fn the_equation_of_motion_is_obeyed() {
+        for omega in [1e-3, 0.3, 0.99, 1.0, 1.0 + 1e-12, 1.7, 1e3] {
+            let s = slide(omega, 2.0, -0.8, 0.4, -1.3);
+            for i in 0..50 {
+                let phi = f64::from(i) * 0.07;
+                let m = s.motion(phi);
+                let residual = m.acceleration + m.x - 1.0 - m.force;
+                assert!(residual.abs() < 1e-14, "Ω = {omega}, φ = {phi}: {residual:e}");
+                let theta = -0.8 + omega * phi;
+                assert!((m.force - 2.0 * theta.sin()).abs() < 1e-12);
+                assert!((m.jerk + m.w - 2.0 * omega * theta.cos()).abs() < 1e-12 * (1.0 + omega));
+            }
+        }
+    }
+
+    #[test]
+    fn a_released_slide_starts_like_a_cube() {
+        let equation = Equation::new(Ratios::new(0.8, 1.7).unwrap());
+        let start = DrivePhase::new(0.3).unwrap();
+        let x = 1.7 * 0.3f64.sin() - 1.0;
+        let s = Slide::released(equation, start, x, Direction::Forward);
+        let phi = 1e-5;
+        let expected = 1.7 * 0.8 * 0.3f64.cos() * phi * phi / 2.0;
+        assert!((s.motion(phi).w / expected - 1.0).abs() < 1e-5);
+        assert_eq!(s.motion(0.0).w, 0.0);
+    }
+}

@@ -1,0 +1,130 @@
+//! Sticking: the body at rest until the force left over reaches the friction bound.
+//!
+//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to 1. It gives way forward where
+//! `α sin θ` rises through `x + 1` and backward where it falls through `x − 1`: at an arcsine, or never.
+
+use super::drive::DrivePhase;
+use super::slide::{Direction, Equation};
+use crate::float::Float;
+
+/// A stop: the body at rest at x until a phase in closed form, or for ever.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stick<F> {
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: DrivePhase<F>,
+    pub(crate) x: F,
+    pub(crate) release: Option<(DrivePhase<F>, Direction)>,
+}
+
+impl<F: Float> Stick<F> {
+    /// The stop at x from the phase `start` on, where `|α sin θ − x| ≤ 1` to within rounding.
+    pub(crate) fn new(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
+        let forward = release(equation.alpha, start, x, Direction::Forward);
+        let backward = release(equation.alpha, start, x, Direction::Backward);
+        let first = match (forward, backward) {
+            (Some(f), Some(b)) if b.since(f) < F::int(0) => Some((b, Direction::Backward)),
+            (Some(f), _) => Some((f, Direction::Forward)),
+            (None, Some(b)) => Some((b, Direction::Backward)),
+            (None, None) => None,
+        };
+        Self { equation, start, x, release: first }
+    }
+
+    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever, which is where
+    /// `|x| ≤ 1 − α`.
+    ///
+    /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
+    pub const fn release(&self) -> Option<(DrivePhase<F>, Direction)> {
+        self.release
+    }
+
+    /// How long it lasts, as a phase; `None` for ever.
+    pub fn duration(&self) -> Option<F> {
+        self.release.map(|(end, _)| end.since(self.start))
+    }
+}
+
+/// How far from its bound the friction force counts as at the bound: the rounding of `α sin θ − x`.
+#[inline]
+pub(crate) fn force_rounding<F: Float>(alpha: F, x: F) -> F {
+    F::int(4) * F::epsilon() * (alpha + x.abs() + F::int(1))
+}
+
+/// When friction gives way in one direction, from the phase `now` on.
+///
+/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + 1` with cos θ > 0 has one
+/// solution in each even half turn, where y < α. A maximum of the force that exceeds the bound by no more than its
+/// rounding moves the body by nothing that x can resolve, and does not count.
+fn release<F: Float>(alpha: F, now: DrivePhase<F>, x: F, direction: Direction) -> Option<DrivePhase<F>> {
+    let y = F::int(1) + direction.sign::<F>() * x;
+    let rounding = force_rounding(alpha, x);
+    let exceeds = alpha - y > rounding;
+    if !exceeds {
+        return None;
+    }
+    let (above, below) = (alpha - y, alpha + y);
+    let product = if below > F::int(0) { above * below } else { F::int(0) };
+    let angle = y.atan2(product.sqrt());
+    let rises = now.is_even() == (direction == Direction::Forward);
+    if !rises {
+        return Some(DrivePhase::of_half_turn(now.half_turns() + 1, angle));
+    }
+    // Within rounding of the bound and rising: now.
+    let force = alpha * now.angle().sin();
+    if y - force <= rounding {
+        return Some(now);
+    }
+    Some(DrivePhase::of_half_turn(now.half_turns(), angle))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Stick;
+    use crate::Ratios;
+    use crate::exact::slide::Equation;
+    use crate::exact::{Direction, DrivePhase};
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    fn stick(alpha: f64, theta: f64, x: f64) -> Stick<f64> {
+        let equation = Equation::new(Ratios::new(0.7, alpha).unwrap());
+        Stick::new(equation, DrivePhase::new(theta).unwrap(), x)
+    }
+
+    #[test]
+    fn gives_way_where_the_force_reaches_the_bound() {
+        for (alpha, theta, x) in
+            [(2.0f64, 0.0f64, 0.0f64), (1.3, 3.0, 0.2), (4.0, -0.3, -1.5), (1.3, 1.8, 0.3)]
+        {
+            let s = stick(alpha, theta, x);
+            let (end, direction) = s.release().unwrap();
+            let friction = alpha * end.sin_cos().0 - x;
+            assert!((friction - direction.sign::<f64>()).abs() < 1e-14);
+            // and nowhere before
+            let length = s.duration().unwrap();
+            for i in 1..1000 {
+                let before = alpha * (theta + length * f64::from(i) / 1000.0).sin() - x;
+                assert!(before.abs() < 1.0 + 1e-12, "{alpha} {theta} {x}: {before}");
+            }
+        }
+    }
+
+    #[test]
+    fn rests_for_ever_where_the_force_is_too_small() {
+        assert_eq!(stick(0.9, 0.3, 0.05).release(), None);
+        assert_eq!(stick(1.0, 0.3, 0.0).release(), None);
+        let (end, direction) = stick(0.9, 0.0, -0.2).release().unwrap();
+        assert_eq!(direction, Direction::Forward);
+        assert!((end.reduced() - (0.8f64 / 0.9).asin()).abs() < 1e-15);
+    }
+
+    #[test]
+    fn at_the_bound_a_rising_force_lets_go_and_a_falling_one_holds() {
+        let x = 2.0 * 0.5f64.sin() - 1.0;
+        assert_eq!(stick(2.0, 0.5, x).duration(), Some(0.0));
+        let falling = stick(2.0, PI - 0.5, x);
+        assert_eq!(falling.release().unwrap().1, Direction::Backward);
+        assert!(falling.duration().unwrap() > 0.1);
+        // At its maximum a force that just reaches the bound holds, too.
+        assert_eq!(stick(1.5, FRAC_PI_2, 0.5).release().map(|r| r.1), Some(Direction::Backward));
+    }
+}

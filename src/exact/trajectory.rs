@@ -1,0 +1,305 @@
+//! The motion as a sequence of phases: slide, stick, slide …
+
+use super::drive::DrivePhase;
+use super::slide::{Direction, Equation, Slide};
+use super::stick::{Stick, force_rounding};
+use super::velocity_zero::VelocityZero;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::ratios::{Ratios, finite};
+
+/// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<F> {
+    /// Phase θ = ω_d t.
+    pub phase: DrivePhase<F>,
+    /// Displacement x/B.
+    pub x: F,
+    /// Velocity x′/(Bω_d).
+    pub v: F,
+}
+
+impl<F: Float> State<F> {
+    /// At rest at x = 0 and θ = 0.
+    pub fn rest() -> Self {
+        let zero = F::int(0);
+        Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
+    }
+
+    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ.
+    ///
+    /// # Errors
+    /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,
+    /// e = [`Float::RATIO_EXPONENT`].
+    pub fn new(theta: F, x: F, v: F) -> Result<Self, Error> {
+        let bounded = |quantity, value: F| {
+            let most = F::exp2i(F::RATIO_EXPONENT);
+            let value = finite(quantity, value)?;
+            if value.abs() <= most {
+                return Ok(value);
+            }
+            Err(Error::OutOfRange {
+                quantity,
+                value: value.to_string(),
+                least: (-most).to_string(),
+                greatest: most.to_string(),
+            })
+        };
+        Ok(Self {
+            phase: DrivePhase::new(theta)?,
+            x: bounded(Quantity::Displacement, x)?,
+            v: bounded(Quantity::Velocity, v)?,
+        })
+    }
+}
+
+/// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant<F> {
+    /// Phase, displacement and velocity.
+    pub state: State<F>,
+    /// Acceleration `x″/(Bω_d²)`.
+    pub acceleration: F,
+    /// Friction force `r_a/r_y`, within ±1: the direction of sliding, or what holds the body.
+    pub friction: F,
+}
+
+impl<F: Float> Instant<F> {
+    /// The constitutive force `r/r_y = (r_a + k x)/r_y`, friction and spring together (eq. 1).
+    pub fn constitutive_force(&self) -> F {
+        self.friction + self.state.x
+    }
+}
+
+/// How a phase of the motion ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum End {
+    /// The velocity goes through zero and the body slides back at once.
+    Reversal,
+    /// The velocity reaches zero and the body stays.
+    Stop,
+    /// The velocity touches zero and the body slides on the same way.
+    Grazing,
+    /// Friction gives way.
+    Release,
+    /// Never.
+    Never,
+}
+
+/// What the body does during a phase.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// It slides one way.
+    Slide(Direction),
+    /// It is at rest.
+    Stick,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Body<F> {
+    Slide(Slide<F>, VelocityZero<F>),
+    Stick(Stick<F>),
+}
+
+/// One phase of the motion, from one change of its kind or direction to the next, exact at every instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Phase<F> {
+    pub(crate) body: Body<F>,
+    pub(crate) end: End,
+}
+
+impl<F: Float> Phase<F> {
+    /// Sliding, and which way, or sticking.
+    pub const fn kind(&self) -> Kind {
+        match &self.body {
+            Body::Slide(slide, _) => Kind::Slide(slide.direction),
+            Body::Stick(_) => Kind::Stick,
+        }
+    }
+
+    /// What ends it.
+    pub const fn ends_by(&self) -> End {
+        self.end
+    }
+
+    /// The state at its start.
+    pub fn start(&self) -> State<F> {
+        match &self.body {
+            Body::Slide(s, _) => State { phase: s.start, x: s.x, v: s.w / s.equation.omega },
+            Body::Stick(s) => State { phase: s.start, x: s.x, v: F::int(0) },
+        }
+    }
+
+    /// The state at its end, where the velocity is zero; `None` for a stop that lasts for ever.
+    pub fn end(&self) -> Option<State<F>> {
+        let v = F::int(0);
+        match &self.body {
+            Body::Slide(_, zero) => Some(State { phase: zero.phase, x: zero.x, v }),
+            Body::Stick(s) => s.release.map(|(phase, _)| State { phase, x: s.x, v }),
+        }
+    }
+
+    /// How long it lasts, as a phase ω_d Δt; `None` for ever.
+    pub fn duration(&self) -> Option<F> {
+        match &self.body {
+            Body::Slide(s, zero) => Some(zero.phi * s.equation.omega),
+            Body::Stick(s) => s.duration(),
+        }
+    }
+
+    /// The motion at a phase θ between its start and its end.
+    ///
+    /// Outside of them it is the continuation of this phase's own formula, not the motion.
+    pub fn at(&self, phase: DrivePhase<F>) -> Instant<F> {
+        match &self.body {
+            Body::Slide(s, _) => {
+                let omega = s.equation.omega;
+                let m = s.motion(phase.since(s.start) / omega);
+                Instant {
+                    state: State { phase, x: m.x, v: m.w / omega },
+                    acceleration: m.acceleration / omega.square(),
+                    friction: s.direction.sign(),
+                }
+            }
+            Body::Stick(s) => {
+                let zero = F::int(0);
+                let friction = s.equation.alpha * phase.sin_cos().0 - s.x;
+                // Rounding may carry the force at the release beyond its bound.
+                let one = F::int(1);
+                let friction = if friction.abs() > one { one.with_sign_of(friction) } else { friction };
+                Instant { state: State { phase, x: s.x, v: zero }, acceleration: zero, friction }
+            }
+        }
+    }
+
+    /// Work done against friction during it, in units of r_y B: the distance slid.
+    pub fn friction_work(&self) -> F {
+        match &self.body {
+            Body::Slide(s, zero) => (zero.x - s.x).abs(),
+            Body::Stick(_) => F::int(0),
+        }
+    }
+}
+
+/// What comes next: decided at every velocity zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Next<F> {
+    Slide(Slide<F>),
+    Stick(Stick<F>),
+}
+
+impl<F: Float> Next<F> {
+    /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the friction bound.
+    ///
+    /// Within rounding of the bound the first derivative that is not zero decides: a force that rises lets go, one that
+    /// falls holds.
+    #[inline]
+    pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
+        let sin_cos = phase.sin_cos();
+        let force = equation.alpha * sin_cos.0 - x;
+        let bound = F::int(1) + force_rounding(equation.alpha, x);
+        if force.abs() > bound {
+            let direction = Direction::of(force);
+            return Self::Slide(Slide::with_sin_cos(equation, phase, sin_cos, x, F::int(0), direction));
+        }
+        let stick = Stick::new(equation, phase, x);
+        match stick.release {
+            Some((end, direction)) if end.since(phase) <= F::int(0) => {
+                Self::Slide(Slide::released(equation, phase, x, direction))
+            }
+            _ => Self::Stick(stick),
+        }
+    }
+
+    /// What the body does from a state on; `w = Ωv`.
+    pub(crate) fn from(equation: Equation<F>, phase: DrivePhase<F>, x: F, w: F) -> Self {
+        if w == F::int(0) {
+            Self::at_rest(equation, phase, x)
+        } else {
+            Self::Slide(Slide::new(equation, phase, x, w, Direction::of(w)))
+        }
+    }
+
+    /// What follows a velocity zero, and the name of what happens there.
+    #[inline]
+    pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
+        let (equation, direction) = (slide.equation, slide.direction);
+        if zero.grazes {
+            return (Self::Slide(Slide::released(equation, zero.phase, zero.x, direction)), End::Grazing);
+        }
+        let next = Self::at_rest(equation, zero.phase, zero.x);
+        let end = match &next {
+            Self::Slide(s) if s.direction == direction => End::Grazing,
+            Self::Slide(_) => End::Reversal,
+            Self::Stick(_) => End::Stop,
+        };
+        (next, end)
+    }
+}
+
+/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever.
+///
+/// ```
+/// use stickslip::Ratios;
+/// use stickslip::exact::{Kind, State, Trajectory};
+/// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::rest())?;
+/// let first = motion.next().unwrap();
+/// assert_eq!(first.kind(), Kind::Stick); // until the force reaches the friction bound
+/// assert!((first.duration().unwrap() - (1.0f64 / 6.0).asin()).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Trajectory<F> {
+    pub(crate) equation: Equation<F>,
+    next: Option<Next<F>>,
+    /// Natural length of the last slide: the next is as long in a steady motion without stops.
+    hint: F,
+}
+
+impl<F: Float> Trajectory<F> {
+    /// The motion at (Ω, α) from a start.
+    ///
+    /// # Errors
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits.
+    pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
+        let equation = Equation::new(resolved(ratios)?);
+        Ok(Self::of(equation, start))
+    }
+
+    pub(crate) fn of(equation: Equation<F>, start: State<F>) -> Self {
+        let hint = F::pi() / equation.omega;
+        let next = Next::from(equation, start.phase, start.x, start.v * equation.omega);
+        Self { equation, next: Some(next), hint }
+    }
+}
+
+impl<F: Float> Iterator for Trajectory<F> {
+    type Item = Phase<F>;
+
+    #[inline]
+    fn next(&mut self) -> Option<Phase<F>> {
+        match self.next? {
+            Next::Stick(stick) => {
+                self.next = stick.release.map(|(phase, direction)| {
+                    Next::Slide(Slide::released(self.equation, phase, stick.x, direction))
+                });
+                let end = if self.next.is_some() { End::Release } else { End::Never };
+                Some(Phase { body: Body::Stick(stick), end })
+            }
+            Next::Slide(slide) => {
+                // Every slide ends: the search comes back empty only where it is given a limit.
+                let zero = slide.velocity_zero(self.hint)?;
+                self.hint = zero.phi;
+                let (next, end) = Next::after(&slide, &zero);
+                self.next = Some(next);
+                Some(Phase { body: Body::Slide(slide, zero), end })
+            }
+        }
+    }
+}
+
+/// (Ω, α) with Ω where phases keep their digits.
+pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
+    let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
+    crate::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest).map(|_| ratios)
+}

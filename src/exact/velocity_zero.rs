@@ -1,0 +1,218 @@
+//! The end of a slide: the first zero of its velocity.
+
+use super::drive::DrivePhase;
+use super::event::{Found, Safe, Search, Verdict, next_zero};
+use super::slide::{Direction, Equation, Motion, Slide};
+use crate::float::Float;
+
+/// How a slide ends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct VelocityZero<F> {
+    /// Natural time since the start of the slide.
+    pub(crate) phi: F,
+    pub(crate) phase: DrivePhase<F>,
+    pub(crate) x: F,
+    /// `α sin θ − x − s` at the end: not positive along the slide.
+    pub(crate) acceleration: F,
+    /// `w″` at the end.
+    pub(crate) jerk: F,
+    /// (sin φ, cos φ)
+    pub(crate) rotation: (F, F),
+    /// The velocity touches zero and keeps its sign.
+    pub(crate) grazes: bool,
+}
+
+impl<F: Float> Slide<F> {
+    /// The velocity zero that ends the slide; `hint` is when it is expected (natural time).
+    #[inline]
+    pub(crate) fn velocity_zero(&self, hint: F) -> Option<VelocityZero<F>> {
+        self.until(hint, None).ok()
+    }
+
+    /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
+    ///
+    /// # Errors
+    /// The motion at the limit, which comes first (`None` where there is no limit: every slide ends).
+    #[inline]
+    pub(crate) fn until(&self, hint: F, limit: Option<F>) -> Result<VelocityZero<F>, Option<Motion<F>>> {
+        let zero = F::int(0);
+        let Equation { omega, .. } = self.equation;
+        let sign = self.direction.sign::<F>();
+        let start = self.motion_at_start().velocity_jet(omega, sign);
+        let search = Search {
+            omega,
+            angle: self.start.angle(),
+            helping: self.start.is_even() == (self.direction == Direction::Forward),
+            from_zero: start.value <= zero,
+            limit,
+            hint,
+            safe: self.safe_window(),
+            noise: F::int(4) * F::epsilon() * self.velocity_scale(),
+        };
+        let found = next_zero(&search, start, |phi| {
+            let m = self.motion(phi);
+            (m.velocity_jet(omega, sign), m)
+        });
+        match found {
+            Verdict::Zero(found) => Ok(self.arrival(&found)),
+            Verdict::Clear(Some((_, motion))) => Err(Some(motion)),
+            Verdict::Clear(None) => Err(limit.map(|phi| self.motion(phi))),
+        }
+    }
+
+    /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.
+    #[inline]
+    fn arrival(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
+        let Found { at, step: h, motion: m, grazes } = *found;
+        let omega = self.equation.omega;
+        let (half, third) = (h / F::int(2), h / F::int(3));
+        let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
+        let (fourth, fifth) = m.higher(omega);
+        let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
+        let jerk = m.jerk + h * fourth;
+        let (s, c) = m.rotation;
+        let rotation = (s + h * (c - half * (s + third * c)), c - h * (s + half * (c - third * s)));
+        let phase = self.start.advanced(self.equation.omega * (at + h));
+        // A slide too short for its phase to move ends where the half turn does.
+        let stands = phase.since(self.start) <= F::int(0);
+        let quarter = F::pi() / F::int(2);
+        VelocityZero {
+            phi: at + h,
+            phase: if stands {
+                DrivePhase::of_half_turn(self.start.half_turns() + 1, -quarter)
+            } else {
+                phase
+            },
+            x,
+            acceleration,
+            jerk,
+            rotation,
+            grazes,
+        }
+    }
+
+    /// The motion at the velocity zero that ends the slide.
+    pub(crate) fn motion_at(&self, zero: &VelocityZero<F>) -> Motion<F> {
+        Motion {
+            x: zero.x,
+            w: F::int(0),
+            acceleration: zero.acceleration,
+            jerk: zero.jerk,
+            force: zero.acceleration + zero.x + self.direction.sign::<F>(),
+            rotation: zero.rotation,
+        }
+    }
+
+    /// The motion at the start of the slide.
+    pub(crate) fn motion_at_start(&self) -> Motion<F> {
+        let (zero, one) = (F::int(0), F::int(1));
+        Motion {
+            x: self.x,
+            w: self.w,
+            acceleration: self.acceleration,
+            jerk: self.jerk_at_start(),
+            force: self.acceleration + self.x + self.direction.sign::<F>(),
+            rotation: (zero, one),
+        }
+    }
+
+    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2].
+    ///
+    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²). The margin keeps rounding out.
+    fn safe_window(&self) -> Option<Safe<F>> {
+        let (one, two) = (F::int(1), F::int(2));
+        let Equation { omega, alpha, .. } = self.equation;
+        if (omega * two >= one && omega <= two) || alpha == F::int(0) {
+            return None;
+        }
+        let forced = alpha * omega / ((one - omega) * (one + omega));
+        let (sine, cosine) = self.start.sin_cos();
+        let sign = self.direction.sign::<F>();
+        let free = sign * (self.w - forced * cosine);
+        let free_rate = sign * (self.acceleration + forced * omega * sine);
+        let amplitude = free.hypot(free_rate);
+        let margin = one + F::ratio(1, 1024);
+        let arccosine = |small: F, large: F| {
+            let y = small * margin / large;
+            (y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
+        };
+        if omega < one {
+            let half_width = arccosine(amplitude, forced)? / omega;
+            let helping = self.start.is_even() == (self.direction == Direction::Forward);
+            let crest = if helping { F::int(0) } else { F::pi() };
+            Some(Safe {
+                centre: (crest - self.start.angle()) / omega,
+                half_width,
+                period: two * F::pi() / omega,
+            })
+        } else {
+            let half_width = arccosine(forced.abs(), amplitude)?;
+            Some(Safe { centre: free_rate.atan2(free), half_width, period: two * F::pi() })
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::VelocityZero;
+    use crate::exact::drive::DrivePhase;
+    use crate::exact::slide::{Direction, Equation, Slide};
+    use crate::nonsticking::{displacement_phase, max_displacement};
+    use crate::phase_function::{PhaseFunction, one_minus_square};
+    use crate::{Border, Ratios};
+    use std::f64::consts::PI;
+
+    /// The end of the rising half of the closed-form cycle at (Ω, α), which need not be a motion.
+    fn end_of_rise(omega: f64, alpha: f64) -> VelocityZero<f64> {
+        let k = PhaseFunction::new(omega).unwrap().value();
+        let delta = max_displacement(k, alpha, one_minus_square(omega));
+        let start = DrivePhase::new(displacement_phase(k, alpha, omega) - PI).unwrap();
+        let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+        let slide = Slide::new(equation, start, -delta, 0.0, Direction::Forward);
+        slide.velocity_zero(PI / omega).unwrap()
+    }
+
+    #[test]
+    fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
+        for omega in [0.35, 0.4, 0.45, 0.3, 0.22] {
+            let border = Border::new(omega).unwrap();
+            let least = border.min_force_ratio();
+            // τ* is counted from t₂ within the falling half: the same place in the rising one.
+            let touch = border.phase() / omega;
+            let above = end_of_rise(omega, least * (1.0 + 1e-9));
+            assert!(!above.grazes && (above.phi - PI / omega).abs() < 1e-9, "Ω = {omega}: {above:?}");
+            let below = end_of_rise(omega, least * (1.0 - 1e-9));
+            assert!(!below.grazes && (below.phi - touch).abs() < 1e-3, "Ω = {omega}: {touch} {below:?}");
+            // To within rounding it grazes.
+            let close = (-40..=40).map(|i| end_of_rise(omega, least * (1.0 + f64::from(i) * 2e-16)));
+            let grazing: Vec<_> = close.filter(|end| end.grazes).collect();
+            assert!(!grazing.is_empty(), "Ω = {omega}");
+            for end in grazing {
+                assert!((end.phi - touch).abs() < 1e-6, "Ω = {omega}: {touch} {end:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_wrong_hint_changes_nothing() {
+        for (omega, alpha, theta, x, w) in [
+            (0.3, 5.0, 0.2, -1.0, 3.0),
+            (0.8, 2.0, 1.0, 0.5, 4.0),
+            (1.4, 3.0, -0.5, 0.1, 2.0),
+            (20.0, 9.0, 0.3, 0.0, 0.7),
+        ] {
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let start = DrivePhase::new(theta).unwrap();
+            let slide = Slide::new(equation, start, x, w, Direction::Forward);
+            let right = slide.velocity_zero(0.0).unwrap();
+            for i in 1..100 {
+                let end = slide.velocity_zero(f64::from(i) * 0.11).unwrap();
+                assert!(
+                    (end.phi - right.phi).abs() < 1e-13 * (1.0 + omega),
+                    "Ω = {omega}: {end:?} {right:?}"
+                );
+                assert!((end.x - right.x).abs() < 1e-13);
+            }
+        }
+    }
+}

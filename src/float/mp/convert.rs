@@ -1,0 +1,93 @@
+//! To and from primitive numbers, `rug` numbers, and text radixes.
+
+use super::Mp;
+use rug::{Float, Integer, Rational};
+
+impl<const LIMBS: usize> Mp<LIMBS> {
+    /// The number nearest to an integer of any size.
+    #[must_use]
+    pub fn from_integer(n: &Integer) -> Self {
+        Self::from_rug(&Float::with_val(Self::BITS, n))
+    }
+
+    /// The number nearest to a ratio of integers, rounded once.
+    #[must_use]
+    pub fn from_rational(ratio: &Rational) -> Self {
+        Self::from_rug(&Float::with_val(Self::BITS, ratio))
+    }
+
+    /// The ratio of integers this number is; `None` of infinities and NaN.
+    ///
+    /// Exact, and as long as the exponent is large: `2^(2³⁰)` has a hundred million digits.
+    #[must_use]
+    pub fn to_rational(self) -> Option<Rational> {
+        self.to_rug().to_rational()
+    }
+}
+
+/// Exact: no `f64` has more bits than a limb.
+impl<const LIMBS: usize> From<f64> for Mp<LIMBS> {
+    #[inline]
+    fn from(x: f64) -> Self {
+        Self::of_f64(x)
+    }
+}
+
+/// Exact, as from `f64`.
+impl<const LIMBS: usize> From<f32> for Mp<LIMBS> {
+    #[inline]
+    fn from(x: f32) -> Self {
+        Self::of_f64(x.into())
+    }
+}
+
+macro_rules! from_integers {
+    ($($integer:ident)*) => {$(
+        /// The nearest number: exact where the significand has the bits.
+        impl<const LIMBS: usize> From<$integer> for Mp<LIMBS> {
+            #[inline]
+            fn from(n: $integer) -> Self {
+                Self::from_rug(&Float::with_val(Self::BITS, n))
+            }
+        }
+    )*};
+}
+
+from_integers!(i8 i16 i64 i128 isize u8 u16 u32 u64 u128 usize);
+
+/// Exact.
+impl<const LIMBS: usize> From<i32> for Mp<LIMBS> {
+    #[inline]
+    fn from(n: i32) -> Self {
+        Self::of_int(n)
+    }
+}
+
+/// The nearest number.
+impl<const LIMBS: usize> From<&Float> for Mp<LIMBS> {
+    #[inline]
+    fn from(x: &Float) -> Self {
+        Self::from_rug(x)
+    }
+}
+
+/// The nearest number.
+impl<const LIMBS: usize> From<&Integer> for Mp<LIMBS> {
+    fn from(n: &Integer) -> Self {
+        Self::from_integer(n)
+    }
+}
+
+/// The nearest number.
+impl<const LIMBS: usize> From<&Rational> for Mp<LIMBS> {
+    fn from(ratio: &Rational) -> Self {
+        Self::from_rational(ratio)
+    }
+}
+
+/// Exact.
+impl<const LIMBS: usize> From<Mp<LIMBS>> for Float {
+    fn from(x: Mp<LIMBS>) -> Self {
+        x.to_rug()
+    }
+}

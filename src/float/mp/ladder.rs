@@ -1,0 +1,48 @@
+//! A precision chosen at run time: the least of a ladder of widths that has the bits.
+
+use super::Mp;
+use crate::float::Float;
+use core::fmt::{Debug, Display, LowerExp};
+use core::str::FromStr;
+
+/// A computation generic over the number, to be run at a width that is known only at run time.
+pub trait WithPrecision {
+    /// What it comes to.
+    type Output;
+    /// The computation over `F`.
+    fn run<F: Float + FromStr<Err = super::ParseError> + Display + LowerExp + Debug + Send + Sync + 'static>(
+        self,
+    ) -> Self::Output;
+}
+
+/// A number of bits that no width has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("precision = {bits} bits must be ≥ 1 and ≤ {greatest}")]
+pub struct PrecisionError {
+    /// The bits asked for.
+    pub bits: u32,
+    /// The most bits there are.
+    pub greatest: u32,
+}
+
+macro_rules! ladder {
+    ($($limbs:literal)*) => {
+        /// The widths there are, in bits, ascending.
+        pub const WIDTHS: &[u32] = &[$(Mp::<$limbs>::BITS),*];
+
+        /// Runs a computation at the least width of at least `bits`.
+        ///
+        /// # Errors
+        /// [`PrecisionError`] where `bits` is 0 or more than the last of [`WIDTHS`].
+        pub fn with_precision<W: WithPrecision>(bits: u32, computation: W) -> Result<W::Output, PrecisionError> {
+            match bits {
+                0 => {}
+                $(..=Mp::<$limbs>::BITS => return Ok(computation.run::<Mp<$limbs>>()),)*
+                _ => {}
+            }
+            Err(PrecisionError { bits, greatest: WIDTHS.last().copied().unwrap_or(0) })
+        }
+    };
+}
+
+ladder!(1 2 3 4 6 8 12 16 24 32 48 64 96 128);

@@ -1,0 +1,342 @@
+//! The number itself and MPFR's functions of it, through MPFR's custom interface.
+//!
+//! Everything unsafe stands here, and rests on two things. A value's fields are written only by
+//! [`Mp::output`], from what MPFR left there, so that they always describe a valid MPFR number of
+//! [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that a function names
+//! as its result, whose significand is on the stack for the time of the call, of the right size.
+
+#![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
+
+use core::cmp::Ordering;
+use core::ffi::{c_int, c_void};
+use core::mem::MaybeUninit;
+use gmp_mpfr_sys::gmp::{self, limb_t};
+use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
+
+/// Binary floating point with a significand of `64 · LIMBS` bits, LIMBS ≥ 1.
+///
+/// Every function gives the exact result rounded once, to nearest and ties to even. See the
+/// [module](super) for the range.
+#[derive(Clone, Copy)]
+pub struct Mp<const LIMBS: usize> {
+    /// What the number is, as MPFR counts kinds, with its sign.
+    kind: c_int,
+    /// The exponent of a regular number in `[1/2, 1) · 2^exponent`, 0 of any other.
+    exponent: exp_t,
+    /// The significand of a regular number, least limb first, top bit set.
+    limbs: [limb_t; LIMBS],
+}
+
+impl<const LIMBS: usize> Mp<LIMBS> {
+    /// Bits of the significand.
+    pub const BITS: u32 = {
+        assert!(LIMBS > 0, "a number needs a limb");
+        assert!(LIMBS <= 1 << 20, "a number lives on the stack");
+        assert!(gmp::NUMB_BITS == 64, "a limb has 64 bits");
+        64 * LIMBS as u32
+    };
+
+    /// +0.
+    pub const ZERO: Self = Self { kind: mpfr::ZERO_KIND, exponent: 0, limbs: [0; LIMBS] };
+    /// +∞.
+    pub const INFINITY: Self = Self { kind: mpfr::INF_KIND, ..Self::ZERO };
+    /// Not a number.
+    pub const NAN: Self = Self { kind: mpfr::NAN_KIND, ..Self::ZERO };
+
+    /// An MPFR number whose significand is at `limbs`.
+    #[inline]
+    fn header(kind: c_int, exponent: exp_t, limbs: *mut c_void) -> mpfr_t {
+        let mut header = MaybeUninit::uninit();
+        // SAFETY: writes all fields of the header and reads nothing.
+        unsafe {
+            mpfr::custom_init_set(header.as_mut_ptr(), kind, exponent, Self::BITS as prec_t, limbs);
+            header.assume_init()
+        }
+    }
+
+    /// This number as MPFR reads it. Valid while `self` is borrowed; never to be written through.
+    #[inline]
+    fn input(&self) -> mpfr_t {
+        Self::header(self.kind, self.exponent, self.limbs.as_ptr().cast_mut().cast())
+    }
+
+    /// The number that `compute` leaves in the place it is given.
+    #[inline]
+    fn output(compute: impl FnOnce(*mut mpfr_t)) -> Self {
+        let mut result = Self::NAN;
+        let mut header = Self::header(mpfr::NAN_KIND, 0, result.limbs.as_mut_ptr().cast());
+        compute(&mut header);
+        // SAFETY: both read fields of a header that was initialised above.
+        let (kind, exponent) = unsafe { (mpfr::custom_get_kind(&header), mpfr::custom_get_exp(&header)) };
+        let regular = kind.abs() == mpfr::REGULAR_KIND;
+        Self { kind, exponent: if regular { exponent } else { 0 }, ..result }
+    }
+
+    /// The number with its sign bit inverted.
+    #[inline]
+    pub(super) fn negated(self) -> Self {
+        Self { kind: -self.kind, ..self }
+    }
+
+    /// `|self|`.
+    #[inline]
+    #[must_use]
+    pub fn abs(self) -> Self {
+        Self { kind: self.kind.abs(), ..self }
+    }
+
+    /// Whether the sign is negative: of −0 and −∞ too, never of NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_sign_negative(self) -> bool {
+        self.kind < 0
+    }
+
+    /// Whether this is NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_nan(self) -> bool {
+        self.kind == mpfr::NAN_KIND
+    }
+
+    /// Whether this is a zero of either sign.
+    #[inline]
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.kind.abs() == mpfr::ZERO_KIND
+    }
+
+    /// Neither infinite nor NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.kind.abs() >= mpfr::ZERO_KIND
+    }
+
+    /// The e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` of zeros, infinities and NaN.
+    #[inline]
+    #[must_use]
+    pub fn exponent(self) -> Option<i64> {
+        (self.kind.abs() == mpfr::REGULAR_KIND).then_some(self.exponent)
+    }
+
+    /// The largest finite number.
+    #[must_use]
+    pub fn largest() -> Self {
+        // SAFETY: the result is a valid place, first written, then replaced by its neighbour.
+        Self::output(|r| unsafe {
+            mpfr::set_inf(r, 1);
+            mpfr::nextbelow(r);
+        })
+    }
+
+    /// The distance from `|self|` to the next larger number; of zero the least positive number, of an infinity or
+    /// NaN NaN.
+    #[must_use]
+    pub fn ulp(self) -> Self {
+        let x = self.abs();
+        // SAFETY: the argument is valid and only read; the result starts as a copy of it.
+        let next = Self::output(|r| unsafe {
+            mpfr::set(r, &x.input(), rnd_t::RNDN);
+            mpfr::nextabove(r);
+        });
+        next.minus(x)
+    }
+
+    /// The significand of a regular number, least limb first.
+    #[inline]
+    pub(super) fn significand(&self) -> &[limb_t; LIMBS] {
+        &self.limbs
+    }
+
+    /// The order of two numbers; `None` where one is NaN.
+    #[inline]
+    pub(super) fn order(&self, other: &Self) -> Option<Ordering> {
+        if self.is_nan() || other.is_nan() {
+            return None;
+        }
+        let (a, b) = (self.input(), other.input());
+        // SAFETY: both are valid numbers; neither is written.
+        Some(unsafe { mpfr::cmp(&a, &b) }.cmp(&0))
+    }
+
+    /// `(sin self, cos self)`.
+    #[inline]
+    #[must_use]
+    pub fn sin_cos(self) -> (Self, Self) {
+        let x = self.input();
+        let mut sine = Self::NAN;
+        let cosine = Self::output(|cosine| {
+            sine = Self::output(|sine| {
+                // SAFETY: `x` is valid and only read; the results are distinct.
+                unsafe { mpfr::sin_cos(sine, cosine, &x, rnd_t::RNDN) };
+            });
+        });
+        (sine, cosine)
+    }
+
+    /// `self · a + b`, rounded once.
+    #[inline]
+    #[must_use]
+    pub fn mul_add(self, a: Self, b: Self) -> Self {
+        let (x, a, b) = (self.input(), a.input(), b.input());
+        // SAFETY: the arguments are valid and only read.
+        Self::output(|r| unsafe {
+            mpfr::fma(r, &x, &a, &b, rnd_t::RNDN);
+        })
+    }
+
+    /// The nearest `f64`, ties to even, subnormal numbers included.
+    #[inline]
+    #[must_use]
+    pub fn to_f64(self) -> f64 {
+        let x = self.input();
+        // SAFETY: the argument is valid and only read.
+        unsafe { mpfr::get_d(&x, rnd_t::RNDN) }
+    }
+
+    /// The nearest `f32`, ties to even, rounded once.
+    #[inline]
+    #[must_use]
+    pub fn to_f32(self) -> f32 {
+        let x = self.input();
+        // SAFETY: the argument is valid and only read.
+        unsafe { mpfr::get_flt(&x, rnd_t::RNDN) }
+    }
+
+    /// The number nearest to one of another width.
+    #[inline]
+    #[must_use]
+    pub fn rounded<const OTHER: usize>(other: Mp<OTHER>) -> Self {
+        let x = other.input();
+        // SAFETY: the argument is valid and only read.
+        Self::output(|r| unsafe {
+            mpfr::set(r, &x, rnd_t::RNDN);
+        })
+    }
+
+    /// The number nearest to a `rug` number of any precision.
+    #[must_use]
+    pub fn from_rug(x: &rug::Float) -> Self {
+        // SAFETY: a `rug::Float` is a valid number, and only read.
+        Self::output(|r| unsafe {
+            mpfr::set(r, x.as_raw(), rnd_t::RNDN);
+        })
+    }
+
+    /// The same number as a `rug::Float` of [`Mp::BITS`] bits.
+    #[must_use]
+    pub fn to_rug(self) -> rug::Float {
+        let mut result = rug::Float::new(Self::BITS);
+        let x = self.input();
+        // SAFETY: `result` is a valid number of the same precision; `x` is only read.
+        unsafe { mpfr::set(result.as_raw_mut(), &x, rnd_t::RNDN) };
+        result
+    }
+}
+
+/// MPFR's functions whose arguments are numbers and all else converts to plain C types.
+macro_rules! functions {
+    ($($(#[$doc:meta])* $visible:vis $name:ident($($number:ident),*; $($plain:ident: $type:ty),*) = $mpfr:ident($($rnd:ident)?);)*) => {
+        impl<const LIMBS: usize> Mp<LIMBS> {$(
+            $(#[$doc])*
+            #[inline]
+            #[must_use]
+            $visible fn $name($($number: Self,)* $($plain: $type),*) -> Self {
+                // SAFETY: the arguments are valid and only read.
+                Self::output(|r| unsafe {
+                    mpfr::$mpfr(r, $(&$number.input(),)* $($plain.into(),)* $(rnd_t::$rnd)?);
+                })
+            }
+        )*}
+    };
+}
+
+functions! {
+    /// `√self`; NaN below zero.
+    pub sqrt(self;) = sqrt(RNDN);
+    /// The real cube root.
+    pub cbrt(self;) = cbrt(RNDN);
+    /// `self²`.
+    pub square(self;) = sqr(RNDN);
+    /// `sin self`.
+    pub sin(self;) = sin(RNDN);
+    /// `cos self`.
+    pub cos(self;) = cos(RNDN);
+    /// `tan self`.
+    pub tan(self;) = tan(RNDN);
+    /// The angle in `[−π/2, π/2]` whose sine is `self`.
+    pub asin(self;) = asin(RNDN);
+    /// The angle in `[0, π]` whose cosine is `self`.
+    pub acos(self;) = acos(RNDN);
+    /// The angle in `[−π/2, π/2]` whose tangent is `self`.
+    pub atan(self;) = atan(RNDN);
+    /// `sinh self`.
+    pub sinh(self;) = sinh(RNDN);
+    /// `cosh self`.
+    pub cosh(self;) = cosh(RNDN);
+    /// `tanh self`.
+    pub tanh(self;) = tanh(RNDN);
+    /// The inverse of `sinh`.
+    pub asinh(self;) = asinh(RNDN);
+    /// The inverse of `cosh`, ≥ 0; NaN below 1.
+    pub acosh(self;) = acosh(RNDN);
+    /// The inverse of `tanh`; NaN outside `[−1, 1]`.
+    pub atanh(self;) = atanh(RNDN);
+    /// `e^self`.
+    pub exp(self;) = exp(RNDN);
+    /// `2^self`.
+    pub exp2(self;) = exp2(RNDN);
+    /// `e^self − 1`, accurate beside 0.
+    pub exp_m1(self;) = expm1(RNDN);
+    /// The natural logarithm; NaN below zero.
+    pub ln(self;) = log(RNDN);
+    /// The logarithm to base 2.
+    pub log2(self;) = log2(RNDN);
+    /// The logarithm to base 10.
+    pub log10(self;) = log10(RNDN);
+    /// `ln(1 + self)`, accurate beside 0.
+    pub ln_1p(self;) = log1p(RNDN);
+    /// The largest integer not above `self`.
+    pub floor(self;) = rint_floor(RNDN);
+    /// The least integer not below `self`.
+    pub ceil(self;) = rint_ceil(RNDN);
+    /// The nearest integer, halves away from zero.
+    pub round(self;) = rint_round(RNDN);
+    /// `self` without its fraction.
+    pub trunc(self;) = rint_trunc(RNDN);
+    /// `self − trunc self`.
+    pub fract(self;) = frac(RNDN);
+    /// `self + other`.
+    pub(super) plus(self, other;) = add(RNDN);
+    /// `self − other`.
+    pub(super) minus(self, other;) = sub(RNDN);
+    /// `self · other`.
+    pub(super) times_full(self, other;) = mul(RNDN);
+    /// `self / other`.
+    pub(super) over_full(self, other;) = div(RNDN);
+    /// `self · n`.
+    pub(super) times_int(self; n: u64) = mul_ui(RNDN);
+    /// `self / n`.
+    pub(super) over_int(self; n: u64) = div_ui(RNDN);
+    /// What is left of `self` after division by `other` with the quotient truncated; the sign of `self`.
+    pub(super) remainder(self, other;) = fmod(RNDN);
+    /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
+    pub atan2(self, x;) = atan2(RNDN);
+    /// `√(self² + other²)` without needless overflow or underflow.
+    pub hypot(self, other;) = hypot(RNDN);
+    /// `self^exponent`.
+    pub powf(self, exponent;) = pow(RNDN);
+    /// `selfⁿ`.
+    pub powi(self; n: i32) = pow_si(RNDN);
+    /// `self · 2ᵉ`: exact within the range.
+    pub scale2(self; e: i32) = mul_2si(RNDN);
+    /// π.
+    pub pi(;) = const_pi(RNDN);
+    /// ln 2.
+    pub ln_2(;) = const_log2(RNDN);
+    /// The number nearest to `x`, which is `x` itself.
+    pub of_f64(; x: f64) = set_d(RNDN);
+    /// The integer n, exactly.
+    pub of_int(; n: i32) = set_si(RNDN);
+}

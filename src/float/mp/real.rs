@@ -1,0 +1,129 @@
+//! [`Real`] and [`Float`] for [`Mp`].
+
+use super::Mp;
+use crate::float::{AtPrecision, Float, Real};
+
+impl<const LIMBS: usize> Real for Mp<LIMBS> {
+    #[inline]
+    fn int(n: i32) -> Self {
+        Self::of_int(n)
+    }
+    #[inline]
+    fn pi() -> Self {
+        Self::pi()
+    }
+    #[inline]
+    fn sqrt(self) -> Self {
+        self.sqrt()
+    }
+    #[inline]
+    fn abs(self) -> Self {
+        self.abs()
+    }
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    #[inline]
+    fn tan(self) -> Self {
+        self.tan()
+    }
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        self.atan2(x)
+    }
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        self.hypot(other)
+    }
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        self.mul_add(a, b)
+    }
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin()
+    }
+    #[inline]
+    fn cos(self) -> Self {
+        self.cos()
+    }
+    #[inline]
+    fn square(self) -> Self {
+        self.square()
+    }
+}
+
+impl<const LIMBS: usize> Float for Mp<LIMBS> {
+    const PRECISION: u32 = Self::BITS;
+    // The domain of f64, although the exponents here reach 2³⁰: roots start from their values at f64, which
+    // have to exist, and the exact reduction of 1/Ω takes RATIO_EXPONENT/PRECISION passes. Between types
+    // with one domain an input is either valid in all of them or in none.
+    const RATIO_EXPONENT: i32 = <f64 as Float>::RATIO_EXPONENT;
+
+    #[inline]
+    fn epsilon() -> Self {
+        // LIMBS ≤ 2²⁰ by the assertion on BITS, so that this does not wrap.
+        Self::of_int(1).scale2(1 - Self::BITS as i32)
+    }
+    #[inline]
+    fn exp2i(e: i32) -> Self {
+        Self::of_int(1).scale2(e)
+    }
+    #[inline]
+    fn to_f64(self) -> f64 {
+        self.to_f64()
+    }
+    #[inline]
+    fn from_f64(x: f64) -> Self {
+        Self::of_f64(x)
+    }
+    #[inline]
+    fn floor(self) -> Self {
+        self.floor()
+    }
+    #[inline]
+    fn round(self) -> Self {
+        self.round()
+    }
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.is_finite()
+    }
+
+    /// At the least of a few widths that has a quarter of the bits and a guard limb.
+    fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
+        match LIMBS {
+            ..=3 => task.run::<f64>(Self::to_f64, Self::of_f64),
+            4 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
+            5..=8 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
+            9..=16 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
+            17..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
+            33..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
+            65..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
+            // Wider than any width of the ladder: an iteration takes its further steps.
+            _ => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
+        }
+    }
+
+    /// With one more limb, or to the next width that has a limb more than one of the ladder.
+    fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
+        match LIMBS {
+            1 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
+            2 => task.run::<Mp<3>>(Mp::rounded, Self::rounded),
+            3 => task.run::<Mp<4>>(Mp::rounded, Self::rounded),
+            4 => task.run::<Mp<5>>(Mp::rounded, Self::rounded),
+            5..=6 => task.run::<Mp<7>>(Mp::rounded, Self::rounded),
+            7..=8 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
+            9..=12 => task.run::<Mp<13>>(Mp::rounded, Self::rounded),
+            13..=16 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
+            17..=24 => task.run::<Mp<25>>(Mp::rounded, Self::rounded),
+            25..=32 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
+            33..=48 => task.run::<Mp<49>>(Mp::rounded, Self::rounded),
+            49..=64 => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
+            65..=96 => task.run::<Mp<97>>(Mp::rounded, Self::rounded),
+            97..=128 => task.run::<Mp<129>>(Mp::rounded, Self::rounded),
+            _ => task.run::<Self>(|x| x, |x| x),
+        }
+    }
+}

@@ -1,0 +1,41 @@
+//! Where the identities are evaluated.
+
+use super::above_border;
+use crate::float::Float;
+use crate::nonsticking::Cycle;
+
+/// Bands of Ω as numerators and denominators of their ends: between the singular frequencies, and far above.
+const BANDS: [((i32, i32), (i32, i32)); 7] = [
+    ((1, 6), (1, 5)),
+    ((1, 5), (1, 4)),
+    ((1, 4), (1, 3)),
+    ((1, 3), (1, 2)),
+    ((1, 2), (1, 1)),
+    ((1, 1), (2, 1)),
+    ((2, 1), (9, 1)),
+];
+
+/// The cycles at the points.
+pub(super) fn cycles<F: Float>() -> Vec<Cycle<F>> {
+    let times = [F::ratio(101, 100), F::ratio(3, 2), F::int(4)];
+    omegas::<F>().into_iter().flat_map(|omega| times.map(|t| above_border(omega, t))).flatten().collect()
+}
+
+fn omegas<F: Float>() -> Vec<F> {
+    const INSIDE: i32 = 6;
+    let mut all = Vec::new();
+    for ((p, q), (r, s)) in BANDS {
+        let (low, high) = (F::ratio(p, q), F::ratio(r, s));
+        all.extend((1..INSIDE).map(|i| low + (high - low) * F::ratio(i, INSIDE)));
+    }
+    for n in [1, 3, 5, 7] {
+        for digits in [3, 10, 30] {
+            let distance = (0..digits).fold(F::int(1), |d, _| d / F::int(10));
+            // Nearer than half the digits, the paper's own forms have nothing left to say.
+            if distance.square() > F::epsilon() {
+                all.extend([F::ratio(1, n) - distance, F::ratio(1, n) + distance]);
+            }
+        }
+    }
+    all
+}

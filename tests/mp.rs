@@ -1,0 +1,576 @@
+//! `Mp<LIMBS>` against `rug::Float` of the same precision: every operation, on ordinary numbers and on zeros of
+//! both signs, infinities, NaN, and the ends of the exponent range.
+
+use num_traits::{FloatConst, FromPrimitive, Inv, Num, One, Pow, Signed, ToPrimitive, Zero};
+use proptest::prelude::*;
+use rug::float::Special;
+use rug::ops::{AssignRound, Pow as _};
+use rug::{Assign, Float, Integer, Rational};
+use stickslip::float::mp::{Mp, WIDTHS, WithPrecision, with_precision};
+use stickslip::{Float as _, Real};
+
+/// The same number: NaN and NaN, or equal with the same sign.
+fn same<const L: usize>(ours: Mp<L>, theirs: &Float) -> bool {
+    let ours = ours.to_rug();
+    assert_eq!(ours.prec(), theirs.prec());
+    if theirs.is_nan() {
+        ours.is_nan()
+    } else {
+        ours == *theirs && ours.is_sign_negative() == theirs.is_sign_negative()
+    }
+}
+
+macro_rules! assert_same {
+    ($ours:expr, $theirs:expr, $($context:tt)*) => {{
+        let (ours, theirs) = ($ours, $theirs);
+        prop_assert!(same(ours, &theirs), "{}: {ours:e} for {theirs}", format!($($context)*));
+    }};
+}
+
+/// A number from its ingredients, at any precision: special, or all significand bits random, with exponents
+/// that are ordinary, large, or at the ends of the range.
+#[derive(Debug, Clone)]
+enum Recipe {
+    Special(u8),
+    Whole(i64),
+    Regular { negative: bool, words: Vec<u64>, exponent: i32 },
+}
+
+const END: i32 = (1 << 30) - 1;
+
+impl Recipe {
+    fn cook(&self, bits: u32) -> Float {
+        match self {
+            Self::Special(0) => Float::with_val(bits, Special::Zero),
+            Self::Special(1) => Float::with_val(bits, Special::NegZero),
+            Self::Special(2) => Float::with_val(bits, Special::Infinity),
+            Self::Special(3) => Float::with_val(bits, Special::NegInfinity),
+            Self::Special(_) => Float::with_val(bits, Special::Nan),
+            Self::Whole(n) => Float::with_val(bits, *n),
+            Self::Regular { negative, words, exponent } => {
+                let mut n = Integer::new();
+                for word in words.iter().cycle().take(bits as usize / 64) {
+                    n = (n << 64) + *word;
+                }
+                n.set_bit(bits - 1, true);
+                let mut x = Float::with_val(bits, n);
+                // To [1/2, 1), then in two shifts, as one could leave the range on its way.
+                x >>= bits;
+                x <<= *exponent;
+                if *negative { -x } else { x }
+            }
+        }
+    }
+}
+
+fn recipe() -> impl Strategy<Value = Recipe> {
+    let regular = |exponents: std::ops::RangeInclusive<i32>| {
+        (any::<bool>(), proptest::collection::vec(words(), 1..4), exponents)
+            .prop_map(|(negative, words, exponent)| Recipe::Regular { negative, words, exponent })
+    };
+    prop_oneof![
+        2 => (0u8..5).prop_map(Recipe::Special),
+        1 => (-40i64..40).prop_map(Recipe::Whole),
+        8 => regular(-4..=4),
+        3 => regular(-200..=200),
+        1 => regular(END - 3..=END),
+        1 => regular(-END + 1..=-END + 4),
+    ]
+}
+
+/// Words all zero and all one make long carries and ties.
+fn words() -> impl Strategy<Value = u64> {
+    prop_oneof![2 => any::<u64>(), 1 => Just(0), 1 => Just(u64::MAX), 1 => Just(1u64 << 63)]
+}
+
+/// An argument that circular functions and exponentials take in short time.
+fn moderate(x: &Float) -> bool {
+    !x.is_normal() || x.get_exp().is_some_and(|e| e.abs() < 4000)
+}
+
+fn unary<const L: usize>(recipe: &Recipe) -> Result<(), TestCaseError> {
+    let theirs = recipe.cook(64 * L as u32);
+    let ours = Mp::<L>::from_rug(&theirs);
+    assert_same!(ours, theirs.clone(), "conversion");
+    macro_rules! check {
+        ($($ours:ident = $theirs:ident),*) => {$(
+            assert_same!(ours.$ours(), theirs.clone().$theirs(), "{} {theirs}", stringify!($ours));
+        )*};
+    }
+    check!(
+        sqrt = sqrt,
+        cbrt = cbrt,
+        square = square,
+        abs = abs,
+        floor = floor,
+        ceil = ceil,
+        round = round,
+        trunc = trunc,
+        fract = fract,
+        atan = atan,
+        asin = asin,
+        acos = acos,
+        tanh = tanh,
+        ln = ln,
+        log2 = log2,
+        log10 = log10,
+        ln_1p = ln_1p,
+        asinh = asinh,
+        acosh = acosh,
+        atanh = atanh
+    );
+    if moderate(&theirs) {
+        check!(sin = sin, cos = cos, tan = tan);
+        let (sine, cosine) = ours.sin_cos();
+        assert_same!(sine, theirs.clone().sin(), "sin_cos {theirs}");
+        assert_same!(cosine, theirs.clone().cos(), "sin_cos {theirs}");
+    }
+    // Both ends of the exponential overflow or underflow fast.
+    check!(exp = exp, exp2 = exp2, exp_m1 = exp_m1, sinh = sinh, cosh = cosh);
+    assert_same!(-ours, -theirs.clone(), "neg {theirs}");
+    assert_same!(Inv::inv(ours), theirs.clone().recip(), "inv {theirs}");
+    for n in [-3, -1, 0, 1, 2, 5] {
+        assert_same!(ours.powi(n), Float::with_val(64 * L as u32, (&theirs).pow(n)), "powi {theirs} {n}");
+        assert_same!(Pow::pow(ours, n), Float::with_val(64 * L as u32, (&theirs).pow(n)), "pow {theirs} {n}");
+    }
+    for e in [-70, -1, 3, 90] {
+        assert_same!(ours.scale2(e), theirs.clone() << e, "scale2 {theirs} {e}");
+    }
+    prop_assert_eq!(ours.is_nan(), theirs.is_nan());
+    prop_assert_eq!(ours.is_zero(), theirs.is_zero());
+    prop_assert_eq!(ours.is_finite(), theirs.is_finite());
+    prop_assert_eq!(ours.exponent(), theirs.get_exp().map(i64::from));
+    if !ours.is_nan() {
+        prop_assert_eq!(ours.is_sign_negative(), theirs.is_sign_negative());
+        prop_assert_eq!(Signed::signum(&ours).to_f64(), theirs.clone().signum().to_f64());
+    }
+    if theirs.is_finite() && !theirs.is_zero() {
+        let (mut next, start) = (theirs.clone().abs(), theirs.clone().abs());
+        next.next_up();
+        assert_same!(ours.ulp(), next - start, "ulp {theirs}");
+    }
+    prop_assert_eq!(ours.to_f64().to_bits() << 1, theirs.to_f64().to_bits() << 1);
+    prop_assert_eq!(ours.to_f32().to_bits() << 1, theirs.to_f32().to_bits() << 1);
+    // Wider holds it exactly, narrower rounds once.
+    prop_assert!(same(Mp::<L>::rounded(Mp::<20>::rounded(ours)), &theirs));
+    assert_same!(Mp::<1>::rounded(ours), Float::with_val(64, &theirs), "narrower {theirs}");
+    Ok(())
+}
+
+fn binary<const L: usize>(a: &Recipe, b: &Recipe) -> Result<(), TestCaseError> {
+    let bits = 64 * L as u32;
+    let (a, b) = (a.cook(bits), b.cook(bits));
+    let (x, y) = (Mp::<L>::from_rug(&a), Mp::<L>::from_rug(&b));
+    macro_rules! operator {
+        ($($operator:tt $assign:tt),*) => {$(
+            let theirs = Float::with_val(bits, &a $operator &b);
+            assert_same!(x $operator y, theirs.clone(), "{a} {} {b}", stringify!($operator));
+            assert_same!(x $operator &y, theirs.clone(), "{a} {} &{b}", stringify!($operator));
+            let mut z = x;
+            z $assign y;
+            assert_same!(z, theirs.clone(), "{a} {} {b}", stringify!($assign));
+            let mut z = x;
+            z $assign &y;
+            assert_same!(z, theirs, "{a} {} &{b}", stringify!($assign));
+            // The same number on both sides.
+            let theirs = Float::with_val(bits, &a $operator &a);
+            assert_same!(x $operator x, theirs.clone(), "{a} {} itself", stringify!($operator));
+            let mut z = x;
+            z $assign z;
+            assert_same!(z, theirs, "{a} {} itself", stringify!($assign));
+        )*};
+    }
+    operator!(+ +=, - -=, * *=, / /=);
+    // The quotient of exponents a billion apart would be computed in full.
+    if moderate(&a) && moderate(&b) {
+        operator!(% %=);
+    }
+    assert_same!(x.hypot(y), a.clone().hypot(&b), "hypot {a} {b}");
+    assert_same!(x.atan2(y), a.clone().atan2(&b), "atan2 {a} {b}");
+    assert_same!(x.powf(y), Float::with_val(bits, (&a).pow(&b)), "powf {a} {b}");
+    assert_same!(Pow::pow(x, y), Float::with_val(bits, (&a).pow(&b)), "pow {a} {b}");
+    prop_assert_eq!(x.partial_cmp(&y), a.partial_cmp(&b), "{} ? {}", a, b);
+    prop_assert_eq!(x == y, a == b);
+    prop_assert_eq!(x < y, a < b);
+    prop_assert_eq!(x >= y, a >= b);
+    let copy = x;
+    prop_assert_eq!(x == copy, !a.is_nan());
+    if a > b {
+        assert_same!(x.abs_sub(&y), Float::with_val(bits, &a - &b), "abs_sub {a} {b}");
+    }
+    Ok(())
+}
+
+fn ternary<const L: usize>(a: &Recipe, b: &Recipe, c: &Recipe) -> Result<(), TestCaseError> {
+    let bits = 64 * L as u32;
+    let (a, b, c) = (a.cook(bits), b.cook(bits), c.cook(bits));
+    let [x, y, z] = [&a, &b, &c].map(Mp::<L>::from_rug);
+    assert_same!(x.mul_add(y, z), a.clone().mul_add(&b, &c), "{a} · {b} + {c}");
+    assert_same!(x.mul_add(x, x), a.clone().mul_add(&a, &a), "{a} · itself + itself");
+    // A product that the sum cancels leaves its rounding error.
+    let product = Float::with_val(bits, &a * &b);
+    assert_same!(
+        x.mul_add(y, -(x * y)),
+        a.clone().mul_add(&b, &-product),
+        "{a} · {b} less its rounded value"
+    );
+    Ok(())
+}
+
+fn text<const L: usize>(recipe: &Recipe) -> Result<(), TestCaseError> {
+    let theirs = recipe.cook(64 * L as u32);
+    let x = Mp::<L>::from_rug(&theirs);
+    for text in [x.to_string(), format!("{x:e}"), format!("{x:?}")] {
+        let back: Mp<L> = text.parse().unwrap();
+        assert_same!(back, theirs.clone(), "{text}");
+    }
+    let padded = format!("{x:>9}");
+    prop_assert_eq!(padded.trim_start(), x.to_string());
+    // To few digits: the same as the exact value as a ratio of integers, rounded there.
+    if theirs.is_finite() && moderate(&theirs) {
+        for places in [0usize, 1, 7, 60] {
+            let scaled = theirs.to_rational().unwrap() * Integer::from(10).pow(places as u32);
+            let (below, floor) = scaled.clone().fract_floor(Integer::new());
+            let half = below.cmp(&Rational::from((1, 2)));
+            let up = half.is_gt() || half.is_eq() && floor.is_odd();
+            let nearest: Integer = floor + u32::from(up);
+            let text = format!("{x:.places$}");
+            let digits: String = text.chars().filter(char::is_ascii_digit).collect();
+            prop_assert_eq!(digits.parse::<Integer>().unwrap(), nearest.abs(), "{} of {}", &text, x);
+            prop_assert_eq!(text.starts_with('-'), theirs.is_sign_negative());
+            prop_assert_eq!(text.split('.').nth(1).map_or(0, str::len), places);
+        }
+    }
+    Ok(())
+}
+
+macro_rules! at_widths {
+    ($function:ident($($argument:expr),*)) => {{
+        $function::<1>($($argument),*)?;
+        $function::<2>($($argument),*)?;
+        $function::<4>($($argument),*)?;
+        $function::<16>($($argument),*)?;
+    }};
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(700))]
+
+    #[test]
+    fn functions_of_one_number(x in recipe()) {
+        at_widths!(unary(&x));
+    }
+
+    #[test]
+    fn functions_of_two_numbers(x in recipe(), y in recipe()) {
+        at_widths!(binary(&x, &y));
+    }
+
+    #[test]
+    fn fused_multiply_add(x in recipe(), y in recipe(), z in recipe()) {
+        at_widths!(ternary(&x, &y, &z));
+    }
+
+    #[test]
+    fn text_reads_back(x in recipe()) {
+        at_widths!(text(&x));
+    }
+
+    #[test]
+    fn primitive_numbers(n in any::<i64>(), m in any::<i128>(), u in any::<u128>(), x in any::<f64>(), y in any::<f32>()) {
+        macro_rules! check {
+            ($($value:expr),*) => {$(
+                assert_same!(Mp::<1>::from($value), Float::with_val(64, $value), "{:?}", $value);
+                assert_same!(Mp::<3>::from($value), Float::with_val(192, $value), "{:?}", $value);
+            )*};
+        }
+        check!(n, n as i32, n as u64, n as i8, n as u16, n as usize, n as isize, m, u, x, y);
+        prop_assert_eq!(Mp::<1>::from(x).to_f64().to_bits(), x.to_bits());
+        prop_assert_eq!(Mp::<1>::from(y).to_f32().to_bits(), y.to_bits());
+        let wide = Mp::<2>::from(m);
+        prop_assert_eq!(wide.to_i128(), Some(m));
+        prop_assert_eq!(Mp::<2>::from(u).to_u128(), Some(u));
+        prop_assert_eq!(Mp::<1>::from(n).to_i64(), Some(n));
+        prop_assert_eq!((wide.to_i64(), wide.to_u64(), wide.to_u128()), (m.to_i64(), m.to_u64(), m.to_u128()));
+        prop_assert_eq!(<Mp<2> as num_traits::NumCast>::from(m), Some(wide));
+        prop_assert_eq!(<Mp<2> as num_traits::NumCast>::from(x), Some(Mp::from(x)));
+        prop_assert_eq!(<Mp<4> as FromPrimitive>::from_u128(u).and_then(|v| v.to_u128()), Some(u));
+    }
+
+    #[test]
+    fn big_integers_and_ratios(numerator in any::<i128>(), denominator in 1..i128::MAX) {
+        let ratio = Rational::from((numerator, denominator));
+        assert_same!(Mp::<4>::from_rational(&ratio), Float::with_val(256, &ratio), "{ratio}");
+        assert_same!(Mp::<1>::from_rational(&ratio), Float::with_val(64, &ratio), "{ratio}");
+        let square = Integer::from(numerator) * denominator;
+        assert_same!(Mp::<2>::from_integer(&square), Float::with_val(128, &square), "{square}");
+        // 2¹²⁷ · 2¹²⁷ fits, and comes back.
+        prop_assert_eq!(Mp::<4>::from_integer(&square).to_rational(), Some(Rational::from(square)));
+    }
+}
+
+#[test]
+fn what_overflows_is_infinite_and_what_underflows_is_zero() {
+    let huge = Mp::<2>::of_int(1).scale2(END - 1);
+    assert!(huge.is_finite() && (huge * huge) == Mp::INFINITY && (-huge * huge) == -Mp::INFINITY);
+    let tiny = Mp::<2>::of_int(1).scale2(1 - END);
+    assert!((tiny * tiny).is_zero() && !(tiny * tiny).is_sign_negative());
+    assert!((-tiny * tiny).is_zero() && (-tiny * tiny).is_sign_negative());
+    assert_eq!(Mp::<1>::largest() + Mp::largest().ulp(), Mp::INFINITY);
+    assert!(Mp::<3>::largest().is_finite());
+}
+
+#[test]
+fn constants_and_units() {
+    fn check<const L: usize>() {
+        let bits = 64 * L as u32;
+        assert!(same(<Mp<L> as Real>::pi(), &Float::with_val(bits, rug::float::Constant::Pi)));
+        assert!(same(<Mp<L> as FloatConst>::LN_2(), &Float::with_val(bits, rug::float::Constant::Log2)));
+        assert!(same(Mp::<L>::one(), &Float::with_val(bits, 1)) && Mp::<L>::zero().is_zero());
+        assert!(same(Mp::<L>::ratio(-7, 3), &Float::with_val(bits, Rational::from((-7, 3)))));
+        let epsilon = Mp::<L>::epsilon();
+        assert_eq!(epsilon, Mp::of_int(1).ulp());
+        assert_eq!(Mp::<L>::of_int(1) + epsilon.scale2(-1), Mp::of_int(1));
+        assert_eq!(Mp::<L>::exp2i(-250).to_f64(), 2f64.powi(-250));
+        assert_eq!(<Mp<L> as stickslip::Float>::PRECISION, bits);
+        // The derived constants are within a unit in the last place of the same at twice the bits.
+        let near =
+            |ours: Mp<L>, exact: Mp<40>| (Mp::<40>::rounded(ours) - exact).abs() <= Mp::rounded(ours.ulp());
+        macro_rules! constants {
+            ($($name:ident)*) => {$(
+                assert!(near(Mp::$name(), <Mp<40> as FloatConst>::$name()), stringify!($name));
+                let double = <f64 as FloatConst>::$name();
+                assert!((Mp::<L>::$name().to_f64() - double).abs() <= f64::EPSILON * double, stringify!($name));
+            )*};
+        }
+        constants!(E FRAC_1_PI FRAC_1_SQRT_2 FRAC_2_PI FRAC_2_SQRT_PI FRAC_PI_2 FRAC_PI_3 FRAC_PI_4 FRAC_PI_6
+            FRAC_PI_8 LN_10 LN_2 LOG10_E LOG2_E PI SQRT_2 TAU LOG2_10 LOG10_2);
+    }
+    check::<1>();
+    check::<2>();
+    check::<16>();
+}
+
+#[test]
+fn sums_and_products() {
+    let numbers = || (1..=10).map(Mp::<1>::of_int);
+    assert_eq!(numbers().sum::<Mp<1>>(), Mp::of_int(55));
+    assert_eq!(numbers().product::<Mp<1>>(), Mp::of_int(3_628_800));
+    assert_eq!(Mp::<2>::default(), Mp::ZERO);
+}
+
+#[test]
+fn text_as_people_write_it() {
+    let x = |text: &str| text.parse::<Mp<2>>();
+    for (text, value) in
+        [("1.5", 1.5), ("-2e-3", -0.002), ("0", 0.0), (".25", 0.25), ("1E3", 1000.0), ("+7", 7.0)]
+    {
+        assert!((x(text).unwrap().to_f64() - value).abs() <= 1e-18, "{text}");
+    }
+    assert!(x("nan").unwrap().is_nan());
+    assert_eq!(x("-inf").unwrap(), -Mp::INFINITY);
+    for text in ["", "1.5.2", "one", "1e", "--1", "0x10"] {
+        let error = x(text).unwrap_err();
+        assert_eq!(error.text, text);
+        assert!(error.to_string().contains(&format!("`{text}`")));
+    }
+    assert_eq!(Mp::<1>::from_str_radix("-ff", 16).unwrap().to_f64(), -255.0);
+    assert!(Mp::<1>::from_str_radix("1", 1).is_err() && Mp::<1>::from_str_radix("1", 37).is_err());
+    // Below the least and above the greatest.
+    assert_eq!(x("1e-999999999999").unwrap().exponent(), None);
+    assert_eq!(x("1e999999999999").unwrap(), Mp::INFINITY);
+}
+
+#[test]
+fn text_as_f64_writes_it() {
+    for value in
+        [0.0, -0.0, 1.0, 0.5, -1.5, 1024.0, 1e20, 0.001953125, f64::INFINITY, f64::NEG_INFINITY, f64::NAN]
+    {
+        let x = Mp::<1>::from(value);
+        assert_eq!(x.to_string(), value.to_string());
+        assert_eq!(format!("{x:e}"), format!("{value:e}"));
+        assert_eq!(format!("{x:.3}"), format!("{value:.3}"));
+        assert_eq!(format!("{x:.0}"), format!("{value:.0}"));
+        assert_eq!(format!("{x:.2e}"), format!("{value:.2e}"));
+        if value.is_nan() {
+            continue;
+        }
+        assert_eq!(format!("{x:12.3}|{x:<12.1}|{x:+.1}"), format!("{value:>12.3}|{value:<12.1}|{value:+.1}"));
+    }
+    for value in [9.996, 0.0996, 0.5, 1.5, 0.05, 0.004, 999.9, 1e-9] {
+        let x = Mp::<1>::from(value);
+        for places in 0..6 {
+            assert_eq!(format!("{x:.places$}"), format!("{value:.places$}"));
+            assert_eq!(format!("{x:.places$e}"), format!("{value:.places$e}"));
+        }
+    }
+    // No digit more than it takes.
+    for text in ["0.1", "0.7", "123.456", "9.999999999999999e-12", "1e-400"] {
+        assert_eq!(text.parse::<Mp<1>>().unwrap().to_string(), text);
+        assert_eq!(text.parse::<Mp<16>>().unwrap().to_string(), text);
+    }
+    assert_eq!(Mp::<1>::of_int(10).powi(30).to_string(), "1e30");
+    assert_eq!(Mp::<1>::of_int(10).powi(20).to_string(), "100000000000000000000");
+    // Just below a power of ten that it reads back as.
+    assert_eq!(format!("{:.1}", Mp::<1>::of_int(10).powi(30)), "1000000000000000000024696061952.0");
+    assert_eq!(format!("{:.1}", Mp::<1>::of_int(10).powi(29)), "99999999999999999997315645440.0");
+    assert_eq!(format!("{}", Mp::<1>::of_f64(2f64.powi(-30))), "9.313225746154785156e-10");
+}
+
+#[test]
+fn signs_and_casts() {
+    let negative_zero = Mp::<1>::of_f64(-0.0);
+    assert!(negative_zero == Mp::ZERO && negative_zero.is_sign_negative());
+    assert!(Signed::is_negative(&negative_zero) && !Signed::is_positive(&negative_zero));
+    assert_eq!(Signed::signum(&negative_zero), Mp::of_int(-1));
+    assert!(Signed::is_positive(&Mp::<1>::ZERO) && !Signed::is_positive(&Mp::<1>::NAN));
+    assert!(Signed::signum(&Mp::<1>::NAN).is_nan());
+    assert_eq!(Mp::<1>::of_int(1).abs_sub(&Mp::of_int(4)), Mp::ZERO);
+    assert_eq!((Mp::<1>::of_f64(-1.9).to_i64(), Mp::<1>::of_f64(-1.0).to_u64()), (Some(-1), None));
+    assert_eq!(
+        (Mp::<1>::INFINITY.to_i64(), Mp::<1>::NAN.to_u128(), Mp::<1>::largest().to_i128()),
+        (None, None, None)
+    );
+    assert_eq!(Mp::<1>::of_int(1).scale2(-END + 9).to_i64(), Some(0));
+    assert_eq!(Mp::<2>::INFINITY.to_rational(), None);
+}
+
+#[test]
+fn rounding_between_widths_is_to_nearest_even() {
+    let one = Mp::<2>::of_int(1);
+    let half_ulp = one.scale2(-64);
+    assert_eq!(Mp::<1>::rounded(one + half_ulp), Mp::of_int(1));
+    assert_eq!(Mp::<1>::rounded(one + half_ulp + half_ulp.scale2(-50)), Mp::of_int(1) + Mp::epsilon());
+    assert_eq!(Mp::<1>::rounded(one + half_ulp * Mp::of_int(3)), Mp::of_int(1) + Mp::epsilon().scale2(1));
+    // From rug at another precision, and assigned back.
+    let mut third = Float::new(200);
+    third.assign_round(Rational::from((1, 3)), rug::float::Round::Nearest);
+    assert!(same(Mp::<1>::from(&third), &Float::with_val(64, &third)));
+    let mut back = Float::new(64);
+    back.assign(Float::from(Mp::<1>::from(&third)));
+    assert_eq!(back, Float::with_val(64, &third));
+}
+
+#[test]
+fn numbers_cross_threads() {
+    fn shareable<T: Copy + Send + Sync + 'static>() {}
+    shareable::<Mp<7>>();
+    // π is cached by the thread: each has its own, and they agree.
+    let here = Mp::<8>::pi();
+    let there: Vec<_> = (0..4).map(|_| std::thread::spawn(|| Mp::<8>::pi() * Mp::of_int(3))).collect();
+    for thread in there {
+        assert_eq!(thread.join().unwrap(), here * Mp::of_int(3));
+    }
+}
+
+#[test]
+fn the_least_sufficient_width_is_chosen() {
+    struct Precision;
+    impl WithPrecision for Precision {
+        type Output = u32;
+        fn run<F: stickslip::Float>(self) -> u32 {
+            F::PRECISION
+        }
+    }
+    assert!(WIDTHS.windows(2).all(|w| w[0] < w[1]));
+    let mut least = 1;
+    for &width in WIDTHS {
+        assert_eq!(with_precision(least, Precision), Ok(width));
+        assert_eq!(with_precision(width, Precision), Ok(width));
+        least = width + 1;
+    }
+    assert!(least > 4096);
+    let message = |bits| with_precision(bits, Precision).unwrap_err().to_string();
+    assert_eq!(message(0), "precision = 0 bits must be ≥ 1 and ≤ 8192");
+    assert_eq!(message(8193), "precision = 8193 bits must be ≥ 1 and ≤ 8192");
+}
+
+#[cfg(feature = "serde")]
+mod serialised {
+    use super::{Mp, Recipe, recipe, same};
+    use proptest::prelude::*;
+
+    fn round_trip<const L: usize>(recipe: &Recipe) -> Result<(), TestCaseError> {
+        let theirs = recipe.cook(64 * L as u32);
+        let json = serde_json::to_string(&Mp::<L>::from_rug(&theirs)).unwrap();
+        prop_assert!(json.starts_with('"') && json.ends_with('"'));
+        let back: Mp<L> = serde_json::from_str(&json).unwrap();
+        prop_assert!(same(back, &theirs), "{}", json);
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn json_reads_back(x in recipe()) {
+            at_widths!(round_trip(&x));
+        }
+    }
+
+    #[test]
+    fn only_text_is_a_number() {
+        assert!(serde_json::from_str::<Mp<1>>("1.5").unwrap_err().to_string().contains("decimal number"));
+        assert!(serde_json::from_str::<Mp<1>>("\"x\"").unwrap_err().to_string().contains("`x`"));
+    }
+}
+
+#[cfg(feature = "matching")]
+mod matrices {
+    use super::Mp;
+    use nalgebra::{ComplexField, RealField, SMatrix, SVector};
+
+    type Number = Mp<4>;
+
+    #[test]
+    fn a_hilbert_system_at_256_bits() {
+        let matrix = SMatrix::<Number, 5, 5>::from_fn(|i, j| Number::of_int(1) / Number::from(i + j + 1));
+        let right = SVector::<Number, 5>::from_fn(|i, _| Number::from(i) - Number::of_int(2));
+        let solution = matrix.lu().solve(&right).unwrap();
+        let residual = (matrix * solution - right).amax();
+        assert!(residual < Number::of_int(1).scale2(-256 + 14), "{residual:e}");
+        // At f64 the same residual is some 200 bits larger: the solve did use the precision.
+        assert!(solution.amax() > Number::of_int(1000));
+        // det = 1/266 716 800 000
+        let determinant = matrix.determinant() * Number::from(266_716_800_000u64);
+        assert!((determinant - Number::of_int(1)).abs() < Number::of_int(1).scale2(-256 + 24));
+    }
+
+    #[test]
+    fn eigenvalues_and_singular_values() {
+        let matrix = SMatrix::<Number, 2, 2>::new(2.into(), 1.into(), 1.into(), 2.into());
+        let eigen = matrix.symmetric_eigen().eigenvalues;
+        let near = |x: Number, n: i32| (x - Number::of_int(n)).abs() < Number::of_int(1).scale2(-250);
+        assert!(near(eigen.amin(), 1) && near(eigen.amax(), 3));
+        assert!(near(matrix.svd(true, true).singular_values.amax(), 3));
+    }
+
+    #[test]
+    fn field_functions_are_the_numbers_own() {
+        let x = Number::of_f64(0.375);
+        macro_rules! same {
+            ($($name:ident)*) => {$(
+                assert_eq!(ComplexField::$name(x), x.$name(), stringify!($name));
+            )*};
+        }
+        same!(floor ceil round trunc fract abs sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh atanh exp
+            exp2 exp_m1 ln log2 log10 ln_1p sin_cos);
+        assert_eq!(ComplexField::acosh(Number::of_int(2)), Number::of_int(2).acosh());
+        assert_eq!(ComplexField::log(Number::of_int(8), Number::of_int(2)), Number::of_int(3));
+        assert_eq!((x.argument(), (-x).argument()), (Number::ZERO, Number::pi()));
+        assert_eq!((-x).modulus(), x);
+        assert_eq!((-x).modulus_squared(), x * x);
+        assert_eq!((-x).try_sqrt(), None);
+        assert_eq!((-x).to_exp(), (x, Number::of_int(-1)));
+        assert_eq!(RealField::copysign(x, Number::of_f64(-0.0)), -x);
+        assert_eq!((RealField::max(x, Number::NAN), RealField::min(Number::NAN, x)), (x, x));
+        assert_eq!((RealField::max(x, -x), RealField::min(x, -x)), (x, -x));
+        assert_eq!(RealField::clamp(x, Number::of_int(1), Number::of_int(2)), Number::of_int(1));
+        assert_eq!(<Number as RealField>::two_pi(), Number::pi() + Number::pi());
+        assert_eq!(<Number as RealField>::max_value(), Some(Number::largest()));
+        let step = x.ulp();
+        assert!(approx::ulps_eq!(x, x + step + step, epsilon = Number::ZERO, max_ulps = 2));
+        assert!(!approx::ulps_eq!(x, x + step * Number::of_int(3), epsilon = Number::ZERO, max_ulps = 2));
+        assert!(approx::relative_eq!(x, x + step, epsilon = Number::ZERO));
+        assert!(!approx::relative_eq!(x, x + step * Number::of_int(9), epsilon = Number::ZERO));
+        assert!(approx::abs_diff_eq!(Number::INFINITY, Number::INFINITY));
+    }
+}
