@@ -56,7 +56,7 @@ pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
 
 /// `x`, where it is within `[least, greatest]`, `least` > 0.
 #[inline]
-fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
+pub(crate) fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
     if x >= least && x <= greatest { Ok(x) } else { Err(outside(quantity, x, least, greatest)) }
 }
 
