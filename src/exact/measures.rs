@@ -1,7 +1,8 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
 use super::drive::DrivePhase;
-use super::slide::{Motion, Slide};
+use super::motion::Motion;
+use super::slide::Slide;
 use super::walk::{Part, Point};
 use crate::float::Float;
 

@@ -14,8 +14,8 @@
 //!   down half a turn later is a motion, too. More than one limit needs a difference that is itself an undamped free
 //!   vibration of the drive's period: Ω = 1/n.
 
+use super::equation::Equation;
 use super::matrix::Matrix;
-use super::slide::Equation;
 use super::walk::{Part, Point, Walk, walk};
 use crate::float::Float;
 

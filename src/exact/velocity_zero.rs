@@ -1,8 +1,10 @@
 //! The end of a slide: the first zero of its velocity.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
 use super::event::{Found, Safe, Search, Verdict, next_zero};
-use super::slide::{Direction, Equation, Motion, Slide};
+use super::motion::Motion;
+use super::slide::{Direction, Slide};
 use crate::float::Float;
 
 /// How a slide ends.
@@ -156,7 +158,8 @@ impl<F: Float> Slide<F> {
 mod tests {
     use super::VelocityZero;
     use crate::exact::drive::DrivePhase;
-    use crate::exact::slide::{Direction, Equation, Slide};
+    use crate::exact::equation::Equation;
+    use crate::exact::slide::{Direction, Slide};
     use crate::nonsticking::{displacement_phase, max_displacement};
     use crate::phase_function::{PhaseFunction, one_minus_square};
     use crate::{Border, Ratios};
