@@ -72,7 +72,7 @@ impl<F: Float> SteadyState<F> {
     /// of the motion itself.
     ///
     /// # Errors
-    /// [`Error::Sticks`] never, since there is a cycle; as for [`Trajectory::new`].
+    /// As for [`crate::exact::Trajectory::new`].
     pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
@@ -174,7 +174,7 @@ impl<F: Float> SteadyState<F> {
         self.periods
     }
 
-    /// A state on the motion, from which [`Trajectory::new`] follows it.
+    /// A state on the motion, from which [`crate::exact::Trajectory::new`] follows it.
     pub fn state(&self) -> State<F> {
         State { phase: self.start.phase, x: self.start.x, v: self.start.w / self.equation.omega }
     }
@@ -196,7 +196,7 @@ fn error_measures<F: Float>(equation: Equation<F>, start: &Point<F>) -> ErrorMea
 /// as in its Figure 3.
 ///
 /// # Errors
-/// As for [`Trajectory::new`].
+/// As for [`crate::exact::Trajectory::new`].
 pub fn errors_after<F: Float>(
     ratios: Ratios<F>,
     start: State<F>,
