@@ -6,7 +6,7 @@ use super::family;
 use super::measures::Tally;
 use super::rest::{Rest, come_to_rest};
 use super::shooting::{Budget, Shot, shoot};
-use super::slide::{Direction, Slide};
+use super::slide::Slide;
 use super::state::State;
 use super::steady::{SteadyState, Summary};
 use super::trajectory::{Body, Trajectory, resolved};
@@ -147,13 +147,13 @@ fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budg
     (middle(&slide, half), half)
 }
 
-/// The fastest point of a non-sticking cycle, and the natural time from there to the maximum displacement.
+/// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.
 pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
-    let minimum = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.displacement_phase() - F::pi());
-    let slide = Slide::new(equation, minimum, -cycle.max_displacement(), F::int(0), Direction::Forward);
     let lag = cycle.displacement_phase() - cycle.velocity_phase();
     let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
-    (middle(&slide, (F::pi() - lag) / equation.omega), lag / equation.omega)
+    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase());
+    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity() * equation.omega };
+    (point, lag / equation.omega)
 }
 
 /// The point of a slide at natural time φ.

@@ -52,11 +52,11 @@ pub(crate) struct Residual<F> {
 }
 
 impl<F: Float> Residual<F> {
-    /// The change (x, w) from y, with the rounding of the terms that x and w are made of and that of the phase: half a unit
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and that of the phase: half a unit
     /// of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, .. } = *equation;
-        let (one, unit) = (F::int(1), F::int(2) * F::epsilon());
+        let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
         let forced = alpha / (one + omega.square());
         let rate = (one + alpha + y.x.abs()) / omega;
         Self {
@@ -114,7 +114,7 @@ pub(crate) fn shoot<F: Float>(
 ) -> Shot<F> {
     let two = F::int(2);
     let mut guess = Some(guess);
-    let mut best = walk(equation, start, 1, hint, Vec::new());
+    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4));
     let mut y = start;
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
