@@ -16,8 +16,13 @@ for kernel in triple-generic triple-plain cycle-generic cycle-plain; do
         "$binary" "$kernel" $points 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p')
     echo "$kernel $((total / points)).$((total * 10 / points % 10))"
 done
+# The exact motion: the difference of two numbers of points, the loop around them included.
+count() { # KERNEL N
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$binary" "$1" "$2" 2>&1 |
+        sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+}
 for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
-    few=$(count "$kernel" 1000)
-    many=$(count "$kernel" 3000)
-    echo "$kernel $(((many - few) / 2000))"
+    few=$(count "$kernel" 2000)
+    many=$(count "$kernel" 6000)
+    echo "$kernel $(((many - few) / 4000))"
 done
