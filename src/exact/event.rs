@@ -13,7 +13,9 @@
 //! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the backward cover
 //!   from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and polished proves itself.
 //!
-//! [`next_zero`] walks over the stretches. # Work
+//! [`next_zero`] walks over the stretches.
+//!
+//! # Work
 //!
 //! A slide lasts at most `π(1 + 1/Ω)` of natural time, because `w(φ) + w(φ + π)` is free of the natural vibration and
 //! changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four changes of sign of g, hence
@@ -21,8 +23,11 @@
 //! exceeds the other's amplitude there is no zero, and that part is left out ([`Safe`]). What remains of a window holds
 //! a zero once it is as long as the fast period, and each window is at least half a slow period, not shorter than the
 //! fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
-//! at most 8 stretches. Within a stretch a step that does not halve the bracket is followed by a bisection: **at most
-//! 2·PRECISION + 8 evaluations, and 2 or 3 as a rule**, because Householder's steps quadruple the good digits.
+//! at most 8 stretches. Within a stretch the closing of a dip is cut off after 2·PRECISION points (as a grazing, which it
+//! then is), and a bracket is halved at each step after the first PRECISION, so that it is closed after as many more:
+//! **at most 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps quadruple the good digits: 3.8
+//! evaluations a slide on average and 13 at most over 40,000 slides of every kind (a test holds 6 and 24), 2 or 3 in a steady
+//! motion.
 
 use super::stretch::{Stretch, in_helping, in_opposing};
 use crate::float::Float;

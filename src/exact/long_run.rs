@@ -69,7 +69,11 @@ impl<F: Float> LongRun<F> {
         if family::is_one(ratios) {
             return Ok(family::member(equation, section, hint, budget));
         }
-        let guess = || Cycle::new(ratios).ok().map(|cycle| fastest_point(equation, &cycle));
+        let guess = || match Cycle::new(ratios) {
+            Ok(cycle) => Some(fastest_point(equation, &cycle)),
+            // A start far away: the limit is that from rest.
+            Err(_) => Some(settle_in(equation, State::rest(), &mut Budget { half_turns: 0, most: 0 })),
+        };
         Ok(Self::shot(equation, section, hint, guess, budget))
     }
 

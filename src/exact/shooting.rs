@@ -122,7 +122,12 @@ pub(crate) fn shoot<F: Float>(
     budget.half_turns += 1;
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
-        if left.is_rounding(1) {
+        if budget.half_turns > budget.most {
+            return Shot::Unsettled(y, left.norm());
+        }
+        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance does.
+        let known = is_known(&y, inverse, &left);
+        if left.is_rounding(1) && known {
             return Shot::Settled(settled(y, best, inverse, &left));
         }
         let (dx, dw) = inverse.times((left.x, left.w));
@@ -131,14 +136,14 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
             budget.half_turns += 1;
             let after = residual(&equation, &trial, &tried);
-            if after.norm() * two <= left.norm() {
+            if after.norm() * two <= left.norm() && !left.is_rounding(1) {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
             }
             spare = tried.parts;
             // Rounding alone is left, a little more of it than expected.
-            if left.is_rounding(64) {
+            if left.is_rounding(64) && known {
                 return Shot::Settled(settled(y, best, inverse, &left));
             }
         }
@@ -146,7 +151,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, elsewhere, 1, hint, spare);
             budget.half_turns += 1;
             let after = residual(&equation, &elsewhere, &tried);
-            if after.norm() < left.norm() || after.is_rounding(1) {
+            if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
@@ -170,6 +175,13 @@ pub(crate) fn shoot<F: Float>(
 }
 
 const LONGEST_FOLLOW: u32 = 64;
+
+/// Whether the bound on the distance from the limit is small beside the motion itself.
+fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
+    let (x, w) = inverse.absolute().times(left.bounds());
+    let size = y.x.abs() + y.w.abs();
+    F::int(16) * x <= size && F::int(16) * w <= size
+}
 
 fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
     Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }

@@ -67,7 +67,9 @@ fn bracketed<F: Float, M: Copy>(
     let (mut low, mut high, mut below, mut phi) = (low, high, below, guess);
     let mut last_width = high - low;
     let mut slow = false;
+    let mut steps = 0;
     loop {
+        steps += 1;
         let (jet, motion) = f(phi);
         let zero = F::int(0);
         let at = phi;
@@ -97,7 +99,7 @@ fn bracketed<F: Float, M: Copy>(
         let inside = next > low && next < high;
         // Two steps in a row that do not halve the bracket call for a bisection, unless they are already tiny.
         let halved = width * F::int(2) <= last_width;
-        let bisect = !inside || (slow && !halved && step.abs() * F::int(64) > width);
+        let bisect = !inside || steps > F::PRECISION || (slow && !halved && step.abs() * F::int(64) > width);
         (slow, last_width) = (!halved && !bisect, width);
         phi = if bisect { (low + high) / F::int(2) } else { next };
         if phi <= low || phi >= high {
