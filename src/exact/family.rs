@@ -9,11 +9,13 @@
 //! close to that member it is the limit to within that distance.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
+use super::long_run::{LongRun, unsettled};
 use super::matrix::Matrix;
 use super::measures::Tally;
 use super::shooting::{Budget, Residual};
-use super::slide::{Direction, Equation, Slide};
-use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
+use super::slide::{Direction, Slide};
+use super::steady::{SteadyState, Summary};
 use super::walk::{Part, Point, walk};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -119,4 +121,10 @@ fn finish<F: Float>(
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
     })
+}
+
+/// Whether Ω is 1/(2n), to within the rounding of Ω.
+fn is_even_subharmonic<F: Float>(omega: F) -> bool {
+    let p = PhaseFunction::of_valid(omega);
+    p.quarter() & 1 == 0 && omega < F::int(1) && p.remainder().abs() <= F::int(4) * F::epsilon() / omega
 }

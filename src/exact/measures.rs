@@ -1,7 +1,8 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
 use super::drive::DrivePhase;
-use super::slide::{Motion, Slide};
+use super::motion::Motion;
+use super::slide::Slide;
 use super::walk::{Part, Point};
 use crate::float::Float;
 
@@ -68,7 +69,10 @@ impl<F: Float> Tally<F> {
         let omega = slide.equation.omega;
         self.displaced(Extreme { value: end.x, phase });
         let fastest = slide.fastest(phi, end);
-        self.moved(Extreme { value: fastest.w / omega, phase: slide.start.advanced(omega * fastest.phi) });
+        let v = fastest.w / omega;
+        if v > self.max_v.value || v < self.min_v.value {
+            self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
+        }
         self.work_out = self.work_out + (end.x - slide.x).abs();
         self.work_in = self.work_in + slide.work_of_drive(end);
     }

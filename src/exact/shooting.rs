@@ -14,8 +14,8 @@
 //!   down half a turn later is a motion, too. More than one limit needs a difference that is itself an undamped free
 //!   vibration of the drive's period: Ω = 1/n.
 
+use super::equation::Equation;
 use super::matrix::Matrix;
-use super::slide::Equation;
 use super::walk::{Part, Point, Walk, walk};
 use crate::float::Float;
 
@@ -52,11 +52,11 @@ pub(crate) struct Residual<F> {
 }
 
 impl<F: Float> Residual<F> {
-    /// The change (x, w) from y, with the rounding of the terms that x and w are made of and that of the phase: half a unit
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and that of the phase: half a unit
     /// of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, .. } = *equation;
-        let (one, unit) = (F::int(1), F::int(2) * F::epsilon());
+        let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
         let forced = alpha / (one + omega.square());
         let rate = (one + alpha + y.x.abs()) / omega;
         Self {
@@ -114,7 +114,7 @@ pub(crate) fn shoot<F: Float>(
 ) -> Shot<F> {
     let two = F::int(2);
     let mut guess = Some(guess);
-    let mut best = walk(equation, start, 1, hint, Vec::new());
+    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4));
     let mut y = start;
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
@@ -122,7 +122,12 @@ pub(crate) fn shoot<F: Float>(
     budget.half_turns += 1;
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
-        if left.is_rounding(1) {
+        if budget.half_turns > budget.most {
+            return Shot::Unsettled(y, left.norm());
+        }
+        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance does.
+        let known = is_known(&y, inverse, &left);
+        if left.is_rounding(1) && known {
             return Shot::Settled(settled(y, best, inverse, &left));
         }
         let (dx, dw) = inverse.times((left.x, left.w));
@@ -131,14 +136,14 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
             budget.half_turns += 1;
             let after = residual(&equation, &trial, &tried);
-            if after.norm() * two <= left.norm() {
+            if after.norm() * two <= left.norm() && !left.is_rounding(1) {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
             }
             spare = tried.parts;
             // Rounding alone is left, a little more of it than expected.
-            if left.is_rounding(64) {
+            if left.is_rounding(64) && known {
                 return Shot::Settled(settled(y, best, inverse, &left));
             }
         }
@@ -146,7 +151,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, elsewhere, 1, hint, spare);
             budget.half_turns += 1;
             let after = residual(&equation, &elsewhere, &tried);
-            if after.norm() < left.norm() || after.is_rounding(1) {
+            if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
@@ -170,6 +175,13 @@ pub(crate) fn shoot<F: Float>(
 }
 
 const LONGEST_FOLLOW: u32 = 64;
+
+/// Whether the bound on the distance from the limit is small beside the motion itself.
+fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
+    let (x, w) = inverse.absolute().times(left.bounds());
+    let size = y.x.abs() + y.w.abs();
+    F::int(16) * x <= size && F::int(16) * w <= size
+}
 
 fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
     Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }
