@@ -363,6 +363,5 @@ pub fn errors_after<F: Float>(
 
 /// Whether Ω is 1/(2n), to within the rounding of Ω.
 pub(crate) fn is_even_subharmonic<F: Float>(omega: F) -> bool {
-    let p = PhaseFunction::of_valid(omega);
-    p.quarter() & 1 == 0 && omega < F::int(1) && p.remainder().abs() <= F::int(4) * F::epsilon() / omega
+    PhaseFunction::of_valid(omega).is_even_subharmonic()
 }

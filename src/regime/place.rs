@@ -49,7 +49,8 @@ impl<F: Float> Place<F> {
 
     /// The place of ratios that are exact as they stand.
     ///
-    /// At Ω = 1/(2n) the border 1/Ω² − 1 is exact, and so is the verdict.
+    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that
+    /// is 1/(2n) to within its rounding counts as degenerate: the motion would take 10¹⁵ cycles to tell.
     pub fn new(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
@@ -58,7 +59,12 @@ impl<F: Float> Place<F> {
         let verdict = if p.value() == F::int(0) {
             degenerate(ratios)
         } else {
-            decide((omega, omega), (alpha, alpha), &BorderRange { least, greatest: Some(least) })
+            match decide((omega, omega), (alpha, alpha), &BorderRange { least, greatest: Some(least) }) {
+                Verdict::NonSticking if p.is_even_subharmonic() => {
+                    Verdict::Degenerate(Family::at(ratios, least))
+                }
+                other => other,
+            }
         };
         Self { ratios, border, verdict }
     }
@@ -203,7 +209,11 @@ mod tests {
             assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
             assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
         }
-        assert_eq!(verdict(0.5f64.next_down(), 4.0), Verdict::NonSticking);
+        assert_eq!(verdict(0.5 * (1.0 - 1e-14), 4.0), Verdict::NonSticking);
+        match verdict(1.0 / 6.0, 70.0) {
+            Verdict::Degenerate(family) => assert!((family.greatest_shift() - 1.0).abs() < 1e-13),
+            other => panic!("{other:?}"),
+        }
     }
 
     #[test]
