@@ -18,6 +18,9 @@ pub(crate) enum Failure {
     /// The system is: exit status 1.
     #[error("{0}")]
     System(io::Error),
+    /// Ctrl-C: what was written is whole. Exit status 130, as of a program ended by the signal.
+    #[error("interrupted; what was written is whole")]
+    Interrupted,
     /// Nobody reads on: a quiet end.
     #[error("closed pipe")]
     ClosedPipe,
@@ -27,6 +30,7 @@ impl Failure {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
+            Self::Interrupted => ExitCode::from(130),
             Self::Verdict(_) | Self::System(_) => ExitCode::FAILURE,
             Self::ClosedPipe => ExitCode::SUCCESS,
         }

@@ -1,8 +1,9 @@
 //! From the arguments to the ratios and, where given, the machine.
 
-use crate::args::{ForceArgs, MachineArgs};
+use crate::args::{ForceArgs, MachineArgs, StartArgs};
 use crate::bits::Value;
 use crate::failure::Failure;
+use stickslip::exact::State;
 use stickslip::{Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Scales};
 
 /// A machine in physical units and the scale of its answers.
@@ -52,6 +53,33 @@ pub(crate) fn point<F: Value>(machine: &MachineArgs, force: &ForceArgs) -> Resul
     let alpha = number_or(ratios.alpha(), "--alpha", force.alpha.as_ref())?;
     let ratios = Ratios::new(omega, alpha).map_err(named)?;
     Ok(Point { ratios, machine: Some(Machine { oscillator, drive, scales }) })
+}
+
+/// The state at ω_d t = 0 that `--x0` and `--v0` name, in the units of the point.
+pub(crate) fn start<F: Value>(start: &StartArgs, point: &Point<F>) -> Result<State<F>, Failure> {
+    let zero = F::int(0);
+    let x0 = number_or(zero, "--x0", start.x0.as_ref())?;
+    let v0 = number_or(zero, "--v0", start.v0.as_ref())?;
+    let (x, v) = match &point.machine {
+        Some(Machine { scales, .. }) => (x0 / scales.length, v0 / scales.velocity),
+        None => (x0, v0),
+    };
+    let typed = |name: &str, text: &Option<String>| format!("{name} {}", text.as_deref().unwrap_or("0"));
+    State::new(zero, x, v).map_err(|e| {
+        let argument = match e.quantity() {
+            Some(Quantity::Velocity) => typed("--v0", &start.v0),
+            _ => typed("--x0", &start.x0),
+        };
+        Failure::Input(format!("{argument}: {e}"))
+    })
+}
+
+/// A whole number of at least 1, as typed.
+pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failure> {
+    match text.trim().parse() {
+        Ok(n) if (1..=greatest).contains(&n) => Ok(n),
+        _ => Err(Failure::Input(format!("{name} {text}: must be a whole number ≥ 1 and ≤ {greatest}"))),
+    }
 }
 
 /// Ω of `--omega`, or of the physical arguments.

@@ -1,4 +1,4 @@
-//! The command over the library: `stickslip response`, `border`, `verify`.
+//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `decay`, `verify`.
 
 #![cfg_attr(
     not(test),
@@ -15,12 +15,17 @@
 mod args;
 mod bits;
 mod border;
+mod decay;
 mod failure;
 mod input;
+mod interrupt;
 mod note;
 mod points;
 mod record;
 mod response;
+mod simulate;
+mod sink;
+mod steady;
 mod verify;
 
 use args::{Command, CommandLine};
@@ -49,6 +54,9 @@ fn run(command: &Command) -> Outcome {
     match command {
         Command::Response(args) => response::run(args, &mut out)?,
         Command::Border(args) => border::run(args, &mut out)?,
+        Command::Steady(args) => steady::run(args, &mut out)?,
+        Command::Simulate(args) => simulate::run(args, &mut out)?,
+        Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
     }
     Ok(out.flush()?)

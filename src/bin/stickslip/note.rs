@@ -7,7 +7,7 @@ use std::io::{self, Write};
 use stickslip::{Border, Cycle, PhaseFunction, Regime, Response, nonsticking};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
-fn digits<F: Value>(x: F) -> String {
+pub(crate) fn digits<F: Value>(x: F) -> String {
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return x.to_string();
     }
@@ -21,7 +21,7 @@ fn digits<F: Value>(x: F) -> String {
 }
 
 /// A number in its dimensionless unit and, where there is a machine, in the user's.
-fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
+pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
     let own = format!("{} {unit}", digits(x));
     match scale {
         Some(scale) => format!("{:<22} = {} {name}", own.trim_end(), digits(x * scale)),

@@ -4,7 +4,9 @@ use crate::args::Format;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
+use crate::interrupt;
 use crate::record::Record;
+use crate::sink::Sink;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::RefCell;
 use std::fs::File;
@@ -30,12 +32,13 @@ pub(crate) fn run<F: Value, const N: usize>(
         Box::new(File::open(file).map_err(|e| Failure::Input(format!("--points {name}: {e}")))?)
     };
     let sink = RefCell::new(match format.unwrap_or(Format::Jsonl) {
-        Format::Jsonl => Sink::Lines(out),
-        Format::Csv => Sink::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false },
+        Format::Jsonl => Sink::lines(out),
+        Format::Csv => Sink::rows(out),
         Format::Text | Format::Json => {
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
     });
+    interrupt::listen();
     let outcome = answer_all(FlushFirst { source, sink: &sink }, &name, columns, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome
@@ -67,6 +70,7 @@ fn answer_all<F: Value, const N: usize, W: Write>(
         }
         let record = answer(values).map_err(|e| Failure::Input(format!("{name} line {line}: {e}")))?;
         sink.borrow_mut().write(&record)?;
+        interrupt::check()?;
     }
     Ok(())
 }
@@ -79,34 +83,6 @@ fn unreadable(name: &str, error: csv::Error) -> Failure {
     } else {
         format!("{name}{line}: {error}")
     })
-}
-
-/// Where the records go: lines of JSON, or rows of CSV under one header.
-enum Sink<W: Write> {
-    Lines(W),
-    Rows { writer: Box<csv::Writer<W>>, header: bool },
-}
-
-impl<W: Write> Sink<W> {
-    fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
-        match self {
-            Self::Lines(out) => record.write_line(out),
-            Self::Rows { writer, header } => {
-                if !*header {
-                    *header = true;
-                    record.write_header(writer)?;
-                }
-                record.write_row(writer)
-            }
-        }
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        match self {
-            Self::Lines(out) => out.flush(),
-            Self::Rows { writer, .. } => writer.flush(),
-        }
-    }
 }
 
 /// Flushes the answers before each wait for more input, so that a live pipe sees them at once.

@@ -3,8 +3,9 @@
 use crate::bits::Value;
 use crate::failure::Outcome;
 use crate::input::{BorderScales, Machine};
+use crate::note;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::io::Write;
+use std::io::{self, Write};
 use stickslip::{Border, PhaseFunction, Response, nonsticking};
 
 /// A value of a record.
@@ -13,6 +14,10 @@ pub(crate) enum Cell<F> {
     Text(&'static str),
     /// `None` for what does not exist there.
     Number(Option<F>),
+    /// A whole number.
+    Count(Option<u64>),
+    /// Two complex numbers, each as its real and imaginary part.
+    Pairs(Option<[(F, F); 2]>),
 }
 
 /// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
@@ -24,6 +29,11 @@ impl<F: Value> Serialize for Cell<F> {
                 serializer.collect_str(number)
             }
             Self::Number(number) => number.map(F::to_f64).serialize(serializer),
+            Self::Count(count) => count.serialize(serializer),
+            Self::Pairs(None) => serializer.serialize_none(),
+            Self::Pairs(Some(pairs)) => {
+                serializer.collect_seq(pairs.map(|(re, im)| [re, im].map(|x| Self::Number(Some(x)))))
+            }
         }
     }
 }
@@ -131,10 +141,10 @@ impl<F: Value> Record<F> {
         self
     }
 
-    fn rescaled(&self, scale: impl Fn(&str) -> Option<F>) -> Vec<(&'static str, Cell<F>)> {
+    pub(crate) fn rescaled(&self, scale: impl Fn(&str) -> Option<F>) -> Vec<(&'static str, Cell<F>)> {
         let rescale = |&(name, cell): &(&'static str, Cell<F>)| match cell {
             Cell::Number(value) => scale(name).map(|unit| (name, Cell::Number(value.map(|v| v * unit)))),
-            Cell::Text(_) => None,
+            Cell::Text(_) | Cell::Count(_) | Cell::Pairs(_) => None,
         };
         self.fields.iter().filter_map(rescale).collect()
     }
@@ -151,13 +161,53 @@ impl<F: Value> Record<F> {
         Ok(out.write_all(b"\n")?)
     }
 
-    /// One row of CSV; an empty cell for what does not exist. Every number in the digits that give it back.
+    /// One row of CSV; an empty cell for what does not exist, four for a pair of complex numbers. Every number in the digits that give it back.
     pub(crate) fn write_row(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.serialize(self.fields.iter().map(|(_, cell)| cell).collect::<Vec<_>>())?)
+        let cells = self.fields.iter().flat_map(|&(_, cell)| match cell {
+            Cell::Pairs(pairs) => {
+                let number = |part: fn(&[(F, F); 2]) -> F| Cell::Number(pairs.as_ref().map(part));
+                vec![
+                    number(|[(re, _), _]| *re),
+                    number(|[(_, im), _]| *im),
+                    number(|[_, (re, _)]| *re),
+                    number(|[_, (_, im)]| *im),
+                ]
+            }
+            other => vec![other],
+        });
+        Ok(out.serialize(cells.collect::<Vec<_>>())?)
     }
 
     /// The header of the rows.
     pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.write_record(self.fields.iter().map(|(name, _)| name))?)
+        let names = self.fields.iter().flat_map(|(name, cell)| match cell {
+            Cell::Pairs(_) => ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("{name}_{part}")).to_vec(),
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![(*name).to_owned()],
+        });
+        Ok(out.write_record(names)?)
+    }
+
+    /// One row of a table to read: seven digits, columns of one width.
+    pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
+        for (i, (_, cell)) in self.fields.iter().enumerate() {
+            let text = match cell {
+                Cell::Text(text) => (*text).to_owned(),
+                Cell::Number(number) => number.map_or_else(|| "–".to_owned(), note::digits),
+                Cell::Count(count) => count.map_or_else(|| "–".to_owned(), |n| n.to_string()),
+                Cell::Pairs(_) => String::new(),
+            };
+            let gap = if i == 0 { "" } else { "  " };
+            write!(out, "{gap}{text:>COLUMN$}")?;
+        }
+        writeln!(out)
+    }
+
+    /// The header of a table to read.
+    pub(crate) fn write_table_header(&self, out: &mut impl Write) -> io::Result<()> {
+        let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
+        writeln!(out, "{}", names.join("  "))
     }
 }
+
+/// Width of a column of a table to read.
+const COLUMN: usize = 14;

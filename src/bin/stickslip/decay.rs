@@ -1,0 +1,95 @@
+//! `stickslip decay`.
+
+use crate::args::{DecayArgs, Format};
+use crate::bits::{self, Task, Value};
+use crate::failure::{Failure, Outcome};
+use crate::input::number;
+use crate::note::both;
+use crate::record::{Cell, Record};
+use std::io::Write;
+use stickslip::exact::FreeDecay;
+use stickslip::{Oscillator, Quantity};
+
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a DecayArgs, &'a mut W);
+
+pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
+    bits::run(args.bits, Run(args, out))
+}
+
+/// The scales of free vibration: length B, time 1/ω_n.
+struct Scales<F> {
+    length: F,
+    time: F,
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        let scales = scales::<F>(args)?;
+        let (x0, v0) = (number::<F>("--x0", &args.x0)?, number::<F>("--v0", &args.v0)?);
+        let (x, v) = match &scales {
+            Some(s) => (x0 / s.length, v0 * s.time / s.length),
+            None => (x0, v0),
+        };
+        let decay = FreeDecay::new(x, v).map_err(|e| {
+            let argument = match e.quantity() {
+                Some(Quantity::Velocity) => format!("--v0 {}", args.v0),
+                _ => format!("--x0 {}", args.x0),
+            };
+            Failure::Input(format!("{argument}: {e}"))
+        })?;
+        let record = record(&decay, scales.as_ref());
+        match args.format {
+            Format::Json => record.write_pretty(out),
+            Format::Text => {
+                let length = |x| both(x, "B", scales.as_ref().map(|s| s.length), &args.units.length);
+                let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
+                writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles())?;
+                writeln!(out, "  turns first at           {}", length(decay.first_turn()))?;
+                writeln!(out, "  comes to rest at         {}", length(decay.rest_position()))?;
+                writeln!(out, "  after a time of          {}", time(decay.rest_time()))?;
+                Ok(())
+            }
+            Format::Jsonl | Format::Csv => {
+                Err(Failure::Input("--format: the answer to decay is text or json".to_owned()))
+            }
+        }
+    }
+}
+
+fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<F> {
+    let mut record = Record {
+        fields: vec![
+            ("half_cycles", Cell::Count(Some(decay.half_cycles()))),
+            ("first_turn", Cell::Number(Some(decay.first_turn()))),
+            ("rest_position", Cell::Number(Some(decay.rest_position()))),
+            ("rest_time", Cell::Number(Some(decay.rest_time()))),
+        ],
+        physical: Vec::new(),
+    };
+    if let Some(scales) = scales {
+        record.physical = record.rescaled(|name| match name {
+            "first_turn" | "rest_position" => Some(scales.length),
+            "rest_time" => Some(scales.time),
+            _ => None,
+        });
+    }
+    record
+}
+
+/// The scales of the machine, where there is one.
+fn scales<F: Value>(args: &DecayArgs) -> Result<Option<Scales<F>>, Failure> {
+    match (&args.mass, &args.stiffness, &args.friction) {
+        (None, None, None) => Ok(None),
+        (Some(m), Some(k), Some(r)) => {
+            let (mass, stiffness, friction) =
+                (number("--mass", m)?, number("--stiffness", k)?, number("--friction", r)?);
+            let body = Oscillator::new(mass, stiffness, friction)
+                .map_err(|e| Failure::Input(format!("--mass {m} --stiffness {k} --friction {r}: {e}")))?;
+            let time = F::int(1) / body.natural_frequency();
+            Ok(Some(Scales { length: body.friction_displacement(), time }))
+        }
+        _ => Err(Failure::Input("--mass, --stiffness and --friction: give all three or none".to_owned())),
+    }
+}

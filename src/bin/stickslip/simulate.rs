@@ -1,0 +1,197 @@
+//! `stickslip simulate`.
+
+use crate::args::{Format, SimulateArgs};
+use crate::bits::{self, Task, Value};
+use crate::failure::{Failure, Outcome};
+use crate::input::{self, Machine};
+use crate::interrupt;
+use crate::record::{Cell, Record};
+use crate::sink::Sink;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::{IsTerminal, Write, stdout};
+use stickslip::exact::{Direction, DrivePhase, End, Instant, Kind, Phase, Trajectory};
+
+/// The most phases or samples a run may have: hours at some millions a second.
+const MOST_ROWS: f64 = 1e10;
+
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a SimulateArgs, &'a mut W);
+
+pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
+    bits::run(args.bits, Run(args, out))
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        let cycles = input::count("--cycles", &args.cycles, MOST_ROWS as u64)?;
+        let samples = args.samples.as_ref().map(|n| input::count("--samples", n, u64::from(u32::MAX)));
+        let samples = samples.transpose()?;
+        let mut sink = match args.format {
+            Format::Text => Sink::table(out),
+            Format::Jsonl => Sink::lines(out),
+            Format::Csv => Sink::rows(out),
+            Format::Json => {
+                return Err(Failure::Input(
+                    "--format: the answer to simulate is text, jsonl or csv".to_owned(),
+                ));
+            }
+        };
+        let point = input::point::<F>(&args.machine, &args.force)?;
+        refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
+        let start = input::start(&args.start, &point)?;
+        let motion = Trajectory::new(point.ratios, start)
+            .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+        let machine = point.machine.as_ref();
+        let end = i64::try_from(cycles).unwrap_or(i64::MAX);
+        let mut clock = Clock::new(cycles);
+        interrupt::listen();
+        let outcome = match samples {
+            None => stream(&mut sink, motion, |phase| {
+                let begins = phase.start().phase.cycles();
+                clock.tick(begins);
+                (begins < end).then(|| of_phase(&phase, machine))
+            }),
+            Some(n) => {
+                let samples = motion
+                    .samples(u32::try_from(n).unwrap_or(u32::MAX))
+                    .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
+                // One more than the cycles hold: the end belongs to the picture.
+                let mut left = cycles.saturating_mul(n).saturating_add(1);
+                stream(&mut sink, samples, |instant| {
+                    clock.tick(instant.state.phase.cycles());
+                    left = left.checked_sub(1)?;
+                    Some(of_instant(&instant, machine))
+                })
+            }
+        };
+        clock.bar.finish_and_clear();
+        sink.flush()?;
+        outcome
+    }
+}
+
+/// Writes the records until there is none.
+fn stream<F: Value, T>(
+    sink: &mut Sink<impl Write>,
+    items: impl Iterator<Item = T>,
+    mut record: impl FnMut(T) -> Option<Record<F>>,
+) -> Outcome {
+    for item in items {
+        let Some(record) = record(item) else { break };
+        sink.write(&record)?;
+        interrupt::check()?;
+    }
+    Ok(())
+}
+
+/// A slide is no longer than half a turn of the drive or of the body, so that a cycle has about 2 + 2/Ω of them.
+fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
+    let rows = cycles as f64 * samples.map_or(2.0 + 2.0 / omega, |n| n as f64);
+    if rows <= MOST_ROWS {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "--cycles {cycles}: about {rows:.1e} rows at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}"
+    )))
+}
+
+/// Progress in cycles: on a terminal, where the rows go elsewhere.
+struct Clock {
+    bar: ProgressBar,
+    cycle: i64,
+}
+
+impl Clock {
+    fn new(cycles: u64) -> Self {
+        let target =
+            if stdout().is_terminal() { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
+        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cycles, {eta} left");
+        let bar = ProgressBar::with_draw_target(Some(cycles), target)
+            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        Self { bar, cycle: 0 }
+    }
+
+    fn tick(&mut self, cycle: i64) {
+        if cycle != self.cycle {
+            self.cycle = cycle;
+            self.bar.set_position(u64::try_from(cycle).unwrap_or(0));
+        }
+    }
+}
+
+/// The whole cycles and the angle of a phase, as cells.
+fn when<F: Value>(phase: DrivePhase<F>) -> (Cell<F>, Cell<F>) {
+    (Cell::Count(u64::try_from(phase.cycles()).ok()), Cell::Number(Some(phase.reduced())))
+}
+
+/// The time of a phase in the machine's units.
+fn time<F: Value>(phase: DrivePhase<F>, machine: &Machine<F>) -> F {
+    let cycles = F::from_f64(phase.cycles() as f64);
+    (F::int(2) * F::pi() * cycles + phase.reduced()) * machine.scales.time
+}
+
+fn of_phase<F: Value>(phase: &Phase<F>, machine: Option<&Machine<F>>) -> Record<F> {
+    let kind = match phase.kind() {
+        Kind::Slide(Direction::Forward) => "slide-forward",
+        Kind::Slide(Direction::Backward) => "slide-backward",
+        Kind::Stick => "stick",
+    };
+    let ends_by = match phase.ends_by() {
+        End::Reversal => "reversal",
+        End::Stop => "stop",
+        End::Grazing => "grazing",
+        End::Release => "release",
+        End::Never => "never",
+    };
+    let (start, end) = (phase.start(), phase.end());
+    let (start_cycle, start_phase) = when(start.phase);
+    let (end_cycle, end_phase) = end.map_or((Cell::Count(None), Cell::Number(None)), |e| when(e.phase));
+    let number = |x: F| Cell::Number(Some(x));
+    let mut fields = vec![
+        ("kind", Cell::Text(kind)),
+        ("ends_by", Cell::Text(ends_by)),
+        ("start_cycle", start_cycle),
+        ("start_phase", start_phase),
+        ("end_cycle", end_cycle),
+        ("end_phase", end_phase),
+        ("duration", Cell::Number(phase.duration())),
+        ("start_x", number(start.x)),
+        ("start_v", number(start.v)),
+        ("end_x", Cell::Number(end.map(|e| e.x))),
+    ];
+    if let Some(machine) = machine {
+        fields.extend([
+            ("start_time", number(time(start.phase, machine))),
+            ("end_time", Cell::Number(end.map(|e| time(e.phase, machine)))),
+            ("start_displacement", number(start.x * machine.scales.length)),
+            ("start_velocity", number(start.v * machine.scales.velocity)),
+            ("end_displacement", Cell::Number(end.map(|e| e.x * machine.scales.length))),
+        ]);
+    }
+    Record { fields, physical: Vec::new() }
+}
+
+fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> Record<F> {
+    let state = instant.state;
+    let (cycle, phase) = when(state.phase);
+    let number = |x: F| Cell::Number(Some(x));
+    let mut fields = vec![
+        ("cycle", cycle),
+        ("phase", phase),
+        ("x", number(state.x)),
+        ("v", number(state.v)),
+        ("friction", number(instant.friction)),
+        ("r", number(instant.constitutive_force())),
+    ];
+    if let Some(machine) = machine {
+        let scales = &machine.scales;
+        fields.extend([
+            ("time", number(time(state.phase, machine))),
+            ("displacement", number(state.x * scales.length)),
+            ("velocity", number(state.v * scales.velocity)),
+            ("friction_force", number(instant.friction * scales.force)),
+        ]);
+    }
+    Record { fields, physical: Vec::new() }
+}

@@ -1,0 +1,55 @@
+//! Where a stream of records goes.
+
+use crate::bits::Value;
+use crate::failure::Outcome;
+use crate::record::Record;
+use std::io::{self, Write};
+
+/// Lines of JSON, or rows under one header: of CSV, or of a table to read.
+pub(crate) enum Sink<W: Write> {
+    Lines(W),
+    Rows { writer: Box<csv::Writer<W>>, header: bool },
+    Table { out: W, header: bool },
+}
+
+impl<W: Write> Sink<W> {
+    pub(crate) fn lines(out: W) -> Self {
+        Self::Lines(out)
+    }
+
+    pub(crate) fn rows(out: W) -> Self {
+        Self::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false }
+    }
+
+    pub(crate) fn table(out: W) -> Self {
+        Self::Table { out, header: false }
+    }
+
+    /// One record. Whatever ends the program between two calls, no record is left in part.
+    pub(crate) fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+        match self {
+            Self::Lines(out) => record.write_line(out),
+            Self::Rows { writer, header } => {
+                if !*header {
+                    *header = true;
+                    record.write_header(writer)?;
+                }
+                record.write_row(writer)
+            }
+            Self::Table { out, header } => {
+                if !*header {
+                    *header = true;
+                    record.write_table_header(out)?;
+                }
+                Ok(record.write_table_row(out)?)
+            }
+        }
+    }
+
+    pub(crate) fn flush(&mut self) -> io::Result<()> {
+        match self {
+            Self::Lines(out) | Self::Table { out, .. } => out.flush(),
+            Self::Rows { writer, .. } => writer.flush(),
+        }
+    }
+}

@@ -1,0 +1,215 @@
+//! `stickslip steady`.
+
+use crate::args::{Format, SteadyArgs, UnitNames};
+use crate::bits::{self, Task, Value};
+use crate::failure::{Failure, Outcome};
+use crate::input::{self, Machine, Point};
+use crate::note::{both, digits};
+use crate::points;
+use crate::record::{Cell, Record};
+use crate::response::single_format;
+use std::io::{self, Write};
+use stickslip::Ratios;
+use stickslip::exact::{LongRun, State, SteadyState};
+
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
+
+pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
+    bits::run(args.output.bits, Run(args, out))
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        if args.max_periods == 0 {
+            return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
+        }
+        if let Some(file) = &args.output.points {
+            input::refuse_single(&args.machine, Some(&args.force))?;
+            return points::run::<F, 2>(
+                file,
+                args.output.format,
+                ["omega", "alpha"],
+                out,
+                |[omega, alpha]| {
+                    let ratios = Ratios::new(omega, alpha)?;
+                    Ok(record(ratios, &LongRun::within(ratios, State::rest(), args.max_periods)?))
+                },
+            );
+        }
+        let point = input::point::<F>(&args.machine, &args.force)?;
+        let start = input::start(&args.start, &point)?;
+        let limit = LongRun::within(point.ratios, start, args.max_periods)
+            .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+        match args.output.format.unwrap_or(Format::Text) {
+            Format::Text => Ok(note(&point, &limit, &args.output.units, out)?),
+            Format::Json => {
+                let record = record(point.ratios, &limit);
+                match &point.machine {
+                    Some(machine) => with_machine(record, machine),
+                    None => record,
+                }
+                .write_pretty(out)
+            }
+            Format::Jsonl | Format::Csv => Err(single_format()),
+        }
+    }
+}
+
+/// The regime that the motion itself shows, and what kind of limit it has.
+fn names<F: Value>(limit: &LongRun<F>) -> (&'static str, &'static str) {
+    let moving = |s: &SteadyState<F>| if s.sticks_per_cycle() > 0 { "sticking" } else { "non-sticking" };
+    match limit {
+        LongRun::Periodic(s) => (moving(s), "periodic"),
+        LongRun::Family(s) => (moving(s), "family"),
+        LongRun::Rest(_) => ("stuck", "rest"),
+        LongRun::Unbounded { .. } => ("unbounded", "none"),
+        LongRun::NotConverged { .. } => ("undecided", "not-converged"),
+    }
+}
+
+fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
+    let steady = limit.steady_state();
+    let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
+    let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
+    let errors = steady.map(SteadyState::errors);
+    let (regime, kind) = names(limit);
+    let (periods, rest) = match limit {
+        LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
+        LongRun::Rest(rest) => (Some(rest.periods), Some(rest.position)),
+        LongRun::Unbounded { .. } => (None, None),
+        LongRun::NotConverged { periods, .. } => (Some(*periods), None),
+    };
+    Record {
+        fields: vec![
+            ("omega", Cell::Number(Some(ratios.omega()))),
+            ("alpha", Cell::Number(Some(ratios.alpha()))),
+            ("regime", Cell::Text(regime)),
+            ("limit", Cell::Text(kind)),
+            ("max_displacement", number(|s| s.max_displacement())),
+            ("max_displacement_phase", number(|s| s.max_displacement_phase())),
+            ("min_displacement", number(|s| s.min_displacement())),
+            ("min_displacement_phase", number(|s| s.min_displacement_phase())),
+            ("max_velocity", number(|s| s.max_velocity())),
+            ("max_velocity_phase", number(|s| s.max_velocity_phase())),
+            ("min_velocity", number(|s| s.min_velocity())),
+            ("min_velocity_phase", number(|s| s.min_velocity_phase())),
+            ("sticks_per_cycle", count(|s| s.sticks_per_cycle())),
+            ("velocity_zeros_per_cycle", count(|s| s.velocity_zeros_per_cycle())),
+            ("stick_fraction", number(|s| s.stick_fraction())),
+            ("error_1", Cell::Number(errors.map(|e| e.error_1))),
+            ("error_2", Cell::Number(errors.map(|e| e.error_2))),
+            ("error_3", Cell::Number(errors.map(|e| e.error_3))),
+            ("error_4", Cell::Number(errors.map(|e| e.error_4))),
+            ("energy_in", number(|s| s.energy_in())),
+            ("energy_out", number(|s| s.energy_out())),
+            ("multipliers", Cell::Pairs(steady.map(SteadyState::multipliers))),
+            ("distance", number(|s| s.distance().0)),
+            ("rest_position", Cell::Number(rest)),
+            ("periods", Cell::Number(periods)),
+        ],
+        physical: Vec::new(),
+    }
+}
+
+/// The same names in the machine's units.
+fn with_machine<F: Value>(mut record: Record<F>, machine: &Machine<F>) -> Record<F> {
+    let scales = &machine.scales;
+    record.physical = record.rescaled(|name| match name {
+        "max_displacement" | "min_displacement" | "distance" | "rest_position" => Some(scales.length),
+        "max_velocity" | "min_velocity" => Some(scales.velocity),
+        "energy_in" | "energy_out" => Some(scales.force * scales.length),
+        "periods" => Some(F::int(2) * F::pi() * scales.time),
+        _ if name.ends_with("_phase") => Some(scales.time),
+        _ => None,
+    });
+    record
+}
+
+/// The answer as an engineer's note.
+fn note<F: Value>(
+    point: &Point<F>,
+    limit: &LongRun<F>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    match limit {
+        LongRun::Periodic(steady) => {
+            writeln!(out, "{} One periodic motion, from every start.\n", verdict(steady))?;
+            motion(steady, point, units, out)
+        }
+        LongRun::Family(steady) => {
+            writeln!(
+                out,
+                "{} At Ω = 1/(2n) the periodic motions are a family; this is the one that the start leads to.\n",
+                verdict(steady)
+            )?;
+            motion(steady, point, units, out)
+        }
+        LongRun::Rest(rest) => match rest.slides {
+            Some(slides) => writeln!(
+                out,
+                "Stuck: it comes to rest at {} after {slides} slides and stays there.",
+                length(rest.position)
+            ),
+            None => writeln!(out, "Stuck: it creeps for ever towards rest at {}.", length(rest.position)),
+        },
+        LongRun::Unbounded { growth } => {
+            writeln!(
+                out,
+                "Unbounded: the amplitude grows by {} in a cycle, in the long run.",
+                length(*growth)
+            )
+        }
+        LongRun::NotConverged { residual, periods, .. } => writeln!(
+            out,
+            "Undecided: after {} periods half a cycle still moves it by {}; allow more with --max-periods.",
+            digits(periods.to_f64()),
+            length(*residual)
+        ),
+    }
+}
+
+fn verdict<F: Value>(steady: &SteadyState<F>) -> String {
+    match steady.sticks_per_cycle() {
+        0 => "Non-sticking: the body never stops.".to_owned(),
+        n => {
+            let part = digits((steady.stick_fraction().to_f64() * 1e4).round() / 1e2);
+            format!("Sticking: {n} stops in a cycle, {part} % of the time.")
+        }
+    }
+}
+
+fn motion<F: Value>(
+    steady: &SteadyState<F>,
+    point: &Point<F>,
+    units: &UnitNames,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let speed_unit = format!("{}/s", units.length);
+    let work_unit = format!("{}·{}", units.force, units.length);
+    let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let phase = |x| both(x, "rad", scales.map(|s| s.time), "s");
+    let speed = |x| both(x, "B ω_d", scales.map(|s| s.velocity), &speed_unit);
+    let work = |x| both(x, "r_y B", scales.map(|s| s.force * s.length), &work_unit);
+    writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_displacement_phase()))?;
+    writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_displacement_phase()))?;
+    writeln!(out, "  maximum velocity         {}", speed(steady.max_velocity()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity_phase()))?;
+    writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity_phase()))?;
+    writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
+    writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
+    writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
+    let left = digits(steady.contraction().to_f64());
+    writeln!(out, "  a disturbance shrinks to {left} of itself in a cycle")?;
+    let far = digits(steady.distance().0.to_f64());
+    let periods = digits(steady.periods().to_f64());
+    writeln!(out, "  found in {periods} periods, within {far} B of the limit")
+}
