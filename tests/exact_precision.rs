@@ -3,7 +3,7 @@
 
 use stickslip::exact::{LongRun, State, SteadyState};
 use stickslip::float::mp::Mp;
-use stickslip::{Cycle, Float, Ratios, Real};
+use stickslip::{Cycle, Float, Ratios};
 
 fn ratios<F: Float>((p, q): (i32, i32), (r, s): (i32, i32)) -> Ratios<F> {
     Ratios::new(F::ratio(p, q), F::ratio(r, s)).unwrap()

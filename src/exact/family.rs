@@ -24,9 +24,8 @@ use crate::ratios::Ratios;
 
 /// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
-    let omega = ratios.omega();
-    is_even_subharmonic(omega)
-        && ratios.alpha() >= Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio()
+    let p = PhaseFunction::of_valid(ratios.omega());
+    p.is_even_subharmonic() && ratios.alpha() >= Border::at(&p).min_force_ratio()
 }
 
 /// The member that the motion through a point tends to.
@@ -121,10 +120,4 @@ fn finish<F: Float>(
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
     })
-}
-
-/// Whether Ω is 1/(2n), to within the rounding of Ω.
-fn is_even_subharmonic<F: Float>(omega: F) -> bool {
-    let p = PhaseFunction::of_valid(omega);
-    p.quarter() & 1 == 0 && omega < F::int(1) && p.remainder().abs() <= F::int(4) * F::epsilon() / omega
 }

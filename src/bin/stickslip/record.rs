@@ -6,7 +6,7 @@ use crate::input::{BorderScales, Machine};
 use crate::note;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
-use stickslip::{Border, PhaseFunction, Response, nonsticking};
+use stickslip::Response;
 
 /// A value of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,8 +83,8 @@ impl<F: Value> Record<F> {
                 ("deviation", of_cycle(|c| c.deviation())),
                 ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
                 ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
-                ("loop_size_stiffness", of_cycle(|c| c.loop_size_stiffness())),
-                ("loop_size_inertia", of_cycle(|c| c.loop_size_inertia())),
+                ("loop_size_stiffness", Cell::Number(response.loop_size_stiffness())),
+                ("loop_size_inertia", Cell::Number(response.loop_size_inertia())),
                 ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
                 ("best_loop_size", Cell::Number(response.best_loop_size())),
                 ("contraction", of_cycle(|c| c.contraction())),
@@ -93,17 +93,17 @@ impl<F: Value> Record<F> {
         }
     }
 
-    /// The border at Ω and the best force ratio there.
-    pub(crate) fn of_border(p: &PhaseFunction<F>, border: &Border<F>) -> Self {
-        let best = nonsticking::best_force_ratio(p.value());
+    /// The border at Ω and the best force ratio there, of a response at any α.
+    pub(crate) fn of_border(response: &Response<F>) -> Self {
+        let border = response.border();
         Self {
             fields: vec![
-                ("omega", Cell::Number(Some(p.omega()))),
+                ("omega", Cell::Number(Some(response.ratios().omega()))),
                 ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
                 ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
                 ("border_phase", Cell::Number(Some(border.phase()))),
                 ("least_displacement", Cell::Number(Some(border.least_displacement()))),
-                ("best_force_ratio", Cell::Number(Some(best))),
+                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
             ],
             physical: Vec::new(),
         }
@@ -173,7 +173,7 @@ impl<F: Value> Record<F> {
                     number(|[_, (_, im)]| *im),
                 ]
             }
-            other => vec![other],
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![cell],
         });
         Ok(out.serialize(cells.collect::<Vec<_>>())?)
     }
