@@ -18,6 +18,7 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
     let sticks = motion.steady_state().map(|s| (s.sticks_per_cycle(), s.velocity_zeros_per_cycle()));
     Some(match (verdict, motion) {
         (Verdict::Undecided(..), _) | (_, LongRun::NotConverged { .. }) => return None,
+        (_, motion) if hidden(&place(omega, alpha), &motion) => return None,
         (Verdict::AtRest, motion) => matches!(motion, LongRun::Rest(_)),
         (Verdict::Sticking, LongRun::Periodic(_)) => {
             sticks.is_some_and(|(sticks, reversals)| sticks > 0 || reversals > 2)
@@ -28,6 +29,15 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
         (Verdict::Unbounded, motion) => matches!(motion, LongRun::Unbounded { .. }),
         _ => false,
     })
+}
+
+/// Whether the motion found is known less well than what would decide: inside a half cycle the velocity comes within
+/// `|α − α_min| sin τ*` of zero, and the motion says itself how far from the limit it may be.
+fn hidden(place: &Place<f64>, motion: &LongRun<f64>) -> bool {
+    let border = place.border();
+    let miss = (place.ratios().alpha() - border.min_force_ratio()).abs() * border.phase().sin();
+    let (x, v) = motion.steady_state().map_or((0.0, 0.0), SteadyState::distance);
+    miss > 0.0 && miss < 16.0 * x.max(v)
 }
 
 #[test]
