@@ -20,6 +20,21 @@ pub(crate) enum Cell<F> {
     Pairs(Option<[(F, F); 2]>),
 }
 
+impl<F: Value> Cell<F> {
+    /// As a reader wants it: seven digits at f64, a dash for what does not exist.
+    pub(crate) fn text(&self) -> String {
+        let dash = || "–".to_owned();
+        match self {
+            Self::Text(text) => (*text).to_owned(),
+            Self::Number(number) => number.map_or_else(dash, note::digits),
+            Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
+            Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
+                pairs.map(|(re, im)| format!("{} {} i", note::digits(re), note::digits(im))).join(", ")
+            }),
+        }
+    }
+}
+
 /// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
 impl<F: Value> Serialize for Cell<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -190,12 +205,7 @@ impl<F: Value> Record<F> {
     /// One row of a table to read: seven digits, columns of one width.
     pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
         for (i, (_, cell)) in self.fields.iter().enumerate() {
-            let text = match cell {
-                Cell::Text(text) => (*text).to_owned(),
-                Cell::Number(number) => number.map_or_else(|| "–".to_owned(), note::digits),
-                Cell::Count(count) => count.map_or_else(|| "–".to_owned(), |n| n.to_string()),
-                Cell::Pairs(_) => String::new(),
-            };
+            let text = cell.text();
             let gap = if i == 0 { "" } else { "  " };
             write!(out, "{gap}{text:>COLUMN$}")?;
         }
