@@ -274,3 +274,26 @@ fn bad_input_is_named() {
     assert!(slow.starts_with("frequency ratio Ω = 0.000000001 must be ≥"), "{slow}");
     assert!(LongRun::from_start(ratios(1e9, 2.0), State::rest()).is_err());
 }
+
+/// Found by fuzzing: from so far outside that a cycle's loss is below rounding, a repeating cycle is no member of a family.
+#[test]
+fn a_far_start_of_a_family_has_not_converged() {
+    let start = State::new(0.0, 6.6e36, 1e12).unwrap();
+    let motion = LongRun::within(Ratios::new(0.5f64, 4.0).unwrap(), start, 100).unwrap();
+    assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
+    // So large a force that friction is below the rounding of the motion.
+    let start = State::new(0.5, 64.0, 0.0).unwrap();
+    let motion = LongRun::within(Ratios::new(0.5f64, 8.9e43).unwrap(), start, 100).unwrap();
+    assert!(motion.steady_state().is_none_or(|s| s.distance().0 >= 0.0), "{motion:?}");
+}
+
+/// Found by fuzzing: a subnormal speed sent the search for velocity zeros from one subnormal time to the next.
+#[test]
+fn next_to_no_speed_is_rest() {
+    for v in [f64::from_bits(2), -f64::from_bits(1), 1e-300, f64::MIN_POSITIVE] {
+        let start = State::new(0.0, 1.000_000_003_579_771_1, v).unwrap();
+        let ratios = Ratios::new(0.500_000_000_000_007_1f64, 4.000_000_002_328_306).unwrap();
+        let last = Trajectory::new(ratios, start).unwrap().nth(9).and_then(|phase| phase.end()).unwrap();
+        assert!(last.phase.since(start.phase) > 6.0, "{v:e}: {last:?}");
+    }
+}

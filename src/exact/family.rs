@@ -49,10 +49,12 @@ pub(crate) fn member<F: Float>(
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
-        let left = change / (one - other);
+        // Friction too small beside the motion for the type to see: nothing tells how much is left.
+        let left = if other < one { change / (one - other) } else { one / F::int(0) };
         let size = one + y.x.abs() + y.w.abs();
         let rounding = F::int(4) * (residual.bound() - change);
-        if left <= rounding || (added && change <= rounding) {
+        // A motion far outside loses less in a cycle than its own rounding: that it repeats says nothing.
+        if is_near(&equation, &y) && (left <= rounding || (added && change <= rounding)) {
             let off = left + rounding;
             return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
         }
@@ -75,6 +77,13 @@ pub(crate) fn member<F: Float>(
         added = added || jump;
         parts = cycle.parts;
     }
+}
+
+/// Whether a point is as near as the members of the family are, to within a factor: `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
+fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
+    let (one, omega) = (F::int(1), equation.omega);
+    let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
+    y.x.abs() + y.w.abs() <= F::int(8) * reach
 }
 
 /// Half turns after which a motion of a family that still sticks is taken to creep.

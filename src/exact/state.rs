@@ -23,7 +23,8 @@ impl<F: Float> State<F> {
         Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
     }
 
-    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ.
+    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ, e = [`Float::RATIO_EXPONENT`], counts
+    /// as rest: it would end in a time that underflows.
     ///
     /// # Errors
     /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,
@@ -45,7 +46,7 @@ impl<F: Float> State<F> {
         Ok(Self {
             phase: DrivePhase::new(theta)?,
             x: bounded(Quantity::Displacement, x)?,
-            v: bounded(Quantity::Velocity, v)?,
+            v: moving(bounded(Quantity::Velocity, v)?),
         })
     }
 }
@@ -66,4 +67,9 @@ impl<F: Float> Instant<F> {
     pub fn constitutive_force(&self) -> F {
         self.friction + self.state.x
     }
+}
+
+/// `v`, or rest where it is next to nothing.
+fn moving<F: Float>(v: F) -> F {
+    if v.abs() < F::exp2i(-F::RATIO_EXPONENT) { F::int(0) } else { v }
 }
