@@ -125,6 +125,10 @@ fn finish<F: Float>(
 
 /// Whether Ω is 1/(2n), to within the rounding of Ω.
 fn is_even_subharmonic<F: Float>(omega: F) -> bool {
+    // 1/2 is the greatest.
+    if omega * F::int(3) > F::int(2) {
+        return false;
+    }
     let p = PhaseFunction::of_valid(omega);
     p.quarter() & 1 == 0 && omega < F::int(1) && p.remainder().abs() <= F::int(4) * F::epsilon() / omega
 }

@@ -177,7 +177,7 @@ pub(crate) fn shoot<F: Float>(
 const LONGEST_FOLLOW: u32 = 64;
 
 /// Whether the bound on the distance from the limit is small beside the motion itself.
-fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
+pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
     let (x, w) = inverse.absolute().times(left.bounds());
     let size = y.x.abs() + y.w.abs();
     F::int(16) * x <= size && F::int(16) * w <= size
