@@ -15,6 +15,7 @@
 //! | `equation`, `motion`, [`Slide`] | sliding in closed form, smooth through Ω = 1 |
 //! | [`Stick`] | sticking, and when friction gives way |
 //! | `event`, `stretch`, `velocity_zero` | the next velocity zero, never missed |
+//! | `expect` | where it is looked for first |
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
@@ -29,6 +30,7 @@ mod confirm;
 mod drive;
 mod equation;
 mod event;
+mod expect;
 mod family;
 mod fastest;
 mod free;
