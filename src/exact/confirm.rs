@@ -6,10 +6,11 @@
 //! the velocity zero at `π/Ω + h` and back on the mirrored slide. What the latter misses −y by is free vibration,
 //!
 //! ```text
-//! H(y) − y = −R (δx, −w′₊h),     δx = x(π/Ω + h) − Δ₀,   w′₊ the acceleration after the reversal,   R the rotation from θ₂ − π to θ₁:
+//! H(y) − y = −R (δx, −w′₊ h),     δx = x(π/Ω + h) − Δ₀
 //! ```
 //!
-//! the residual that `shooting` judges, with the bound on the distance from it.
+//! with w′₊ the acceleration after the reversal and R the rotation from θ₂ − π to θ₁: the residual that `shooting` judges, with the
+//! bound on the distance that comes of it.
 //!
 //! # Why no velocity zero is missed
 //!
