@@ -15,18 +15,22 @@
 //! | `equation`, `motion`, [`Slide`] | sliding in closed form, smooth through Ω = 1 |
 //! | [`Stick`] | sticking, and when friction gives way |
 //! | `event`, `stretch`, `velocity_zero` | the next velocity zero, never missed |
+//! | `expect` | where it is looked for first |
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
 //! | `walk`, `matrix`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `confirm` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
+mod confirm;
 mod drive;
 mod equation;
 mod event;
+mod expect;
 mod family;
 mod fastest;
 mod free;

@@ -127,6 +127,12 @@ impl<F: Float> Cycle<F> {
         }
     }
 
+    /// `(sin β, cos β)`, β = π/2Ω.
+    #[inline]
+    pub(crate) fn sin_cos_beta(&self) -> (F, F) {
+        self.half.sin_cos_beta()
+    }
+
     /// The ratios (Ω, α).
     pub const fn ratios(&self) -> Ratios<F> {
         self.ratios

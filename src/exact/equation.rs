@@ -56,6 +56,21 @@ impl<F: Float> Equation<F> {
             d: (drive.0 + qc) * self.per_one_plus,
         }
     }
+
+    /// The same at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1: there `m = β − π/2` and `p = m + π`.
+    #[inline]
+    pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
+        let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+        let q = -(cos_beta * self.double_per_one_minus);
+        let qc = -(q * sin_beta);
+        Waves {
+            free: (two * sin_beta * cos_beta, (cos_beta - sin_beta) * (cos_beta + sin_beta)),
+            drive: (zero, -one),
+            c: cos_beta * q * self.per_one_plus,
+            s: -(self.omega * qc) * self.per_one_plus,
+            d: qc * self.per_one_plus,
+        }
+    }
 }
 
 /// The circular functions and quotients of `slide` at one time.

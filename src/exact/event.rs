@@ -19,14 +19,14 @@
 //!
 //! A slide lasts at most `π(1 + 1/Ω)` of natural time, because `w(φ) + w(φ + π)` is free of the natural vibration and
 //! changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four changes of sign of g, hence
-//! **at most 8 stretches** of up to 3 radians. Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one
+//! **at most 8 stretches** of up to 3⅛ radians. Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one
 //! exceeds the other's amplitude there is no zero, and that part is left out ([`Safe`]). What remains of a window holds
 //! a zero once it is as long as the fast period, and each window is at least half a slow period, not shorter than the
 //! fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
 //! at most 8 stretches. Within a stretch the closing of a dip is cut off after 2·PRECISION points (as a grazing, which it
 //! then is), and a bracket is halved at each step after the first PRECISION, so that it is closed after as many more:
-//! **at most 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps quadruple the good digits: 3.8
-//! evaluations a slide on average and 13 at most over 40,000 slides of every kind (a test holds 6 and 24), 2 or 3 in a steady
+//! **at most 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps quadruple the good digits: 3.7
+//! evaluations a slide on average and 13 at most over 40,000 slides of every kind (a test holds 6 and 24), 1 or 2 in a steady
 //! motion.
 
 use super::stretch::{Stretch, in_helping, in_opposing};
@@ -105,7 +105,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     start: Jet<F>,
     f: impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
-    let three = F::int(3);
+    let longest = F::ratio(25, 8);
     let mut phi = F::int(0);
     let mut jet = Some(start);
     let mut from_zero = search.from_zero;
@@ -121,8 +121,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             continue;
         }
         let mut to = boundary;
-        if phi + three < to {
-            to = phi + three;
+        if phi + longest < to {
+            to = phi + longest;
         }
         if let Some(safe) = &search.safe {
             let (begins, ends) = safe.next(phi);

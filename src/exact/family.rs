@@ -24,6 +24,10 @@ use crate::ratios::Ratios;
 
 /// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
+    // 1/2 is the greatest of them.
+    if ratios.omega() * F::int(3) > F::int(2) {
+        return false;
+    }
     let p = PhaseFunction::of_valid(ratios.omega());
     p.is_even_subharmonic() && ratios.alpha() >= Border::at(&p).min_force_ratio()
 }

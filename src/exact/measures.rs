@@ -15,6 +15,14 @@ pub struct Extreme<F> {
     pub phase: DrivePhase<F>,
 }
 
+impl<F: Float> Extreme<F> {
+    /// The same upside down, half a turn later.
+    #[inline]
+    pub(crate) fn mirrored(self) -> Self {
+        Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
+    }
+}
+
 /// Extrema, stops and work over some time.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Tally<F> {
@@ -98,11 +106,10 @@ impl<F: Float> Tally<F> {
     /// The tally of a whole turn from that of its first half, the second being the first turned upside down.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
-        let mirrored = |e: Extreme<F>| Extreme { value: -e.value, phase: e.phase.later_by_half_turns(1) };
-        for extreme in [mirrored(self.max_x), mirrored(self.min_x)] {
+        for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
             self.displaced(extreme);
         }
-        for extreme in [mirrored(self.max_v), mirrored(self.min_v)] {
+        for extreme in [self.max_v.mirrored(), self.min_v.mirrored()] {
             self.moved(extreme);
         }
         Self {

@@ -93,10 +93,10 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> R
     Residual::new(equation, y, (-walk.end.x - y.x, -walk.end.w - y.w))
 }
 
-/// Natural time from the start of a walk to its first velocity zero.
-fn first_zero<F: Float>(walk: &Walk<F>, usual: F) -> F {
+/// Natural time to the first velocity zero that is expected of a walk from a point that differs by (δx, δw) from that of `walk`.
+fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
     match walk.parts.first() {
-        Some(Part::Slide(_, zero)) => zero.phi,
+        Some(Part::Slide(_, zero)) => zero.expected(change),
         Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
     }
 }
@@ -133,7 +133,7 @@ pub(crate) fn shoot<F: Float>(
         let (dx, dw) = inverse.times((left.x, left.w));
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
         if dx.is_finite() && dw.is_finite() {
-            let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
+            let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare);
             budget.half_turns += 1;
             let after = residual(&equation, &trial, &tried);
             if after.norm() * two <= left.norm() && !left.is_rounding(1) {
@@ -160,8 +160,9 @@ pub(crate) fn shoot<F: Float>(
         }
         // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's reach.
         for _ in 0..follow {
-            y = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
-            let hint = first_zero(&best, hint);
+            let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
+            let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));
+            y = to;
             let next = walk(equation, y, 1, hint, spare);
             spare = core::mem::replace(&mut best, next).parts;
             budget.half_turns += 1;
@@ -177,7 +178,7 @@ pub(crate) fn shoot<F: Float>(
 const LONGEST_FOLLOW: u32 = 64;
 
 /// Whether the bound on the distance from the limit is small beside the motion itself.
-fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
+pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
     let (x, w) = inverse.absolute().times(left.bounds());
     let size = y.x.abs() + y.w.abs();
     F::int(16) * x <= size && F::int(16) * w <= size

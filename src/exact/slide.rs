@@ -126,11 +126,17 @@ impl<F: Float> Slide<F> {
     /// The motion at natural time φ after the start.
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
-        let Equation { omega, alpha, .. } = self.equation;
-        if omega < F::ratio(1, 2) && phi > F::int(1) {
+        if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
             return self.slow_and_fast(phi);
         }
-        let Waves { free: (sine, cosine), drive, c, s, d } = self.equation.waves(phi);
+        self.motion_of(&self.equation.waves(phi))
+    }
+
+    /// The motion from the functions of its natural time.
+    #[inline]
+    pub(crate) fn motion_of(&self, waves: &Waves<F>) -> Motion<F> {
+        let Equation { omega, alpha, .. } = self.equation;
+        let Waves { free: (sine, cosine), drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
         let sign = self.direction.sign::<F>();
         // 1 − cos φ without cancellation.

@@ -1,5 +1,6 @@
 //! The motion in the long run.
 
+use super::confirm::confirmed;
 use super::equation::Equation;
 use super::family;
 use super::long_run::{DEFAULT_BUDGET, LongRun, fastest_point};
@@ -42,6 +43,22 @@ impl<F: Float> Summary<F> {
             energy_out: tally.work_out,
         }
     }
+
+    /// Of a symmetric cycle of two slides: its greatest displacement and velocity, and the work of the drive and against friction.
+    #[inline]
+    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
+        Self {
+            max_x,
+            min_x: max_x.mirrored(),
+            max_v,
+            min_v: max_v.mirrored(),
+            sticks: 0,
+            zeros: 2,
+            stick_fraction: F::int(0),
+            energy_in,
+            energy_out,
+        }
+    }
 }
 
 /// A periodic motion, with or without stops.
@@ -69,16 +86,20 @@ pub struct SteadyState<F> {
 
 impl<F: Float> SteadyState<F> {
     /// The exact motion that the closed forms of the non-sticking cycle lead to: confirmed where they hold, from half a cycle
-    /// of the motion itself.
+    /// of the motion itself. That a motion so confirmed is nowhere faster than at ω_d t₁ is the cycle's own proof.
     ///
     /// # Errors
     /// As for [`crate::exact::Trajectory::new`].
     pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
+        let is_family = family::is_one(ratios);
+        if !is_family && let Some(steady) = confirmed(equation, cycle) {
+            return Ok(LongRun::Periodic(steady));
+        }
         let budget = Budget { half_turns: 0, most: 2 * u64::from(DEFAULT_BUDGET) };
         let (section, hint) = fastest_point(equation, cycle);
-        if family::is_one(ratios) {
+        if is_family {
             return Ok(family::member(equation, section, hint, budget));
         }
         Ok(LongRun::shot(equation, section, hint, || None, budget))

@@ -155,14 +155,18 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     {
         return Verdict::Zero(found);
     }
+    let (right, right_motion) = f(to);
     let (left, left_motion) = match jet {
         Some(j) => (j, None),
+        // What the cover from the end does not leave open need not be looked at.
+        None if right.value > F::int(0) && backward_cover(right) >= to - from => {
+            return Verdict::Clear(Some((right, right_motion)));
+        }
         None => {
             let (j, m) = f(from);
             (j, Some(m))
         }
     };
-    let (right, right_motion) = f(to);
     if let Some(motion) = left_motion
         && left.value <= F::int(0)
     {
@@ -185,6 +189,12 @@ fn start_of_bracket<F: Float>(from: F, to: F, left: Jet<F>) -> F {
 #[inline]
 fn forward_cover<F: Float>(jet: Jet<F>) -> F {
     jet.value.atan2(-jet.first)
+}
+
+/// How far back f is positive where g ≥ 0.
+#[inline]
+fn backward_cover<F: Float>(jet: Jet<F>) -> F {
+    jet.value.atan2(jet.first)
 }
 
 /// Householder's method from the hint; an answer only where it settles on a downward zero in (from, to].
@@ -228,7 +238,7 @@ fn dip<F: Float, M: Copy>(
     let end = right.1;
     let (from, two) = (left.0, F::int(2));
     let mut low = left.0 + forward_cover(left.1);
-    let mut high = right.0 - right.1.value.atan2(right.1.first);
+    let mut high = right.0 - backward_cover(right.1);
     let mut lowest = right;
     for _ in 0..2 * F::PRECISION {
         if low >= high {
@@ -247,7 +257,7 @@ fn dip<F: Float, M: Copy>(
         if jet.first < F::int(0) {
             low = phi + forward_cover(jet);
         } else {
-            high = phi - jet.value.atan2(jet.first);
+            high = phi - backward_cover(jet);
         }
         lowest = (phi, jet);
     }

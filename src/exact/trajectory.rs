@@ -191,7 +191,7 @@ impl<F: Float> Next<F> {
 pub struct Trajectory<F> {
     pub(crate) equation: Equation<F>,
     next: Option<Next<F>>,
-    /// Natural length of the last slide: the next is as long in a steady motion without stops.
+    /// Natural length expected of the next slide, from the last one.
     hint: F,
 }
 
@@ -228,8 +228,11 @@ impl<F: Float> Iterator for Trajectory<F> {
             Next::Slide(slide) => {
                 // Every slide ends: the search comes back empty only where it is given a limit.
                 let zero = slide.velocity_zero(self.hint)?;
-                self.hint = zero.phi;
                 let (next, end) = Next::after(&slide, &zero);
+                self.hint = match &next {
+                    Next::Slide(back) if end == End::Reversal => slide.expected_next(&zero, back),
+                    Next::Slide(_) | Next::Stick(_) => zero.phi,
+                };
                 self.next = Some(next);
                 Some(Phase { body: Body::Slide(slide, zero), end })
             }
