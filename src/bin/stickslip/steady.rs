@@ -209,7 +209,7 @@ fn motion<F: Value>(
     writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
     let left = digits(steady.contraction().to_f64());
     writeln!(out, "  a disturbance shrinks to {left} of itself in a cycle")?;
-    let far = digits(steady.distance().0.to_f64());
+    let far = format!("{:.0e}", steady.distance().0.to_f64());
     let periods = digits(steady.periods().to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }
