@@ -124,7 +124,7 @@ impl Axis {
 /// Points of one kind, with a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// The name in the legend; series of one name and style share an entry.
+    /// The name in the legend; series of one name share an entry.
     pub name: String,
     /// How it is drawn.
     pub style: Style,

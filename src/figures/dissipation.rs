@@ -39,14 +39,9 @@ fn loop_on_border(answer: &Response<f64>) -> Option<f64> {
 /// Figure 9(a): the best force ratio.
 pub(super) fn best_force() -> Figure {
     let series = vec![
+        Series::new("eq. 65, where it holds", Style::Thick, 0, where_reached(|a| Some(a.best_force_ratio()))),
         Series::new(
-            "eq. 65, where it does not stick",
-            Style::Thick,
-            0,
-            where_reached(|a| Some(a.best_force_ratio())),
-        ),
-        Series::new(
-            "the border, where eq. 65 would stick",
+            "the border, elsewhere",
             Style::Dashed,
             5,
             where_not_reached(|a| Some(a.border().min_force_ratio())),
@@ -58,7 +53,7 @@ pub(super) fn best_force() -> Figure {
         "Force ratio α that makes the loop size A₁ largest at a given Ω: eq. 65 where that motion does not stick (by the exact border); \
             elsewhere the best without sticking is the border itself (dashed).",
         Axis::frequency_ratio(0.2, 2.0),
-        Axis::linear("best force ratio α", 0.0, 30.0),
+        Axis::linear("best force ratio α", 0.0, 16.0),
         series,
     )
 }
@@ -66,18 +61,8 @@ pub(super) fn best_force() -> Figure {
 /// Figure 9(b): the largest loop.
 pub(super) fn largest_loop() -> Figure {
     let series = vec![
-        Series::new(
-            "eq. 66, where it does not stick",
-            Style::Thick,
-            0,
-            where_reached(Response::best_loop_size),
-        ),
-        Series::new(
-            "on the border, where eq. 66 would stick",
-            Style::Dashed,
-            5,
-            where_not_reached(loop_on_border),
-        ),
+        Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(Response::best_loop_size)),
+        Series::new("on the border, elsewhere", Style::Dashed, 5, where_not_reached(loop_on_border)),
     ];
     single(
         "9b",
@@ -104,7 +89,7 @@ pub(super) fn loop_by_friction() -> Figure {
         "Loop size A₁ against 1/α = r_y/p₀ for Ω = 1.2 … 1.8, each up to where the motion begins to stick. \
             The top of each curve is eq. 65 and 66.",
         Axis::linear("1/α = r_y/p₀", 0.0, 0.8),
-        Axis::linear("loop size A₁", 0.0, 12.0),
+        Axis::linear("loop size A₁", 0.0, 7.0),
         (12..=18).enumerate().map(curve).collect(),
     )
 }

@@ -57,7 +57,7 @@ fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
 const LEFT: i32 = 76;
 const TOP: i32 = 66;
 const BELOW: i32 = 62;
-const LEGEND: i32 = 240;
+const LEGEND: i32 = 290;
 
 /// Sizes in pixels.
 pub(super) struct Layout {

@@ -21,7 +21,7 @@ pub(super) fn of_the_cycle() -> Figure {
         Series::new(name, Style::Dots, index, points)
     };
     let circle = evenly(0.0, std::f64::consts::TAU, 181).map(|t| (t.cos(), t.sin()));
-    let mut loci = vec![Series::new("modulus 1", Style::Line, 0, circle)];
+    let mut loci = vec![Series::new("modulus 1", Style::Dotted, 0, circle)];
     loci.extend(inverse_force_ratios(6).map(locus));
     Figure {
         name: "multipliers".to_owned(),

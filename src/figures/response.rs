@@ -29,7 +29,11 @@ fn closed(omega: f64, alpha: f64, value: fn(&Cycle<f64>) -> f64) -> f64 {
 /// The curve of a value of the closed-form cycle for each 1/α.
 fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
     let curve = |(index, alpha, name): (usize, f64, String)| {
-        let points = frequency_ratios().map(|omega| (omega, closed(omega, alpha, value)));
+        let mut points: Vec<_> =
+            frequency_ratios().map(|omega| (omega, closed(omega, alpha, value))).collect();
+        // The phases jump at Ω = 1.
+        let below = points.iter().take_while(|(omega, _)| *omega < 1.0).count();
+        points.insert(below, (1.0, f64::NAN));
         // The marks of two curves that lie on each other must not.
         Series::new(name, Style::Marked(26 + index), index, points)
     };
@@ -60,7 +64,7 @@ pub(super) fn max_displacement() -> Figure {
 pub(super) fn phases() -> Figure {
     let panel = |title: &str, value| Panel {
         title: title.to_owned(),
-        x: Axis::frequency_ratio(0.0, 2.0),
+        x: Axis::frequency_ratio(0.3, 2.0),
         y: Axis::linear("phase (rad)", 0.0, 5.0),
         plane: None,
         series: closed_curves(value),
@@ -90,7 +94,7 @@ pub(super) fn deviation() -> Figure {
         "Displacement at the maximum velocity",
         "Deviation Δ₁/B, the displacement at which the velocity is greatest, for 1/α = 0.1 … 0.6 where the motion does not stick. \
             For 1/2 < Ω < 1 it grows with α in units of B; above Ω = 1 the curves merge and tend to zero.",
-        Axis::linear("deviation Δ₁/B", -1.5, 1.5),
+        Axis::linear("deviation Δ₁/B", 0.0, 2.5),
         closed_curves(|c| c.deviation()),
     )
 }

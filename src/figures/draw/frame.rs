@@ -162,7 +162,10 @@ impl<'a> Frame<'a> {
                     right = next;
                 }
                 if let Some(step) = step {
-                    let corners = [whole((left, low.min(high))), whole((right, low.max(high)))];
+                    // Rows and cells overlap, or the paper shows between them; the next covers the rest.
+                    let (lap, top) = (f64::from(UNITS), low.min(high));
+                    let corner = ((right + lap).min(self.left + self.width), low.max(high));
+                    let corners = [whole((left, (top - lap).max(self.top))), whole(corner)];
                     canvas.draw(&Rectangle::new(corners, plane.scale.colour(step).filled()))?;
                 }
             }

@@ -15,7 +15,7 @@ const LINE: i32 = 22;
 pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
     let mut shown: Vec<&Series> = Vec::new();
     for series in figure.panels.iter().flat_map(|panel| &panel.series) {
-        if !shown.iter().any(|s| s.name == series.name && (s.style == series.style)) {
+        if !shown.iter().any(|s| s.name == series.name) {
             shown.push(series);
         }
     }
