@@ -5,7 +5,7 @@ use crate::exact::{LongRun, State};
 use crate::{Border, Ratios};
 
 /// Names of the numbers of stops; the last stands for more.
-const NAMES: [&str; 9] = ["no stop", "1", "2 stops", "3", "4 stops", "5", "6 stops", "7", "8 stops or more"];
+const NAMES: [&str; 5] = ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more"];
 
 /// Stops per cycle of the exact motion from rest, with the border.
 pub(super) fn per_cycle() -> Figure {
@@ -36,7 +36,9 @@ pub(super) fn per_cycle() -> Figure {
 fn class(omega: f64, alpha: f64) -> f64 {
     match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest())) {
         Ok(LongRun::Rest(_)) => 0.0,
-        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(1 + s.sticks_per_cycle().min(8)),
+        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => {
+            f64::from(1 + s.sticks_per_cycle().div_ceil(2).min(4))
+        }
         Ok(LongRun::Unbounded { .. }) => 1.0,
         Ok(LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
     }

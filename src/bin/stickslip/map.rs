@@ -142,12 +142,18 @@ fn picture(
         let text = "--omega, --alpha: a picture needs at least two values of each, ascending";
         return Err(Failure::Input(text.to_owned()));
     };
-    let mut names: Vec<String> = Vec::new();
+    // The regimes in this order, the others as they come.
+    let regimes = ["non-sticking", "sticking", "stuck", "unbounded"];
+    let mut names: Vec<String> = regimes.map(str::to_owned).to_vec();
+    let mut named = false;
     let mut values = Vec::new();
     let mut whole = true;
     cells(quantity, omega, alpha, |_, _, cell| {
         values.push(match cell {
-            Cell::Text(name) => place_of(name, &mut names),
+            Cell::Text(name) => {
+                named = true;
+                place_of(name, &mut names)
+            }
             Cell::Count(count) => count.map_or(f64::NAN, |n| n as f64),
             Cell::Number(number) => {
                 whole = false;
@@ -157,13 +163,13 @@ fn picture(
         });
         Ok(())
     })?;
-    let scale = match (names.is_empty(), whole) {
-        (false, _) => Scale::Names(names),
-        (true, true) => {
+    let scale = match (named, whole) {
+        (true, _) => Scale::Names(names),
+        (false, true) => {
             let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
             Scale::Names((0..=most as u64).map(|n| n.to_string()).collect())
         }
-        (true, false) => Plane::shades(&values),
+        (false, false) => Plane::shades(&values),
     };
     let border = x.iter().filter_map(|&x| Border::new(x).ok().map(|b| (x, b.min_force_ratio())));
     let axis = |label: &str, grid: &Grid<f64>, low, high| match grid {

@@ -77,7 +77,8 @@ fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut imp
 /// The rows of `--shard I/N`: the parts follow each other without gap, and differ by one row at most.
 fn part(shard: Option<&str>, rows: u64) -> Result<Range<u64>, Failure> {
     let Some(text) = shard else { return Ok(0..rows) };
-    let numbers = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+    let numbers: Option<(u64, u64)> =
+        text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
     match numbers {
         Some((i, n)) if 1 <= i && i <= n => {
             let end = |i: u64| (u128::from(rows) * u128::from(i) / u128::from(n)) as u64;

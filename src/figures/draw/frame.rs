@@ -4,7 +4,7 @@ use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, UNITS, mark, write};
 use crate::figures::{Axis, Panel, Plane, Series, Style};
 use plotters::element::{PathElement, Rectangle};
-use plotters::style::{BLACK, Color, RGBColor};
+use plotters::style::{BLACK, Color, RGBColor, WHITE};
 
 /// A panel with its place in the drawing, in units of the drawing.
 pub(super) struct Frame<'a> {
@@ -90,6 +90,10 @@ impl<'a> Frame<'a> {
         }
         let colour = mark::colour(series.index);
         for line in self.clipped(&places) {
+            if self.panel.plane.is_some() {
+                let halo = WHITE.stroke_width(6 * UNITS.unsigned_abs());
+                canvas.draw(&PathElement::new(line.clone(), halo))?;
+            }
             stroke(canvas, line, series.style, colour)?;
         }
         if let Style::Marked(every) = series.style {

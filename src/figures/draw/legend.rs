@@ -94,7 +94,9 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
     for step in 0..steps {
         let y = |step: i32| (top + height) * UNITS - height * UNITS * step / steps;
         let colour = shade(f64::from(step) / f64::from(steps - 1));
-        let corners = [(left * UNITS, y(step + 1)), ((left + 20) * UNITS, y(step))];
+        // Steps overlap, or the paper shows between them.
+        let lap = if step + 1 < steps { UNITS } else { 0 };
+        let corners = [(left * UNITS, y(step + 1) - lap), ((left + 20) * UNITS, y(step))];
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
     }
     for (value, text) in ticks(axis) {
