@@ -12,7 +12,7 @@ pub(super) fn of_the_cycle() -> Figure {
         Series::new(name, Style::Marked(36 + index), index, points)
     };
     let locus = |(index, alpha, name): (usize, f64, String)| {
-        let one = move |which: fn([(f64, f64); 2]) -> (f64, f64)| {
+        let one = move |which: Part| {
             frequency_ratios().map(move |omega| {
                 at(omega, alpha).map_or((f64::NAN, f64::NAN), |m| which(m.half_cycle().parts()))
             })
@@ -48,6 +48,9 @@ pub(super) fn of_the_cycle() -> Figure {
         ],
     }
 }
+
+/// One of two multipliers, each as (re, im).
+type Part = fn([(f64, f64); 2]) -> (f64, f64);
 
 /// Ω from 0.2 to 2.
 fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {

@@ -54,7 +54,7 @@ pub(super) fn max_displacement() -> Figure {
         "4",
         "Maximum displacement",
         "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where it does not stick \
-            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; below Ω = 1/2 the lines without marks are the motions with stops.",
+            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; to the left of its first mark a line is of motions with stops.",
         Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
         series,
     )

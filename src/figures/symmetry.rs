@@ -9,7 +9,7 @@ const CYCLES: u32 = 20;
 
 /// Errors 1–4, of 1/α = 0.3, 0.4, 0.5, after a time from rest and settled.
 pub(super) fn errors() -> Figure {
-    let measures: [(&str, fn(&ErrorMeasures<f64>) -> f64); 4] = [
+    let measures: [(&str, Measure); 4] = [
         ("error 1, of the extreme displacements", |e| e.error_1),
         ("error 2, of their instants", |e| e.error_2.abs()),
         ("error 3, of the extreme velocities", |e| e.error_3),
@@ -18,7 +18,7 @@ pub(super) fn errors() -> Figure {
     let inverses = [0.3, 0.4, 0.5];
     let motions: Vec<_> =
         inverses.iter().enumerate().map(|(i, &inverse)| (i, inverse, along(1.0 / inverse))).collect();
-    let panel = |(title, measure): (&str, fn(&ErrorMeasures<f64>) -> f64)| {
+    let panel = |(title, measure): (&str, Measure)| {
         let mut series = Vec::new();
         for (i, inverse, errors) in &motions {
             let points = |of: fn(&Pair) -> Option<ErrorMeasures<f64>>| {
@@ -51,6 +51,9 @@ pub(super) fn errors() -> Figure {
         panels: measures.map(panel).into(),
     }
 }
+
+/// One of the four measures.
+type Measure = fn(&ErrorMeasures<f64>) -> f64;
 
 /// The measures at one Ω.
 struct Pair {

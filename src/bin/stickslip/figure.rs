@@ -68,8 +68,9 @@ pub(crate) fn save(figure: &Figure, kind: Kind, file: &Path) -> Outcome {
 }
 
 fn write(figure: &Figure, kind: Kind, out: &mut impl Write) -> Outcome {
-    Ok(match kind {
+    match kind {
         Kind::Svg => out.write_all(figure.svg()?.as_bytes())?,
         Kind::Csv => figure.write_csv(out)?,
-    })
+    }
+    Ok(())
 }
