@@ -173,7 +173,7 @@ impl<F: Value> Record<F> {
                     number(|[_, (_, im)]| *im),
                 ]
             }
-            other => vec![other],
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![cell],
         });
         Ok(out.serialize(cells.collect::<Vec<_>>())?)
     }

@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::progress;
 use rows::Rows;
 use std::fs::{File, OpenOptions};
-use std::io::{BufWriter, Write};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::ops::Range;
 
 /// The command with its arguments and where its answer goes.
@@ -50,11 +50,12 @@ impl<W: Write> Task for Run<'_, W> {
             Some(file) => {
                 let name = file.display();
                 let created = OpenOptions::new().write(true).create_new(true).open(file);
-                let created: File = created.map_err(|e| match e.kind() {
-                    std::io::ErrorKind::AlreadyExists => {
-                        Failure::Input(format!("--out {name}: must not exist yet; --resume goes on with it"))
-                    }
-                    _ => Failure::Input(format!("--out {name}: {e}")),
+                let created: File = created.map_err(|e| {
+                    Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
+                        format!("--out {name}: must not exist yet; --resume goes on with it")
+                    } else {
+                        format!("--out {name}: {e}")
+                    })
                 })?;
                 let mut out = BufWriter::new(created);
                 write(&rows, part, !args.no_header, &mut out)?;
