@@ -55,6 +55,7 @@
 //! * `cli`: the command `stickslip`;
 //! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
 //!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
+//! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
 //!   `Mp` too with `mp`.
@@ -74,6 +75,8 @@
 pub mod design;
 mod error;
 pub mod exact;
+#[cfg(feature = "figures")]
+pub mod figures;
 pub mod float;
 pub mod nonsticking;
 mod oscillator;

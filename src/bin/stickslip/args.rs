@@ -1,6 +1,10 @@
 //! What can be typed.
 
+mod pictures;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES, SWEEP_EXAMPLES};
+pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Question, SweepArgs};
 use std::path::PathBuf;
 
 /// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
@@ -34,6 +38,18 @@ pub(crate) enum Command {
     /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one fails.
     #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
+    /// A figure of the paper, or one of ours, from this library's results.
+    #[command(after_help = FIGURE_EXAMPLES)]
+    Figure(FigureArgs),
+    /// All figures at once.
+    #[command(after_help = FIGURES_EXAMPLES)]
+    Figures(FiguresArgs),
+    /// Answers over a grid of Ω and α, in parallel, in order, resumable.
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(SweepArgs),
+    /// The plane of Ω and α by regime, margin, stops or any output, as CSV or a picture.
+    #[command(after_help = MAP_EXAMPLES)]
+    Map(MapArgs),
 }
 
 const STEADY_EXAMPLES: &str = "\

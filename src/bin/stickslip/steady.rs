@@ -69,7 +69,8 @@ fn names<F: Value>(limit: &LongRun<F>) -> (&'static str, &'static str) {
     }
 }
 
-fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
+/// All outputs of a steady state.
+pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
