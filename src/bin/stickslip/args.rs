@@ -4,7 +4,7 @@ mod pictures;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES, SWEEP_EXAMPLES};
-pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Question, SweepArgs};
+pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, SweepArgs, Swept};
 use std::path::PathBuf;
 
 /// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.

@@ -1,6 +1,6 @@
 //! `stickslip map`.
 
-use crate::args::{MapArgs, Question};
+use crate::args::{MapArgs, Swept};
 use crate::failure::{Failure, Outcome};
 use crate::figure::{self, Kind};
 use crate::grid::Grid;
@@ -17,7 +17,7 @@ enum Quantity<'a> {
     Regime,
     Margin,
     Stops,
-    Output(Question, &'a str),
+    Output(Swept, &'a str),
 }
 
 impl<'a> Quantity<'a> {
@@ -27,8 +27,8 @@ impl<'a> Quantity<'a> {
             "margin" => return Ok(Self::Margin),
             "stops" => return Ok(Self::Stops),
             _ => match text.strip_prefix("steady:") {
-                Some(name) => Self::Output(Question::Steady, name),
-                None => Self::Output(Question::Response, text),
+                Some(name) => Self::Output(Swept::Steady, name),
+                None => Self::Output(Swept::Response, text),
             },
         };
         match quantity.at(0.7, 2.0)? {
@@ -48,8 +48,8 @@ impl<'a> Quantity<'a> {
                 let ratios = Ratios::new(omega, alpha).map_err(|e| Failure::Input(e.to_string()))?;
                 return Ok(Some(Cell::Number(Some(Place::new(ratios).margin()))));
             }
-            Self::Regime => (Question::Response, "regime"),
-            Self::Stops => (Question::Steady, "sticks_per_cycle"),
+            Self::Regime => (Swept::Response, "regime"),
+            Self::Stops => (Swept::Steady, "sticks_per_cycle"),
             Self::Output(question, name) => (*question, *name),
         };
         let record = rows::answer(question, omega, alpha).map_err(|e| Failure::Input(e.to_string()))?;
@@ -57,10 +57,10 @@ impl<'a> Quantity<'a> {
         Ok(found.map(|(_, cell)| *cell).filter(|cell| !matches!(cell, Cell::Pairs(_))))
     }
 
-    const fn question(&self) -> Question {
+    const fn question(&self) -> Swept {
         match self {
-            Self::Regime | Self::Margin => Question::Response,
-            Self::Stops => Question::Steady,
+            Self::Regime | Self::Margin => Swept::Response,
+            Self::Stops => Swept::Steady,
             Self::Output(question, _) => *question,
         }
     }

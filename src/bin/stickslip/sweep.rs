@@ -3,7 +3,7 @@
 mod resume;
 pub(crate) mod rows;
 
-use crate::args::{Format, Question, SweepArgs};
+use crate::args::{Format, SweepArgs, Swept};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -25,12 +25,12 @@ impl<W: Write> Task for Run<'_, W> {
         let Self(args, out) = self;
         let omega = Grid::parse("--omega", &args.omega)?;
         let alpha = match (&args.alpha, args.question) {
-            (Some(text), Question::Response | Question::Steady) => Grid::parse("--alpha", text)?,
-            (None, Question::Border) => Grid::List(vec![F::int(1)]),
-            (None, Question::Response | Question::Steady) => {
+            (Some(text), Swept::Response | Swept::Steady) => Grid::parse("--alpha", text)?,
+            (None, Swept::Border) => Grid::List(vec![F::int(1)]),
+            (None, Swept::Response | Swept::Steady) => {
                 return Err(Failure::Input("--alpha is missing".to_owned()));
             }
-            (Some(_), Question::Border) => {
+            (Some(_), Swept::Border) => {
                 return Err(Failure::Input("--alpha: a border has none; leave it out".to_owned()));
             }
         };

@@ -60,7 +60,7 @@ pub(crate) struct FiguresArgs {
 
 /// What is swept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Question {
+pub(crate) enum Swept {
     Response,
     Steady,
     Border,
@@ -70,7 +70,7 @@ pub(crate) enum Question {
 pub(crate) struct SweepArgs {
     /// response, steady or border
     #[arg(value_enum, value_name = "WHAT", hide_possible_values = true)]
-    pub(crate) question: Question,
+    pub(crate) question: Swept,
     /// Frequency ratios Ω: a grid or a list
     #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
     pub(crate) omega: String,

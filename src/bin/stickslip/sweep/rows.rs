@@ -1,7 +1,7 @@
 //! The rows of a sweep, each made from its number alone.
 
 use super::is_csv;
-use crate::args::{Question, SweepArgs};
+use crate::args::{SweepArgs, Swept};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -9,11 +9,11 @@ use crate::record::Record;
 use crate::steady;
 use std::ops::Range;
 use stickslip::exact::{DEFAULT_BUDGET, LongRun, State, Trajectory};
-use stickslip::{Border, Error, PhaseFunction, Ratios, Response};
+use stickslip::{Error, PhaseFunction, Ratios, Response};
 
 /// What is asked at each point of two grids, and how it is written.
 pub(crate) struct Rows<F> {
-    question: Question,
+    question: Swept,
     omega: Grid<F>,
     alpha: Grid<F>,
     outputs: Option<Vec<String>>,
@@ -90,22 +90,19 @@ impl<F: Value> Rows<F> {
 }
 
 /// What the command of that name answers at a point.
-pub(crate) fn answer<F: Value>(question: Question, omega: F, alpha: F) -> Result<Record<F>, Error> {
+pub(crate) fn answer<F: Value>(question: Swept, omega: F, alpha: F) -> Result<Record<F>, Error> {
     Ok(match question {
-        Question::Response => Record::of_response(&Response::new(Ratios::new(omega, alpha)?)),
-        Question::Steady => {
+        Swept::Response => Record::of_response(&Response::guarded(Ratios::new(omega, alpha)?)),
+        Swept::Steady => {
             let ratios = Ratios::new(omega, alpha)?;
             steady::record(ratios, &LongRun::within(ratios, State::rest(), DEFAULT_BUDGET)?)
         }
-        Question::Border => {
-            let p = PhaseFunction::new(omega)?;
-            Record::of_border(&p, &Border::at(&p))
-        }
+        Swept::Border => Record::of_border(&Response::guarded(Ratios::new(omega, F::int(1))?)),
     })
 }
 
 /// Fails where a value of the grids has no answer. The domains are intervals: their ends decide.
-pub(crate) fn check<F: Value>(question: Question, omega: &Grid<F>, alpha: &Grid<F>) -> Outcome {
+pub(crate) fn check<F: Value>(question: Swept, omega: &Grid<F>, alpha: &Grid<F>) -> Outcome {
     let named = |name: &str, value: F, e: Error| Err(Failure::Input(format!("{name} {value}: {e}")));
     for omega in omega.bounds() {
         if let Err(e) = PhaseFunction::new(omega) {
@@ -113,7 +110,7 @@ pub(crate) fn check<F: Value>(question: Question, omega: &Grid<F>, alpha: &Grid<
         }
         let in_motion =
             Ratios::new(omega, F::int(1)).and_then(|ratios| Trajectory::new(ratios, State::rest()));
-        if let (Question::Steady, Err(e)) = (question, in_motion) {
+        if let (Swept::Steady, Err(e)) = (question, in_motion) {
             return named("--omega", omega, e);
         }
     }
