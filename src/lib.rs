@@ -77,17 +77,21 @@ pub mod exact;
 pub mod float;
 pub mod nonsticking;
 mod oscillator;
+mod output;
 pub mod phase_function;
 mod ratios;
 pub mod regime;
 mod response;
 mod root;
+#[cfg(feature = "dual")]
+pub mod sensitivity;
 pub mod verify;
 
 pub use error::{Error, Quantity};
 pub use float::{Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Oscillator, Scales};
+pub use output::Output;
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use regime::{Place, Regime, Verdict, regime};

@@ -240,7 +240,8 @@ fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     } else {
         F::narrowed(Start { omega, gamma })
     };
-    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let condition = |eta| stationarity(omega, gamma, eta);
+    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
 }
 
 /// The stationary point at a lower precision.
