@@ -78,10 +78,24 @@ fn check<const N: usize>(
         for i in 0..N {
             let exact = expected[i][o].unwrap().to_f64();
             let size = (exact * at[i]).abs().max(found.value.abs()).max(least);
-            let error = if size == 0.0 { 0.0 } else { (found.by[i] - exact).abs() * at[i] / size };
+            // gσ is a product of a large and a small number beside Ω = 1.
+            let conditioned = output != Output::Contraction || N > 2;
+            let room = if conditioned { 1.0 } else { (0.1 / (at[0] - 1.0).abs()).max(1.0) };
+            let error = if size == 0.0 { 0.0 } else { (found.by[i] - exact).abs() * at[i] / size / room };
             assert!(error < 1e-7, "{output:?} by {i} at {at:?}: {} against {exact}", found.by[i]);
             worst[o] = worst[o].max(error);
         }
+    }
+}
+
+fn report(worst: &[f64; 15], bound: f64) {
+    for (output, worst) in Output::ALL.iter().zip(worst) {
+        println!("{:32} {worst:.1e}", output.name());
+    }
+    for (output, &worst) in Output::ALL.iter().zip(worst) {
+        // Beside 1/(2n) the point where the border touches is known to fewer digits than the border.
+        let bound = if *output == Output::TouchingPhase { 1e-11 } else { bound };
+        assert!(worst < bound, "{output:?}: {worst:e}");
     }
 }
 
@@ -97,11 +111,7 @@ fn by_the_ratios_at_512_bits() {
         let found = Sensitivities::by_ratios(Ratios::new(omega, alpha).unwrap());
         check([omega, alpha], &found, 1.0, |[omega, alpha]| all_outputs(omega, alpha), &mut worst);
     }
-    for (output, worst) in Output::ALL.iter().zip(worst) {
-        println!("{:32} {worst:.1e}", output.name());
-        let bound = 1e-13;
-        assert!(worst < bound, "{output:?}: {worst:e}");
-    }
+    report(&worst, 1e-13);
 }
 
 #[test]
@@ -136,10 +146,7 @@ fn by_the_machine_at_512_bits() {
         let found = Sensitivities::by_parameters(&body, &drive).unwrap();
         check(at, &found, 1.0 / w, outputs, &mut worst);
     }
-    for (output, worst) in Output::ALL.iter().zip(worst) {
-        println!("{:32} {worst:.1e}", output.name());
-        assert!(worst < 1e-11, "{output:?}: {worst:e}");
-    }
+    report(&worst, 1e-11);
 }
 
 /// The code is the same, and so are the bits.
