@@ -143,6 +143,14 @@ pub enum Error {
         /// Its upper end.
         high: String,
     },
+    /// An interval of a parameter whose lower end is not below its upper one.
+    #[error("interval: {low} must be ≤ {high}")]
+    EmptyInterval {
+        /// Its lower end.
+        low: String,
+        /// Its upper end.
+        high: String,
+    },
     /// No non-sticking cycle: the force ratio is below the border.
     #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
     Sticks {
@@ -237,6 +245,7 @@ impl Error {
             | Self::SticksThroughout { .. }
             | Self::Undecided { .. }
             | Self::NotSettled { .. }
+            | Self::EmptyInterval { .. }
             | Self::BaseMotion
             | Self::Unbounded { .. } => None,
         }

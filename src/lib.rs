@@ -85,6 +85,7 @@ mod response;
 mod root;
 #[cfg(feature = "dual")]
 pub mod sensitivity;
+pub mod uncertainty;
 pub mod verify;
 
 pub use error::{Error, Quantity};
