@@ -51,7 +51,7 @@
 
 mod enclosure;
 mod machine;
-#[cfg(any())]
+#[cfg(feature = "random")]
 pub mod random;
 mod ratios;
 mod samples;
@@ -177,7 +177,9 @@ impl Sticking {
     /// From the verdict over the box.
     fn of<F: Float>(verdict: &Verdict<F>) -> Self {
         match verdict {
-            Verdict::AtRest | Verdict::Sticking | Verdict::Undecided(Regime::Stuck, Regime::Sticking) => Self::Always,
+            Verdict::AtRest | Verdict::Sticking | Verdict::Undecided(Regime::Stuck, Regime::Sticking) => {
+                Self::Always
+            }
             Verdict::NonSticking
             | Verdict::Degenerate(_)
             | Verdict::Unbounded

@@ -30,7 +30,8 @@ pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> 
         ends.push(zero);
         ends.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
     }
-    let at = |omega: F| (PhaseFunction::of_valid(omega).value().square(), one / one_minus_square(omega).abs());
+    let at =
+        |omega: F| (PhaseFunction::of_valid(omega).value().square(), one / one_minus_square(omega).abs());
     let pairs = ends.windows(2).filter_map(|pair| pair.first().copied().zip(pair.last().copied()));
     pairs
         .map(|(low, high)| {

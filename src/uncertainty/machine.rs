@@ -32,7 +32,8 @@ impl<F: Float> MachineBox<F> {
         amplitude: Interval<F>,
         angular_frequency: Interval<F>,
     ) -> Result<Self, Error> {
-        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: false }.checked()
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: false }
+            .checked()
     }
 
     /// A machine on a moving base: m, k, r_y, u_g0, ω_d.
@@ -124,21 +125,18 @@ impl<F: Float> MachineBox<F> {
 
     fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
         let ratios = self.ratios()?;
-        match output {
+        if output == Output::MinForceRatio {
             // r_y has no part in Ω: the two factors are independent.
-            Output::MinForceRatio => {
-                let border = ratios.range(output, count)?;
-                return Ok(border.map(|border| {
-                    let border_ends = Interval { low: border.low, high: border.high };
-                    let force = border_ends.times(self.friction_bound);
-                    Range { low: force.low, high: force.high, ..border }
-                }));
-            }
-            Output::Margin => {
-                let range = ratios.range(output, count)?;
-                return Ok(range.map(|range| Range { known: Known::Guaranteed { sharp: false }, ..range }));
-            }
-            _ => {}
+            let border = ratios.range(output, count)?;
+            return Ok(border.map(|border| {
+                let ends = Interval { low: border.low, high: border.high };
+                let force = ends.times(self.friction_bound);
+                Range { low: force.low, high: force.high, ..border }
+            }));
+        }
+        if output == Output::Margin {
+            let range = ratios.range(output, count)?;
+            return Ok(range.map(|range| Range { known: Known::Guaranteed { sharp: false }, ..range }));
         }
         let is_work = matches!(output, Output::LoopSizeStiffness | Output::LoopSizeInertia);
         if !(is_work || output == Output::MaxDisplacement) || ratios.verdict()? != Verdict::NonSticking {

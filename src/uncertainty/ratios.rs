@@ -1,6 +1,6 @@
 //! Ω and α in intervals.
 
-use super::enclosure::{hull, pieces};
+use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, Sticking, samples};
 use crate::error::Error;
 use crate::float::Float;
@@ -57,7 +57,7 @@ impl<F: Float> RatioBox<F> {
 
     /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked at.
     ///
-    /// Guaranteed for Δ₀, A₁, the border, the margin and α*, and for V₀ at one Ω, by the module's head; sampled otherwise, as is everything
+    /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head; sampled otherwise, as is everything
     /// that belongs to the cycle where the body may stick or Ω = 1 is inside. `points` is the number of points, or of pieces.
     ///
     /// # Errors
@@ -75,37 +75,42 @@ impl<F: Float> RatioBox<F> {
     fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
         let Self { omega, alpha } = *self;
         let one = Interval::exactly(F::int(1));
-        if !output.is_of_cycle() {
-            return match output {
-                Output::MinForceRatio => self.border(|border| border, true).map(Some),
-                Output::Margin => self.border(|border| alpha.over(border), omega.is_exact()).map(Some),
-                Output::BestForceRatio => self.best_force_ratio(),
-                _ => Ok(None),
-            };
+        if output == Output::MinForceRatio {
+            return self.border(|border| border, true).map(Some);
         }
-        if self.verdict()? != Verdict::NonSticking {
+        if output == Output::Margin {
+            return self.border(|border| alpha.over(border), omega.is_exact()).map(Some);
+        }
+        if output == Output::BestForceRatio {
+            return self.best_force_ratio();
+        }
+        if !output.is_of_cycle() || self.verdict()? != Verdict::NonSticking {
             return Ok(None);
         }
-        let found = pieces(omega, count);
         let sharp = omega.is_exact();
-        Ok(match output {
-            Output::MaxDisplacement => {
-                hull(found.iter().map(|piece| piece.root(alpha, one).times(piece.resonance)), sharp)
-            }
-            // A₁ = 8 Δ₀/α² by the share ρ = 1/α of friction: 8 ρ √(1 − K²ρ²)/|1 − Ω²|
-            Output::LoopSizeStiffness => hull(
-                found.iter().map(|piece| {
-                    let work = piece.work(one, one.over(alpha)).times(piece.resonance);
-                    Interval { low: F::int(8) * work.low, high: F::int(8) * work.high }
-                }),
-                sharp,
-            ),
-            Output::MaxVelocity if sharp => samples::range(0, |[a]: [F; 1]| {
+        if output == Output::MaxVelocity && sharp {
+            let ends = samples::range(0, |[a]: [F; 1]| {
                 Ok(output.of(&Response::new(Ratios::new(omega.low, alpha.at(a))?)))
-            })?
-            .map(|range| Range { known: Known::Guaranteed { sharp }, ..range }),
-            _ => None,
-        })
+            })?;
+            return Ok(ends.map(|range| Range { known: Known::Guaranteed { sharp }, ..range }));
+        }
+        // A₁ = 8 Δ₀/α² by the share ρ = 1/α of friction: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
+        let loop_size = |piece: &Piece<F>| {
+            let work = piece.work(one, one.over(alpha)).times(piece.resonance);
+            Interval { low: F::int(8) * work.low, high: F::int(8) * work.high }
+        };
+        let bounds = |piece: &Piece<F>| {
+            if output == Output::MaxDisplacement {
+                Some(piece.root(alpha, one).times(piece.resonance))
+            } else if output == Output::LoopSizeStiffness {
+                Some(loop_size(piece))
+            } else if output == Output::LoopSizeInertia {
+                Some(loop_size(piece).times(piece.omega.times(piece.omega)))
+            } else {
+                None
+            }
+        };
+        Ok(hull(pieces(omega, count).iter().filter_map(bounds), sharp))
     }
 
     /// What follows from the range of the border; without an upper bound where a pole is inside.
@@ -123,7 +128,8 @@ impl<F: Float> RatioBox<F> {
         }
         let best = |k_squared: F| (F::int(2) * k_squared).sqrt();
         let found = pieces(self.omega, 1);
-        let each = found.iter().map(|p| Interval { low: best(p.k_squared.low), high: best(p.k_squared.high) });
+        let each =
+            found.iter().map(|p| Interval { low: best(p.k_squared.low), high: best(p.k_squared.high) });
         Ok(hull(each, true))
     }
 }

@@ -31,8 +31,7 @@ pub(super) fn range<F: Float, const N: usize>(
         look(core::array::from_fn(|i| if corner >> i & 1 == 1 { one } else { zero }))?;
     }
     look([half; N])?;
-    let steps: [F; N] =
-        core::array::from_fn(|i| PRIMES.get(i).map_or(half, |&p| fraction(F::int(p).sqrt())));
+    let steps: [F; N] = core::array::from_fn(|i| PRIMES.get(i).map_or(half, |&p| fraction(F::int(p).sqrt())));
     let mut shares = [half; N];
     for _ in 0..points {
         for (share, &step) in shares.iter_mut().zip(&steps) {
