@@ -21,7 +21,9 @@ use crate::ratios::Ratios;
 pub enum Regime {
     /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
     Stuck,
-    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle.
+    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle; beside a pole 1/(2n+1) it may instead turn back and forth
+    /// without a stop more than twice a cycle ([`stops_per_cycle`] tells), so that the non-sticking cycle of the closed forms does not
+    /// exist either.
     Sticking,
     /// α ≥ α_min(Ω): the body never stops for longer than an instant.
     NonSticking,

@@ -12,8 +12,8 @@
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Sensitivities::by_parameters(&body, &drive)?;
 //! let stroke = answer.of(Output::MaxDisplacement).unwrap();
-//! // A percent more mass: 2.6 percent less displacement.
-//! assert!((stroke.elasticity(MASS, 50.0) + 2.60).abs() < 0.01);
+//! // A percent more mass: 2.08 percent less displacement.
+//! assert!((stroke.elasticity(MASS, 50.0) + 2.084325).abs() < 1e-6);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
@@ -80,7 +80,8 @@ impl Sensitivities<2> {
     /// The dimensionless outputs and their derivatives by Ω and α, [`OMEGA`] and [`ALPHA`].
     ///
     /// In units of B = r_y/k, Bω_d and radians, held constant. Accuracy: that of the outputs, a few units in the last place of the
-    /// larger of p ∂y/∂p and y, away from the corners named above.
+    /// larger of p ∂y/∂p and y, away from the corners named above; measured against differences at 512 bits, 5e-14 of that. Less for the
+    /// contraction beside Ω = 1, ε/|1 − Ω|, and for τ* beside 1/(2n), 1e-11.
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);

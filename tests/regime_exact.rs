@@ -9,13 +9,14 @@ use stickslip::float::mp::Mp;
 use stickslip::regime::{Stops, stops_per_cycle};
 use stickslip::{Border, Cycle, Error, Float, Place, Ratios, Regime, Verdict};
 
-/// What the exact motion does in the long run; `None` where it does not say.
+/// What the exact motion does in the long run; `None` where it does not say. More than two velocity zeros a cycle are below the
+/// border, stops or not.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
     match LongRun::from_start(ratios, State::rest()).unwrap() {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
-            let sticks = steady.sticks_per_cycle();
-            assert!(steady.velocity_zeros_per_cycle() >= 2, "{ratios:?}");
-            Some(if sticks > 0 { Regime::Sticking } else { Regime::NonSticking })
+            let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+            assert!(zeros >= 2, "{ratios:?}");
+            Some(if sticks > 0 || zeros > 2 { Regime::Sticking } else { Regime::NonSticking })
         }
         LongRun::Rest(_) => Some(Regime::Stuck),
         LongRun::Unbounded { .. } => Some(Regime::Unbounded),
@@ -84,7 +85,7 @@ fn the_regime_agrees_with_the_exact_motion_over_the_plane() {
         count.compare(omega, alpha);
     }
     count.print("plane");
-    assert!(count.agreed >= 109_000);
+    assert!(count.agreed >= 109_900);
 }
 
 #[test]
@@ -124,6 +125,13 @@ fn stops_per_cycle_and_what_has_none() {
         assert_eq!(sticks, verdict == Verdict::Sticking, "({omega}, {alpha})");
     }
     assert!(stops(1e-9, 2.0).is_err());
+    // A fifth below the border, beside the pole 1/15: it turns back and forth without a stop.
+    let below = Ratios::new(0.066_658_079_476_532_49, 42_358.137_294_718_49).unwrap();
+    let wide = Ratios::new(Mp::<3>::from(below.omega()), Mp::from(below.alpha())).unwrap();
+    assert!(Place::new(below).margin() < 0.8);
+    for found in [stops_per_cycle(below), stops_per_cycle(wide)] {
+        assert!(matches!(found, Ok(Some(Stops { sticks: 0, velocity_zeros: 4.. }))), "{found:?}");
+    }
 }
 
 /// The distance of the multipliers of a cycle in closed form from those of the exact motion.

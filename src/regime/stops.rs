@@ -22,6 +22,11 @@ pub struct Stops {
 /// edge. The exact motion finds every stop, however short: beside the border [`crate::Place`] says whether the arithmetic can
 /// tell at all.
 ///
+/// **Below the border without a stop.** Beside a pole 1/(2n+1) friction itself shakes the body at its natural frequency, and a large free
+/// vibration rides on the forced motion: the velocity changes sign more than twice a cycle where friction cannot hold the body.
+/// At Ω = 0.066658, α = 42358, a fifth below the border, there is no stop, and more than two zeros; the condition α ≥ α_min is that of the cycle
+/// with two reversals.
+///
 /// ```
 /// use stickslip::Ratios;
 /// use stickslip::regime::stops_per_cycle;

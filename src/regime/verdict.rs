@@ -11,7 +11,7 @@ use crate::ratios::Ratios;
 pub enum Verdict<F> {
     /// α ≤ 1: it ends at rest.
     AtRest,
-    /// 1 < α < α_min(Ω): it stops for a while in every cycle.
+    /// 1 < α < α_min(Ω): it stops for a while in every cycle, or turns back within each half cycle ([`Regime::Sticking`]).
     Sticking,
     /// α ≥ α_min(Ω): it never stops for longer than an instant, and settles on one symmetric cycle.
     NonSticking,
