@@ -1,5 +1,7 @@
 //! Derivatives by dual numbers against central differences at 512 bits, for every output.
 
+#![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
+
 mod random;
 
 use random::Random;
