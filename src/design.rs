@@ -13,7 +13,8 @@
 //! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling (that with
 //! sticking allowed is the best to within a tolerance, which is proven, too). An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
-//! An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+//! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
+//! beside a pole reverses more often ([`crate::Verdict::Sticking`]). An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
 mod bands;
 mod dissipation;

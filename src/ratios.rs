@@ -43,6 +43,11 @@ impl<F: Float> Ratios<F> {
         self.alpha
     }
 
+    /// Both ratios in another number type, which has to hold them.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
+        Ratios { omega: to(self.omega), alpha: to(self.alpha) }
+    }
+
     /// Amplitude of the frictionless response in units of B: `A/B = α/(1 − Ω²)` (eq. 5, 6). Negative
     /// above the natural frequency; infinite at Ω = 1.
     pub fn forced_amplitude(&self) -> F {

@@ -22,10 +22,8 @@ pub struct Stops {
 /// edge. The exact motion finds every stop, however short: beside the border [`crate::Place`] says whether the arithmetic can
 /// tell at all.
 ///
-/// **Below the border without a stop.** Beside a pole 1/(2n+1) friction itself shakes the body at its natural frequency, and a large free
-/// vibration rides on the forced motion: the velocity changes sign more than twice a cycle where friction cannot hold the body.
-/// At Ω = 0.066658, α = 42358, a fifth below the border, there is no stop, and more than two zeros; the condition α ≥ α_min is that of the cycle
-/// with two reversals.
+/// There may be no stop although α is below the border, beside a pole 1/(2n+1): more than two velocity zeros tell
+/// ([`crate::Verdict::Sticking`]).
 ///
 /// ```
 /// use stickslip::Ratios;

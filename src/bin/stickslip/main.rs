@@ -1,4 +1,4 @@
-//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `decay`, `verify`.
+//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`, `verify`.
 
 #![cfg_attr(
     not(test),
@@ -16,6 +16,7 @@ mod args;
 mod bits;
 mod border;
 mod decay;
+mod design;
 mod failure;
 mod input;
 mod interrupt;
@@ -56,6 +57,7 @@ fn run(command: &Command) -> Outcome {
         Command::Border(args) => border::run(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
+        Command::Design(question) => design::run(question, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
     }
