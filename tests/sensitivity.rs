@@ -47,7 +47,7 @@ fn differences<const N: usize>(
             let step = at[i] * Wide::exp2i(-150);
             let [up, down] = [step, -step].map(|step| {
                 let mut there = at;
-                there[i] = there[i] + step;
+                there[i] += step;
                 outputs(there)
             });
             let quotient = |(a, b): (Option<Wide>, Option<Wide>)| Some((a? - b?) / (Wide::int(2) * step));
