@@ -1,4 +1,7 @@
-//! `Dual<N>`: an f64 with its first derivatives by N parameters, on which every formula of the crate runs.
+//! `Dual<N>`: an f64 with its first derivatives by N parameters, on which every closed form of the crate runs.
+//!
+//! For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events and its limit are found by
+//! iterations that have not been taught the implicit function theorem, so that derivatives of a steady state are not to be relied on.
 //!
 //! A wrapper of [`num_dual::DualSVec64`] that is a [`Real`] and a [`Float`]:
 //!
