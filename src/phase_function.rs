@@ -68,7 +68,8 @@ impl<F: Float> PhaseFunction<F> {
     pub(crate) fn of_valid(omega: F) -> Self {
         let (quarter, rest) = nearest_quarter(omega);
         let remainder = F::pi() * rest / (F::int(2) * omega);
-        Self { omega, quarter, remainder, value: phase_function(omega, quarter, remainder) }
+        let p = Self { omega, quarter, remainder, value: phase_function(omega, quarter, remainder) };
+        Self { value: p.value.differentiated_as(|| p.slope().constant() * omega), ..p }
     }
 
     /// Frequency ratio Ω.

@@ -27,6 +27,12 @@ impl<F: Float> Ratios<F> {
         Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)? })
     }
 
+    /// Ratios that are known to be in the domain.
+    #[cfg(feature = "dual")]
+    pub(crate) const fn of_valid(omega: F, alpha: F) -> Self {
+        Self { omega, alpha }
+    }
+
     /// Frequency ratio Ω = ω_d/ω_n (eq. 9).
     pub const fn omega(&self) -> F {
         self.omega

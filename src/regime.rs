@@ -4,9 +4,11 @@
 //! far from the border, and admits that it cannot tell where the arithmetic cannot.
 
 mod place;
+mod stops;
 mod verdict;
 
 pub use place::Place;
+pub use stops::{Stops, stops_per_cycle};
 pub use verdict::{Family, Verdict};
 
 use crate::error::Error;

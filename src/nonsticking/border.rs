@@ -233,7 +233,9 @@ fn inner_maximum<F: Float>(omega: F) -> (F, F) {
     // τ lies in (0, π/2] and cos β is not zero.
     let tau = omega * (gamma + eta);
     let phase = if tangent > zero { tau } else { F::pi() - tau };
-    (stationary_value(gamma, cos_beta, tau, eta) / omega, phase)
+    let supremum = stationary_value(gamma, cos_beta, tau, eta) / omega;
+    // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
+    (supremum.differentiated_as(|| slope::inner_slope(&p).constant() * omega), phase)
 }
 
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
@@ -250,7 +252,8 @@ fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     } else {
         F::narrowed(Start { omega, gamma })
     };
-    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let condition = |eta| stationarity(omega, gamma, eta);
+    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
 }
 
 /// The stationary point at a lower precision.

@@ -332,6 +332,7 @@ fn name(optimum: Optimum) -> &'static str {
         Optimum::Border => "border",
         Optimum::RangeEnd => "end-of-range",
         // The library may come to know more kinds.
+        Optimum::Sticking => "sticking",
         _ => "other",
     }
 }
@@ -341,6 +342,7 @@ fn why(optimum: Optimum) -> &'static str {
         Optimum::Interior => "where more and less are both worse",
         Optimum::Border => "on the border of sticking",
         Optimum::RangeEnd => "at the end of the range",
+        Optimum::Sticking => "where it sticks, by the exact motion",
         _ => "by the motion itself",
     }
 }

@@ -55,7 +55,7 @@ impl<F: Float> Border<F> {
 }
 
 /// S′ on the bands below Ω = 1/2 where S is the inner stationary value.
-fn inner_slope<F: Float>(p: &PhaseFunction<F>) -> F {
+pub(super) fn inner_slope<F: Float>(p: &PhaseFunction<F>) -> F {
     let (omega, gamma, tangent) = (p.omega(), p.lobe_phase(), p.tangent());
     let (_, cos_beta) = p.sin_cos();
     let cosine = cos_beta.abs();
