@@ -71,6 +71,8 @@
     )
 )]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 pub mod design;
 mod error;
 pub mod exact;

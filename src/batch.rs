@@ -1,0 +1,149 @@
+//! Many points at once: slices in, slices out.
+//!
+//! ```
+//! use stickslip::batch::{Batch, Triple};
+//! let (omega, alpha) = ([0.7, 1.5, 0.4], [2.0, 2.5, 6.0]);
+//! let (mut displacement, mut border, mut size) = ([0.0; 3], [0.0; 3], [0.0; 3]);
+//! Batch::new().triple(
+//!     &omega,
+//!     &alpha,
+//!     Triple {
+//!         max_displacement: &mut displacement,
+//!         min_force_ratio: &mut border,
+//!         loop_size_stiffness: &mut size,
+//!     },
+//! )?;
+//! assert!((displacement[0] - 3.488507872497762_f64).abs() < 1e-14);
+//! // At (0.4, 6) the body sticks, up to α = 6.949….
+//! assert!(displacement[2].is_nan() && (border[2] - 6.949737755908733_f64).abs() < 1e-13);
+//! # Ok::<(), stickslip::batch::LengthMismatch>(())
+//! ```
+//!
+//! # How
+//!
+//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time.
+//! What such a loop cannot do well is left to the library's own code for one point ([`crate::Cycle`], [`crate::Border`]):
+//! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than an eighth, a velocity whose steps do not settle. So
+//! there is an answer for every point of the domain, and on which side of the border it lies is decided as
+//! [`crate::regime`] decides it.
+//!
+//! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
+//! there is no non-sticking cycle.
+//!
+//! [`Level::Portable`], [`Level::Avx2`] and [`Level::Avx512`] give the same bits, and threads do not change them.
+
+mod block;
+mod circular;
+mod frequency;
+mod kernel;
+mod level;
+mod triple;
+
+pub use level::Level;
+
+use kernel::Kernel;
+
+/// Slices that do not belong together: their lengths differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("{name} has {found} elements where {expected} are due")]
+pub struct LengthMismatch {
+    /// Which slice.
+    pub name: &'static str,
+    /// Its length.
+    pub found: usize,
+    /// The length of the first slice.
+    pub expected: usize,
+}
+
+/// `Err` where a slice of length `found` is not as long as the first.
+fn same_length(expected: usize, name: &'static str, found: usize) -> Result<(), LengthMismatch> {
+    if found == expected { Ok(()) } else { Err(LengthMismatch { name, found, expected }) }
+}
+
+/// How batches are run: with which instructions, and on how many threads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Batch {
+    level: Level,
+    #[cfg(feature = "rayon")]
+    threads: bool,
+}
+
+impl Default for Batch {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// Where [`Batch::triple`] writes, slices of the length of Ω.
+#[derive(Debug)]
+pub struct Triple<'a> {
+    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
+    pub max_displacement: &'a mut [f64],
+    /// The border α_min ([`crate::Border::min_force_ratio`]): eq. 61 for Ω ≥ 1/2, exact below.
+    pub min_force_ratio: &'a mut [f64],
+    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
+    pub loop_size_stiffness: &'a mut [f64],
+}
+
+impl Batch {
+    /// With the best instructions of this processor, on the calling thread.
+    #[must_use]
+    pub fn new() -> Self {
+        Self {
+            level: Level::best(),
+            #[cfg(feature = "rayon")]
+            threads: false,
+        }
+    }
+
+    /// With given instructions; with [`Level::Portable`] where the processor does not have them.
+    #[must_use]
+    pub fn at_level(mut self, level: Level) -> Self {
+        self.level = if level.is_available() { level } else { Level::Portable };
+        self
+    }
+
+    /// On all threads of the current rayon pool. The results are the same.
+    #[cfg(feature = "rayon")]
+    #[must_use]
+    pub fn on_threads(mut self) -> Self {
+        self.threads = true;
+        self
+    }
+
+    /// The instructions it runs with.
+    #[must_use]
+    pub const fn level(&self) -> Level {
+        self.level
+    }
+
+    /// {Δ₀/B, α_min, A₁} at the points (Ω, α).
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn triple(&self, omega: &[f64], alpha: &[f64], out: Triple<'_>) -> Result<(), LengthMismatch> {
+        let Triple { max_displacement, min_force_ratio, loop_size_stiffness } = out;
+        let n = omega.len();
+        same_length(n, "force ratio α", alpha.len())?;
+        same_length(n, "maximum displacement Δ₀/B", max_displacement.len())?;
+        same_length(n, "least force ratio α_min", min_force_ratio.len())?;
+        same_length(n, "loop size A₁", loop_size_stiffness.len())?;
+        let out = [max_displacement, min_force_ratio, loop_size_stiffness];
+        self.run(&triple::TripleKernel, omega, alpha, out);
+        Ok(())
+    }
+
+    fn run<K: Kernel<N>, const N: usize>(
+        &self,
+        kernel: &K,
+        omega: &[f64],
+        alpha: &[f64],
+        out: [&mut [f64]; N],
+    ) {
+        #[cfg(feature = "rayon")]
+        if self.threads {
+            return kernel::run_on_threads(kernel, self.level, omega, alpha, out);
+        }
+        kernel::run(kernel, self.level, omega, alpha, out);
+    }
+}
