@@ -34,13 +34,16 @@
 
 mod block;
 mod circular;
+mod cycle;
 mod frequency;
 mod kernel;
 mod level;
 mod triple;
+mod velocity;
 
 pub use level::Level;
 
+use crate::regime::Regime;
 use kernel::Kernel;
 
 /// Slices that do not belong together: their lengths differ.
@@ -83,6 +86,51 @@ pub struct Triple<'a> {
     pub min_force_ratio: &'a mut [f64],
     /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
     pub loop_size_stiffness: &'a mut [f64],
+}
+
+/// Where [`Batch::cycles`] writes, slices of the length of Ω.
+#[derive(Debug)]
+pub struct Cycles<'a> {
+    /// What the body does in the long run ([`crate::regime`]); `None` where Ω or α is outside the domain.
+    pub regime: &'a mut [Option<Regime>],
+    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
+    pub max_displacement: &'a mut [f64],
+    /// Its phase ω_d t₂ ([`crate::Cycle::displacement_phase`]).
+    pub displacement_phase: &'a mut [f64],
+    /// Maximum velocity V₀/(Bω_d) ([`crate::Cycle::max_velocity`]).
+    pub max_velocity: &'a mut [f64],
+    /// Its phase ω_d t₁ ([`crate::Cycle::velocity_phase`]).
+    pub velocity_phase: &'a mut [f64],
+    /// Deviation Δ₁/B ([`crate::Cycle::deviation`]).
+    pub deviation: &'a mut [f64],
+    /// The exact border α_min ([`crate::Border::min_force_ratio`]).
+    pub min_force_ratio: &'a mut [f64],
+    /// Contraction per half cycle ([`crate::Cycle::contraction`]).
+    pub contraction: &'a mut [f64],
+    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
+    pub loop_size_stiffness: &'a mut [f64],
+    /// Loop size A₂ ([`crate::Cycle::loop_size_inertia`]).
+    pub loop_size_inertia: &'a mut [f64],
+}
+
+impl<'a> Cycles<'a> {
+    /// The slices in the kernel's order, all of length `n`.
+    fn split(self, n: usize) -> Result<(&'a mut [Option<Regime>], [&'a mut [f64]; 9]), LengthMismatch> {
+        same_length(n, "regime", self.regime.len())?;
+        let named = [
+            ("maximum displacement Δ₀/B", self.max_displacement),
+            ("phase ω_d t₂", self.displacement_phase),
+            ("maximum velocity V₀/(B ω_d)", self.max_velocity),
+            ("phase ω_d t₁", self.velocity_phase),
+            ("deviation Δ₁/B", self.deviation),
+            ("least force ratio α_min", self.min_force_ratio),
+            ("contraction", self.contraction),
+            ("loop size A₁", self.loop_size_stiffness),
+            ("loop size A₂", self.loop_size_inertia),
+        ];
+        named.iter().try_for_each(|(name, slice)| same_length(n, name, slice.len()))?;
+        Ok((self.regime, named.map(|(_, slice)| slice)))
+    }
 }
 
 impl Batch {
@@ -129,7 +177,19 @@ impl Batch {
         same_length(n, "least force ratio α_min", min_force_ratio.len())?;
         same_length(n, "loop size A₁", loop_size_stiffness.len())?;
         let out = [max_displacement, min_force_ratio, loop_size_stiffness];
-        self.run(&triple::TripleKernel, omega, alpha, out);
+        self.run(&triple::TripleKernel, omega, alpha, out, &mut []);
+        Ok(())
+    }
+
+    /// The regime and all outputs of [`crate::Cycle`] at the points (Ω, α).
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn cycles(&self, omega: &[f64], alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
+        let n = omega.len();
+        same_length(n, "force ratio α", alpha.len())?;
+        let (regime, out) = out.split(n)?;
+        self.run(&cycle::CycleKernel, omega, alpha, out, regime);
         Ok(())
     }
 
@@ -139,11 +199,12 @@ impl Batch {
         omega: &[f64],
         alpha: &[f64],
         out: [&mut [f64]; N],
+        regimes: &mut [Option<Regime>],
     ) {
         #[cfg(feature = "rayon")]
         if self.threads {
-            return kernel::run_on_threads(kernel, self.level, omega, alpha, out);
+            return kernel::run_on_threads(kernel, self.level, omega, alpha, out, regimes);
         }
-        kernel::run(kernel, self.level, omega, alpha, out);
+        kernel::run(kernel, self.level, omega, alpha, out, regimes);
     }
 }

@@ -6,17 +6,25 @@ pub(crate) const POINTS: usize = 128;
 /// One quantity at the points of a block.
 pub(crate) type Block = [f64; POINTS];
 
+/// `O` quantities of `I` others at one point, without branches or calls.
+///
+/// A trait with `#[inline(always)]` functions, as closures and function pointers cannot be told to be inlined always, and what is not
+/// inlined is not compiled for the level's instructions.
+pub(crate) trait AtPoint<const I: usize, const O: usize> {
+    fn at(&self, inputs: [f64; I]) -> [f64; O];
+}
+
 /// One loop over a block: `outputs = f(inputs)`, point by point.
 ///
-/// Simple enough that the compiler turns it into vector instructions, as long as `f` neither branches nor calls.
+/// Simple enough that the compiler turns it into vector instructions.
 #[inline(always)]
 pub(crate) fn each<const I: usize, const O: usize>(
+    f: &impl AtPoint<I, O>,
     inputs: [&Block; I],
     mut outputs: [&mut Block; O],
-    f: impl Fn([f64; I]) -> [f64; O],
 ) {
     for i in 0..POINTS {
-        let values = f(inputs.map(|block| block.get(i).copied().unwrap_or(0.0)));
+        let values = f.at(inputs.map(|block| block.get(i).copied().unwrap_or(0.0)));
         for (block, value) in outputs.iter_mut().zip(values) {
             if let Some(slot) = block.get_mut(i) {
                 *slot = value;
@@ -29,12 +37,6 @@ pub(crate) fn each<const I: usize, const O: usize>(
 #[inline(always)]
 pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
     if condition { yes } else { no }
-}
-
-/// A condition as a number, to be kept in a block.
-#[inline(always)]
-pub(crate) fn flag(condition: bool) -> f64 {
-    select(condition, 1.0, 0.0)
 }
 
 /// The block that `rest` begins, its last point repeated to the end; `None` where there is none.

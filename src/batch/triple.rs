@@ -1,8 +1,8 @@
 //! {Δ₀, α_min, A₁} of a block.
 
-use super::block::{Block, each, select};
+use super::block::{AtPoint, Block, each, select};
 use super::frequency::phase_function_alone;
-use super::kernel::Kernel;
+use super::kernel::{Kernel, Work};
 use crate::nonsticking::{Border, loop_size_stiffness, max_displacement};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
@@ -23,8 +23,8 @@ impl Kernel<3> for TripleKernel {
     const MARK: usize = 1;
 
     #[inline(always)]
-    fn pass(&self, omega: &Block, alpha: &Block, out: [&mut Block; 3]) {
-        each([omega, alpha], out, |[omega, alpha]| point(omega, alpha));
+    fn pass(&self, omega: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
+        each(&Point, [omega, alpha], out);
     }
 
     fn careful(&self, omega: f64, alpha: f64) -> [f64; 3] {
@@ -40,21 +40,25 @@ impl Kernel<3> for TripleKernel {
 }
 
 /// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
-#[inline(always)]
-fn point(omega: f64, alpha: f64) -> [f64; 3] {
-    let (k, inverse) = phase_function_alone(omega);
-    let q = one_minus_square(omega);
-    let force = q * inverse * inverse;
-    let border = force.mul_add(force, k * k).sqrt();
-    let slides = alpha >= border;
-    let displacement = ((alpha - k) * (alpha + k)).sqrt() / q.abs();
-    let size = 8.0 * displacement / (alpha * alpha);
-    // Comparisons written so that NaN is redone, too; at Ω = 1 the displacement is infinite.
-    let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
-    let ordinary = (omega >= LEAST_OMEGA)
-        & (omega <= GREATEST_OMEGA)
-        & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
-        & (!slides | clear);
-    let nan = f64::NAN;
-    [select(slides, displacement, nan), select(ordinary, border, nan), select(slides, size, nan)]
+struct Point;
+
+impl AtPoint<2, 3> for Point {
+    #[inline(always)]
+    fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
+        let (k, inverse) = phase_function_alone(omega);
+        let q = one_minus_square(omega);
+        let force = q * inverse * inverse;
+        let border = force.mul_add(force, k * k).sqrt();
+        let slides = alpha >= border;
+        let displacement = ((alpha - k) * (alpha + k)).sqrt() / q.abs();
+        let size = 8.0 * displacement / (alpha * alpha);
+        // Comparisons written so that NaN is redone, too; at Ω = 1 the displacement is infinite.
+        let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
+        let ordinary = (omega >= LEAST_OMEGA)
+            & (omega <= GREATEST_OMEGA)
+            & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
+            & (!slides | clear);
+        let nan = f64::NAN;
+        [select(slides, displacement, nan), select(ordinary, border, nan), select(slides, size, nan)]
+    }
 }

@@ -63,12 +63,8 @@ impl Waves {
     /// The first step, from ψ = 0.
     #[inline(always)]
     pub(crate) fn first_step(&self) -> f64 {
-        let origin = Angles {
-            psi: (0.0, 1.0),
-            omega_psi: (0.0, 1.0),
-            half_sum: (0.0, 1.0),
-            sin_half_difference: 0.0,
-        };
+        let origin =
+            Angles { psi: (0.0, 1.0), omega_psi: (0.0, 1.0), half_sum: (0.0, 1.0), sin_half_difference: 0.0 };
         householder(&self.velocity(&origin))
     }
 
@@ -121,7 +117,8 @@ impl Waves {
 
     #[inline(always)]
     fn velocity(&self, angles: &Angles) -> Jet {
-        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } = angles;
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
+            angles;
         let (omega, delta, at) = (self.omega, self.max_displacement, self.at);
         let less = 1.0 - omega;
         let double = 2.0 * sm * at.secant;
