@@ -35,14 +35,19 @@
 mod block;
 mod circular;
 mod cycle;
+mod fixed;
 mod frequency;
 mod kernel;
 mod level;
+mod steady;
 mod triple;
 mod velocity;
 
+pub use fixed::FixedOmega;
 pub use level::Level;
 
+use crate::error::Error;
+use crate::exact::LongRun;
 use crate::regime::Regime;
 use kernel::Kernel;
 
@@ -113,6 +118,16 @@ pub struct Cycles<'a> {
     pub loop_size_inertia: &'a mut [f64],
 }
 
+impl<'a> Triple<'a> {
+    /// The slices in the kernel's order, all of length `n`.
+    fn split(self, n: usize) -> Result<[&'a mut [f64]; 3], LengthMismatch> {
+        same_length(n, "maximum displacement Δ₀/B", self.max_displacement.len())?;
+        same_length(n, "least force ratio α_min", self.min_force_ratio.len())?;
+        same_length(n, "loop size A₁", self.loop_size_stiffness.len())?;
+        Ok([self.max_displacement, self.min_force_ratio, self.loop_size_stiffness])
+    }
+}
+
 impl<'a> Cycles<'a> {
     /// The slices in the kernel's order, all of length `n`.
     fn split(self, n: usize) -> Result<(&'a mut [Option<Regime>], [&'a mut [f64]; 9]), LengthMismatch> {
@@ -170,13 +185,8 @@ impl Batch {
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
     pub fn triple(&self, omega: &[f64], alpha: &[f64], out: Triple<'_>) -> Result<(), LengthMismatch> {
-        let Triple { max_displacement, min_force_ratio, loop_size_stiffness } = out;
-        let n = omega.len();
-        same_length(n, "force ratio α", alpha.len())?;
-        same_length(n, "maximum displacement Δ₀/B", max_displacement.len())?;
-        same_length(n, "least force ratio α_min", min_force_ratio.len())?;
-        same_length(n, "loop size A₁", loop_size_stiffness.len())?;
-        let out = [max_displacement, min_force_ratio, loop_size_stiffness];
+        same_length(omega.len(), "force ratio α", alpha.len())?;
+        let out = out.split(omega.len())?;
         self.run(&triple::TripleKernel, omega, alpha, out, &mut []);
         Ok(())
     }
@@ -186,11 +196,52 @@ impl Batch {
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
     pub fn cycles(&self, omega: &[f64], alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
-        let n = omega.len();
-        same_length(n, "force ratio α", alpha.len())?;
-        let (regime, out) = out.split(n)?;
+        same_length(omega.len(), "force ratio α", alpha.len())?;
+        let (regime, out) = out.split(omega.len())?;
         self.run(&cycle::CycleKernel, omega, alpha, out, regime);
         Ok(())
+    }
+
+    /// [`Batch::triple`] at one Ω.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn triple_at(&self, row: &FixedOmega, alpha: &[f64], out: Triple<'_>) -> Result<(), LengthMismatch> {
+        let out = out.split(alpha.len())?;
+        self.run(&fixed::FixedTripleKernel(row), alpha, alpha, out, &mut []);
+        Ok(())
+    }
+
+    /// [`Batch::cycles`] at one Ω.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn cycles_at(&self, row: &FixedOmega, alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
+        let (regime, out) = out.split(alpha.len())?;
+        let level = if row.has_loops() { self.level } else { Level::Scalar };
+        Self { level, ..*self }.run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
+        Ok(())
+    }
+
+    /// The exact motion in the long run from rest at the points (Ω, α): [`LongRun::from_start`] for each.
+    ///
+    /// An [`Error`] for a point outside the domain, in its place.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn steady(
+        &self,
+        omega: &[f64],
+        alpha: &[f64],
+    ) -> Result<Vec<Result<LongRun<f64>, Error>>, LengthMismatch> {
+        same_length(omega.len(), "force ratio α", alpha.len())?;
+        #[cfg(feature = "rayon")]
+        if self.threads {
+            use rayon::prelude::*;
+            let points = omega.par_iter().zip(alpha).with_min_len(16);
+            return Ok(points.map(|(&omega, &alpha)| steady::steady(omega, alpha)).collect());
+        }
+        Ok(omega.iter().zip(alpha).map(|(&omega, &alpha)| steady::steady(omega, alpha)).collect())
     }
 
     fn run<K: Kernel<N>, const N: usize>(

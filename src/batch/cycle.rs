@@ -1,6 +1,6 @@
 //! All outputs of a cycle, over a block.
 
-use super::block::{AtPoint, Block, POINTS, each, select};
+use super::block::{AtPoint, Block, each, select};
 use super::circular::first_quadrant_angle;
 use super::frequency::{Frequency, frequency};
 use super::kernel::{Kernel, Work};
@@ -16,13 +16,19 @@ use core::f64::consts::PI;
 /// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂}.
 pub(crate) struct CycleKernel;
 
+/// `[1/Ω, K, sin β, cos β, 1/cos β, (1 − sin β)/cos β]`.
+#[inline(always)]
+pub(crate) fn parts(omega: f64) -> [f64; 6] {
+    let f = frequency(omega);
+    [f.inverse, f.phase_function, f.sin_beta, f.cos_beta, f.secant, f.tan_half_offset]
+}
+
 struct Parts;
 
 impl AtPoint<1, 6> for Parts {
     #[inline(always)]
     fn at(&self, [omega]: [f64; 1]) -> [f64; 6] {
-        let f = frequency(omega);
-        [f.inverse, f.phase_function, f.sin_beta, f.cos_beta, f.secant, f.tan_half_offset]
+        parts(omega)
     }
 }
 
@@ -31,9 +37,9 @@ impl Kernel<9> for CycleKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [inverse, k, sin_beta, cos_beta, secant, offset, rest @ ..] = work;
+        let [inverse, k, sin_beta, cos_beta, secant, offset, a, b, c] = work;
         each(&Parts, [omega], [inverse, k, sin_beta, cos_beta, secant, offset]);
-        over_alpha(omega, alpha, [inverse, k, sin_beta, cos_beta, secant, offset], rest, out);
+        over_alpha(omega, alpha, [inverse, k, sin_beta, cos_beta, secant, offset], [a, b, c], out);
     }
 
     fn careful(&self, omega: f64, alpha: f64) -> [f64; 9] {
@@ -65,7 +71,7 @@ pub(crate) fn over_alpha(
     omega: &Block,
     alpha: &Block,
     of_omega: [&Block; 6],
-    work: &mut [Block; 3],
+    work: [&mut Block; 3],
     out: [&mut Block; 9],
 ) {
     let [inverse, k, sin_beta, cos_beta, secant, tan_half_offset] = of_omega;
@@ -161,6 +167,7 @@ impl AtPoint<6, 6> for Amplitude {
         let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
         let ordinary = (omega >= LEAST_OMEGA)
             & (omega <= GREATEST_OMEGA)
+            & (alpha > 0.0)
             & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
             & (!slides | clear);
         [

@@ -18,6 +18,12 @@ pub(crate) trait Kernel<const N: usize>: Sync {
 
     /// The outputs at one point by the library's own code for one point.
     fn careful(&self, omega: f64, alpha: f64) -> [f64; N];
+
+    /// The Ω of a point, where the slice of Ω has `given`: that, unless the kernel has an Ω of its own.
+    #[inline]
+    fn omega(&self, given: f64) -> f64 {
+        given
+    }
 }
 
 struct Pass<'a, K, const N: usize> {
@@ -73,7 +79,7 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
         }
         if let (Some(slots), Some(borders)) = (regimes.next(), answer.get(K::MARK)) {
             for (((slot, &omega), &alpha), &border) in slots.iter_mut().zip(omega).zip(alpha).zip(borders) {
-                *slot = regime(omega, alpha, border);
+                *slot = regime(kernel.omega(omega), alpha, border);
             }
         }
         for (slices, block) in out.iter_mut().zip(&answer) {

@@ -12,7 +12,7 @@ pub(crate) const LEAST_OMEGA: f64 = 0.5;
 pub(crate) const GREATEST_OMEGA: f64 = 1_048_576.0;
 pub(crate) const GREATEST_DISPLACEMENT: f64 = 1e60;
 /// Where α exceeds |K| by less than this factor, α² − K² amplifies the rounding of K.
-pub(crate) const CLEAR_OF_PHASE_FUNCTION: f64 = 1.125;
+pub(crate) const CLEAR_OF_PHASE_FUNCTION: f64 = 1.03125;
 /// Where α is closer to the border than this, relatively, the careful path decides on which side it lies.
 pub(crate) const CLEAR_OF_BORDER: f64 = 1.0 / (1u64 << 46) as f64;
 
@@ -56,6 +56,7 @@ impl AtPoint<2, 3> for Point {
         let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
         let ordinary = (omega >= LEAST_OMEGA)
             & (omega <= GREATEST_OMEGA)
+            & (alpha > 0.0)
             & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
             & (!slides | clear);
         let nan = f64::NAN;
