@@ -118,6 +118,9 @@ pub struct Cycles<'a> {
     pub loop_size_inertia: &'a mut [f64],
 }
 
+/// The slices of [`Cycles`] in the kernel's order.
+type Columns<'a> = (&'a mut [Option<Regime>], [&'a mut [f64]; 9]);
+
 impl<'a> Triple<'a> {
     /// The slices in the kernel's order, all of length `n`.
     fn split(self, n: usize) -> Result<[&'a mut [f64]; 3], LengthMismatch> {
@@ -130,7 +133,7 @@ impl<'a> Triple<'a> {
 
 impl<'a> Cycles<'a> {
     /// The slices in the kernel's order, all of length `n`.
-    fn split(self, n: usize) -> Result<(&'a mut [Option<Regime>], [&'a mut [f64]; 9]), LengthMismatch> {
+    fn split(self, n: usize) -> Result<Columns<'a>, LengthMismatch> {
         same_length(n, "regime", self.regime.len())?;
         let named = [
             ("maximum displacement Δ₀/B", self.max_displacement),

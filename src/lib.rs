@@ -56,6 +56,7 @@
 //! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
 //!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
 //! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
 //!   `Mp` too with `mp`.
 

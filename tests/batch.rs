@@ -220,7 +220,6 @@ const APART: [f64; 9] = [4.0, 2.0, 4.0, 4.0, 12.0, 4.0, 2.0, 4.0, 4.0];
 
 fn within(worst: [(f64, usize); 9], bounds: [f64; 9], omega: &[f64], alpha: &[f64]) {
     for (column, (&(error, i), bound)) in worst.iter().zip(bounds).enumerate() {
-        println!("{column}: {error} at {:?} {:?}", omega[i], alpha[i]);
         assert!(error <= bound, "output {column}: {error} units at Ω = {:?}, α = {:?}", omega[i], alpha[i]);
     }
 }

@@ -4,9 +4,7 @@ use super::block::{AtPoint, Block, each, select};
 use super::circular::first_quadrant_angle;
 use super::frequency::{Frequency, frequency};
 use super::kernel::{Kernel, Work};
-use super::triple::{
-    CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, GREATEST_OMEGA, LEAST_OMEGA,
-};
+use super::triple::{CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, has_loops};
 use super::velocity::{Waves, velocity_phase};
 use crate::nonsticking::{Border, Cycle};
 use crate::phase_function::{PhaseFunction, one_minus_square};
@@ -165,8 +163,7 @@ impl AtPoint<6, 6> for Amplitude {
         let product = (x - 1.0) * (x + 1.0);
         let modulus = select(is_complex, 0.0, g_cosine) + product.abs().sqrt();
         let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
-        let ordinary = (omega >= LEAST_OMEGA)
-            & (omega <= GREATEST_OMEGA)
+        let ordinary = has_loops(omega)
             & (alpha > 0.0)
             & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
             & (!slides | clear);

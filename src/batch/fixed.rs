@@ -4,8 +4,7 @@ use super::block::{AtPoint, Block, POINTS, each, select};
 use super::cycle::{CycleKernel, over_alpha, parts};
 use super::kernel::{Kernel, Work};
 use super::triple::{
-    CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, GREATEST_OMEGA, LEAST_OMEGA,
-    TripleKernel,
+    CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, TripleKernel, has_loops,
 };
 use crate::error::Error;
 use crate::nonsticking::Border;
@@ -63,7 +62,7 @@ impl FixedOmega {
 
     /// Whether Ω is in the range of the loops over all outputs.
     pub(crate) fn has_loops(&self) -> bool {
-        (LEAST_OMEGA..=GREATEST_OMEGA).contains(&self.point.omega)
+        has_loops(self.point.omega)
     }
 }
 

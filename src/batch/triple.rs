@@ -8,9 +8,18 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
 
 /// The bounds within which nothing over- or underflows and `β` needs no more than q = 2.
-pub(crate) const LEAST_OMEGA: f64 = 0.5;
-pub(crate) const GREATEST_OMEGA: f64 = 1_048_576.0;
+const LEAST_OMEGA: f64 = 0.5;
+const GREATEST_OMEGA: f64 = 1_048_576.0;
+/// The same for Δ₀; at Ω = 1 it is infinite.
 pub(crate) const GREATEST_DISPLACEMENT: f64 = 1e60;
+
+/// Whether Ω is within the range of the loops.
+#[expect(clippy::manual_range_contains, reason = "one condition, where `contains` is two branches")]
+#[inline(always)]
+pub(crate) fn has_loops(omega: f64) -> bool {
+    (omega >= LEAST_OMEGA) & (omega <= GREATEST_OMEGA)
+}
+
 /// Where α exceeds |K| by less than this factor, α² − K² amplifies the rounding of K.
 pub(crate) const CLEAR_OF_PHASE_FUNCTION: f64 = 1.03125;
 /// Where α is closer to the border than this, relatively, the careful path decides on which side it lies.
@@ -54,8 +63,7 @@ impl AtPoint<2, 3> for Point {
         let size = 8.0 * displacement / (alpha * alpha);
         // Comparisons written so that NaN is redone, too; at Ω = 1 the displacement is infinite.
         let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
-        let ordinary = (omega >= LEAST_OMEGA)
-            & (omega <= GREATEST_OMEGA)
+        let ordinary = has_loops(omega)
             & (alpha > 0.0)
             & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
             & (!slides | clear);
