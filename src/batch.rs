@@ -23,7 +23,7 @@
 //!
 //! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time.
 //! What such a loop cannot do well is left to the library's own code for one point ([`crate::Cycle`], [`crate::Border`]):
-//! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than an eighth, a velocity whose steps do not settle. So
+//! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than 1/32, a velocity whose steps do not settle. So
 //! there is an answer for every point of the domain, and on which side of the border it lies is decided as
 //! [`crate::regime`] decides it.
 //!
