@@ -61,6 +61,7 @@
 //!   parameter;
 //! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::random`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
 //!   `Mp` too with `mp`.
 
@@ -76,6 +77,8 @@
     )
 )]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 pub mod design;
 mod error;
 pub mod exact;
