@@ -213,6 +213,7 @@ fn worst(
 }
 
 /// Bounds of the batch's errors in the units of [`worst`], against 256 bits.
+#[cfg(feature = "mp")]
 const BOUNDS: [f64; 9] = [2.5, 1.5, 3.5, 3.0, 4.0, 4.0, 2.0, 3.0, 3.0];
 
 /// How far the batch and one point's own code may be apart: Δ₁ by what the latter loses just below Ω = 2.

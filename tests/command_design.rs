@@ -89,6 +89,12 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
             && energy(friction * 0.99) < number(&best["energy"])
     );
     assert_eq!(json("design dissipation --omega 0.6")["optimum"], "border");
+    let of_all = json("design dissipation --omega 0.6 --sticking");
+    let steady = json(&format!("steady --omega 0.6 --alpha {}", of_all["force_ratio"]));
+    let alpha = number(&of_all["force_ratio"]);
+    let size = 2.0 * number(&steady["energy_out"]) / (alpha * alpha);
+    assert!((size / number(&of_all["loop_size_stiffness"]) - 1.0).abs() < 1e-9);
+    assert!(number(&of_all["bound"]) <= number(&of_all["loop_size_stiffness"]) * (1.0 + 1.1e-6));
     let stiff = json("design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500");
     assert_eq!((number(&stiff["stiffness"]), stiff["optimum"].as_str()), (1500.0, Some("end-of-range")));
     let omega = json("design stiffness --alpha 1.25 --from 0.6 --to 0.95");

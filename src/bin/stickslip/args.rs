@@ -87,7 +87,7 @@ pub(crate) enum Question {
     Displacement(QuestionArgs),
     /// The force for the maximum velocity --target
     Velocity(QuestionArgs),
-    /// The friction that dissipates most without sticking
+    /// The friction that dissipates most, without sticking or, with --sticking, of all
     Dissipation(QuestionArgs),
     /// The stiffness, between --from and --to, that dissipates most without sticking
     Stiffness(QuestionArgs),
@@ -105,6 +105,9 @@ pub(crate) struct QuestionArgs {
     /// Upper end of a range
     #[arg(long, value_name = "HIGH", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
+    /// Of dissipation: sticking allowed, to a proven tolerance of 1e-6
+    #[arg(long)]
+    pub(crate) sticking: bool,
     /// What is to be reached: in units of B or B ω_d, or of length or length per time
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) target: Option<String>,

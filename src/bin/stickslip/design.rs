@@ -262,6 +262,9 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     fn dissipation(&self) -> Result<Answer<F>, Failure> {
+        if self.args.sticking {
+            return self.dissipation_of_all();
+        }
         if !self.physical {
             let best = design::most_dissipating_force_ratio(self.omega()?).map_err(|e| self.fail(e))?;
             let sentence =
@@ -285,6 +288,41 @@ impl<'a, F: Value> Asked<'a, F> {
         let fields = vec![
             ("friction", some(best.friction_bound)),
             ("energy", some(best.energy)),
+            ("optimum", Cell::Text(name(best.optimum))),
+        ];
+        Ok(Answer::one(sentence, fields))
+    }
+
+    /// The same with sticking allowed: by exact motions, with a bound on what any friction dissipates.
+    fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
+        let tolerance = F::ratio(1, 1_000_000);
+        if !self.physical {
+            let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
+            let best = best.map_err(|e| self.fail(e))?;
+            let ratio = digits(best.force_ratio);
+            let sentence = format!("Most of all is dissipated at α = {ratio}, {}.", why(best.optimum));
+            let fields = vec![
+                ("force_ratio", some(best.force_ratio)),
+                ("loop_size_stiffness", some(best.loop_size)),
+                ("bound", some(best.bound)),
+                ("optimum", Cell::Text(name(best.optimum))),
+            ];
+            return Ok(Answer::one(sentence, fields));
+        }
+        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
+        let best = design::most_dissipating_friction_of_all(&body, &drive, tolerance);
+        let best = best.map_err(|e| self.fail(e))?;
+        let UnitNames { force, length } = self.units();
+        let sentence = format!(
+            "Most of all is dissipated, {} {force}·{length} a cycle, with a friction bound of {} {force}, {}.",
+            digits(best.energy),
+            digits(best.friction_bound),
+            why(best.optimum)
+        );
+        let fields = vec![
+            ("friction", some(best.friction_bound)),
+            ("energy", some(best.energy)),
+            ("bound", some(best.bound)),
             ("optimum", Cell::Text(name(best.optimum))),
         ];
         Ok(Answer::one(sentence, fields))
