@@ -222,7 +222,9 @@ impl Batch {
     pub fn cycles_at(&self, row: &FixedOmega, alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
         let (regime, out) = out.split(alpha.len())?;
         let level = if row.has_loops() { self.level } else { Level::Scalar };
-        Self { level, ..*self }.run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
+        let mut at = *self;
+        at.level = level;
+        at.run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
         Ok(())
     }
 
