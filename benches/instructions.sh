@@ -17,22 +17,22 @@ all() {
     closed=$(program instructions)
     "$closed" >&2
     for kernel in triple cycle; do
-    report "$kernel-generic" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
-    report "$kernel-plain" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
+        report "$kernel-generic" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
+        report "$kernel-plain" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
     done
     exact=$(program exact_instructions)
     for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
-    case $kernel in
-        steady-beside-resonance) function=steady_from_rest ;;
-        *) function=${kernel//-/_} ;;
-    esac
-    report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
+        case $kernel in
+            steady-beside-resonance) function=steady_from_rest ;;
+            *) function=${kernel//-/_} ;;
+        esac
+        report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
     done
     batch=$(program batch_instructions)
     for kernel in batch-triple batch-triple-fixed batch-cycles batch-cycles-fixed batch-cycles-low; do
-    # The difference of two numbers of rounds, so that start-up does not count.
-    once=$(count "*" "$batch" "$kernel" 1)
-    report "$kernel" $(($(count "*" "$batch" "$kernel" 5) - once)) $((4 * 12800))
+        # The difference of two numbers of rounds, so that start-up does not count.
+        once=$(count "*" "$batch" "$kernel" 1)
+        report "$kernel" $(($(count "*" "$batch" "$kernel" 5) - once)) $((4 * 12800))
     done
 }
 

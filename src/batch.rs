@@ -25,7 +25,7 @@
 //! What such a loop cannot do well is left to the library's own code for one point ([`crate::Cycle`], [`crate::Border`]):
 //! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than 1/32, a velocity whose steps do not settle. So
 //! there is an answer for every point of the domain, and on which side of the border it lies is decided as
-//! [`crate::regime`] decides it.
+//! [`mod@crate::regime`] decides it.
 //!
 //! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
 //! there is no non-sticking cycle.
@@ -96,7 +96,7 @@ pub struct Triple<'a> {
 /// Where [`Batch::cycles`] writes, slices of the length of Ω.
 #[derive(Debug)]
 pub struct Cycles<'a> {
-    /// What the body does in the long run ([`crate::regime`]); `None` where Ω or α is outside the domain.
+    /// What the body does in the long run ([`mod@crate::regime`]); `None` where Ω or α is outside the domain.
     pub regime: &'a mut [Option<Regime>],
     /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
     pub max_displacement: &'a mut [f64],
