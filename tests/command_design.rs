@@ -1,22 +1,13 @@
 //! `stickslip design` as a user meets it: every answer is put back into the forward commands.
 #![cfg(feature = "cli")]
 
-use assert_cmd::Command;
+mod command_line;
+
+use command_line::{refused, stdout};
 use serde_json::Value;
 
-fn stickslip(arguments: &str) -> Command {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"));
-    command.args(arguments.split_whitespace());
-    command
-}
-
-fn stdout(arguments: &str) -> String {
-    let output = stickslip(arguments).assert().success().stderr("").get_output().stdout.clone();
-    String::from_utf8(output).unwrap()
-}
-
 fn json(arguments: &str) -> Value {
-    serde_json::from_str(&stdout(&format!("{arguments} --format json"))).unwrap()
+    command_line::json(&format!("{arguments} --format json"))
 }
 
 fn number(value: &Value) -> f64 {
@@ -131,11 +122,6 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("design dissipation --omega 1", vec!["Ω = 1"]),
         ("design stiffness --alpha 1.1 --from 0.1 --to 2", vec!["1.1"]),
     ] {
-        let output = stickslip(arguments).assert().code(2).stdout("").get_output().clone();
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
-        for part in parts {
-            assert!(message.contains(part), "{arguments}: {message} lacks {part}");
-        }
+        refused(arguments, &parts);
     }
 }

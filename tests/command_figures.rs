@@ -1,20 +1,10 @@
 //! `stickslip figure`, `figures` and `map` as a user meets them.
 #![cfg(feature = "cli")]
 
-use assert_cmd::Command;
+mod command_line;
+
+use command_line::{refused, stdout};
 use std::path::PathBuf;
-
-fn stickslip(arguments: &str) -> Command {
-    let mut command = Command::cargo_bin("stickslip").unwrap();
-    command.args(arguments.split_whitespace());
-    command
-}
-
-fn stdout(arguments: &str) -> String {
-    let output = stickslip(arguments).assert().success().get_output().clone();
-    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 /// A path for a file or a folder of one test.
 fn place(name: &str) -> PathBuf {
@@ -111,12 +101,6 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
             vec!["10000000000 points", "≤ 4000000"],
         ),
     ] {
-        let output = stickslip(arguments).assert().code(2).get_output().clone();
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert!(output.stdout.is_empty(), "{arguments}");
-        assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
-        for part in parts {
-            assert!(message.contains(part), "{arguments}: {message} lacks {part}");
-        }
+        refused(arguments, &parts);
     }
 }

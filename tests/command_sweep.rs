@@ -1,21 +1,11 @@
 //! `stickslip sweep` as a user meets it.
 #![cfg(feature = "cli")]
 
-use assert_cmd::Command;
+mod command_line;
+
+use command_line::{refused, stdout, stickslip};
 use serde_json::Value;
 use std::path::PathBuf;
-
-fn stickslip(arguments: &str) -> Command {
-    let mut command = Command::cargo_bin("stickslip").unwrap();
-    command.args(arguments.split_whitespace());
-    command
-}
-
-fn stdout(arguments: &str) -> String {
-    let output = stickslip(arguments).assert().success().get_output().clone();
-    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
 
 /// A path for the file of one test.
 fn place(name: &str) -> PathBuf {
@@ -155,13 +145,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega 1:2:5 --alpha 2 --resume", vec!["--resume", "--out"]),
         ("response --omega 1:2:5 --alpha 2 --out /nowhere/at/all.csv", vec!["--out /nowhere/at/all.csv"]),
     ] {
-        let output = stickslip(&format!("sweep {arguments}")).assert().code(2).get_output().clone();
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert!(output.stdout.is_empty(), "{arguments}");
-        assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
-        for part in parts {
-            assert!(message.contains(part), "{arguments}: {message} lacks {part}");
-        }
+        refused(&format!("sweep {arguments}"), &parts);
     }
 }
 
