@@ -1,5 +1,7 @@
 //! `stickslip design`.
 
+mod best;
+
 use crate::args::{Format, Question, QuestionArgs, UnitNames};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
@@ -7,7 +9,7 @@ use crate::input::{at_fault, is_physical, number, required};
 use crate::note::digits;
 use crate::record::{Cell, Record};
 use std::io::Write;
-use stickslip::design::{self, Edge, Optimum};
+use stickslip::design::{self, Edge};
 use stickslip::{Border, Drive, Error, Oscillator};
 
 /// The question and where its answer goes.
@@ -260,127 +262,8 @@ impl<'a, F: Value> Asked<'a, F> {
         let sentence = format!("It takes a force of {} r_y.", digits(ratio));
         Ok(Answer::one(sentence, vec![("force_ratio", some(ratio))]))
     }
-
-    fn dissipation(&self) -> Result<Answer<F>, Failure> {
-        if self.args.sticking {
-            return self.dissipation_of_all();
-        }
-        if !self.physical {
-            let best = design::most_dissipating_force_ratio(self.omega()?).map_err(|e| self.fail(e))?;
-            let sentence =
-                format!("Most is dissipated at α = {}, {}.", digits(best.force_ratio), why(best.optimum));
-            let fields = vec![
-                ("force_ratio", some(best.force_ratio)),
-                ("loop_size_stiffness", some(best.loop_size)),
-                ("optimum", Cell::Text(name(best.optimum))),
-            ];
-            return Ok(Answer::one(sentence, fields));
-        }
-        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
-        let best = design::most_dissipating_friction(&body, &drive).map_err(|e| self.fail(e))?;
-        let UnitNames { force, length } = self.units();
-        let sentence = format!(
-            "Most is dissipated, {} {force}·{length} a cycle, with a friction bound of {} {force}, {}.",
-            digits(best.energy),
-            digits(best.friction_bound),
-            why(best.optimum)
-        );
-        let fields = vec![
-            ("friction", some(best.friction_bound)),
-            ("energy", some(best.energy)),
-            ("optimum", Cell::Text(name(best.optimum))),
-        ];
-        Ok(Answer::one(sentence, fields))
-    }
-
-    /// The same with sticking allowed: by exact motions, with a bound on what any friction dissipates.
-    fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
-        let tolerance = F::ratio(1, 1_000_000);
-        if !self.physical {
-            let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
-            let best = best.map_err(|e| self.fail(e))?;
-            let ratio = digits(best.force_ratio);
-            let sentence = format!("Most of all is dissipated at α = {ratio}, {}.", why(best.optimum));
-            let fields = vec![
-                ("force_ratio", some(best.force_ratio)),
-                ("loop_size_stiffness", some(best.loop_size)),
-                ("bound", some(best.bound)),
-                ("optimum", Cell::Text(name(best.optimum))),
-            ];
-            return Ok(Answer::one(sentence, fields));
-        }
-        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
-        let best = design::most_dissipating_friction_of_all(&body, &drive, tolerance);
-        let best = best.map_err(|e| self.fail(e))?;
-        let UnitNames { force, length } = self.units();
-        let sentence = format!(
-            "Most of all is dissipated, {} {force}·{length} a cycle, with a friction bound of {} {force}, {}.",
-            digits(best.energy),
-            digits(best.friction_bound),
-            why(best.optimum)
-        );
-        let fields = vec![
-            ("friction", some(best.friction_bound)),
-            ("energy", some(best.energy)),
-            ("bound", some(best.bound)),
-            ("optimum", Cell::Text(name(best.optimum))),
-        ];
-        Ok(Answer::one(sentence, fields))
-    }
-
-    fn stiffness(&self) -> Result<Answer<F>, Failure> {
-        let (low, high) = self.range()?;
-        if !self.physical {
-            let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high);
-            let best = best.map_err(|e| self.fail(e))?;
-            let sentence =
-                format!("Most is dissipated at Ω = {}, {}.", digits(best.omega), why(best.optimum));
-            let fields = vec![
-                ("omega", some(best.omega)),
-                ("loop_size_inertia", some(best.loop_size)),
-                ("optimum", Cell::Text(name(best.optimum))),
-            ];
-            return Ok(Answer::one(sentence, fields));
-        }
-        let (body, drive) = (self.body(false, true)?, self.drive(self.frequency()?)?);
-        let best = design::most_dissipating_stiffness(&body, &drive, low, high).map_err(|e| self.fail(e))?;
-        let UnitNames { force, length } = self.units();
-        let sentence = format!(
-            "Most is dissipated, {} {force}·{length} a cycle, on a stiffness of {} {force}/{length}, {}.",
-            digits(best.energy),
-            digits(best.stiffness),
-            why(best.optimum)
-        );
-        let fields = vec![
-            ("stiffness", some(best.stiffness)),
-            ("energy", some(best.energy)),
-            ("optimum", Cell::Text(name(best.optimum))),
-        ];
-        Ok(Answer::one(sentence, fields))
-    }
 }
 
 fn some<F: Value>(x: F) -> Cell<F> {
     Cell::Number(Some(x))
-}
-
-fn name(optimum: Optimum) -> &'static str {
-    match optimum {
-        Optimum::Interior => "interior",
-        Optimum::Border => "border",
-        Optimum::RangeEnd => "end-of-range",
-        // The library may come to know more kinds.
-        Optimum::Sticking => "sticking",
-        _ => "other",
-    }
-}
-
-fn why(optimum: Optimum) -> &'static str {
-    match optimum {
-        Optimum::Interior => "where more and less are both worse",
-        Optimum::Border => "on the border of sticking",
-        Optimum::RangeEnd => "at the end of the range",
-        Optimum::Sticking => "where it sticks, by the exact motion",
-        _ => "by the motion itself",
-    }
 }

@@ -1,4 +1,4 @@
-//! Work done in parallel, written in order, with progress and time left on a terminal.
+//! Progress and time left on a terminal; work done in parallel and written in order.
 
 use crate::failure::Outcome;
 use crate::interrupt;
@@ -18,7 +18,7 @@ pub(crate) fn in_order<T: Send>(
     mut take: impl FnMut(T) -> Outcome,
 ) -> Outcome {
     interrupt::listen();
-    let bar = bar(points.end - points.start);
+    let bar = bar(points.end - points.start, "points");
     let at_once = STRETCH * 4 * rayon::current_num_threads() as u64;
     let mut start = points.start;
     while start < points.end {
@@ -37,11 +37,12 @@ pub(crate) fn in_order<T: Send>(
     Ok(())
 }
 
-/// A bar on standard error, where that is a terminal.
-fn bar(points: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} points, {eta} left");
-    let bar = ProgressBar::new(points);
-    match style {
+/// A bar of `count` things done and the time left, on standard error where that is a terminal.
+pub(crate) fn bar(count: u64, things: &str) -> ProgressBar {
+    let bar = ProgressBar::new(count);
+    match ProgressStyle::with_template(&format!(
+        "{{bar:40}} {{human_pos}}/{{human_len}} {things}, {{eta}} left"
+    )) {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
