@@ -8,6 +8,20 @@ use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use stickslip::Border;
 
+/// What fuzzing has found, kept.
+#[test]
+fn findings() {
+    // dα_min/dΩ beyond the largest double, at Ω just above the least that is taken.
+    invariants::physical_units(
+        8.256_667_5e-317,
+        3.473_060_714_266_497_4e-164,
+        1000.0,
+        3.25,
+        12.000_000_000_000_455,
+        true,
+    );
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 

@@ -235,7 +235,7 @@ fn inner_maximum<F: Float>(omega: F) -> (F, F) {
     let phase = if tangent > zero { tau } else { F::pi() - tau };
     let supremum = stationary_value(gamma, cos_beta, tau, eta) / omega;
     // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
-    (supremum.differentiated_as(|| slope::inner_slope(&p).constant() * omega), phase)
+    (supremum.differentiated_as(|| slope::inner_change(&p).constant() * (omega / omega.constant())), phase)
 }
 
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.

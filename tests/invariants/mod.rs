@@ -59,7 +59,9 @@ fn place(ratios: Ratios<f64>, regime: Regime) {
 fn inverse_questions(omega: f64, target: f64) {
     let p = PhaseFunction::new(omega).unwrap();
     let least = Border::at(&p).min_force_ratio();
-    assert!(Border::slope(&p).is_finite());
+    assert!(Border::sensitivity(&p).is_finite());
+    // Below 2⁻²⁴⁰ the slope itself can be beyond the largest double.
+    assert!(Border::slope(&p).is_finite() || omega < 2f64.powi(-240) && !Border::slope(&p).is_nan());
     for force in
         [design::force_ratio_for_displacement(omega, target), design::force_ratio_for_velocity(omega, target)]
     {
