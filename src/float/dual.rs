@@ -27,10 +27,11 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
+mod operators;
+
 use super::{Float, Real};
 use core::cmp::Ordering;
 use core::fmt::{self, Display};
-use core::ops::{Add, Div, Mul, Neg, Rem, Sub};
 use num_dual::DualSVec64;
 
 /// An f64 with its first derivatives by N parameters.
@@ -114,58 +115,6 @@ impl<const N: usize> PartialEq for Dual<N> {
 impl<const N: usize> PartialOrd for Dual<N> {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.value().partial_cmp(&other.value())
-    }
-}
-
-impl<const N: usize> Neg for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl<const N: usize> Add for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0)
-    }
-}
-
-impl<const N: usize> Sub for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0)
-    }
-}
-
-impl<const N: usize> Mul for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0)
-    }
-}
-
-/// Not num-dual's own, which multiplies by the reciprocal.
-impl<const N: usize> Div for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn div(self, other: Self) -> Self {
-        let quotient = self.value() / other.value();
-        let inverse = 1.0 / other.value();
-        self.combined(quotient, inverse, other, -(quotient * inverse))
-    }
-}
-
-impl<const N: usize> Rem for Dual<N> {
-    type Output = Self;
-    #[inline]
-    fn rem(self, other: Self) -> Self {
-        let quotient = (self.value() / other.value()).trunc();
-        self.combined(self.value() % other.value(), 1.0, other, -quotient)
     }
 }
 
