@@ -1,5 +1,6 @@
 //! What can be wrong with an input: which quantity, its value, the inequality it breaks.
 
+use crate::float::Float;
 use core::fmt::{self, Display};
 
 /// A physical or dimensionless quantity that an input names.
@@ -248,6 +249,35 @@ impl Error {
             | Self::EmptyInterval { .. }
             | Self::BaseMotion
             | Self::Unbounded { .. } => None,
+        }
+    }
+}
+
+/// `x` with all its digits, and with a power of ten where it would take many zeros.
+pub(crate) fn written<F: Float>(x: F) -> String {
+    let size = x.to_f64().abs();
+    if (1e-5..1e16).contains(&size) || size == 0.0 || !size.is_finite() {
+        x.to_string()
+    } else {
+        format!("{x:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::written;
+
+    #[test]
+    fn a_power_of_ten_where_zeros_would_not_end() {
+        for (x, text) in [
+            (0.25, "0.25"),
+            (0.0, "0"),
+            (-1e300, "-1e300"),
+            (1.25e-9, "1.25e-9"),
+            (f64::NAN, "NaN"),
+            (-f64::INFINITY, "-inf"),
+        ] {
+            assert_eq!(written(x), text);
         }
     }
 }

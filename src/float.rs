@@ -9,7 +9,7 @@
 //! of integers ([`Real::int`], [`Real::ratio`]), never decimal literals, so no formula carries the
 //! rounding of a type narrower than its own.
 
-use core::fmt::{Debug, Display};
+use core::fmt::{Debug, Display, LowerExp};
 use core::ops::Neg;
 use num_traits::NumOps;
 
@@ -73,7 +73,7 @@ pub trait AtPrecision<F> {
 }
 
 /// What a decision needs of its numbers: order, precision, range.
-pub trait Float: Real + PartialOrd + Display {
+pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
     const PRECISION: u32;
     /// Largest exponent `e` for which frequency ratios in `[2⁻ᵉ, 2ᵉ]` and force ratios up to `2ᵉ`

@@ -37,7 +37,7 @@ pub use displacement::{
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
-use crate::error::Error;
+use crate::error::{Error, written};
 use crate::float::Float;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
@@ -244,9 +244,9 @@ impl<F: Float> Cycle<F> {
 /// Why there is no cycle where the least force ratio without sticking is `least`.
 #[cold]
 fn no_cycle<F: Float>(ratios: Ratios<F>, least: F) -> Error {
-    let alpha = ratios.alpha().to_string();
+    let alpha = written(ratios.alpha());
     if ratios.alpha() < least {
-        Error::Sticks { omega: ratios.omega().to_string(), alpha, least: least.to_string() }
+        Error::Sticks { omega: written(ratios.omega()), alpha, least: written(least) }
     } else {
         Error::Unbounded { alpha }
     }

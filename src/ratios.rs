@@ -1,6 +1,6 @@
 //! The two dimensionless numbers that decide everything (eq. 8, 9).
 
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 
 /// Frequency ratio Ω = ω_d/ω_n (eq. 9) and force ratio α = p₀/r_y (eq. 8), validated.
@@ -57,7 +57,7 @@ impl<F: Float> Ratios<F> {
 
 /// `x`, where it is finite.
 pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
-    if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: x.to_string() }) }
+    if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: written(x) }) }
 }
 
 /// `x`, where it is finite and above zero.
@@ -74,7 +74,7 @@ pub(crate) fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) 
 /// Why `x` is not a finite number above zero.
 #[cold]
 fn not_positive<F: Float>(quantity: Quantity, x: F) -> Error {
-    let value = x.to_string();
+    let value = written(x);
     if x.is_finite() { Error::NotPositive { quantity, value } } else { Error::NotFinite { quantity, value } }
 }
 
@@ -83,9 +83,9 @@ fn not_positive<F: Float>(quantity: Quantity, x: F) -> Error {
 fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
     positive(quantity, x).err().unwrap_or_else(|| Error::OutOfRange {
         quantity,
-        value: x.to_string(),
-        least: least.to_string(),
-        greatest: greatest.to_string(),
+        value: written(x),
+        least: written(least),
+        greatest: written(greatest),
     })
 }
 

@@ -59,7 +59,7 @@ mod samples;
 pub use machine::MachineBox;
 pub use ratios::RatioBox;
 
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::within;
 use crate::regime::{Regime, Verdict};
@@ -85,7 +85,7 @@ impl<F: Float> Interval<F> {
         if low <= high {
             Ok(Self { low, high })
         } else {
-            Err(Error::EmptyInterval { low: low.to_string(), high: high.to_string() })
+            Err(Error::EmptyInterval { low: written(low), high: written(high) })
         }
     }
 

@@ -7,7 +7,7 @@
 //! of those lobes: nothing is sampled, and nothing between two frequencies is missed.
 
 use super::force::frequency_ratio_of;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::nonsticking::border::{Lobe, ordered_lobes};
@@ -153,9 +153,9 @@ pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result
     } else {
         if is_too_close(alpha, minimum.force_ratio, minimum.omega) {
             return Err(Error::Undecided {
-                alpha: alpha.to_string(),
-                least: minimum.force_ratio.to_string(),
-                omega: minimum.omega.to_string(),
+                alpha: written(alpha),
+                least: written(minimum.force_ratio),
+                omega: written(minimum.omega),
             });
         }
         if alpha < minimum.force_ratio {

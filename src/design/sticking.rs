@@ -19,7 +19,7 @@
 
 use super::dissipation::{BestForceRatio, Optimum, most_dissipating_force_ratio};
 use super::force::frequency_ratio_of;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::exact::{LongRun, State};
 use crate::float::Float;
 use crate::nonsticking::{Border, loop_size_stiffness};
@@ -56,9 +56,9 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<F, Error> {
             Ok(F::int(2) * (steady.energy_out() / alpha) / alpha)
         }
         LongRun::Rest(_) => Ok(F::int(0)),
-        LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: alpha.to_string() }),
+        LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
         LongRun::NotConverged { .. } => {
-            Err(Error::NotSettled { omega: omega.to_string(), alpha: alpha.to_string() })
+            Err(Error::NotSettled { omega: written(omega), alpha: written(alpha) })
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The force for a target displacement or velocity.
 
 use super::force::frequency_ratio_of;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::{Border, force_ratio_from_displacement, max_velocity_from_displacement};
 use crate::oscillator::Oscillator;
@@ -114,12 +114,7 @@ fn steady<F: Float>(omega: F, quantity: Quantity) -> Result<PhaseFunction<F>, Er
 
 /// Why a target is too small.
 fn sticks<F: Float>(quantity: Quantity, value: F, least: F, omega: F) -> Error {
-    Error::TargetSticks {
-        quantity,
-        value: value.to_string(),
-        least: least.to_string(),
-        omega: omega.to_string(),
-    }
+    Error::TargetSticks { quantity, value: written(value), least: written(least), omega: written(omega) }
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@
 
 use super::bands::{Band, Edge, band_in, bands};
 use super::dissipation::Optimum;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::border::{Lobe, border_range, ordered_lobes};
 use crate::nonsticking::{loop_size_inertia, loop_size_stiffness, max_displacement, squared_sine};
@@ -80,10 +80,10 @@ pub fn most_dissipating_frequency_ratio<F: Float>(
     match best {
         Some(best) => Ok(best),
         None => Err(Error::SticksThroughout {
-            alpha: alpha.to_string(),
-            least: border_range(lowest, high)?.least.to_string(),
-            low: low.to_string(),
-            high: high.to_string(),
+            alpha: written(alpha),
+            least: written(border_range(lowest, high)?.least),
+            low: written(low),
+            high: written(high),
         }),
     }
 }
@@ -149,7 +149,7 @@ pub fn most_dissipating_stiffness<F: Float>(
     let inertia = positive(Quantity::PseudoStiffness, body.mass() * frequency.square())?;
     let (soft, hard) = (positive(Quantity::Stiffness, low)?, positive(Quantity::Stiffness, high)?);
     if soft > hard {
-        let (low, high) = (low.to_string(), high.to_string());
+        let (low, high) = (written(low), written(high));
         return Err(Error::EmptyRange { quantity: Quantity::Stiffness, low, high });
     }
     let p0 = drive.force_amplitude(body);

@@ -5,7 +5,7 @@
 //! half turns are the stretches on which the drive's rate of change keeps its sign, which is what the search for
 //! velocity zeros works by.
 
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::finite;
 
@@ -27,9 +27,9 @@ impl<F: Float> DrivePhase<F> {
         if theta.abs() > most {
             return Err(Error::OutOfRange {
                 quantity: Quantity::DrivePhase,
-                value: theta.to_string(),
+                value: written(theta),
                 least: (-most).to_string(),
-                greatest: most.to_string(),
+                greatest: written(most),
             });
         }
         Ok(Self { half_turns: 0, angle: F::int(0) }.advanced(theta))

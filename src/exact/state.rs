@@ -1,7 +1,7 @@
 //! Where the body is, and what acts on it.
 
 use super::drive::DrivePhase;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::finite;
 
@@ -38,7 +38,7 @@ impl<F: Float> State<F> {
             }
             Err(Error::OutOfRange {
                 quantity,
-                value: value.to_string(),
+                value: written(value),
                 least: (-most).to_string(),
                 greatest: most.to_string(),
             })

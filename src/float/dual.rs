@@ -31,7 +31,7 @@ mod operators;
 
 use super::{Float, Real};
 use core::cmp::Ordering;
-use core::fmt::{self, Display};
+use core::fmt::{self, Display, LowerExp};
 use num_dual::DualSVec64;
 
 /// An f64 with its first derivatives by N parameters.
@@ -103,6 +103,13 @@ impl<const N: usize> From<Dual<N>> for DualSVec64<N> {
 impl<const N: usize> Display for Dual<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Display::fmt(&self.value(), f)
+    }
+}
+
+/// The value, with a power of ten.
+impl<const N: usize> LowerExp for Dual<N> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        LowerExp::fmt(&self.value(), f)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where a point lies in the plane of Ω and α, and how surely.
 
 use super::{Family, Regime, Verdict};
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::nonsticking::border::{BorderRange, border_range};
@@ -92,7 +92,7 @@ impl<F: Float> Place<F> {
         Ratios::new(omega.0, alpha.0)?;
         Ratios::new(omega.1, alpha.1)?;
         if alpha.0 > alpha.1 {
-            let (low, high) = (alpha.0.to_string(), alpha.1.to_string());
+            let (low, high) = (written(alpha.0), written(alpha.1));
             return Err(Error::EmptyRange { quantity: Quantity::ForceRatio, low, high });
         }
         Self::over(Ratios::new(middle(omega), middle(alpha))?, omega, alpha)

@@ -1,6 +1,6 @@
 //! How often the body stops in a cycle, by the exact motion.
 
-use crate::error::Error;
+use crate::error::{Error, written};
 use crate::exact::{LongRun, State};
 use crate::float::Float;
 use crate::ratios::Ratios;
@@ -47,7 +47,7 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
         })),
         LongRun::Rest(_) | LongRun::Unbounded { .. } => Ok(None),
         LongRun::NotConverged { .. } => {
-            Err(Error::NotSettled { omega: ratios.omega().to_string(), alpha: ratios.alpha().to_string() })
+            Err(Error::NotSettled { omega: written(ratios.omega()), alpha: written(ratios.alpha()) })
         }
     }
 }

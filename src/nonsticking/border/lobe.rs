@@ -27,7 +27,7 @@
 
 use super::Border;
 use super::shortfall::BandEnd;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 use crate::ratios::frequency_ratio;
@@ -69,9 +69,9 @@ impl Lobe {
         if omega < lowest {
             return Err(Error::OutOfRange {
                 quantity: Quantity::FrequencyRatio,
-                value: omega.to_string(),
-                least: lowest.to_string(),
-                greatest: F::exp2i(F::RATIO_EXPONENT).to_string(),
+                value: written(omega),
+                least: written(lowest),
+                greatest: written(F::exp2i(F::RATIO_EXPONENT)),
             });
         }
         // Within one of the right index whatever the rounding; the casts saturate.

@@ -2,7 +2,7 @@
 
 use super::Border;
 use super::lobe::Lobe;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 
@@ -42,11 +42,7 @@ pub(crate) fn ordered_lobes<F: Float>(low: F, high: F) -> Result<(Lobe, Lobe), E
     if low <= high {
         Ok(lobes)
     } else {
-        Err(Error::EmptyRange {
-            quantity: Quantity::FrequencyRatio,
-            low: low.to_string(),
-            high: high.to_string(),
-        })
+        Err(Error::EmptyRange { quantity: Quantity::FrequencyRatio, low: written(low), high: written(high) })
     }
 }
 

@@ -25,7 +25,7 @@
 use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
 use super::{Given, Unknowns, fastest, start};
-use crate::error::Error;
+use crate::error::{Error, written};
 use crate::float::{Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
@@ -118,9 +118,8 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     let sin_cos_beta = phase_function.sin_cos();
     let friction = q / (alpha * sin_cos_beta.1);
     let system = Balanced { omega, one_minus_square: q, sin_cos_beta, friction };
-    let start = start::with_friction(&to_f64(&system), Float::to_f64(friction)).map_err(|part| {
-        MatchingError::NoCycle { omega: omega.to_string(), alpha: alpha.to_string(), part }
-    })?;
+    let start = start::with_friction(&to_f64(&system), Float::to_f64(friction))
+        .map_err(|part| MatchingError::NoCycle { omega: written(omega), alpha: written(alpha), part })?;
     let mut start = start.map(<F as Float>::from_f64);
     let mut iterations = 0;
     // Where f64 could not tell which stationary point is the fastest, the full precision can.
@@ -200,7 +199,7 @@ fn friction_sign<F: Float>(omega: F, p: &PhaseFunction<F>) -> f64 {
 }
 
 fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
-    if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: value.to_string() }) }
+    if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: written(value) }) }
 }
 
 pub(super) fn in_order<F: Real>(u: &Unknowns<F>) -> [F; 5] {
