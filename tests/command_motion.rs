@@ -157,7 +157,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("steady --omega 0.4 --alpha 6 --v0 inf", vec!["--v0 inf", "finite"]),
         ("steady --omega 0.4 --alpha 6 --x0 one", vec!["--x0 one", "number"]),
         ("steady --omega 0.4 --alpha 6 --max-periods 0", vec!["--max-periods 0", "≥ 1"]),
-        ("steady --omega 1e-9 --alpha 6", vec!["--omega", "0.000000001", "≥"]),
+        ("steady --omega 1e-9 --alpha 6", vec!["--omega", "Ω = 1e-9", "≥"]),
         ("steady --omega 0.4", vec!["--alpha is missing"]),
         ("simulate --omega 0.4 --alpha 6 --cycles -1", vec!["--cycles -1", "≥ 1"]),
         ("simulate --omega 0.4 --alpha 6 --cycles 0", vec!["--cycles 0", "≥ 1"]),
