@@ -27,16 +27,6 @@ pub(crate) enum Swept {
     Border,
 }
 
-impl Swept {
-    pub(crate) const fn name(self) -> &'static str {
-        match self {
-            Self::Response => "response",
-            Self::Steady => "steady",
-            Self::Border => "border",
-        }
-    }
-}
-
 /// How the rows are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(crate) enum SweepFormat {

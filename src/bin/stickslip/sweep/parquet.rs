@@ -10,6 +10,7 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::progress;
 use crate::record::Record;
+use clap::ValueEnum;
 use column::Column;
 use parquet::basic::Compression;
 use parquet::errors::ParquetError;
@@ -59,10 +60,12 @@ impl Table {
     fn new(file: File, columns: Vec<Column>, args: &SweepArgs) -> Result<Self, Failure> {
         let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
         let mut notes = vec![
-            note("sweep", args.question.name().to_owned()),
             note("omega", args.omega.clone()),
             note("units", "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad".to_owned()),
         ];
+        let question =
+            args.question.to_possible_value().map(|value| note("sweep", value.get_name().to_owned()));
+        notes.extend(question);
         notes.extend(args.alpha.clone().map(|alpha| note("alpha", alpha)));
         let properties = WriterProperties::builder()
             .set_created_by(concat!("stickslip ", env!("CARGO_PKG_VERSION")).to_owned())
@@ -123,13 +126,12 @@ fn schema(columns: &[Column]) -> Result<Arc<Type>, ParquetError> {
 
 impl From<ParquetError> for Failure {
     fn from(error: ParquetError) -> Self {
-        let error = match error {
-            ParquetError::External(inner) => match inner.downcast::<io::Error>() {
-                Ok(system) => return Self::from(*system),
-                Err(other) => ParquetError::External(other),
-            },
-            other => other,
-        };
+        if let ParquetError::External(inner) = error {
+            return match inner.downcast::<io::Error>() {
+                Ok(system) => Self::from(*system),
+                Err(other) => Self::System(io::Error::other(other)),
+            };
+        }
         Self::System(io::Error::other(error))
     }
 }
