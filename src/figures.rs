@@ -2,15 +2,17 @@
 //!
 //! | file | figures |
 //! |---|---|
+//! | `oscillator` | 1: the oscillator and its law of friction |
+//! | `cycle` | 2: a cycle without stops in the phase plane |
 //! | `symmetry` | 3: the error measures |
 //! | `response` | 4–7: Δ₀/B, the two phases, Δ₁/B, V₀/(Bω_d) |
 //! | `border` | 8: the least force ratio without sticking |
 //! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
 //! | `stops` | the map of stops per cycle |
-//! | `portrait` | two motions in the phase plane, as in figure 2 |
+//! | `portrait` | two motions in the phase plane |
 //! | `accuracy` | digits lost beside Ω = 1 |
 //! | `multipliers` | how fast the motion settles |
-//! | `draw` | a figure as SVG |
+//! | `draw` | a figure as SVG or PNG |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes what [`Figure::svg`] draws.
 //!
@@ -22,9 +24,11 @@
 
 mod accuracy;
 mod border;
+mod cycle;
 mod dissipation;
 mod draw;
 mod multipliers;
+mod oscillator;
 mod plane;
 mod portrait;
 mod response;
@@ -36,13 +40,31 @@ pub use plane::{Plane, Scale};
 use std::io::{self, Write};
 
 /// The names of all figures, in order: those of the paper by their numbers.
-pub const NAMES: [&str; 14] =
-    ["3", "4", "5", "6", "7", "8", "9a", "9b", "10a", "10b", "stops", "portrait", "accuracy", "multipliers"];
+pub const NAMES: [&str; 16] = [
+    "1",
+    "2",
+    "3",
+    "4",
+    "5",
+    "6",
+    "7",
+    "8",
+    "9a",
+    "9b",
+    "10a",
+    "10b",
+    "stops",
+    "portrait",
+    "accuracy",
+    "multipliers",
+];
 
 /// The figure of that name, one of [`NAMES`].
 #[must_use]
 pub fn figure(name: &str) -> Option<Figure> {
     Some(match name {
+        "1" => oscillator::with_friction(),
+        "2" => cycle::in_phase_plane(),
         "3" => symmetry::errors(),
         "4" => response::max_displacement(),
         "5" => response::phases(),
@@ -92,7 +114,7 @@ pub struct Panel {
 /// An axis: name with unit, and range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    /// Quantity and unit.
+    /// Quantity and unit; empty for an axis that is not shown.
     pub label: String,
     /// Value at its start.
     pub low: f64,
@@ -124,7 +146,7 @@ impl Axis {
 /// Points of one kind, with a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// The name in the legend; series of one name share an entry.
+    /// The name in the legend; series of one name share an entry, those without a name have none.
     pub name: String,
     /// How it is drawn.
     pub style: Style,
@@ -151,6 +173,10 @@ pub enum Style {
     Marks,
     /// Small dots.
     Dots,
+    /// A thin line with a head at its end, not in the legend.
+    Arrow,
+    /// The name itself, written at each point, not in the legend.
+    Named,
 }
 
 impl Series {
@@ -194,6 +220,15 @@ impl Figure {
     /// Those of the drawing library, none that are known.
     pub fn svg(&self) -> io::Result<String> {
         draw::svg(self)
+    }
+
+    /// The drawing as PNG, `width` pixels wide, in DejaVu Sans.
+    ///
+    /// # Errors
+    /// [`io::ErrorKind::Other`] where the width is 0, or too large for an image in memory.
+    #[cfg(feature = "png")]
+    pub fn png(&self, width: u32) -> io::Result<Vec<u8>> {
+        draw::png(&self.svg()?, width)
     }
 }
 

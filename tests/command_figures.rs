@@ -37,6 +37,29 @@ fn all_figures_by_one_command() {
         let drawing = std::fs::read_to_string(folder.join(format!("{name}.svg"))).unwrap();
         assert!(drawing.starts_with("<svg") && drawing.trim_end().ends_with("</svg>"), "{name}");
     }
+    stdout(&format!("figures --all --format csv --dir {}", folder.display()));
+    let data = std::fs::read_to_string(folder.join("10b.csv")).unwrap();
+    assert!(data.starts_with("panel,series,x,y,value\n"), "{}", &data[..40]);
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn figures_and_maps_as_png() {
+    let is_png = |file: &PathBuf| std::fs::read(file).unwrap().starts_with(b"\x89PNG\r\n\x1a\n");
+    let file = place("figure-9b.png");
+    stdout(&format!("figure 9b --out {}", file.display()));
+    assert!(is_png(&file));
+    let file = place("map-regime.png");
+    stdout(&format!("map --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));
+    assert!(is_png(&file));
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn a_build_without_png_says_so() {
+    for arguments in ["figure 8 --out border.png", "map --out border.png", "figures --all --format png"] {
+        refused(arguments, &["png", "feature png", "rsvg-convert"]);
+    }
 }
 
 #[test]
@@ -86,11 +109,12 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
 #[test]
 fn bad_input_is_one_line_with_argument_value_and_inequality() {
     for (arguments, parts) in [
-        ("figure 11", vec!["figure 11", "must be one of 3, 4"]),
-        ("figure 8 --out border.png", vec!["--out border.png", ".svg", ".csv"]),
+        ("figure 11", vec!["'11'", "<FIGURE>", "possible values: 1, 2, 3"]),
+        ("figure 8 --out border.pdf", vec!["--out border.pdf", ".svg", ".png", ".csv"]),
         ("figure 8 --out border", vec!["--out border", "must end in"]),
         ("figure 8 --out /nowhere/at/all.svg", vec!["--out /nowhere/at/all.svg"]),
-        ("map --out map.png", vec!["--out map.png", ".svg"]),
+        ("map --out map.gif", vec!["--out map.gif", ".svg"]),
+        ("figures --all --format pdf", vec!["'pdf'", "possible values: svg, png, csv"]),
         ("map speed", vec!["map speed", "must be one of"]),
         ("map steady:multipliers", vec!["map steady:multipliers", "must be one of"]),
         ("map --omega -1:2:10", vec!["--omega -1", "must be > 0"]),

@@ -138,7 +138,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
             "response --omega 1:2:5 --alpha 2 --outputs omega,speed",
             vec!["--outputs speed", "must be of omega,"],
         ),
-        ("response --omega 1:2:5 --alpha 2 --format text", vec!["--format", "csv or jsonl"]),
+        ("response --omega 1:2:5 --alpha 2 --format text", vec!["--format", "csv, jsonl, parquet"]),
         ("response --omega 1:2:5 --alpha 2 --shard 0/3", vec!["--shard 0/3", "1 ≤ I ≤ N"]),
         ("response --omega 1:2:5 --alpha 2 --shard 4/3", vec!["--shard 4/3", "1 ≤ I ≤ N"]),
         ("response --omega 1:2:5 --alpha 2 --shard -1", vec!["--shard -1", "I/N"]),
@@ -162,6 +162,42 @@ fn a_sweep_has_as_many_bits_as_asked_for() {
     let single = stdout(&format!("border --omega {omega} --bits 256 --format json"));
     let single: Value = serde_json::from_str(&single).unwrap();
     assert_eq!(single["min_force_ratio"].as_str(), Some(least));
+}
+
+/// So are grids of equal ratios.
+#[cfg(feature = "mp")]
+#[test]
+fn equal_ratios_have_as_many_bits_as_asked_for() {
+    use stickslip::float::mp::Mp;
+    let values = |grid: &str| -> Vec<Mp<5>> {
+        let rows = stdout(&format!("sweep border --omega {grid}:log --bits 256 --outputs omega --no-header"));
+        rows.lines().map(|row| row.parse().unwrap()).collect()
+    };
+    let powers: Vec<Mp<5>> = [1, 2, 4, 8, 16].map(Mp::of_int).to_vec();
+    assert_eq!(values("1:16:5"), powers);
+    let grid = values("0.01:3:8");
+    let seventh = grid[7] / grid[0];
+    for (n, value) in (0..).zip(&grid) {
+        let due = (0..n).fold(Mp::of_int(1), |power, _| power * seventh);
+        let found = (0..7).fold(Mp::of_int(1), |power, _| power * (*value / grid[0]));
+        assert!((found / due - Mp::of_int(1)).to_f64().abs() < 1e-74, "{n}: {value}");
+    }
+}
+
+/// The end of the file's name says how the rows are written.
+#[test]
+fn a_file_of_json_lines_is_named_so() {
+    let file = place("rows.jsonl");
+    stdout(&format!("sweep border --omega 0.5:2:4 --out {}", file.display()));
+    let text = std::fs::read_to_string(file).unwrap();
+    assert_eq!(text, stdout("sweep border --omega 0.5:2:4 --format jsonl"));
+    assert!(text.starts_with('{'));
+}
+
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn a_build_without_parquet_says_so() {
+    refused("sweep border --omega 1 --out rows.parquet", &["--format parquet", "feature parquet"]);
 }
 
 /// Ctrl-C leaves whole rows, which `--resume` goes on with.

@@ -3,7 +3,7 @@
 //! `STICKSLIP_WRITE=1 cargo test --all-features --test figures` writes them.
 
 use std::fmt::Write;
-use stickslip::figures::{Figure, NAMES, Series, figure};
+use stickslip::figures::{Figure, NAMES, Series, Style, figure};
 use stickslip::{Border, Cycle, Ratios};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs");
@@ -96,6 +96,53 @@ fn every_series_has_points_in_its_frame() {
 }
 
 #[test]
+fn figure_1_shows_the_law_and_a_motion_that_keeps_it() {
+    let figure = figure("1").unwrap();
+    let dots = &series(&figure, "exact motion, Ω = 0.4, α = 6").points;
+    let mut at_rest = 0;
+    for &(v, friction) in dots {
+        if v == 0.0 {
+            assert!(friction.abs() <= 1.0, "{friction}");
+            at_rest += usize::from(friction.abs() < 0.99);
+        } else {
+            assert_eq!(friction, v.signum());
+        }
+    }
+    assert!(dots.len() > 200 && at_rest > 5, "{at_rest} of {}", dots.len());
+    let law = &series(&figure, "Coulomb's law").points;
+    assert!(law.contains(&(0.0, -1.0)) && law.contains(&(0.0, 1.0)));
+}
+
+#[test]
+fn figure_2_measures_the_cycle_it_draws() {
+    let figure = figure("2").unwrap();
+    let path = &series(&figure, "steady motion, Ω = 0.7, α = 2").points;
+    let cycle = Ratios::new(0.7, 2.0).and_then(Cycle::new).unwrap();
+    let greatest = |part: fn(&(f64, f64)) -> f64| path.iter().map(part).fold(0.0, f64::max);
+    // 240 points a cycle miss a maximum by (π/240)²/2 of it.
+    assert!((greatest(|p| p.0) / cycle.max_displacement() - 1.0).abs() < 1e-4);
+    assert!((greatest(|p| p.1) / cycle.max_velocity() - 1.0).abs() < 1e-4);
+    let lengths: Vec<f64> = figure.panels[0]
+        .series
+        .iter()
+        .filter(|s| s.style == Style::Arrow && s.index == 0)
+        .map(|s| (s.points[1].0 - s.points[0].0).hypot(s.points[1].1 - s.points[0].1))
+        .collect();
+    assert_eq!(lengths.len(), 6);
+    for due in [cycle.deviation(), cycle.max_velocity(), cycle.max_displacement()] {
+        assert_eq!(lengths.iter().filter(|l| (**l - due).abs() < 1e-12).count(), 2, "{due} of {lengths:?}");
+    }
+    // It goes round as its arrows say: to the right above.
+    let ways: Vec<_> =
+        figure.panels[0].series.iter().filter(|s| s.style == Style::Arrow && s.index == 2).collect();
+    assert_eq!(ways.len(), 4);
+    for way in ways {
+        let (from, to) = (way.points[0], way.points[way.points.len() - 1]);
+        assert!((to.0 - from.0) * from.1 > 0.0, "{from:?} to {to:?}");
+    }
+}
+
+#[test]
 fn figure_4_marks_lie_on_the_exact_lines() {
     let figure = figure("4").unwrap();
     for tenth in 1..=6 {
@@ -149,6 +196,31 @@ fn figure_8_has_a_dot_wherever_alpha_is_above_the_exact_border() {
     });
     // At Ω = 1 itself there is no steady motion to have a dot; the lattice keeps off it.
     assert_eq!(above.count(), dots.len());
+}
+
+/// A picture has its size, is mostly paper, and has words: with no font they would be missing.
+#[cfg(feature = "png")]
+#[test]
+fn a_png_is_drawn_with_its_words() {
+    use resvg::tiny_skia::Pixmap;
+    let figure = figure("9a").unwrap();
+    let pixels = Pixmap::decode_png(&figure.png(800).unwrap()).unwrap();
+    let svg = figure.svg().unwrap();
+    let number = |name: &str| -> f64 {
+        let rest = svg.split_once(&format!(" {name}=\"")).unwrap().1;
+        rest.split_once('"').unwrap().0.parse().unwrap()
+    };
+    let height = 800.0 * number("height") / number("width");
+    assert_eq!((pixels.width(), f64::from(pixels.height())), (800, height.round()));
+    let dark = |from: usize, to: usize| {
+        let rows = pixels.pixels().chunks(800).skip(from).take(to - from).flatten();
+        rows.filter(|p| p.red() < 128).count()
+    };
+    let paper = pixels.pixels().iter().filter(|p| p.red() == 255).count();
+    assert!(paper * 10 > 9 * pixels.pixels().len(), "{paper}");
+    // The title alone is above the frame.
+    assert!((200..5000).contains(&dark(0, 35)), "{}", dark(0, 35));
+    assert!(figure.png(0).is_err());
 }
 
 #[test]

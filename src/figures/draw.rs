@@ -5,8 +5,12 @@
 
 mod frame;
 mod legend;
+mod line;
 mod mark;
+#[cfg(feature = "png")]
+mod png;
 mod shade;
+mod subscript;
 mod ticks;
 
 use super::Figure;
@@ -17,6 +21,8 @@ use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
 use plotters::element::Text;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{BLACK, FontTransform, IntoFont, TextStyle, WHITE};
+#[cfg(feature = "png")]
+pub(super) use png::png;
 use std::io;
 
 /// Units of the drawing in a pixel.
@@ -39,7 +45,8 @@ pub(super) fn svg(figure: &Figure) -> io::Result<String> {
         paint(figure, &layout, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
     }
     let full = format!("width=\"{}\" height=\"{}\"", width * UNITS, height * UNITS);
-    Ok(text.replacen(&full, &format!("width=\"{width}\" height=\"{height}\""), 1))
+    let text = text.replacen(&full, &format!("width=\"{width}\" height=\"{height}\""), 1);
+    Ok(subscript::set(&text))
 }
 
 fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
@@ -57,7 +64,8 @@ fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
 const LEFT: i32 = 76;
 const TOP: i32 = 66;
 const BELOW: i32 = 62;
-const LEGEND: i32 = 290;
+/// Room to the right of the legend.
+const RIGHT: i32 = 24;
 
 /// Sizes in pixels.
 pub(super) struct Layout {
@@ -65,15 +73,18 @@ pub(super) struct Layout {
     plot: (i32, i32),
     columns: i32,
     panels: i32,
+    /// Width of the legend.
+    legend: i32,
 }
 
 impl Layout {
     fn of(figure: &Figure) -> Self {
         let panels = i32::try_from(figure.panels.len()).unwrap_or(i32::MAX).max(1);
+        let legend = legend::width(figure);
         match panels {
-            1 => Self { plot: (640, 440), columns: 1, panels },
-            2 => Self { plot: (430, 400), columns: 2, panels },
-            _ => Self { plot: (400, 250), columns: 2, panels },
+            1 => Self { plot: (640, 440), columns: 1, panels, legend },
+            2 => Self { plot: (430, 400), columns: 2, panels, legend },
+            _ => Self { plot: (400, 250), columns: 2, panels, legend },
         }
     }
 
@@ -87,7 +98,7 @@ impl Layout {
 
     fn size(&self) -> (i32, i32) {
         let rows = (self.panels + self.columns - 1) / self.columns;
-        (LEFT + self.panels_width() - 44 + LEGEND, TOP - 30 + rows * self.step().1 + 6)
+        (LEFT + self.panels_width() - 44 + self.legend + RIGHT, TOP - 30 + rows * self.step().1 + 6)
     }
 
     /// The height that the panels take, from the top of the first.
@@ -111,6 +122,8 @@ pub(super) enum Anchor {
     Left,
     /// The middle of its right edge.
     Right,
+    /// Its middle.
+    Middle,
     /// The middle of its lower edge, written upwards.
     Upwards,
 }
@@ -123,6 +136,7 @@ pub(super) fn write(canvas: &Canvas<'_>, text: &str, (x, y): (i32, i32), size: i
         Anchor::Above => (font, Pos::new(HPos::Center, VPos::Top)),
         Anchor::Left => (font, Pos::new(HPos::Left, VPos::Center)),
         Anchor::Right => (font, Pos::new(HPos::Right, VPos::Center)),
+        Anchor::Middle => (font, Pos::new(HPos::Center, VPos::Center)),
         Anchor::Upwards => (font.transform(FontTransform::Rotate270), Pos::new(HPos::Center, VPos::Center)),
     };
     let style = TextStyle::from(font).color(&BLACK).pos(pos);

@@ -18,17 +18,21 @@ pub(super) fn of_the_cycle() -> Figure {
             })
         };
         let points = one(|[first, _]| first).chain([(f64::NAN, f64::NAN)]).chain(one(|[_, second]| second));
-        Series::new(name, Style::Dots, index, points)
+        let marked = at(MARKED, alpha).map(|m| m.half_cycle().parts());
+        [
+            Series::new(name.clone(), Style::Dots, index, points),
+            Series::new(name, Style::Marks, index, marked.into_iter().flatten()),
+        ]
     };
     let circle = evenly(0.0, std::f64::consts::TAU, 181).map(|t| (t.cos(), t.sin()));
     let mut loci = vec![Series::new("modulus 1", Style::Dotted, 0, circle)];
-    loci.extend(inverse_force_ratios(6).map(locus));
+    loci.extend(inverse_force_ratios(6).flat_map(locus));
     Figure {
         name: "multipliers".to_owned(),
         title: "How fast the motion settles".to_owned(),
         caption: "Left: what a cycle leaves of a small disturbance, max |λ|², against Ω for 1/α = 0.1 … 0.6 where the motion does not stick; \
             it reaches 1 at Ω = 1/n only. Right: the two multipliers λ per half cycle in the complex plane, \
-            for Ω from 0.2 to 2: all within the unit circle."
+            for Ω from 0.2 to 2, with marks at Ω = 3/2: all within the unit circle."
             .to_owned(),
         panels: vec![
             Panel {
@@ -51,6 +55,9 @@ pub(super) fn of_the_cycle() -> Figure {
 
 /// One of two multipliers, each as (re, im).
 type Part = fn([(f64, f64); 2]) -> (f64, f64);
+
+/// Ω of the marks.
+const MARKED: f64 = 1.5;
 
 /// Ω from 0.2 to 2.
 fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {

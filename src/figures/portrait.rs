@@ -1,7 +1,7 @@
 //! Motions in the phase plane.
 
 use super::{Axis, Figure, Panel, Series, Style};
-use crate::exact::{Kind, LongRun, State, SteadyState, Trajectory};
+use crate::exact::{Instant, Kind, LongRun, State, SteadyState, Trajectory};
 use crate::{Cycle, Ratios};
 
 /// A motion without stops, with the points of figure 2, and one that sticks, each with its way there from rest.
@@ -18,7 +18,7 @@ pub(super) fn two_motions() -> Figure {
     }
     Figure {
         name: "portrait".to_owned(),
-        title: "Figure 2 again: steady motions in the phase plane".to_owned(),
+        title: "Steady motions in the phase plane".to_owned(),
         caption: "The steady motion (thick) and the way there from rest (thin), without stops at Ω = 0.7, α = 2 with the instants \
             t₁ … t₄ of the paper's figure 2, and with four stops a cycle at Ω = 0.15, α = 3: there the velocity comes to zero and the \
             body stays until friction gives way."
@@ -28,15 +28,6 @@ pub(super) fn two_motions() -> Figure {
 }
 
 fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f64)) -> Panel {
-    let motion = |start: State<f64>, cycles: usize| -> Vec<(f64, f64)> {
-        let samples = Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, start)?.samples(PER_CYCLE));
-        samples
-            .into_iter()
-            .flatten()
-            .take(cycles * PER_CYCLE as usize + 1)
-            .map(|i| (i.state.x, i.state.v))
-            .collect()
-    };
     let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest()));
     let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(SteadyState::state));
     let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
@@ -49,8 +40,13 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
         y: Axis::linear("velocity x′/(Bω_d)", -v, v),
         plane: None,
         series: vec![
-            Series::new("from rest", Style::Line, 4, motion(State::rest(), cycles)),
-            Series::new("steady", Style::Thick, 0, steady.map_or(Vec::new(), |state| motion(state, 1))),
+            Series::new("from rest", Style::Line, 4, motion(omega, alpha, State::rest(), cycles)),
+            Series::new(
+                "steady",
+                Style::Thick,
+                0,
+                steady.map_or(Vec::new(), |state| motion(omega, alpha, state, 1)),
+            ),
         ],
     };
     if count > 0 {
@@ -58,6 +54,23 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
         panel.series.push(Series::new("stop", Style::Marks, 5, stops));
     }
     panel
+}
+
+/// The steady state that the motion from rest comes to.
+pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
+    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest())).ok()?;
+    limit.steady_state().map(SteadyState::state)
+}
+
+/// Some cycles of the motion from a start.
+pub(super) fn samples(omega: f64, alpha: f64, start: State<f64>, cycles: usize) -> Vec<Instant<f64>> {
+    let samples = Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, start)?.samples(PER_CYCLE));
+    samples.into_iter().flatten().take(cycles * PER_CYCLE as usize + 1).collect()
+}
+
+/// The same as (x/B, x′/(Bω_d)).
+pub(super) fn motion(omega: f64, alpha: f64, start: State<f64>, cycles: usize) -> Vec<(f64, f64)> {
+    samples(omega, alpha, start, cycles).iter().map(|i| (i.state.x, i.state.v)).collect()
 }
 
 /// Samples in a cycle.

@@ -1,13 +1,14 @@
 //! `--bits`: the number type a command runs at.
 
 use crate::failure::{Failure, Outcome};
+use num_traits::Pow;
 use std::str::FromStr;
 use stickslip::Float;
 
-/// A number the command can read and write.
-pub(crate) trait Value: Float + FromStr + Send + Sync {}
+/// A number the command can read, write and space evenly.
+pub(crate) trait Value: Float + FromStr + Pow<Self, Output = Self> + Send + Sync {}
 
-impl<F: Float + FromStr + Send + Sync> Value for F {}
+impl<F: Float + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
 
 /// A command, whatever the number.
 pub(crate) trait Task {
@@ -34,7 +35,15 @@ fn run_wide(bits: u32, task: impl Task) -> Outcome {
 
         fn run<F>(self) -> Outcome
         where
-            F: Float + FromStr<Err = ParseError> + Display + LowerExp + Debug + Send + Sync + 'static,
+            F: Float
+                + FromStr<Err = ParseError>
+                + Pow<F, Output = F>
+                + Display
+                + LowerExp
+                + Debug
+                + Send
+                + Sync
+                + 'static,
         {
             self.0.run::<F>()
         }

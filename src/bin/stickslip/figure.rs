@@ -1,45 +1,27 @@
 //! `stickslip figure` and `figures`.
 
-use crate::args::{FigureArgs, FiguresArgs};
+use crate::args::{FigureArgs, FiguresArgs, Picture};
 use crate::failure::{Failure, Outcome};
+use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::fs::{self, File};
 use std::io::{BufWriter, Write};
 use std::path::Path;
 use stickslip::figures::{self, Figure};
 
-/// What a picture file holds, by the end of its name.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
-    Svg,
-    Csv,
-}
-
-impl Kind {
-    /// Of `--out FILE`.
-    pub(crate) fn of(file: &Path) -> Result<Self, Failure> {
-        match file.extension().and_then(|e| e.to_str()) {
-            Some("svg") => Ok(Self::Svg),
-            Some("csv") => Ok(Self::Csv),
-            Some(_) | None => {
-                let name = file.display();
-                Err(Failure::Input(format!(
-                    "--out {name}: the name must end in .svg (drawing) or .csv (data)"
-                )))
-            }
-        }
-    }
-}
+/// Pixels of a PNG from left to right.
+#[cfg(feature = "png")]
+const WIDTH: u32 = 1600;
 
 pub(crate) fn run(args: &FigureArgs, out: &mut impl Write) -> Outcome {
-    let kind = args.out.as_deref().map_or(Ok(Kind::Svg), Kind::of)?;
+    let picture = args.out.as_deref().map_or(Ok(Picture::Svg), picture_of)?;
     let figure = figures::figure(&args.name).ok_or_else(|| {
         let names = figures::NAMES.join(", ");
         Failure::Input(format!("figure {}: must be one of {names}", args.name))
     })?;
     match &args.out {
-        Some(file) => save(&figure, kind, file),
-        None => write(&figure, kind, out),
+        Some(file) => save(&figure, picture, file),
+        None => write(&figure, picture, out),
     }
 }
 
@@ -51,26 +33,54 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
         return Ok(());
     }
     let folder = &args.dir;
+    check(args.format, "--format png")?;
     fs::create_dir_all(folder).map_err(|e| Failure::Input(format!("--dir {}: {e}", folder.display())))?;
+    let extension = args.format.extension();
     figures::NAMES.into_par_iter().try_for_each(|name| match figures::figure(name) {
-        Some(figure) => save(&figure, Kind::Svg, &folder.join(format!("{name}.svg"))),
+        Some(figure) => save(&figure, args.format, &folder.join(format!("{name}.{extension}"))),
         None => Ok(()),
     })?;
     Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
 }
 
+/// What is to be in `--out FILE`, by the end of its name.
+pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
+    let name = file.display();
+    let known = Picture::value_variants().iter().copied();
+    let end = file.extension().and_then(|e| e.to_str());
+    let picture = known.into_iter().find(|picture| end == Some(picture.extension())).ok_or_else(|| {
+        Failure::Input(format!("--out {name}: the name must end in .svg or .png (drawing) or .csv (data)"))
+    })?;
+    check(picture, &format!("--out {name}"))?;
+    Ok(picture)
+}
+
+/// Complains of a PNG where the build has none.
+fn check(picture: Picture, argument: &str) -> Outcome {
+    if picture != Picture::Png || cfg!(feature = "png") {
+        return Ok(());
+    }
+    Err(Failure::Input(format!(
+        "{argument}: this build has no PNG; it needs the feature png, or a converter of .svg such as rsvg-convert"
+    )))
+}
+
 /// Writes the figure to a file.
-pub(crate) fn save(figure: &Figure, kind: Kind, file: &Path) -> Outcome {
+pub(crate) fn save(figure: &Figure, picture: Picture, file: &Path) -> Outcome {
     let created = File::create(file).map_err(|e| Failure::Input(format!("--out {}: {e}", file.display())))?;
     let mut out = BufWriter::new(created);
-    write(figure, kind, &mut out)?;
+    write(figure, picture, &mut out)?;
     Ok(out.flush()?)
 }
 
-fn write(figure: &Figure, kind: Kind, out: &mut impl Write) -> Outcome {
-    match kind {
-        Kind::Svg => out.write_all(figure.svg()?.as_bytes())?,
-        Kind::Csv => figure.write_csv(out)?,
+fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+    match picture {
+        Picture::Svg => out.write_all(figure.svg()?.as_bytes())?,
+        #[cfg(feature = "png")]
+        Picture::Png => out.write_all(&figure.png(WIDTH)?)?,
+        #[cfg(not(feature = "png"))]
+        Picture::Png => check(picture, "png")?,
+        Picture::Csv => figure.write_csv(out)?,
     }
     Ok(())
 }

@@ -53,11 +53,11 @@ impl<F: Value> Grid<F> {
             Self::Even { to, count, .. } if place + 1 >= *count => *to,
             Self::Even { from, to, count, logarithmic } => {
                 let (place, last) = (place as f64, (count - 1) as f64);
+                let (place, last) = (F::from_f64(place), F::from_f64(last));
                 if *logarithmic {
-                    let (from, to) = (from.to_f64(), to.to_f64());
-                    return F::from_f64(from * (to / from).powf(place / last));
+                    return *from * (*to / *from).pow(place / last);
                 }
-                *from + (*to - *from) * F::from_f64(place) / F::from_f64(last)
+                *from + (*to - *from) * place / last
             }
         }
     }

@@ -1,5 +1,5 @@
 //! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`, `verify`,
-//! `figure`, `figures`, `sweep`, `map`.
+//! `figure`, `figures`, `sweep`, `map`, `completions`, `man`.
 
 #![cfg_attr(
     not(test),
@@ -29,9 +29,11 @@ mod points;
 mod progress;
 mod record;
 mod response;
+mod shell;
 mod simulate;
 mod sink;
 mod steady;
+mod style;
 mod sweep;
 mod verify;
 
@@ -43,10 +45,15 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     match CommandLine::try_parse() {
-        Ok(line) => match run(&line.command) {
-            Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-            Err(failure) => report(&failure),
-        },
+        Ok(line) => {
+            if line.quiet {
+                progress::silence();
+            }
+            match run(&line.command) {
+                Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+                Err(failure) => report(&failure),
+            }
+        }
         Err(error) if error.use_stderr() => report(&Failure::from(error)),
         // Help and version, which a closed pipe may cut short.
         Err(error) => {
@@ -70,11 +77,13 @@ fn run(command: &Command) -> Outcome {
         Command::Figures(args) => figure::run_all(args, &mut out)?,
         Command::Sweep(args) => sweep::run(args, &mut out)?,
         Command::Map(args) => map::run(args, &mut out)?,
+        Command::Completions(args) => shell::completions(args, &mut out)?,
+        Command::Man(args) => shell::man(args, &mut out)?,
     }
     Ok(out.flush()?)
 }
 
 fn report(failure: &Failure) -> ExitCode {
-    let _ = writeln!(io::stderr(), "stickslip: {failure}");
+    let _ = writeln!(anstream::stderr(), "{} {failure}", style::label());
     failure.exit_code()
 }

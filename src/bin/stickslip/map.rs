@@ -1,8 +1,8 @@
 //! `stickslip map`.
 
-use crate::args::{MapArgs, Swept};
+use crate::args::{MapArgs, Picture, Swept};
 use crate::failure::{Failure, Outcome};
-use crate::figure::{self, Kind};
+use crate::figure;
 use crate::grid::Grid;
 use crate::progress;
 use crate::record::Cell;
@@ -67,14 +67,16 @@ impl<'a> Quantity<'a> {
 }
 
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
-    let kind = args.out.as_deref().map_or(Ok(Kind::Csv), Kind::of)?;
+    let kind = args.out.as_deref().map_or(Ok(Picture::Csv), figure::picture_of)?;
     let quantity = Quantity::parse(&args.quantity)?;
     let omega = Grid::parse("--omega", &args.omega)?;
     let alpha = Grid::parse("--alpha", &args.alpha)?;
     rows::check(quantity.question(), &omega, &alpha)?;
     match (&args.out, kind) {
-        (Some(file), Kind::Svg) => figure::save(&picture(args, &quantity, &omega, &alpha)?, kind, file),
-        (Some(file), Kind::Csv) => {
+        (Some(file), Picture::Svg | Picture::Png) => {
+            figure::save(&picture(args, &quantity, &omega, &alpha)?, kind, file)
+        }
+        (Some(file), Picture::Csv) => {
             let created =
                 File::create(file).map_err(|e| Failure::Input(format!("--out {}: {e}", file.display())))?;
             let mut out = BufWriter::new(created);

@@ -3,6 +3,7 @@
 use crate::args::UnitNames;
 use crate::bits::Value;
 use crate::input::{BorderScales, Machine};
+use crate::style;
 use std::io::{self, Write};
 use stickslip::{Cycle, Regime, Response, nonsticking};
 
@@ -57,7 +58,7 @@ pub(crate) fn response<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
-    writeln!(out, "{}\n", verdict(response))?;
+    writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
     if let Some(Machine { oscillator, drive, scales }) = machine {

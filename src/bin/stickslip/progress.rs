@@ -2,9 +2,17 @@
 
 use crate::failure::Outcome;
 use crate::interrupt;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From now on nobody is told of progress.
+pub(crate) fn silence() {
+    QUIET.store(true, Ordering::Relaxed);
+}
 
 /// Points that one thread answers at a stretch.
 const STRETCH: u64 = 64;
@@ -40,6 +48,9 @@ pub(crate) fn in_order<T: Send>(
 /// A bar of `count` things done and the time left, on standard error where that is a terminal.
 pub(crate) fn bar(count: u64, things: &str) -> ProgressBar {
     let bar = ProgressBar::new(count);
+    if QUIET.load(Ordering::Relaxed) {
+        bar.set_draw_target(ProgressDrawTarget::hidden());
+    }
     match ProgressStyle::with_template(&format!(
         "{{bar:40}} {{human_pos}}/{{human_len}} {things}, {{eta}} left"
     )) {

@@ -8,6 +8,7 @@ use crate::note::{both, digits};
 use crate::points;
 use crate::record::{Cell, Record};
 use crate::response::single_format;
+use crate::style;
 use std::io::{self, Write};
 use stickslip::Ratios;
 use stickslip::exact::{LongRun, State, SteadyState};
@@ -139,38 +140,39 @@ fn note<F: Value>(
     let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
     match limit {
         LongRun::Periodic(steady) => {
-            writeln!(out, "{} One periodic motion, from every start.\n", verdict(steady))?;
+            writeln!(out, "{} One periodic motion, from every start.\n", style::verdict(&verdict(steady)))?;
             motion(steady, point, units, out)
         }
         LongRun::Family(steady) => {
             writeln!(
                 out,
                 "{} At Ω = 1/(2n) the periodic motions are a family; this is the one that the start leads to.\n",
-                verdict(steady)
+                style::verdict(&verdict(steady))
             )?;
             motion(steady, point, units, out)
         }
-        LongRun::Rest(rest) => match rest.slides {
-            Some(slides) => writeln!(
-                out,
-                "Stuck: it comes to rest at {} after {slides} slides and stays there.",
-                length(rest.position)
-            ),
-            None => writeln!(out, "Stuck: it creeps for ever towards rest at {}.", length(rest.position)),
-        },
-        LongRun::Unbounded { growth } => {
-            writeln!(
-                out,
-                "Unbounded: the amplitude grows by {} in a cycle, in the long run.",
-                length(*growth)
-            )
+        LongRun::Rest(rest) => {
+            let place = length(rest.position);
+            let sentence = match rest.slides {
+                Some(slides) => {
+                    format!("Stuck: it comes to rest at {place} after {slides} slides and stays there.")
+                }
+                None => format!("Stuck: it creeps for ever towards rest at {place}."),
+            };
+            writeln!(out, "{}", style::verdict(&sentence))
         }
-        LongRun::NotConverged { residual, periods, .. } => writeln!(
-            out,
-            "Undecided: after {} periods half a cycle still moves it by {}; allow more with --max-periods.",
-            digits(periods.to_f64()),
-            length(*residual)
-        ),
+        LongRun::Unbounded { growth } => {
+            let growth = length(*growth);
+            let sentence = format!("Unbounded: the amplitude grows by {growth} in a cycle, in the long run.");
+            writeln!(out, "{}", style::verdict(&sentence))
+        }
+        LongRun::NotConverged { residual, periods, .. } => {
+            let (periods, left) = (digits(periods.to_f64()), length(*residual));
+            let sentence = format!(
+                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with --max-periods."
+            );
+            writeln!(out, "{}", style::verdict(&sentence))
+        }
     }
 }
 

@@ -1,9 +1,11 @@
 //! `stickslip sweep`.
 
+#[cfg(feature = "parquet")]
+mod parquet;
 mod resume;
 pub(crate) mod rows;
 
-use crate::args::{Format, SweepArgs, Swept};
+use crate::args::{SweepArgs, SweepFormat, Swept};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -12,6 +14,7 @@ use rows::Rows;
 use std::fs::{File, OpenOptions};
 use std::io::{BufWriter, ErrorKind, Write};
 use std::ops::Range;
+use std::path::Path;
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SweepArgs, &'a mut W);
@@ -36,33 +39,48 @@ impl<W: Write> Task for Run<'_, W> {
         };
         let rows = Rows::<F>::new(args, omega, alpha)?;
         let part = part(args.shard.as_deref(), rows.len())?;
-        match &args.out {
-            None if args.resume => {
-                Err(Failure::Input("--resume: give the file to go on with by --out FILE".to_owned()))
-            }
-            None => write(&rows, part, !args.no_header, out),
-            Some(file) if args.resume && file.exists() => {
-                let (file, done) = resume::reopen(file, &rows, &part, !args.no_header)?;
-                let mut out = BufWriter::new(file);
-                write(&rows, part.start + done.rows..part.end, !done.header && !args.no_header, &mut out)?;
-                Ok(out.flush()?)
-            }
-            Some(file) => {
-                let name = file.display();
-                let created = OpenOptions::new().write(true).create_new(true).open(file);
-                let created: File = created.map_err(|e| {
-                    Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
-                        format!("--out {name}: must not exist yet; --resume goes on with it")
-                    } else {
-                        format!("--out {name}: {e}")
-                    })
-                })?;
-                let mut out = BufWriter::new(created);
-                write(&rows, part, !args.no_header, &mut out)?;
-                Ok(out.flush()?)
-            }
+        if args.resume && args.out.is_none() {
+            return Err(Failure::Input("--resume: give the file to go on with by --out FILE".to_owned()));
+        }
+        match args.format() {
+            SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, &rows, part, out),
+            SweepFormat::Parquet => to_parquet(args, &rows, part),
         }
     }
+}
+
+fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &mut impl Write) -> Outcome {
+    match &args.out {
+        None => write(rows, part, !args.no_header, out),
+        Some(file) if args.resume && file.exists() => {
+            let (file, done) = resume::reopen(file, rows, &part, !args.no_header)?;
+            let mut out = BufWriter::new(file);
+            write(rows, part.start + done.rows..part.end, !done.header && !args.no_header, &mut out)
+        }
+        Some(file) => write(rows, part, !args.no_header, &mut BufWriter::new(create(file)?)),
+    }
+}
+
+#[cfg(feature = "parquet")]
+fn to_parquet<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> Outcome {
+    parquet::run(args, rows, part)
+}
+
+#[cfg(not(feature = "parquet"))]
+fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
+    Err(Failure::Input("--format parquet: this build has none; it needs the feature parquet".to_owned()))
+}
+
+/// A new file; one that is there is not overwritten.
+fn create(file: &Path) -> Result<File, Failure> {
+    let name = file.display();
+    OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
+        Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
+            format!("--out {name}: must not exist yet; --resume goes on with it")
+        } else {
+            format!("--out {name}: {e}")
+        })
+    })
 }
 
 /// The rows of a part of the sweep, with their header.
@@ -87,17 +105,6 @@ fn part(shard: Option<&str>, rows: u64) -> Result<Range<u64>, Failure> {
         }
         Some(_) | None => {
             Err(Failure::Input(format!("--shard {text}: must be I/N with whole numbers, 1 ≤ I ≤ N")))
-        }
-    }
-}
-
-/// `csv` or `jsonl`.
-fn is_csv(format: Format) -> Result<bool, Failure> {
-    match format {
-        Format::Csv => Ok(true),
-        Format::Jsonl => Ok(false),
-        Format::Text | Format::Json => {
-            Err(Failure::Input("--format: the answer to a sweep is csv or jsonl".to_owned()))
         }
     }
 }

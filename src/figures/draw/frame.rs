@@ -1,5 +1,6 @@
 //! One pair of axes and what is drawn in them.
 
+use super::line::{arrow, stroke, whole};
 use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, UNITS, mark, write};
 use crate::figures::{Axis, Panel, Plane, Series, Style};
@@ -25,7 +26,8 @@ impl<'a> Frame<'a> {
     pub(super) fn draw(&self, canvas: &Canvas<'_>) -> Drawn {
         let grid = RGBColor(222, 222, 222).stroke_width(UNITS.unsigned_abs());
         let (right, bottom) = (self.left + self.width, self.top + self.height);
-        let (x_ticks, y_ticks) = (ticks(&self.panel.x), ticks(&self.panel.y));
+        let shown = |axis: &Axis| if axis.label.is_empty() { Vec::new() } else { ticks(axis) };
+        let (x_ticks, y_ticks) = (shown(&self.panel.x), shown(&self.panel.y));
         for (value, _) in &x_ticks {
             let x = self.place((*value, self.panel.y.low)).0;
             canvas.draw(&PathElement::new(vec![whole((x, self.top)), whole((x, bottom))], grid))?;
@@ -40,15 +42,11 @@ impl<'a> Frame<'a> {
         for series in &self.panel.series {
             self.series(series, canvas)?;
         }
-        let corners = [
-            (self.left, self.top),
-            (right, self.top),
-            (right, bottom),
-            (self.left, bottom),
-            (self.left, self.top),
-        ];
-        canvas
-            .draw(&PathElement::new(corners.map(whole).to_vec(), BLACK.stroke_width(UNITS.unsigned_abs())))?;
+        if !(x_ticks.is_empty() && y_ticks.is_empty()) {
+            let corners = [(self.left, self.top), (right, self.top), (right, bottom), (self.left, bottom)];
+            let round = corners.into_iter().chain([(self.left, self.top)]).map(whole).collect::<Vec<_>>();
+            canvas.draw(&PathElement::new(round, BLACK.stroke_width(UNITS.unsigned_abs())))?;
+        }
         self.words(&x_ticks, &y_ticks, canvas)
     }
 
@@ -86,9 +84,18 @@ impl<'a> Frame<'a> {
         match series.style {
             Style::Marks => return shown().try_for_each(|place| mark::draw(canvas, series.index, place)),
             Style::Dots => return shown().try_for_each(|place| mark::dot(canvas, series.index, place)),
-            Style::Line | Style::Thick | Style::Dashed | Style::Dotted | Style::Marked(_) => {}
+            Style::Named => {
+                let named = |(x, y): (i32, i32)| {
+                    write(canvas, &series.name, (x / UNITS, y / UNITS), 15, Anchor::Middle)
+                };
+                return shown().try_for_each(named);
+            }
+            Style::Line | Style::Thick | Style::Dashed | Style::Dotted | Style::Marked(_) | Style::Arrow => {}
         }
         let colour = mark::colour(series.index);
+        if series.style == Style::Arrow {
+            return arrow(canvas, &places, colour);
+        }
         for line in self.clipped(&places) {
             if self.panel.plane.is_some() {
                 let halo = WHITE.stroke_width(6 * UNITS.unsigned_abs());
@@ -178,55 +185,6 @@ impl<'a> Frame<'a> {
     }
 }
 
-/// A line in its style.
-pub(super) fn stroke(canvas: &Canvas<'_>, line: Vec<(i32, i32)>, style: Style, colour: RGBColor) -> Drawn {
-    let width = if style == Style::Thick { 3 * UNITS } else { 3 * UNITS / 2 };
-    let pen = colour.stroke_width(width.unsigned_abs());
-    let (dash, gap) = match style {
-        Style::Dashed => (7 * UNITS, 4 * UNITS),
-        Style::Dotted => (2 * UNITS, 3 * UNITS),
-        Style::Line | Style::Thick | Style::Marked(_) | Style::Marks | Style::Dots => {
-            return canvas.draw(&PathElement::new(line, pen));
-        }
-    };
-    for piece in dashes(&line, f64::from(dash), f64::from(gap)) {
-        canvas.draw(&PathElement::new(piece, pen))?;
-    }
-    Ok(())
-}
-
-/// The dashes along a line.
-fn dashes(line: &[(i32, i32)], dash: f64, gap: f64) -> Vec<Vec<(i32, i32)>> {
-    let (mut pieces, mut piece, mut left, mut on) = (Vec::new(), Vec::new(), dash, true);
-    for pair in line.windows(2) {
-        let [(ax, ay), (bx, by)] = pair else { continue };
-        let (ax, ay, dx, dy) = (f64::from(*ax), f64::from(*ay), f64::from(bx - ax), f64::from(by - ay));
-        let length = dx.hypot(dy);
-        let at = |along: f64| whole((ax + dx * along / length, ay + dy * along / length));
-        let mut along = 0.0;
-        while along < length {
-            let next = (along + left).min(length);
-            if on {
-                if piece.is_empty() {
-                    piece.push(at(along));
-                }
-                piece.push(at(next));
-            }
-            left -= next - along;
-            along = next;
-            // Rounding may leave too little to move on by.
-            if left < 1e-6 {
-                pieces.push(std::mem::take(&mut piece));
-                on = !on;
-                left = if on { dash } else { gap };
-            }
-        }
-    }
-    pieces.push(piece);
-    pieces.retain(|piece| piece.len() > 1);
-    pieces
-}
-
 /// From 0 at the start of an axis to 1 at its end.
 fn share(axis: &Axis, value: f64) -> f64 {
     if axis.logarithmic {
@@ -234,11 +192,6 @@ fn share(axis: &Axis, value: f64) -> f64 {
     } else {
         (value - axis.low) / (axis.high - axis.low)
     }
-}
-
-/// The nearest point of whole units.
-fn whole((x, y): (f64, f64)) -> (i32, i32) {
-    (x.round() as i32, y.round() as i32)
 }
 
 /// The cell about each place: half way to its neighbours, within the frame.
@@ -257,17 +210,11 @@ fn cells(places: &[f64], (low, high): (f64, f64)) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::{cells, dashes};
+    use super::cells;
 
     #[test]
     fn cells_meet_and_stay_within() {
         assert_eq!(cells(&[1.0, 2.0, 4.0], (0.0, 4.5)), [(0.5, 1.5), (1.5, 3.0), (3.0, 4.5)]);
         assert_eq!(cells(&[4.0, 2.0], (0.0, 9.0)), [(5.0, 3.0), (3.0, 1.0)]);
-    }
-
-    #[test]
-    fn dashes_leave_gaps_round_corners() {
-        let line = [(0, 0), (10, 0), (10, 10)];
-        assert_eq!(dashes(&line, 7.0, 5.0), [vec![(0, 0), (7, 0)], vec![(10, 2), (10, 9)]]);
     }
 }

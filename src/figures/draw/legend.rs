@@ -1,6 +1,6 @@
 //! What lines, marks and colours mean, beside the panels so that nothing is covered.
 
-use super::frame::stroke;
+use super::line::stroke;
 use super::shade::{STEPS, shade};
 use super::ticks::ticks;
 use super::{Anchor, Canvas, Drawn, Layout, UNITS, mark, write};
@@ -13,24 +13,12 @@ const LINE: i32 = 22;
 
 /// The legend from an upper left corner down, in pixels.
 pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
-    let mut shown: Vec<&Series> = Vec::new();
-    for series in figure.panels.iter().flat_map(|panel| &panel.series) {
-        if !shown.iter().any(|s| s.name == series.name) {
-            shown.push(series);
-        }
-    }
     let mut y = top;
-    for series in shown {
+    for series in entries(figure) {
         entry(series, (left, y), canvas)?;
         y += LINE;
     }
-    let mut keys: Vec<&Plane> = Vec::new();
-    for plane in figure.panels.iter().filter_map(|panel| panel.plane.as_ref()) {
-        if !keys.iter().any(|k| k.label == plane.label && k.scale == plane.scale) {
-            keys.push(plane);
-        }
-    }
-    for plane in keys {
+    for plane in keys(figure) {
         write(canvas, &plane.label, (left, y + 4), 13, Anchor::Left)?;
         match &plane.scale {
             Scale::Names(names) => y = named(plane, names, (left, y + LINE + 4), canvas)?,
@@ -43,6 +31,43 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
         }
     }
     Ok(())
+}
+
+/// The width that the legend takes, in pixels; seven for a letter.
+pub(super) fn width(figure: &Figure) -> i32 {
+    let letters = |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 16);
+    let series = entries(figure).into_iter().map(|series| 42 + 7 * letters(&series.name));
+    let planes = keys(figure).into_iter().flat_map(|plane| {
+        let names = match &plane.scale {
+            Scale::Names(names) => names.iter().map(|name| letters(name)).max(),
+            Scale::Shades { .. } => Some(8),
+        };
+        [7 * letters(&plane.label), 28 + 7 * names.unwrap_or(0)]
+    });
+    series.chain(planes).max().unwrap_or(0)
+}
+
+/// The series to be told apart, each name once. What is named where it stands, or has no name, is not among them.
+fn entries(figure: &Figure) -> Vec<&Series> {
+    let mut shown: Vec<&Series> = Vec::new();
+    for series in figure.panels.iter().flat_map(|panel| &panel.series) {
+        let in_place = matches!(series.style, Style::Named | Style::Arrow) || series.name.is_empty();
+        if !in_place && !shown.iter().any(|s| s.name == series.name) {
+            shown.push(series);
+        }
+    }
+    shown
+}
+
+/// The planes to be explained, those of one meaning once.
+fn keys(figure: &Figure) -> Vec<&Plane> {
+    let mut keys: Vec<&Plane> = Vec::new();
+    for plane in figure.panels.iter().filter_map(|panel| panel.plane.as_ref()) {
+        if !keys.iter().any(|k| k.label == plane.label && k.scale == plane.scale) {
+            keys.push(plane);
+        }
+    }
+    keys
 }
 
 fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
@@ -64,6 +89,7 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
             stroke(canvas, line, series.style, colour)?;
             mark::draw(canvas, series.index, centre)?;
         }
+        Style::Arrow | Style::Named => {}
     }
     write(canvas, &series.name, (left + 42, y), 13, Anchor::Left)
 }

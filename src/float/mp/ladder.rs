@@ -4,15 +4,24 @@ use super::Mp;
 use crate::float::Float;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
+use num_traits::Pow;
 
 /// A computation generic over the number, to be run at a width that is known only at run time.
 pub trait WithPrecision {
     /// What it comes to.
     type Output;
     /// The computation over `F`.
-    fn run<F: Float + FromStr<Err = super::ParseError> + Display + LowerExp + Debug + Send + Sync + 'static>(
-        self,
-    ) -> Self::Output;
+    fn run<F>(self) -> Self::Output
+    where
+        F: Float
+            + FromStr<Err = super::ParseError>
+            + Pow<F, Output = F>
+            + Display
+            + LowerExp
+            + Debug
+            + Send
+            + Sync
+            + 'static;
 }
 
 /// A number of bits that no width has.

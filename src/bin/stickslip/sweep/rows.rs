@@ -1,7 +1,6 @@
 //! The rows of a sweep, each made from its number alone.
 
-use super::is_csv;
-use crate::args::{SweepArgs, Swept};
+use crate::args::{SweepArgs, SweepFormat, Swept};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
@@ -23,7 +22,7 @@ pub(crate) struct Rows<F> {
 impl<F: Value> Rows<F> {
     /// The rows asked for, once every point is known to have an answer and every column to exist.
     pub(crate) fn new(args: &SweepArgs, omega: Grid<F>, alpha: Grid<F>) -> Result<Self, Failure> {
-        let csv = is_csv(args.format)?;
+        let csv = args.format() == SweepFormat::Csv;
         let rows = Self { question: args.question, omega, alpha, outputs: args.outputs.clone(), csv };
         check(args.question, &rows.omega, &rows.alpha)?;
         let first = rows.full_record(0)?;
@@ -73,7 +72,7 @@ impl<F: Value> Rows<F> {
     }
 
     /// The columns wanted, in the order they were named.
-    fn record(&self, point: u64) -> Result<Record<F>, Failure> {
+    pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
         let mut record = self.full_record(point)?;
         if let Some(outputs) = &self.outputs {
             let named = |wanted: &String| record.fields.iter().find(|(name, _)| name == wanted).copied();

@@ -1,0 +1,51 @@
+//! The arguments of what the closed forms answer.
+
+use super::{ForceArgs, Format, MachineArgs, OutputArgs};
+use clap::Args;
+
+pub(crate) const RESPONSE_EXAMPLES: &str = "\
+Examples:
+  stickslip response --omega 1.5 --alpha 2.5
+  stickslip response --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 12.5 --units kN,m
+  stickslip response --mass 50 --friction 5 --frequency 6.2832 --omega 1.5 --alpha 2.5 --format json
+  stickslip response --points points.csv --format csv";
+
+pub(crate) const BORDER_EXAMPLES: &str = "\
+Examples:
+  stickslip border --omega 0.4
+  stickslip border --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --format json
+  stickslip border --points - --format csv < frequencies.csv";
+
+pub(crate) const VERIFY_EXAMPLES: &str = "\
+Examples:
+  stickslip verify
+  stickslip verify --bits 1024
+  stickslip verify --bits 256 --format json";
+
+#[derive(Debug, Args)]
+pub(crate) struct ResponseArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BorderArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct VerifyArgs {
+    /// Bits of precision (needs a build with the feature mp) [default: 53, f64]
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+}

@@ -1,0 +1,98 @@
+//! The arguments of what the exact motion answers.
+
+use super::{ForceArgs, Format, MachineArgs, OutputArgs, UnitNames};
+use clap::Args;
+
+pub(crate) const STEADY_EXAMPLES: &str = "\
+Examples:
+  stickslip steady --omega 0.4 --alpha 6
+  stickslip steady --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 6 --format json
+  stickslip steady --omega 0.5 --alpha 4 --x0 3 --v0 0.2
+  stickslip steady --points points.csv --format csv";
+
+pub(crate) const SIMULATE_EXAMPLES: &str = "\
+Examples:
+  stickslip simulate --omega 0.4 --alpha 6 --cycles 2
+  stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
+  stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl";
+
+pub(crate) const DECAY_EXAMPLES: &str = "\
+Examples:
+  stickslip decay --x0 12 --v0 6
+  stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json";
+
+/// Where the motion starts, at ω_d t = 0.
+#[derive(Debug, Args)]
+pub(crate) struct StartArgs {
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine [default: 0]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) x0: Option<String>,
+    /// Velocity at the start: in units of B ω_d, or of length per time [default: 0]
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) v0: Option<String>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SteadyArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) start: StartArgs,
+    /// Periods of the drive to follow the motion for before giving up on a limit
+    #[arg(long, value_name = "N", default_value_t = stickslip::exact::DEFAULT_BUDGET)]
+    pub(crate) max_periods: u32,
+    #[command(flatten)]
+    pub(crate) output: OutputArgs,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) start: StartArgs,
+    /// Cycles of the drive to follow
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub(crate) cycles: String,
+    /// Samples in a cycle, evenly spaced, in place of the phases
+    #[arg(long, value_name = "N", allow_hyphen_values = true)]
+    pub(crate) samples: Option<String>,
+    /// text, jsonl or csv
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct DecayArgs {
+    /// Mass m (SI: kg)
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    pub(crate) mass: Option<String>,
+    /// Stiffness k (SI: N/m)
+    #[arg(long, value_name = "K", allow_hyphen_values = true)]
+    pub(crate) stiffness: Option<String>,
+    /// Friction bound r_y (SI: N)
+    #[arg(long, value_name = "RY", allow_hyphen_values = true)]
+    pub(crate) friction: Option<String>,
+    /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) x0: String,
+    /// Velocity at the start: in units of B ω_n, or of length per time
+    #[arg(long, value_name = "V", allow_hyphen_values = true, default_value = "0")]
+    pub(crate) v0: String,
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+    /// Names of the units of force and length in the text answer
+    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
+    pub(crate) units: UnitNames,
+}

@@ -1,0 +1,30 @@
+//! The arguments of completions and manual pages.
+
+use clap::Args;
+use clap_complete::Shell;
+use std::path::PathBuf;
+
+pub(crate) const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  stickslip completions bash > ~/.local/share/bash-completion/completions/stickslip
+  stickslip completions zsh > ~/.zfunc/_stickslip
+  stickslip completions fish > ~/.config/fish/completions/stickslip.fish";
+
+pub(crate) const MAN_EXAMPLES: &str = "\
+Examples:
+  stickslip man | man -l -
+  stickslip man --out ~/.local/share/man/man1";
+
+#[derive(Debug, Args)]
+pub(crate) struct CompletionsArgs {
+    /// Which shell
+    #[arg(value_enum, value_name = "SHELL")]
+    pub(crate) shell: Shell,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ManArgs {
+    /// A folder for the pages of all commands [default: the first page alone, to standard output]
+    #[arg(long, value_name = "DIR")]
+    pub(crate) out: Option<PathBuf>,
+}

@@ -1,0 +1,106 @@
+//! The cells of an output, gathered until they are written.
+
+use crate::bits::Value;
+use crate::record::Cell;
+use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::writer::ColumnWriter;
+use parquet::data_type::ByteArray;
+use parquet::errors::ParquetError;
+use parquet::schema::types::Type;
+
+/// A column of the file: values where there are some, and for each row whether there is one, as 1 or 0.
+pub(super) struct Column {
+    name: String,
+    values: Values,
+    there: Vec<i16>,
+    bytes: usize,
+}
+
+enum Values {
+    Doubles(Vec<f64>),
+    Counts(Vec<i64>),
+    /// Names, and numbers of more digits than a double has.
+    Texts(Vec<ByteArray>),
+}
+
+impl Column {
+    /// The column of the cells that are like this one.
+    pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
+        let values = match cell {
+            Cell::Number(_) | Cell::Pairs(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
+                Values::Doubles(Vec::new())
+            }
+            Cell::Count(_) => Values::Counts(Vec::new()),
+            Cell::Number(_) | Cell::Pairs(_) | Cell::Text(_) => Values::Texts(Vec::new()),
+        };
+        Self { name, values, there: Vec::new(), bytes: 0 }
+    }
+
+    /// Its place in the file's schema.
+    pub(super) fn field(&self) -> Result<Type, ParquetError> {
+        let (physical, logical) = match self.values {
+            Values::Doubles(_) => (Physical::DOUBLE, None),
+            Values::Counts(_) => (Physical::INT64, None),
+            Values::Texts(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
+        };
+        Type::primitive_type_builder(&self.name, physical)
+            .with_repetition(Repetition::OPTIONAL)
+            .with_logical_type(logical)
+            .build()
+    }
+
+    pub(super) fn push<F: Value>(&mut self, cell: &Cell<F>) {
+        let before = self.len();
+        match (&mut self.values, cell) {
+            (Values::Doubles(values), Cell::Number(number)) => values.extend(number.map(F::to_f64)),
+            (Values::Counts(values), Cell::Count(count)) => {
+                values.extend(count.and_then(|n| i64::try_from(n).ok()));
+            }
+            (Values::Texts(values), Cell::Number(Some(_)) | Cell::Text(_)) => {
+                let text = cell.text();
+                self.bytes += text.len();
+                values.push(text.into_bytes().into());
+            }
+            // Nothing there: the columns are made of the cells of the first row, and every row has the same kinds.
+            _ => {}
+        }
+        self.bytes += 10;
+        self.there.push(i16::from(self.len() > before));
+    }
+
+    fn len(&self) -> usize {
+        match &self.values {
+            Values::Doubles(values) => values.len(),
+            Values::Counts(values) => values.len(),
+            Values::Texts(values) => values.len(),
+        }
+    }
+
+    /// Memory, about.
+    pub(super) const fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    /// Writes the rows and forgets them.
+    pub(super) fn write(&mut self, writer: &mut ColumnWriter<'_>) -> Result<(), ParquetError> {
+        let there = Some(self.there.as_slice());
+        match (&mut self.values, writer) {
+            (Values::Doubles(values), ColumnWriter::DoubleColumnWriter(writer)) => {
+                writer.write_batch(values, there, None)?;
+                values.clear();
+            }
+            (Values::Counts(values), ColumnWriter::Int64ColumnWriter(writer)) => {
+                writer.write_batch(values, there, None)?;
+                values.clear();
+            }
+            (Values::Texts(values), ColumnWriter::ByteArrayColumnWriter(writer)) => {
+                writer.write_batch(values, there, None)?;
+                values.clear();
+            }
+            _ => return Err(ParquetError::General(format!("column {}: of another kind", self.name))),
+        }
+        self.there.clear();
+        self.bytes = 0;
+        Ok(())
+    }
+}
