@@ -12,7 +12,7 @@
 //! | file | what |
 //! |---|---|
 //! | [`DrivePhase`] | the phase of the drive, reduced |
-//! | `equation`, `motion`, [`Slide`] | sliding in closed form, smooth through Ω = 1 |
+//! | `equation`, `motion`, [`Slide`], `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
 //! | [`Stick`] | sticking, and when friction gives way |
 //! | `event`, `stretch`, `velocity_zero` | the next velocity zero, never missed |
 //! | `expect` | where it is looked for first |
@@ -41,6 +41,7 @@ mod motion;
 mod rest;
 mod samples;
 mod shooting;
+mod short;
 mod slide;
 mod state;
 mod steady;

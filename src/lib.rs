@@ -62,6 +62,7 @@
 //! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::random`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
 //! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
+//! * `generators`: inputs that are hard on purpose, for property tests and fuzzing of what uses this library (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
 //!   `Mp` too with `mp`.
 
@@ -85,6 +86,8 @@ pub mod exact;
 #[cfg(feature = "figures")]
 pub mod figures;
 pub mod float;
+#[cfg(feature = "generators")]
+pub mod generators;
 pub mod nonsticking;
 mod oscillator;
 mod output;

@@ -4,9 +4,12 @@ mod invariants;
 #[path = "invariants/motion.rs"]
 mod motion;
 
+use arbitrary::Unstructured;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
+use std::fmt::Debug;
 use stickslip::Border;
+use stickslip::generators::{Machine, Point, Question, Start};
 
 /// What fuzzing has found, kept.
 #[test]
@@ -22,12 +25,24 @@ fn findings() {
     );
 }
 
+/// Values of a type of `stickslip::generators`.
+fn hard<T: for<'a> arbitrary::Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
+    prop::collection::vec(any::<u8>(), 0..96)
+        .prop_filter_map("bytes", |bytes| T::arbitrary(&mut Unstructured::new(&bytes)).ok())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
     #[test]
     fn any_three_numbers(omega in ANY, alpha in ANY, phase in ANY) {
         invariants::closed_forms(omega, alpha, phase);
+    }
+
+    #[test]
+    fn any_hard_point(point in hard::<Point>(), phase in -700.0..700.0) {
+        invariants::closed_forms(point.omega, point.alpha, phase);
+        invariants::closed_forms(point.omega, point.alpha.next_down(), phase);
     }
 
     #[test]
@@ -38,14 +53,6 @@ proptest! {
     }
 
     #[test]
-    fn beside_a_whole_quotient(n in 1u32..60, bits in -60i64..60, over in 0.0..3.0, phase in -7.0..7.0) {
-        let omega = f64::from_bits((1.0 / f64::from(n)).to_bits().wrapping_add_signed(bits));
-        let least = Border::new(omega).unwrap().min_force_ratio();
-        invariants::closed_forms(omega, least * 2f64.powf(over), phase);
-        invariants::closed_forms(omega, least.next_down(), phase);
-    }
-
-    #[test]
     fn any_machine(numbers in prop::array::uniform5(ANY), base in any::<bool>()) {
         let [m, k, r, p, w] = numbers.map(f64::abs);
         invariants::physical_units(m, k, r, p, w, base);
@@ -53,8 +60,20 @@ proptest! {
     }
 
     #[test]
+    fn any_hard_machine(m in hard::<Machine>()) {
+        invariants::physical_units(m.mass, m.stiffness, m.friction_bound, m.amplitude, m.frequency, m.base);
+    }
+
+    #[test]
     fn any_motion(numbers in prop::array::uniform5(ANY)) {
         let [omega, alpha, theta, x, v] = numbers;
+        motion::trajectory(omega, alpha, theta, x, v);
+        motion::long_run(omega, alpha, theta, x, v);
+    }
+
+    #[test]
+    fn any_hard_motion(start in hard::<Start>()) {
+        let Start { point: Point { omega, alpha }, theta, x, v } = start;
         motion::trajectory(omega, alpha, theta, x, v);
         motion::long_run(omega, alpha, theta, x, v);
     }
@@ -68,5 +87,10 @@ proptest! {
     #[test]
     fn any_question(e in -8.0..6.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0) {
         motion::questions(2f64.powf(e), 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
+    }
+
+    #[test]
+    fn any_hard_question(q in hard::<Question>()) {
+        motion::questions(q.point.omega, q.target, q.point.alpha, q.low, q.high);
     }
 }

@@ -1,5 +1,6 @@
 //! Inputs that trip the obvious code and are ordinary here: the floats beside Ω = 1 and 1/n, huge and tiny ratios.
 
+use stickslip::generators::neighbours;
 use stickslip::nonsticking::{self, matching};
 use stickslip::{Border, Cycle, Error, PhaseFunction, Ratios, Regime, Response};
 
@@ -7,22 +8,10 @@ fn response(omega: f64, alpha: f64) -> Response<f64> {
     Response::new(Ratios::new(omega, alpha).unwrap())
 }
 
-/// `omega` and the `n` floats on either side of it.
-fn around(omega: f64, n: usize) -> Vec<f64> {
-    let mut all = vec![omega];
-    let (mut below, mut above) = (omega, omega);
-    for _ in 0..n {
-        below = below.next_down();
-        above = above.next_up();
-        all.extend([below, above]);
-    }
-    all
-}
-
 #[test]
 fn every_float_beside_one_has_its_answer() {
     let four_over_pi = 4.0 / std::f64::consts::PI;
-    for omega in around(1.0, 50) {
+    for omega in neighbours(1.0, 50) {
         let answer = response(omega, 1.5);
         assert!((answer.border().min_force_ratio() - four_over_pi).abs() < 1e-14);
         if omega == 1.0 {
@@ -56,7 +45,7 @@ fn at_one_the_regime_depends_on_four_over_pi() {
 #[test]
 fn every_float_beside_a_pole_has_its_border() {
     for n in [3.0f64, 5.0, 7.0, 9.0, 101.0] {
-        for omega in around(1.0 / n, 20) {
+        for omega in neighbours(1.0 / n, 20) {
             // No double is 1/n: the distance 1 − nΩ is exact, and K ≈ −(1 − Ω²)·2/(π(1 − nΩ)).
             let rest = (-n).mul_add(omega, 1.0);
             assert!(rest != 0.0);
@@ -77,7 +66,7 @@ fn every_float_beside_a_pole_has_its_border() {
 #[test]
 fn every_float_beside_a_zero_of_k_has_its_border() {
     for n in [2.0f64, 4.0, 6.0, 100.0] {
-        for omega in around(1.0 / n, 20) {
+        for omega in neighbours(1.0 / n, 20) {
             let border = Border::new(omega).unwrap();
             let limit = 1.0 / (omega * omega) - 1.0;
             assert!((border.min_force_ratio() / limit - 1.0).abs() < 1e-12, "{omega:e}");

@@ -1,10 +1,12 @@
-//! Any three doubles as Ω, α and a phase.
+//! Ω, α and a phase.
 #![no_main]
 
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
 
-libfuzzer_sys::fuzz_target!(|input: (f64, f64, f64)| {
-    let (omega, alpha, phase) = input;
+use stickslip::generators::Point;
+
+libfuzzer_sys::fuzz_target!(|input: (Point, f64)| {
+    let (Point { omega, alpha }, phase) = input;
     invariants::closed_forms(omega, alpha, phase);
 });

@@ -1,10 +1,11 @@
-//! Any doubles as what the questions asked backwards are asked with.
+//! What the questions asked backwards are asked with.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]
 mod motion;
 
-libfuzzer_sys::fuzz_target!(|input: [f64; 5]| {
-    let [omega, target, alpha, low, high] = input;
-    motion::questions(omega, target, alpha, low, high);
+use stickslip::generators::Question;
+
+libfuzzer_sys::fuzz_target!(|q: Question| {
+    motion::questions(q.point.omega, q.target, q.point.alpha, q.low, q.high);
 });

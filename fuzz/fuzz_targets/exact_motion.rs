@@ -1,11 +1,12 @@
-//! Any doubles as Ω, α and a state: the motion from there and what it tends to.
+//! Ω, α and a state: the motion from there.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]
 mod motion;
 
-libfuzzer_sys::fuzz_target!(|input: [f64; 5]| {
-    let [omega, alpha, theta, x, v] = input;
+use stickslip::generators::{Point, Start};
+
+libfuzzer_sys::fuzz_target!(|start: Start| {
+    let Start { point: Point { omega, alpha }, theta, x, v } = start;
     motion::trajectory(omega, alpha, theta, x, v);
-    motion::long_run(omega, alpha, theta, x, v);
 });

@@ -1,10 +1,11 @@
-//! Any doubles as mass, stiffness, friction bound, amplitude and frequency.
+//! Mass, stiffness, friction bound, amplitude and frequency.
 #![no_main]
 
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
 
-libfuzzer_sys::fuzz_target!(|input: ([f64; 5], bool)| {
-    let ([mass, stiffness, friction_bound, amplitude, frequency], base) = input;
-    invariants::physical_units(mass, stiffness, friction_bound, amplitude, frequency, base);
+use stickslip::generators::Machine;
+
+libfuzzer_sys::fuzz_target!(|m: Machine| {
+    invariants::physical_units(m.mass, m.stiffness, m.friction_bound, m.amplitude, m.frequency, m.base);
 });

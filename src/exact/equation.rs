@@ -40,12 +40,9 @@ impl<F: Float> Equation<F> {
     /// The circular functions and the quotients C, S, D of `slide` at φ.
     #[inline]
     pub(crate) fn waves(&self, phi: F) -> Waves<F> {
-        let (sp, cp) = (self.half_sum * phi).sin_cos();
-        let (sm, cm) = (self.half_difference * phi).sin_cos();
         let one = F::int(1);
+        let Parts { p: (sp, cp), sin_m: sm, free, drive } = self.parts(phi);
         let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
-        let free = (sp * cm + cp * sm, cp * cm - sp * sm);
-        let drive = (sp * cm - cp * sm, cp * cm + sp * sm);
         let qc = q * cp;
         let s = if self.omega < one { drive.0 - self.omega * qc } else { free.0 - qc };
         Waves {
@@ -57,7 +54,26 @@ impl<F: Float> Equation<F> {
         }
     }
 
-    /// The same at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1: there `m = β − π/2` and `p = m + π`.
+    /// (sin, cos) of p, φ and Ωφ, and sin m, from those of two angles.
+    ///
+    /// Beside Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and their halves are.
+    #[inline]
+    fn parts(&self, phi: F) -> Parts<F> {
+        let (one, two) = (F::int(1), F::int(2));
+        let sum = |(s, c): (F, F), (t, d): (F, F)| (s * d + c * t, c * d - s * t);
+        let opposite = |(s, c): (F, F)| (-s, c);
+        if self.omega * two >= one && self.omega <= two {
+            let (p, m) = ((self.half_sum * phi).sin_cos(), (self.half_difference * phi).sin_cos());
+            return Parts { p, sin_m: m.0, free: sum(p, m), drive: sum(p, opposite(m)) };
+        }
+        let half = phi / two;
+        let (free, drive) = (half.sin_cos(), (self.omega * half).sin_cos());
+        let p = sum(free, drive);
+        let (sin_m, _) = sum(free, opposite(drive));
+        Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
+    }
+
+    /// [`Equation::waves`] at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1: there `m = β − π/2` and `p = m + π`.
     #[inline]
     pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
@@ -71,6 +87,14 @@ impl<F: Float> Equation<F> {
             d: qc * self.per_one_plus,
         }
     }
+}
+
+/// (sin, cos) of `p = (1 + Ω)φ/2`, φ and Ωφ, and the sine of `m = (1 − Ω)φ/2`.
+struct Parts<F> {
+    p: (F, F),
+    sin_m: F,
+    free: (F, F),
+    drive: (F, F),
 }
 
 /// The circular functions and quotients of `slide` at one time.

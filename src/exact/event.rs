@@ -88,6 +88,17 @@ pub(crate) struct Search<F> {
     pub(crate) safe: Option<Safe<F>>,
     /// What rounding can make of a zero of f.
     pub(crate) noise: F,
+    /// The same at a short time: the coefficients of 1, φ, φ², φ³.
+    pub(crate) short_noise: Option<[F; 4]>,
+}
+
+impl<F: Float> Search<F> {
+    /// What rounding can make of a zero of f at φ.
+    pub(crate) fn noise_at(&self, phi: F) -> F {
+        let Some([a, b, c, d]) = self.short_noise else { return self.noise };
+        let short = a + phi * (b + phi * (c + phi * d));
+        if short < self.noise { short } else { self.noise }
+    }
 }
 
 /// What a stretch turned out to hold: a zero, or none, with the function at its end where that was evaluated.

@@ -128,6 +128,7 @@ impl<F: Float> Slide<F> {
             hint: to - at,
             safe: None,
             noise,
+            short_noise: None,
         }
     }
 }

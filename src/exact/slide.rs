@@ -19,8 +19,7 @@
 //!
 //! of which only q is a quotient of small numbers, both known to full relative accuracy; q(Ω = 1) = φ. The first form
 //! of S is used below Ω = 1 and the second above, where each has no cancellation. The terms are those that vanish
-//! with φ, so that neither a short slide nor a high frequency costs digits. A long slide at a low frequency is written as a
-//! slow and a fast wave instead.
+//! with φ. A short slide is written as a power series (`short`), and a long one at a low frequency as a slow and a fast wave.
 
 use super::drive::DrivePhase;
 use super::equation::{Equation, Waves};
@@ -108,6 +107,17 @@ impl<F: Float> Slide<F> {
         Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
     }
 
+    /// Whether it begins at rest with the force at the friction bound.
+    pub(crate) fn begins_at_bound(&self) -> bool {
+        self.w == F::int(0) && self.acceleration == F::int(0)
+    }
+
+    /// (sin θ_i, cos θ_i).
+    #[inline]
+    pub(crate) const fn sin_cos_start(&self) -> (F, F) {
+        (self.sin_start, self.cos_start)
+    }
+
     /// The direction of motion.
     pub const fn direction(&self) -> Direction {
         self.direction
@@ -126,6 +136,9 @@ impl<F: Float> Slide<F> {
     /// The motion at natural time φ after the start.
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
+        if self.is_short(phi) {
+            return self.short(phi);
+        }
         if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
             return self.slow_and_fast(phi);
         }

@@ -20,8 +20,17 @@ pub struct Stick<F> {
 impl<F: Float> Stick<F> {
     /// The stop at x from the phase `start` on, where `|α sin θ − x| ≤ 1` to within rounding.
     pub(crate) fn new(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
-        let forward = release(equation.alpha, start, x, Direction::Forward);
-        let backward = release(equation.alpha, start, x, Direction::Backward);
+        Self::until(equation, start, x, false)
+    }
+
+    /// The same, where the force is at its bound and about to fall: the next release is in another half turn.
+    pub(crate) fn held(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
+        Self::until(equation, start, x, true)
+    }
+
+    fn until(equation: Equation<F>, start: DrivePhase<F>, x: F, falling: bool) -> Self {
+        let forward = release(equation.alpha, start, x, Direction::Forward, falling);
+        let backward = release(equation.alpha, start, x, Direction::Backward, falling);
         let first = match (forward, backward) {
             (Some(f), Some(b)) if b.since(f) < F::int(0) => Some((b, Direction::Backward)),
             (Some(f), _) => Some((f, Direction::Forward)),
@@ -55,8 +64,14 @@ pub(crate) fn force_rounding<F: Float>(alpha: F, x: F) -> F {
 ///
 /// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + 1` with cos θ > 0 has one
 /// solution in each even half turn, where y < α. A maximum of the force that exceeds the bound by no more than its
-/// rounding moves the body by nothing that x can resolve, and does not count.
-fn release<F: Float>(alpha: F, now: DrivePhase<F>, x: F, direction: Direction) -> Option<DrivePhase<F>> {
+/// rounding moves the body by nothing that x can resolve, and does not count. `falling`: nor does the present half turn.
+fn release<F: Float>(
+    alpha: F,
+    now: DrivePhase<F>,
+    x: F,
+    direction: Direction,
+    falling: bool,
+) -> Option<DrivePhase<F>> {
     let y = F::int(1) + direction.sign::<F>() * x;
     let rounding = force_rounding(alpha, x);
     let exceeds = alpha - y > rounding;
@@ -69,6 +84,9 @@ fn release<F: Float>(alpha: F, now: DrivePhase<F>, x: F, direction: Direction) -
     let rises = now.is_even() == (direction == Direction::Forward);
     if !rises {
         return Some(DrivePhase::of_half_turn(now.half_turns() + 1, angle));
+    }
+    if falling {
+        return Some(DrivePhase::of_half_turn(now.half_turns() + 2, angle));
     }
     // Within rounding of the bound and rising: now.
     let force = alpha * now.angle().sin();

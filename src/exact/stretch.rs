@@ -248,7 +248,8 @@ fn dip<F: Float, M: Copy>(
         let (jet, motion) = f(phi);
         // How far below this point the dip can be: f′²/2f″.
         let depth = jet.first.square() / (two * jet.second);
-        if jet.value.abs() <= search.noise && depth <= search.noise {
+        let noise = search.noise_at(phi);
+        if jet.value.abs() <= noise && depth <= noise {
             return Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true });
         }
         if jet.value < F::int(0) {

@@ -160,13 +160,22 @@ impl<F: Float> Next<F> {
     }
 
     /// What follows a velocity zero, and the name of what happens there.
+    ///
+    /// A slide can be too short for its phase to move, and what follows begins at the same phase. A body that was let go there
+    /// is held until the force rises again, so that **no more than three slides** begin at a phase: one that a speed next to
+    /// nothing carries on, one back, one let go.
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);
-        if zero.grazes {
+        // A velocity that touches zero has a minimum there.
+        if zero.grazes && direction.sign::<F>() * zero.jerk > F::int(0) {
             return (Self::Slide(Slide::released(equation, zero.phase, zero.x, direction)), End::Grazing);
         }
-        let next = Self::at_rest(equation, zero.phase, zero.x);
+        let next = if zero.phase.since(slide.start) <= F::int(0) && slide.begins_at_bound() {
+            Self::Stick(Stick::held(equation, zero.phase, zero.x))
+        } else {
+            Self::at_rest(equation, zero.phase, zero.x)
+        };
         let end = match &next {
             Self::Slide(s) if s.direction == direction => End::Grazing,
             Self::Slide(_) => End::Reversal,

@@ -56,6 +56,7 @@ impl<F: Float> Slide<F> {
     #[inline]
     fn velocity_search(&self, hint: F, limit: Option<F>) -> Search<F> {
         let sign = self.direction.sign::<F>();
+        let unit = F::int(4) * F::epsilon();
         Search {
             omega: self.equation.omega,
             angle: self.start.angle(),
@@ -64,7 +65,8 @@ impl<F: Float> Slide<F> {
             limit,
             hint,
             safe: self.safe_window(),
-            noise: F::int(4) * F::epsilon() * self.velocity_scale(),
+            noise: unit * self.velocity_scale(),
+            short_noise: Some(self.short_velocity_scale().map(|term| unit * term)),
         }
     }
 
@@ -80,17 +82,9 @@ impl<F: Float> Slide<F> {
         let jerk = m.jerk + h * fourth;
         let (s, c) = m.rotation;
         let rotation = (s + h * (c - half * (s + third * c)), c - h * (s + half * (c - third * s)));
-        let phase = self.start.advanced(self.equation.omega * (at + h));
-        // A slide too short for its phase to move ends where the half turn does.
-        let stands = phase.since(self.start) <= F::int(0);
-        let quarter = F::pi() / F::int(2);
         VelocityZero {
             phi: at + h,
-            phase: if stands {
-                DrivePhase::of_half_turn(self.start.half_turns() + 1, -quarter)
-            } else {
-                phase
-            },
+            phase: self.start.advanced(self.equation.omega * (at + h)),
             x,
             acceleration,
             jerk,

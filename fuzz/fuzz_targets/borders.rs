@@ -1,0 +1,11 @@
+//! Ω: what depends on it alone, at f64 against 512 bits.
+#![no_main]
+
+#[path = "../../tests/invariants/rounded.rs"]
+mod rounded;
+
+use stickslip::generators::Point;
+
+libfuzzer_sys::fuzz_target!(|point: Point| {
+    rounded::borders(point.omega);
+});

@@ -1,0 +1,127 @@
+//! A command line and a file of points: what the command makes of them, short of answers that take long.
+//!
+//! The command's own modules are compiled in; what one of them comes to use has to be named here.
+#![no_main]
+
+#[path = "../../src/bin/stickslip"]
+mod command {
+    pub(crate) mod args;
+    pub(crate) mod bits;
+    pub(crate) mod border;
+    pub(crate) mod decay;
+    pub(crate) mod design;
+    pub(crate) mod failure;
+    pub(crate) mod grid;
+    pub(crate) mod input;
+    pub(crate) mod interrupt;
+    pub(crate) mod note;
+    pub(crate) mod points;
+    pub(crate) mod progress;
+    pub(crate) mod record;
+    pub(crate) mod response;
+    pub(crate) mod sink;
+}
+
+use clap::Parser;
+use command::args::{Command, CommandLine, OutputArgs, Question};
+use command::{
+    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, progress, record, response,
+    sink,
+};
+use failure::Failure;
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+/// Where the points of a run go.
+static POINTS: LazyLock<PathBuf> =
+    LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-fuzz-{}.csv", std::process::id())));
+
+/// Has the points read from the input instead of the file named.
+fn redirect(output: &mut OutputArgs, content: &[u8]) {
+    if output.points.is_some() {
+        std::fs::write(&*POINTS, content).expect("a temporary file");
+        output.points = Some(POINTS.clone());
+    }
+}
+
+/// Runs a parsed command into `out`; `None` where that could take long.
+fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failure::Outcome> {
+    Some(match command {
+        Command::Response(args) => {
+            redirect(&mut args.output, content);
+            response::run(args, out)
+        }
+        Command::Border(args) => {
+            redirect(&mut args.output, content);
+            border::run(args, out)
+        }
+        Command::Decay(args) => decay::run(args, out),
+        // As many bands as the range has, and searches, are not short.
+        Command::Design(Question::Bands(_) | Question::Dissipation(_) | Question::Stiffness(_)) => return None,
+        Command::Design(question) => design::run(question, out),
+        Command::Sweep(args) => {
+            let omega = grid::Grid::<f64>::parse("--omega", &args.omega);
+            return check_grid(omega);
+        }
+        Command::Map(args) => return check_grid(grid::Grid::<f64>::parse("--alpha", &args.alpha)),
+        Command::Steady(_)
+        | Command::Simulate(_)
+        | Command::Verify(_)
+        | Command::Figure(_)
+        | Command::Figures(_) => return None,
+    })
+}
+
+/// A grid has its own ends, and nothing outside of them.
+fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome> {
+    let grid = match grid {
+        Ok(grid) => grid,
+        Err(failure) => return Some(Err(failure)),
+    };
+    let bounds = grid.bounds();
+    let (low, high) = bounds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+    assert!(grid.len() >= 1 && low.is_finite() && high.is_finite());
+    for place in [0, 1, grid.len() / 2, grid.len() - 1] {
+        let value = grid.value(place.min(grid.len() - 1));
+        let slack = 1e-9 * (low.abs() + high.abs());
+        assert!(value >= low - slack && value <= high + slack, "{value:e} of {low:e}:{high:e}");
+    }
+    None
+}
+
+/// A failure is one line that says something.
+fn is_one_line(failure: &Failure) {
+    let text = failure.to_string();
+    assert!(!text.trim().is_empty());
+    assert!(!matches!(failure, Failure::System(_)), "{text}");
+}
+
+libfuzzer_sys::fuzz_target!(|input: &[u8]| {
+    // The command line up to a NUL, its words apart by white space; what follows is the file of points.
+    let (line, content) = match input.iter().position(|byte| *byte == 0) {
+        Some(end) => (&input[..end], &input[end + 1..]),
+        None => (input, &[][..]),
+    };
+    let Ok(line) = std::str::from_utf8(line) else { return };
+    let words = std::iter::once("stickslip").chain(line.split_whitespace());
+    let mut parsed = match CommandLine::try_parse_from(words) {
+        Ok(parsed) => parsed,
+        Err(error) => return is_one_line(&Failure::from(error)),
+    };
+    let mut out = Vec::new();
+    match run(&mut parsed.command, content, &mut out) {
+        None => {}
+        Some(Ok(())) => {
+            let text = std::str::from_utf8(&out).expect("text");
+            assert!(!text.contains("NaN") || line.contains("--format"), "{text}");
+            if line.contains("--format json ") {
+                serde_json::from_str::<serde_json::Value>(text).expect("JSON");
+            }
+        }
+        Some(Err(failure)) => {
+            is_one_line(&failure);
+            // The rows before a bad one are whole.
+            assert!(out.is_empty() || out.ends_with(b"\n"));
+        }
+    }
+});

@@ -1,0 +1,75 @@
+//! Frequency and force ratios, and what a cycle is asked to reach.
+
+use super::numbers::{any_bits, beside, magnitude, ordinary};
+use crate::nonsticking::{Border, max_velocity_from_displacement};
+use crate::phase_function::PhaseFunction;
+use arbitrary::{Arbitrary, Result, Unstructured};
+use std::f64::consts::{PI, SQRT_2};
+
+/// Ω of the least border of all.
+const LEAST_BORDER: f64 = 0.849_158_848_834_442;
+
+/// A frequency ratio: any bits, any magnitude, ordinary, or beside one of the places of the module's table.
+///
+/// # Errors
+/// As for [`any_bits`].
+pub fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
+    let place = match u.int_in_range(0..=9)? {
+        0 => return any_bits(u),
+        1 => return ordinary(u, -6.0, 6.0).map(f64::exp2),
+        2 => return ordinary(u, -251.0, 251.0).map(f64::exp2),
+        3 | 4 => 1.0,
+        5 => 1.0 / (1.0 + f64::from(u8::arbitrary(u)?)),
+        6 => 1.0 / (1.0 + 2.0 * f64::from(u8::arbitrary(u)?)),
+        7 => 1.0 / (1.0 + f64::from(u16::arbitrary(u)?)),
+        8 => *u.choose(&[0.5, LEAST_BORDER, 2.0, 1e-3, 1e3])?,
+        _ => {
+            let end = f64::exp2(f64::from(*u.choose(&[20u8, 250, 64, 10])?));
+            if bool::arbitrary(u)? { end } else { 1.0 / end }
+        }
+    };
+    beside(u, place)
+}
+
+/// A force ratio to go with an Ω, which need not be valid.
+///
+/// # Errors
+/// As for [`any_bits`].
+pub fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
+    let kind = u.int_in_range(0..=11)?;
+    let place = match kind {
+        0 => return any_bits(u),
+        1 => return magnitude(u),
+        2 => return ordinary(u, -1.0, 8.0).map(f64::exp2),
+        3 => 1.0,
+        4 => 4.0 / PI,
+        _ => {
+            let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };
+            let border = Border::at(&p);
+            match kind {
+                5 => p.value().abs(),
+                6 => SQRT_2 * p.value().abs(),
+                7 => border.turning_point(),
+                8 | 9 => border.min_force_ratio(),
+                _ => border.min_force_ratio() * ordinary(u, 0.0, 8.0)?.exp2(),
+            }
+        }
+    };
+    beside(u, place)
+}
+
+/// A maximum displacement or velocity: what the border leads to at that Ω, more than that, or of any magnitude.
+pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
+    let kind = u.int_in_range(0..=4)?;
+    let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };
+    let border = Border::at(&p);
+    let place = match kind {
+        0 => return magnitude(u),
+        1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
+        2 => border.least_displacement(),
+        // Infinite or NaN at Ω = 1, where no steady motion has a greatest velocity.
+        3 => max_velocity_from_displacement(&p, border.least_displacement()).0 / omega,
+        _ => border.least_displacement() * ordinary(u, 0.0, 12.0)?.exp2(),
+    };
+    beside(u, place)
+}

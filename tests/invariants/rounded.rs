@@ -1,0 +1,46 @@
+//! f64 against 512 bits: what is computed at f64 is the exact value, rounded, to within its documented error.
+
+#![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
+
+use stickslip::float::mp::Mp;
+use stickslip::{Border, Float, PhaseFunction, Real};
+
+/// 512 bits.
+type Exact = Mp<8>;
+
+/// The documented accuracy of the border and of K at f64, relative.
+const ACCURACY: f64 = 1e-14;
+
+/// The distance of `ours` from `exact`, relative to the latter.
+fn error(ours: f64, exact: Exact) -> f64 {
+    if exact.is_zero() { ours.abs() } else { ((Exact::from(ours) - exact) / exact).abs().to_f64() }
+}
+
+/// What depends on Ω alone.
+///
+/// # Panics
+/// Where a value at f64 is not that of 512 bits to within its accuracy: that is the finding.
+pub(crate) fn borders(omega: f64) {
+    let Ok(p) = PhaseFunction::new(omega) else {
+        assert!(Border::new(omega).is_err());
+        return;
+    };
+    let exact_p = PhaseFunction::new(Exact::from(omega)).unwrap();
+    let (ours, exact) = (Border::new(omega).unwrap(), Border::new(Exact::from(omega)).unwrap());
+    let close = |name: &str, ours: f64, exact: Exact| {
+        assert!(ours.is_finite(), "{name} at Ω = {omega:e}: {ours:e}");
+        let error = error(ours, exact);
+        assert!(error <= ACCURACY, "{name} at Ω = {omega:e}: {ours:e} for {:e}, off by {error:e}", exact.to_f64());
+    };
+    close("K", p.value(), exact_p.value());
+    close("α_min", ours.min_force_ratio(), exact.min_force_ratio());
+    close("eq. 61", ours.turning_point(), exact.turning_point());
+    close("S", ours.least_displacement(), exact.least_displacement());
+    // Where the two touch, the phase is that of one or the other.
+    if (exact.min_force_ratio() - exact.turning_point()).to_f64() > ACCURACY * exact.turning_point().to_f64() {
+        let apart = (Exact::from(ours.phase()) - exact.phase()).abs().to_f64();
+        // As the supremum is flat there, the phase keeps fewer digits beside a pole or a zero of T.
+        assert!(apart <= 1e-6 || ours.phase().min(std::f64::consts::PI - ours.phase()) < 1e-6, "τ* at Ω = {omega:e}");
+    }
+    assert!(Exact::pi() > Exact::from(ours.phase()));
+}
