@@ -324,7 +324,7 @@ fn bits_give_all_the_digits_of_the_reference() {
     }
     // Some are short because they are whole numbers.
     assert!(long > 150, "{long} answers with all digits");
-    assert!(stdout("verify --bits 192").contains("192 bits"));
+    assert!(stdout("verify --bits 192").contains("256 bits"));
     let csv = stdout("response --points tests/data/points.csv --format csv --bits 128");
     assert_eq!(csv.lines().count(), 18);
 }
