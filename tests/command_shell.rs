@@ -55,9 +55,15 @@ fn the_examples_in_help_are_understood() {
 
 #[test]
 fn completions_know_the_commands_and_the_figures() {
-    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
+    for (shell, own) in [
+        ("bash", "complete -F _stickslip"),
+        ("zsh", "#compdef stickslip"),
+        ("fish", "complete -c stickslip"),
+        ("elvish", "edit:completion:arg-completer[stickslip]"),
+        ("powershell", "Register-ArgumentCompleter"),
+    ] {
         let script = stdout(&format!("completions {shell}"));
-        for due in COMMANDS.iter().chain(&["base-motion"]) {
+        for due in COMMANDS.iter().chain(&["base-motion", own]) {
             assert!(script.contains(due), "{shell}: {due}");
         }
         // The others complete no values of arguments without a name.
@@ -127,4 +133,19 @@ fn quiet_leaves_the_answers_and_the_errors() {
         assert_eq!(stdout(&format!("-q {arguments}")), stdout(arguments));
     }
     refused("response --omega 0 --alpha 2 -q", &["--omega 0", "> 0"]);
+}
+
+/// On a terminal, which `script` is for a command, a sweep shows how far it is unless it is to be quiet.
+#[cfg(target_os = "linux")]
+#[test]
+fn progress_is_shown_on_a_terminal_and_can_be_silenced() {
+    let command = assert_cmd::cargo::cargo_bin!("stickslip").display();
+    let shown = |option: &str| {
+        let line = format!("{command} sweep border --omega 0.5:2:5 --outputs omega {option} > /dev/null");
+        let found = std::process::Command::new("script").args(["-qec", &line, "/dev/null"]).output().unwrap();
+        assert!(found.status.success(), "{found:?}");
+        String::from_utf8(found.stdout).unwrap()
+    };
+    assert!(shown("").contains("/5 points"), "{:?}", shown(""));
+    assert_eq!(shown("--quiet"), "");
 }
