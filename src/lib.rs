@@ -1,11 +1,9 @@
 //! The harmonically forced Coulomb-friction oscillator
 //!
-//! ```text
-//! m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t          (eq. 1)
-//! ```
+#![doc = include_str!("formulae/motion.html")]
 //!
 //! in closed form: whether the body sticks, how far and how fast it moves and when, how much force keeps
-//! it from sticking, how much it dissipates. Written once over a number type ([`Float`]), after H.-K. Hong
+//! it from sticking, how much it dissipates; and its exact motion, stops included. Written once over a number type ([`Float`]), after H.-K. Hong
 //! and C.-S. Liu, “Non-sticking oscillation formulae for Coulomb friction under harmonic loading”, *Journal of
 //! Sound and Vibration* **244** (2001) 883–898, whose equation numbers are used throughout, and exact where
 //! the paper is not (`docs/errata.md`).
@@ -28,6 +26,42 @@
 //! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
 //! [`Response`], [`Place`] → [`design`], the questions asked backwards, and [`uncertainty`], parameters that are not known exactly; [`Scales`]
 //! leads back to physical units, [`Output`] names the outputs.
+//!
+//! # The closed forms
+//!
+//! All in units of B = r_y/k. One function of Ω carries them, smooth through Ω = 1 ([`PhaseFunction`]):
+//!
+#![doc = include_str!("formulae/phase_function.html")]
+//!
+//! The maximum displacement and its phase ([`Cycle::max_displacement`], [`Cycle::displacement_phase`]):
+//!
+#![doc = include_str!("formulae/displacement.html")]
+#![doc = include_str!("formulae/displacement_phase.html")]
+//!
+//! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]); its greatest value is V₀, at t₁
+//! ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 with the signs of its roots corrected gives too
+//! ([`nonsticking::max_velocity_from_phase`]):
+//!
+#![doc = include_str!("formulae/velocity.html")]
+#![doc = include_str!("formulae/max_velocity.html")]
+#![doc = include_str!("formulae/deviation.html")]
+//!
+//! The least force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2 (proof in
+//! [`nonsticking::border`]):
+//!
+#![doc = include_str!("formulae/border.html")]
+//!
+//! The dissipation in a cycle, per static energy, and where A₁ is largest ([`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`],
+//! [`Response::best_force_ratio`]):
+//!
+#![doc = include_str!("formulae/dissipation.html")]
+#![doc = include_str!("formulae/best_force_ratio.html")]
+//!
+//! What half a cycle leaves of a disturbance, max |λ| ([`nonsticking::stability`]):
+//!
+#![doc = include_str!("formulae/multipliers.html")]
+//!
+//! The exact motion, for any Ω and α and from any start, is in [`exact`].
 //!
 //! # Symbols
 //!
@@ -91,6 +125,8 @@ pub mod generators;
 pub mod nonsticking;
 mod oscillator;
 mod output;
+#[cfg(doctest)]
+mod pages;
 pub mod phase_function;
 mod ratios;
 pub mod regime;
@@ -110,18 +146,3 @@ pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use regime::{Place, Regime, Verdict, regime};
 pub use response::Response;
-
-/// The examples of README.md are run as tests.
-#[cfg(doctest)]
-#[doc = include_str!("../README.md")]
-struct Readme;
-
-/// So are those of docs/design.md.
-#[cfg(doctest)]
-#[doc = include_str!("../docs/design.md")]
-struct DesignExamples;
-
-/// And those of docs/uncertainty.md.
-#[cfg(all(doctest, feature = "dual", feature = "random"))]
-#[doc = include_str!("../docs/uncertainty.md")]
-struct UncertaintyExamples;

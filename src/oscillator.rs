@@ -72,7 +72,7 @@ enum Excitation<F> {
     BaseMotion(F),
 }
 
-/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion `u_g0 sin ω_d t` of its base.
+/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion `u_g0 sin ω_d t` of the foot of its spring.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Drive<F> {
     excitation: Excitation<F>,
@@ -91,8 +91,9 @@ impl<F: Float> Drive<F> {
         })
     }
 
-    /// A base motion `u_g0 sin ω_d t`: the same equation with `p₀ = k u_g0`, where x is relative to the
-    /// base.
+    /// A motion `u_g0 sin ω_d t` of the foot of the spring over a surface that stays: the same equation with `p₀ = k u_g0`, x being
+    /// the displacement over the surface. A base that carries the surface along is the force `p₀ = m ω_d² u_g0`, with x relative to
+    /// the base ([`Drive::force`]; `docs/errata.md`, 7).
     ///
     /// # Errors
     /// Where u_g0 or ω_d is not finite or not > 0.

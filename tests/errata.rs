@@ -1,7 +1,7 @@
 //! Each erratum of `docs/errata.md`: the form as printed, the corrected one, and the reference value.
 
 use stickslip::nonsticking::{self, matching, printed};
-use stickslip::{Border, Cycle, PhaseFunction, Ratios, Response};
+use stickslip::{Border, Cycle, Drive, Oscillator, PhaseFunction, Ratios, Response};
 
 fn cycle(omega: f64, alpha: f64) -> Cycle<f64> {
     Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap()
@@ -132,4 +132,43 @@ fn erratum_6_the_deviation_grows_in_one_unit_and_falls_in_the_other() {
     for (got, expected) in at_fixed_force.iter().zip(expected) {
         close(*got, expected, 1e-7);
     }
+}
+
+/// Greatest reach of a body of mass and stiffness 1 and friction 1 under `u_g0 sin Ωt`, after 60 cycles from rest by small steps of
+/// Heun's method in the frame of the room; and relative to a base that carries the surface, if it does.
+fn shaken(omega: f64, base: f64, carries_surface: bool) -> f64 {
+    let ground = |t: f64| (base * (omega * t).sin(), base * omega * (omega * t).cos());
+    let carried = f64::from(u8::from(carries_surface));
+    let acceleration = |t: f64, x: f64, v: f64| {
+        let (u, rate) = ground(t);
+        u - x - (v - carried * rate).signum()
+    };
+    let (steps, cycles) = (5_000, 60);
+    let dt = std::f64::consts::TAU / omega / f64::from(steps);
+    let (mut x, mut v, mut furthest) = (0.0, 0.0, 0.0_f64);
+    for i in 0..cycles * steps {
+        let t = f64::from(i) * dt;
+        let a = acceleration(t, x, v);
+        let b = acceleration(t + dt, x + dt * v, v + dt * a);
+        if i >= (cycles - 1) * steps {
+            furthest = furthest.max((x - carried * ground(t).0).abs());
+        }
+        (x, v) = (x + dt * (v + dt * a / 2.0), v + dt * (a + b) / 2.0);
+    }
+    furthest
+}
+
+#[test]
+fn erratum_7_the_force_of_a_base_that_carries_the_surface() {
+    let (omega, base) = (1.5, 2.5);
+    let printed = cycle(omega, base).max_displacement();
+    let corrected = cycle(omega, omega * omega * base).max_displacement();
+    close(printed, 1.632_993_161_855_452, 1e-15);
+    close(corrected, 4.349_329_450_233_296, 1e-12);
+    close(shaken(omega, base, true), corrected, 1e-4);
+    close(shaken(omega, base, false), printed, 1e-4);
+    // What the library calls base motion is the spring's.
+    let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
+    let drive = Drive::base_motion(base, omega).unwrap();
+    assert_eq!(drive.ratios(&body).unwrap().alpha(), base);
 }

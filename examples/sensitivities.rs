@@ -1,0 +1,45 @@
+//! Which tolerance matters most for the stroke of a shaker table?
+//!
+//! A table of 120 kg on springs of 90 kN/m rubs with 400 N and is shaken by 900 N at 3.4 Hz, below its 4.4 Hz. The drawing gives each
+//! parameter with a tolerance. Which one decides how well the stroke is known, and how well is that? Derivatives by dual numbers: the formulae
+//! themselves differentiated, no step size to choose.
+//!
+//! The answer: the springs, known to 3 %, move the stroke by 7.2 %; the friction, known to 15 % only, by 4.3 %. All together (independent,
+//! root of the sum of squares) the stroke is known to 8.9 %. It is the springs that should be measured better.
+
+use std::f64::consts::TAU;
+use std::io::Write;
+use stickslip::sensitivity::{AMPLITUDE, ANGULAR_FREQUENCY, FRICTION_BOUND, MASS, STIFFNESS, Sensitivities};
+use stickslip::{Drive, Oscillator, Output};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    answer(&mut std::io::stdout().lock())
+}
+
+pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Error>> {
+    let (mass, stiffness, friction, force, frequency) = (120.0, 90e3, 400.0, 900.0, TAU * 3.4);
+    let table = Oscillator::new(mass, stiffness, friction)?;
+    let drive = Drive::force(force, frequency)?;
+    let answer = Sensitivities::by_parameters(&table, &drive)?;
+    let stroke = answer.of(Output::MaxDisplacement).ok_or("it sticks")?;
+    writeln!(out, "stroke ± {:.2} mm", 1e3 * stroke.value)?;
+    writeln!(out, "parameter  known to  % of stroke for 1 %  so the stroke to")?;
+    let mut deviations = [0.0; 5];
+    for (index, name, value, percent) in [
+        (MASS, "mass", mass, 1.0),
+        (STIFFNESS, "stiffness", stiffness, 3.0),
+        (FRICTION_BOUND, "friction", friction, 15.0),
+        (AMPLITUDE, "force", force, 2.0),
+        (ANGULAR_FREQUENCY, "frequency", frequency, 0.1),
+    ] {
+        let elasticity = stroke.elasticity(index, value);
+        deviations[index] = percent / 100.0 * value;
+        writeln!(
+            out,
+            "{name:<9}  {percent:>6} %  {elasticity:>19.3}  {:>14.2} %",
+            (elasticity * percent).abs()
+        )?;
+    }
+    writeln!(out, "all together {:.2} %", 100.0 * stroke.deviation(deviations) / stroke.value)?;
+    Ok(())
+}
