@@ -57,6 +57,25 @@ impl<'a> Quantity<'a> {
         Ok(found.map(|(_, cell)| *cell).filter(|cell| !matches!(cell, Cell::Pairs(_))))
     }
 
+    /// What the colours stand for, with its unit.
+    fn label(&self) -> String {
+        let name = match self {
+            Self::Regime => return "regime".to_owned(),
+            Self::Margin => return "margin α/α_min".to_owned(),
+            Self::Stops => return "stops per cycle".to_owned(),
+            Self::Output(_, name) => *name,
+        };
+        let unit = match name {
+            "max_displacement" | "min_displacement" | "deviation" | "distance" | "rest_position" => " (B)",
+            "max_velocity" | "min_velocity" => " (B ω_d)",
+            "energy_in" | "energy_out" => " (r_y B)",
+            "periods" => " (2π/ω_d)",
+            _ if name.ends_with("_phase") => " (rad)",
+            _ => "",
+        };
+        format!("{name}{unit}")
+    }
+
     const fn question(&self) -> Swept {
         match self {
             Self::Regime | Self::Margin => Swept::Response,
@@ -187,7 +206,7 @@ fn picture(
             x: axis("frequency ratio Ω = ω_d/ω_n", omega, left, right),
             y: axis("force ratio α = p₀/r_y", alpha, low, high),
             series: vec![Series::new("exact border α_min", Style::Thick, 0, border)],
-            plane: Some(Plane { label: args.quantity.clone(), x, y, values, scale }),
+            plane: Some(Plane { label: quantity.label(), x, y, values, scale }),
         }],
     })
 }

@@ -178,30 +178,39 @@ impl<F: Value> Record<F> {
 
     /// One row of CSV; an empty cell for what does not exist. Every number in the digits that give it back.
     pub(crate) fn write_row(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.serialize(self.flat().into_iter().map(|(_, cell)| cell).collect::<Vec<_>>())?)
+        Ok(out.serialize(self.cells().collect::<Vec<_>>())?)
     }
 
     /// The header of the rows.
     pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.write_record(self.flat().into_iter().map(|(name, _)| name))?)
+        Ok(out.write_record(self.names())?)
     }
 
-    /// One column a number: four for a pair of complex numbers.
-    pub(crate) fn flat(&self) -> Vec<(String, Cell<F>)> {
-        let parts = |name: &str, pairs: Option<[(F, F); 2]>| {
-            let number = |part: fn([(F, F); 2]) -> F| Cell::Number(pairs.map(part));
-            [
-                (format!("{name}_1_re"), number(|[(re, _), _]| re)),
-                (format!("{name}_1_im"), number(|[(_, im), _]| im)),
-                (format!("{name}_2_re"), number(|[_, (re, _)]| re)),
-                (format!("{name}_2_im"), number(|[_, (_, im)]| im)),
-            ]
+    /// The cells of a row, each of one value: four for a pair of complex numbers.
+    pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<F>> + '_ {
+        let single = |cell| [Some(cell), None, None, None];
+        let cells = move |&(_, cell): &(&'static str, Cell<F>)| match cell {
+            Cell::Pairs(pairs) => {
+                let number = |part: fn([(F, F); 2]) -> F| Some(Cell::Number(pairs.map(part)));
+                [
+                    number(|[(re, _), _]| re),
+                    number(|[(_, im), _]| im),
+                    number(|[_, (re, _)]| re),
+                    number(|[_, (_, im)]| im),
+                ]
+            }
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => single(cell),
         };
-        let columns = self.fields.iter().flat_map(|&(name, cell)| match cell {
-            Cell::Pairs(pairs) => parts(name, pairs).to_vec(),
-            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![(name.to_owned(), cell)],
-        });
-        columns.collect()
+        self.fields.iter().flat_map(cells).flatten()
+    }
+
+    /// The names of those cells.
+    pub(crate) fn names(&self) -> Vec<String> {
+        let names = |(name, cell): &(&'static str, Cell<F>)| match cell {
+            Cell::Pairs(_) => ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("{name}_{part}")).to_vec(),
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![(*name).to_owned()],
+        };
+        self.fields.iter().flat_map(names).collect()
     }
 
     /// One row of a table to read: seven digits, columns of one width.

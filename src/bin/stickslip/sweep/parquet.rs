@@ -46,7 +46,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
 
 fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {
     let first = rows.record(0)?;
-    Ok(first.flat().into_iter().map(|(name, cell)| Column::of(name, &cell)).collect())
+    Ok(first.names().into_iter().zip(first.cells()).map(|(name, cell)| Column::of(name, &cell)).collect())
 }
 
 /// A file that is being written.
@@ -87,7 +87,7 @@ impl Table {
     }
 
     fn push<F: Value>(&mut self, record: &Record<F>) -> Outcome {
-        for (column, (_, cell)) in self.columns.iter_mut().zip(record.flat()) {
+        for (column, cell) in self.columns.iter_mut().zip(record.cells()) {
             column.push(&cell);
         }
         self.rows += 1;

@@ -40,8 +40,12 @@ pub(super) fn go_on<F: Value>(name: &Path, args: &SweepArgs, rows: &Rows<F>, par
         }
     }
     let beside = beside(name);
-    let mut table = Table::new(File::create(&beside)?, columns, args)?;
+    let created =
+        File::create(&beside).map_err(|e| Failure::Input(format!("--resume: {}: {e}", beside.display())))?;
+    let mut table = Table::new(created, columns, args)?;
     take_over(&mut table, &reader, &old)?;
+    // Some systems replace no file that is open.
+    drop((reader, old));
     let outcome = table.fill(rows, part.start + done..part.end);
     match outcome {
         Ok(()) | Err(Failure::Interrupted) => fs::rename(&beside, name)?,
@@ -91,11 +95,11 @@ fn is<F: Value>(row: &Row, rows: &Rows<F>, point: u64) -> Result<bool, Failure> 
 
 /// A row of the sweep as a reader finds it.
 fn fields<F: Value>(rows: &Rows<F>, point: u64) -> Result<Vec<Field>, Failure> {
-    let field = |(_, cell): (String, Cell<F>)| match cell {
+    let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
         Cell::Number(Some(_)) | Cell::Text(_) => Field::Str(cell.text()),
         Cell::Number(None) | Cell::Count(None) | Cell::Pairs(_) => Field::Null,
     };
-    Ok(rows.record(point)?.flat().into_iter().map(field).collect())
+    Ok(rows.record(point)?.cells().map(field).collect())
 }
