@@ -83,10 +83,10 @@ fn release<F: Float>(
     let angle = y.atan2(product.sqrt());
     let rises = now.is_even() == (direction == Direction::Forward);
     if !rises {
-        return Some(DrivePhase::of_half_turn(now.half_turns() + 1, angle));
+        return Some(now.in_half_turn(1, angle));
     }
     if falling {
-        return Some(DrivePhase::of_half_turn(now.half_turns() + 2, angle));
+        return Some(now.in_half_turn(2, angle));
     }
     // Within rounding of the bound and rising: now.
     let force = alpha * now.angle().sin();
