@@ -157,7 +157,7 @@ impl MonteCarlo {
             let p = machine.sample(&mut rng);
             let Ok((response, scales)) = answer(&p, &drive) else { continue };
             for (regime, count) in &mut regimes {
-                *count = count.saturating_add(u32::from(*regime == response.regime()));
+                *count = u32::saturating_add(*count, u32::from(*regime == response.regime()));
             }
             for (output, values) in &mut outputs {
                 values.extend(output.of(&response).map(|y| y * output.unit(&scales)));
