@@ -29,7 +29,7 @@ impl Lobe {
     #[must_use]
     pub fn shortfall<F: Float>(self) -> Option<Shortfall<F>> {
         let pole = self.high_pole()?;
-        let high = F::int(1) / F::int(2) * F::int(i32::from(self.index()));
+        let high = F::ratio(1, 2) / F::int(i32::from(self.index()));
         Some(Shortfall { low: BandEnd::of(self.index()).omega(), pole, high })
     }
 }
