@@ -74,11 +74,13 @@ fn release<F: Float>(
 ) -> Option<DrivePhase<F>> {
     let y = F::int(1) + direction.sign::<F>() * x;
     let rounding = force_rounding(alpha, x);
-    let exceeds = alpha - y > rounding;
+    // Without the rounding of y, which counts where α is next to 1.
+    let above = (alpha - F::int(1)) - direction.sign::<F>() * x;
+    let exceeds = above > rounding;
     if !exceeds {
         return None;
     }
-    let (above, below) = (alpha - y, alpha + y);
+    let below = alpha + y;
     let product = if below > F::int(0) { above * below } else { F::int(0) };
     let angle = y.atan2(product.sqrt());
     let rises = now.is_even() == (direction == Direction::Forward);

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Float, PhaseFunction, Real};
+use stickslip::{Border, PhaseFunction};
 
 /// 512 bits.
 type Exact = Mp<8>;
