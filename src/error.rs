@@ -37,6 +37,8 @@ pub enum Quantity {
     PseudoStaticEnergy,
     /// Phase ω_d t of the drive.
     DrivePhase,
+    /// Whole cycles of the drive.
+    DriveCycles,
     /// Displacement x/B.
     Displacement,
     /// Velocity v, in units of B ω_d (of B ω_n without a drive).
@@ -81,6 +83,7 @@ impl Quantity {
             Self::StaticEnergy => "static elastic energy p₀²/(2k)",
             Self::PseudoStaticEnergy => "static pseudo-elastic energy p₀²/(2 m ω_d²)",
             Self::DrivePhase => "phase ω_d t",
+            Self::DriveCycles => "whole cycles",
             Self::Displacement => "displacement x/B",
             Self::Velocity => "velocity v",
             Self::SamplesPerCycle => "samples per cycle",

@@ -14,6 +14,7 @@ use core::ops::Neg;
 use num_traits::NumOps;
 
 #[cfg(feature = "dual")]
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
 #[cfg(feature = "mp")]
 pub mod mp;
@@ -85,6 +86,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     fn epsilon() -> Self;
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].
     fn exp2i(e: i32) -> Self;
+    /// `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`]: the least frequency ratio.
+    #[inline]
+    fn least_ratio() -> Self {
+        Self::exp2i(Self::RATIO_EXPONENT.saturating_neg())
+    }
     /// The nearest `f64` (to within one unit in the last place).
     fn to_f64(self) -> f64;
     /// The number nearest to `x`; exact where the type is at least as wide as `f64`.

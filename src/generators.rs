@@ -162,7 +162,9 @@ mod tests {
         let ratios = |p: &Point| Ratios::new(p.omega, p.alpha);
         let is =
             |regime: Regime| part(4000, |p| ratios(p).is_ok_and(|r| Response::new(r).regime() == regime));
-        assert!(is(Regime::NonSticking) > 0.3 && is(Regime::Sticking) > 0.1 && is(Regime::Stuck) > 0.1);
+        for (regime, least) in [(Regime::NonSticking, 0.2), (Regime::Sticking, 0.05), (Regime::Stuck, 0.1)] {
+            assert!(is(regime) > least, "{regime:?}: {}", is(regime));
+        }
         assert!(is(Regime::Unbounded) > 0.005);
         assert!(part::<Point>(4000, |p| ratios(p).is_err()) > 0.05);
         assert!(part::<Point>(4000, |p| p.omega != 1.0 && (p.omega - 1.0).abs() < 1e-12) > 0.02);
@@ -172,7 +174,7 @@ mod tests {
         let border = |p: &Point| Border::new(p.omega);
         assert!(part::<Point>(4000, |p| border(p).is_ok_and(|b| close(p.alpha, b.min_force_ratio()))) > 0.05);
         assert!(part::<Point>(4000, |p| close(p.alpha, 1.0)) > 0.05);
-        assert!(part::<Point>(4000, |p| p.alpha > 0.0 && p.alpha < f64::MIN_POSITIVE) > 0.002);
+        assert!(part::<Point>(4000, |p| p.alpha > 0.0 && p.alpha < f64::MIN_POSITIVE) > 0.01);
     }
 
     #[test]

@@ -108,6 +108,7 @@
         clippy::expect_used,
         clippy::panic,
         clippy::indexing_slicing,
+        clippy::arithmetic_side_effects,
         clippy::unreachable,
         clippy::wildcard_enum_match_arm
     )
@@ -119,21 +120,40 @@ pub mod design;
 mod error;
 pub mod exact;
 #[cfg(feature = "figures")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "pixels and places of drawings, whose sizes are their own"
+    )
+)]
 pub mod figures;
 pub mod float;
 #[cfg(feature = "generators")]
 pub mod generators;
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "the counters of series and lobes, bounded by the precision and by u16"
+    )
+)]
 pub mod nonsticking;
 mod oscillator;
 mod output;
 #[cfg(doctest)]
 mod pages;
+#[cfg_attr(
+    not(test),
+    allow(clippy::arithmetic_side_effects, reason = "the counters of series, bounded by the precision")
+)]
 pub mod phase_function;
 mod ratios;
 pub mod regime;
 mod response;
 mod root;
 #[cfg(feature = "dual")]
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod sensitivity;
 pub mod uncertainty;
 pub mod verify;

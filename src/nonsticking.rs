@@ -85,7 +85,9 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let k = p.value();
-        let max_displacement = max_displacement(k, alpha, one_minus_square(omega));
+        // On the border α − |K| can be all rounding, but the body slides: Δ₀/B ≥ 1/Ω² (eq. 61).
+        let max_displacement =
+            max_displacement(k, alpha, one_minus_square(omega)).or_larger(F::int(1) / omega.square());
         let half = HalfCycle::new(p, max_displacement);
         let displacement_phase = displacement_phase(k, alpha, omega);
         let (fastest, displacement) = if F::PRECISION > f64::MANTISSA_DIGITS {

@@ -92,8 +92,7 @@ fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
 /// Ω, where `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
 #[inline]
 pub(crate) fn frequency_ratio<F: Float>(omega: F) -> Result<F, Error> {
-    let e = F::RATIO_EXPONENT;
-    within(Quantity::FrequencyRatio, omega, F::exp2i(-e), F::exp2i(e))
+    within(Quantity::FrequencyRatio, omega, F::least_ratio(), F::exp2i(F::RATIO_EXPONENT))
 }
 
 /// α, where `0 < α ≤ 2ᵉ`. Any smaller α is at rest, so that there is no lower bound to respect.

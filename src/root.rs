@@ -67,7 +67,7 @@ pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> 
     }
     let mut share = half;
     // Each halving takes a bit off the bracket; interpolation never makes two steps worse than that.
-    for _ in 0..4 * F::PRECISION {
+    for _ in 0..F::PRECISION.saturating_mul(4) {
         let width = (opposite - x).abs();
         let tolerance = F::epsilon() * x.abs().or_larger(opposite.abs());
         if width <= tolerance {

@@ -154,7 +154,7 @@ pub fn verify<F: Float>(mut progress: impl FnMut(usize, usize)) -> Vec<Verdict> 
                 tally.add(identity.standing, residual, cycle);
             }
         }
-        progress(done + 1, cycles.len());
+        progress(done.saturating_add(1), cycles.len());
     }
     identities.iter().zip(tallies).map(|(identity, tally)| tally.verdict(identity)).collect()
 }
@@ -168,7 +168,7 @@ struct Tally<F> {
 
 impl<F: Float> Tally<F> {
     fn add(&mut self, standing: Standing, residual: F, cycle: &Cycle<F>) {
-        self.points += 1;
+        self.points = self.points.saturating_add(1);
         // A residual that is not a number is the worst of all, of either kind.
         let worse = self.worst.as_ref().is_none_or(|(worst, _)| match standing {
             Standing::Holds => residual > *worst || is_nan(residual),

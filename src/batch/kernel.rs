@@ -120,7 +120,10 @@ fn redo<K: Kernel<N>, const N: usize>(
     /// Points looked at together: few blocks have none left, most eighths of a block do.
     const GROUP: usize = 16;
     for start in (0..omega.len()).step_by(GROUP) {
-        let marks = answer.get(K::MARK).and_then(|block| block.get(start..start + GROUP)).unwrap_or_default();
+        let marks = answer
+            .get(K::MARK)
+            .and_then(|block| block.get(start..start.saturating_add(GROUP)))
+            .unwrap_or_default();
         if !marks.iter().fold(false, |any, &mark| any | is_left(mark)) {
             continue;
         }
@@ -151,7 +154,7 @@ pub(crate) fn run_on_threads<K: Kernel<N>, const N: usize>(
 ) {
     /// Blocks worth a task of their own.
     const WORTH: usize = 16 * POINTS;
-    let half = omega.len() / 2 / POINTS * POINTS;
+    let half = (omega.len() / 2 / POINTS).saturating_mul(POINTS);
     if half < WORTH {
         return run(kernel, level, omega, alpha, out, regimes);
     }

@@ -75,7 +75,7 @@ struct Search<F> {
 impl<F: Float> Search<F> {
     fn at(&mut self, share: F) -> Result<F, Error> {
         let found = loop_size_of_motion(self.omega, F::int(1) / share)?;
-        self.motions += 1;
+        self.motions = self.motions.saturating_add(1);
         if found > self.loop_size {
             (self.share, self.loop_size) = (share, found);
         }

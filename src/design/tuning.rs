@@ -61,12 +61,12 @@ pub fn most_dissipating_frequency_ratio<F: Float>(
     let mut best: Option<BestFrequencyRatio<F>> = None;
     let mut next = Some(last);
     while let Some(lobe) = next {
-        let n = i32::from(lobe.index());
+        let n = F::int(i32::from(lobe.index()));
         let is_beaten = |found: BestFrequencyRatio<F>| {
-            n > 0 && found.loop_size * alpha * F::int(n) * F::int(n + 1) > F::int(2)
+            n > F::int(0) && found.loop_size * alpha * n * (n + F::int(1)) > F::int(2)
         };
         // No band below the pole of a lobe that is out of reach.
-        if best.is_some_and(is_beaten) || alpha < F::int(4 * n) * F::int(n + 1) {
+        if best.is_some_and(is_beaten) || alpha < F::int(4) * n * (n + F::int(1)) {
             break;
         }
         if let Some(band) = band_in(lobe, alpha, low, high)? {

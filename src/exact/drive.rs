@@ -4,6 +4,9 @@
 //! angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of n: the
 //! half turns are the stretches on which the drive's rate of change keeps its sign, which is what the search for
 //! velocity zeros works by.
+//!
+//! A phase given is within 2⁵³ half turns, and a motion of 2⁶⁰ more ends in no program: the counter does not overflow, and if it
+//! did, it would stay where it is.
 
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
@@ -38,9 +41,18 @@ impl<F: Float> DrivePhase<F> {
     /// The phase after `cycles` whole cycles and the angle θ of a further one.
     ///
     /// # Errors
-    /// As for [`DrivePhase::new`].
+    /// As for [`DrivePhase::new`], and beyond 2⁵¹ cycles either way.
     pub fn in_cycle(cycles: i64, theta: F) -> Result<Self, Error> {
-        Self::new(theta).map(|p| p.later_by_half_turns(cycles.saturating_mul(2)))
+        let half_turns = cycles.saturating_mul(2);
+        if half_turns.unsigned_abs() > MOST_HALF_TURNS as u64 {
+            return Err(Error::OutOfRange {
+                quantity: Quantity::DriveCycles,
+                value: cycles.to_string(),
+                least: (-MOST_HALF_TURNS / 2.0).to_string(),
+                greatest: (MOST_HALF_TURNS / 2.0).to_string(),
+            });
+        }
+        Self::new(theta).map(|p| p.later_by_half_turns(half_turns))
     }
 
     /// Whole half turns n.
@@ -62,7 +74,7 @@ impl<F: Float> DrivePhase<F> {
     /// Whole cycles: `⌊θ/2π⌋`, so that θ = 2π cycles + [`DrivePhase::reduced`].
     pub fn cycles(&self) -> i64 {
         let whole = self.half_turns.div_euclid(2);
-        if self.is_even() && self.angle < F::int(0) { whole - 1 } else { whole }
+        if self.is_even() && self.angle < F::int(0) { whole.saturating_sub(1) } else { whole }
     }
 
     /// `(sin θ, cos θ)`.
@@ -75,7 +87,8 @@ impl<F: Float> DrivePhase<F> {
     /// `θ − θ′`: exact in whole half turns up to one rounding.
     #[inline]
     pub fn since(&self, earlier: Self) -> F {
-        let (turns, angle) = (self.half_turns - earlier.half_turns, self.angle - earlier.angle);
+        let turns = self.half_turns.saturating_sub(earlier.half_turns);
+        let angle = self.angle - earlier.angle;
         // A product that is exact needs no fused operation, which is a call where the processor's is not taken for granted.
         match turns {
             0 => return angle,
@@ -101,17 +114,23 @@ impl<F: Float> DrivePhase<F> {
             } else {
                 (2, theta - F::int(2) * F::pi())
             };
-            return Self { half_turns: self.half_turns + turns, angle };
+            return Self { half_turns: self.half_turns.saturating_add(turns), angle };
         }
         let turns = (theta / F::pi() + F::ratio(1, 2)).floor();
         let angle = (-turns).mul_add(F::pi(), theta);
-        Self { half_turns: self.half_turns + turns.to_f64() as i64, angle }
+        Self { half_turns: self.half_turns.saturating_add(turns.to_f64() as i64), angle }
     }
 
     /// The phase n half turns later: the same angle.
     #[inline]
     pub(crate) const fn later_by_half_turns(&self, half_turns: i64) -> Self {
         Self { half_turns: self.half_turns.saturating_add(half_turns), angle: self.angle }
+    }
+
+    /// Angle `angle` of the n-th half turn after the present one.
+    #[inline]
+    pub(crate) const fn in_half_turn(&self, later: i64, angle: F) -> Self {
+        Self { half_turns: self.half_turns.saturating_add(later), angle }
     }
 
     /// Angle `angle` of the half turn n.
@@ -137,6 +156,16 @@ mod tests {
 
     fn phase(theta: f64) -> DrivePhase<f64> {
         DrivePhase::new(theta).unwrap()
+    }
+
+    #[test]
+    fn cycles_that_are_too_many_are_refused() {
+        let most = 1i64 << 51;
+        assert!(DrivePhase::in_cycle(most, 0.3f64).is_ok() && DrivePhase::in_cycle(-most, 0.3f64).is_ok());
+        for cycles in [most + 1, -most - 1, i64::MAX, i64::MIN] {
+            let message = DrivePhase::in_cycle(cycles, 4.0f64).unwrap_err().to_string();
+            assert!(message.starts_with(&format!("whole cycles = {cycles} must be ")), "{message}");
+        }
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub(crate) fn member<F: Float>(
     let mut added = false;
     loop {
         let cycle = walk(equation, y, 2, hint, parts);
-        budget.half_turns += 2;
+        budget.walked(2);
         let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();

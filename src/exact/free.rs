@@ -57,7 +57,7 @@ impl<F: Float> FreeDecay<F> {
     /// half cycle where v₀ ≠ 0.
     pub fn half_cycles(&self) -> u64 {
         let first = u64::from(self.start.v != F::int(0));
-        self.turns.to_f64() as u64 + first
+        (self.turns.to_f64() as u64).saturating_add(first)
     }
 
     /// Where it turns first, x₁/B.

@@ -144,7 +144,7 @@ fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budg
             break;
         }
     }
-    budget.half_turns += 2;
+    budget.walked(2);
     let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
     let Some((slide, length)) = longest else { return (here, turn / equation.omega) };
     let half = length / F::int(2);

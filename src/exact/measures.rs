@@ -60,12 +60,12 @@ impl<F: Float> Tally<F> {
         for part in parts {
             match part {
                 Part::Slide(slide, end) => {
-                    tally.zeros += 1;
+                    tally.zeros = tally.zeros.saturating_add(1);
                     tally.slide(slide, end.phi, end.phase, &slide.motion_at(end));
                 }
                 Part::Onward(slide, phi, phase, end) => tally.slide(slide, *phi, *phase, end),
                 Part::Stick(_, length) => {
-                    tally.sticks += 1;
+                    tally.sticks = tally.sticks.saturating_add(1);
                     tally.rest = tally.rest + *length;
                 }
             }
@@ -113,8 +113,8 @@ impl<F: Float> Tally<F> {
             self.moved(extreme);
         }
         Self {
-            sticks: 2 * self.sticks,
-            zeros: 2 * self.zeros,
+            sticks: self.sticks.saturating_mul(2),
+            zeros: self.zeros.saturating_mul(2),
             rest: two * self.rest,
             work_in: two * self.work_in,
             work_out: two * self.work_out,

@@ -38,7 +38,7 @@ pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget:
     for phase in motion {
         let periods = phase.start().phase.since(start.phase) / turn;
         match &phase.body {
-            Body::Slide(..) => slides += 1,
+            Body::Slide(..) => slides = u64::saturating_add(slides, 1),
             Body::Stick(stick) => {
                 let outside = stick.x.abs() - edge;
                 if phase.end == End::Never {

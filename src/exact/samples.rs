@@ -14,8 +14,9 @@ use crate::float::Float;
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
     current: Option<Phase<F>>,
-    index: i64,
-    per_cycle: i64,
+    /// The next sample: its cycle, and its number in the cycle.
+    at: (i64, u32),
+    per_cycle: u32,
 }
 
 impl<F: Float> Trajectory<F> {
@@ -28,38 +29,50 @@ impl<F: Float> Trajectory<F> {
             let value = per_cycle.to_string();
             return Err(Error::NotPositive { quantity: Quantity::SamplesPerCycle, value });
         }
-        let per_cycle = i64::from(per_cycle);
         let current = self.next();
-        let mut index = 0;
+        let mut at = (0, 0);
         if let Some(phase) = &current {
             let start = phase.start().phase;
-            index = start.cycles() * per_cycle;
-            while grid::<F>(index, per_cycle).since(start) < F::int(0) {
-                index += 1;
+            at.0 = start.cycles();
+            // Begun at a quotient, less its rounding, so that few samples are passed.
+            let turn = start.reduced() / (F::int(2) * F::pi());
+            let passed = F::from_f64(f64::from(per_cycle)) * (turn - F::int(8) * F::epsilon()) - F::int(1);
+            at.1 = passed.to_f64() as u32;
+            while grid::<F>(at, per_cycle).since(start) < F::int(0) {
+                at = after(at, per_cycle);
             }
         }
-        Ok(Samples { trajectory: self, current, index, per_cycle })
+        Ok(Samples { trajectory: self, current, at, per_cycle })
     }
 }
 
-/// The phase 2πk/n, k = `index`, n = `per_cycle`: the nearest half turn and the rest of less than half of one.
-fn grid<F: Float>(index: i64, per_cycle: i64) -> DrivePhase<F> {
-    let cycles = index.div_euclid(per_cycle);
-    let doubled = 2 * index.rem_euclid(per_cycle);
-    let half_turn = (2 * doubled + per_cycle).div_euclid(2 * per_cycle);
-    let rest = F::from_f64((doubled - half_turn * per_cycle) as f64) / F::from_f64(per_cycle as f64);
-    DrivePhase::of_half_turn(2 * cycles + half_turn, F::pi() * rest)
+/// The sample after one.
+fn after((cycle, number): (i64, u32), per_cycle: u32) -> (i64, u32) {
+    match number.saturating_add(1) {
+        next if next < per_cycle => (cycle, next),
+        _ => (cycle.saturating_add(1), 0),
+    }
+}
+
+/// The phase 2π(cycle + k/n), n = `per_cycle`: the nearest half turn and the rest of less than half of one.
+fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> {
+    let (k, n) = (i64::from(number), i64::from(per_cycle));
+    // No product of these leaves i64: k < n < 2³².
+    let half_turn = k.saturating_mul(4).saturating_add(n).div_euclid(n.saturating_mul(2));
+    let rest = k.saturating_mul(2).saturating_sub(half_turn.saturating_mul(n));
+    let rest = F::from_f64(rest as f64) / F::from_f64(n as f64);
+    DrivePhase::of_half_turn(cycle.saturating_mul(2).saturating_add(half_turn), F::pi() * rest)
 }
 
 impl<F: Float> Iterator for Samples<F> {
     type Item = Instant<F>;
 
     fn next(&mut self) -> Option<Instant<F>> {
-        let phase = grid(self.index, self.per_cycle);
+        let phase = grid(self.at, self.per_cycle);
         loop {
             let current = self.current?;
             if current.end().is_none_or(|end| phase.since(end.phase) <= F::int(0)) {
-                self.index += 1;
+                self.at = after(self.at, self.per_cycle);
                 return Some(current.at(phase));
             }
             self.current = self.trajectory.next();
@@ -76,14 +89,34 @@ mod tests {
 
     #[test]
     fn the_grid_is_exact() {
-        for n in [1i64, 2, 3, 7, 360] {
-            for k in -2 * n..3 * n {
-                let p = grid::<f64>(k, n);
-                let theta = k as f64 * TAU / n as f64;
-                assert!((p.angle() + p.half_turns() as f64 * PI - theta).abs() < 1e-14 * (1.0 + theta.abs()));
-                assert!((-PI / 2.0..PI / 2.0).contains(&p.angle()), "{k}/{n}");
-                let far = grid::<f64>(k + n * 1_000_000, n);
-                assert_eq!((far.angle(), far.half_turns() - p.half_turns()), (p.angle(), 2_000_000));
+        for n in [1u32, 2, 3, 7, 360, u32::MAX] {
+            for k in (0..n).step_by(1.max(n as usize / 500)) {
+                for cycle in [-2, 0, 1] {
+                    let p = grid::<f64>((cycle, k), n);
+                    let theta = (cycle as f64 + f64::from(k) / f64::from(n)) * TAU;
+                    assert!(
+                        (p.angle() + p.half_turns() as f64 * PI - theta).abs() < 1e-14 * (1.0 + theta.abs())
+                    );
+                    assert!((-PI / 2.0..PI / 2.0).contains(&p.angle()), "{k}/{n}");
+                    let far = grid::<f64>((cycle + 1_000_000, k), n);
+                    assert_eq!((far.angle(), far.half_turns() - p.half_turns()), (p.angle(), 2_000_000));
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn far_on_and_dense() {
+        let ratios = Ratios::new(0.6, 1.7).unwrap();
+        for (theta, per_cycle) in [(1e16, u32::MAX), (-1e16, u32::MAX), (3.0, u32::MAX), (6.2, 1), (0.0, 3)] {
+            let start = State::new(theta, 0.3, -0.4).unwrap();
+            let samples: Vec<_> =
+                Trajectory::new(ratios, start).unwrap().samples(per_cycle).unwrap().take(3).collect();
+            let first = samples[0].state.phase.since(start.phase);
+            let step = TAU / f64::from(per_cycle);
+            assert!((0.0..=step * (1.0 + 1e-15) + 1e-15).contains(&first), "{theta}: {first:e}");
+            for pair in samples.windows(2) {
+                assert!((pair[1].state.phase.since(pair[0].state.phase) - step).abs() < 1e-15);
             }
         }
     }

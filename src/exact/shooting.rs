@@ -42,6 +42,13 @@ pub(crate) struct Budget {
     pub(crate) most: u64,
 }
 
+impl Budget {
+    /// Counts half turns.
+    pub(crate) fn walked(&mut self, half_turns: u64) {
+        self.half_turns = self.half_turns.saturating_add(half_turns);
+    }
+}
+
 /// `H(y) − y`, and what rounding makes of a zero of it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Residual<F> {
@@ -119,7 +126,7 @@ pub(crate) fn shoot<F: Float>(
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
     let mut follow = 1;
-    budget.half_turns += 1;
+    budget.walked(1);
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
         if budget.half_turns > budget.most {
@@ -134,7 +141,7 @@ pub(crate) fn shoot<F: Float>(
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
         if dx.is_finite() && dw.is_finite() {
             let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare);
-            budget.half_turns += 1;
+            budget.walked(1);
             let after = residual(&equation, &trial, &tried);
             if after.norm() * two <= left.norm() && !left.is_rounding(1) {
                 (y, left) = (trial, after);
@@ -149,7 +156,7 @@ pub(crate) fn shoot<F: Float>(
         }
         if let Some((elsewhere, hint)) = guess.take().and_then(|guess| guess()) {
             let tried = walk(equation, elsewhere, 1, hint, spare);
-            budget.half_turns += 1;
+            budget.walked(1);
             let after = residual(&equation, &elsewhere, &tried);
             if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
@@ -165,10 +172,10 @@ pub(crate) fn shoot<F: Float>(
             y = to;
             let next = walk(equation, y, 1, hint, spare);
             spare = core::mem::replace(&mut best, next).parts;
-            budget.half_turns += 1;
+            budget.walked(1);
         }
         left = residual(&equation, &y, &best);
-        follow = if follow < LONGEST_FOLLOW { follow * 2 } else { follow };
+        follow = if follow < LONGEST_FOLLOW { follow.saturating_mul(2) } else { follow };
         if budget.half_turns > budget.most {
             return Shot::Unsettled(y, left.norm());
         }

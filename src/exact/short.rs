@@ -45,7 +45,7 @@ impl<F: Float> Slide<F> {
             power = longer;
             // Of the four first terms one at least is not small.
             if n > 3 {
-                reach = reach / F::int(8 * n);
+                reach = reach / (F::int(8) * F::int(n));
                 if reach < F::epsilon() / F::int(64) {
                     break;
                 }

@@ -71,5 +71,5 @@ impl<F: Float> Instant<F> {
 
 /// `v`, or rest where it is next to nothing.
 fn moving<F: Float>(v: F) -> F {
-    if v.abs() < F::exp2i(-F::RATIO_EXPONENT) { F::int(0) } else { v }
+    if v.abs() < F::least_ratio() { F::int(0) } else { v }
 }

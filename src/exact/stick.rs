@@ -74,19 +74,21 @@ fn release<F: Float>(
 ) -> Option<DrivePhase<F>> {
     let y = F::int(1) + direction.sign::<F>() * x;
     let rounding = force_rounding(alpha, x);
-    let exceeds = alpha - y > rounding;
+    // Without the rounding of y, which counts where α is next to 1.
+    let above = (alpha - F::int(1)) - direction.sign::<F>() * x;
+    let exceeds = above > rounding;
     if !exceeds {
         return None;
     }
-    let (above, below) = (alpha - y, alpha + y);
+    let below = alpha + y;
     let product = if below > F::int(0) { above * below } else { F::int(0) };
     let angle = y.atan2(product.sqrt());
     let rises = now.is_even() == (direction == Direction::Forward);
     if !rises {
-        return Some(DrivePhase::of_half_turn(now.half_turns() + 1, angle));
+        return Some(now.in_half_turn(1, angle));
     }
     if falling {
-        return Some(DrivePhase::of_half_turn(now.half_turns() + 2, angle));
+        return Some(now.in_half_turn(2, angle));
     }
     // Within rounding of the bound and rising: now.
     let force = alpha * now.angle().sin();

@@ -69,7 +69,7 @@ fn bracketed<F: Float, M: Copy>(
     let mut slow = false;
     let mut steps = 0;
     loop {
-        steps += 1;
+        steps = u32::saturating_add(steps, 1);
         let (jet, motion) = f(phi);
         let zero = F::int(0);
         let at = phi;
@@ -240,7 +240,7 @@ fn dip<F: Float, M: Copy>(
     let mut low = left.0 + forward_cover(left.1);
     let mut high = right.0 - backward_cover(right.1);
     let mut lowest = right;
-    for _ in 0..2 * F::PRECISION {
+    for _ in 0..F::PRECISION.saturating_mul(2) {
         if low >= high {
             return Verdict::Clear(Some((end, right_motion)));
         }

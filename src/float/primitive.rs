@@ -63,7 +63,7 @@ macro_rules! primitive {
             fn exp2i(e: i32) -> Self {
                 // The biased exponent alone: exact, and valid for every normal power of two.
                 const BIAS: i32 = $float::MAX_EXP - 1;
-                <$float>::from_bits(((e + BIAS) as $bits) << ($float::MANTISSA_DIGITS - 1))
+                <$float>::from_bits((e.saturating_add(BIAS) as $bits) << ($float::MANTISSA_DIGITS - 1))
             }
             #[inline]
             fn to_f64(self) -> f64 {

@@ -30,8 +30,8 @@ pub fn beside(u: &mut Unstructured<'_>, x: f64) -> Result<f64> {
         0 => x,
         1 => moved(x, by),
         _ => {
-            let exponent = -1 - i32::from(by).rem_euclid(64);
-            let part = f64::exp2(f64::from(exponent));
+            let exponent = -1.0 - f64::from(by).rem_euclid(64.0);
+            let part = exponent.exp2();
             x * if by < 0 { 1.0 - part } else { 1.0 + part }
         }
     })
@@ -60,7 +60,8 @@ pub fn magnitude(u: &mut Unstructured<'_>) -> Result<f64> {
 /// ```
 pub fn neighbours(x: f64, n: u32) -> impl Iterator<Item = f64> {
     let first = (0..n).fold(x, |at, _| at.next_down());
-    std::iter::successors(Some(first), |at| Some(at.next_up())).take(2 * n as usize + 1)
+    std::iter::successors(Some(first), |at| Some(at.next_up()))
+        .take((n as usize).saturating_mul(2).saturating_add(1))
 }
 
 /// `x` moved by some floats.

@@ -36,21 +36,22 @@ pub fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
 /// # Errors
 /// As for [`any_bits`].
 pub fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
-    let kind = u.int_in_range(0..=11)?;
+    let kind = u.int_in_range(0..=12)?;
     let place = match kind {
         0 => return any_bits(u),
         1 => return magnitude(u),
         2 => return ordinary(u, -1.0, 8.0).map(f64::exp2),
-        3 => 1.0,
-        4 => 4.0 / PI,
+        3 => return u32::arbitrary(u).map(|bits| f64::from_bits(bits.into())),
+        4 => 1.0,
+        5 => 4.0 / PI,
         _ => {
             let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };
             let border = Border::at(&p);
             match kind {
-                5 => p.value().abs(),
-                6 => SQRT_2 * p.value().abs(),
-                7 => border.turning_point(),
-                8 | 9 => border.min_force_ratio(),
+                6 => p.value().abs(),
+                7 => SQRT_2 * p.value().abs(),
+                8 => border.turning_point(),
+                9 | 10 => border.min_force_ratio(),
                 _ => border.min_force_ratio() * ordinary(u, 0.0, 8.0)?.exp2(),
             }
         }

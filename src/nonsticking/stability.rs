@@ -184,10 +184,10 @@ impl<F: Float> Multipliers<F> {
         for (i, &power) in powers.iter().enumerate().rev() {
             if left * power > tolerance {
                 left = left * power;
-                cycles += 1 << i;
+                cycles |= 1 << i;
             }
         }
-        Some(cycles + 1)
+        Some(u64::saturating_add(cycles, 1))
     }
 }
 

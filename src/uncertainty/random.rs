@@ -157,7 +157,7 @@ impl MonteCarlo {
             let p = machine.sample(&mut rng);
             let Ok((response, scales)) = answer(&p, &drive) else { continue };
             for (regime, count) in &mut regimes {
-                *count += u32::from(*regime == response.regime());
+                *count = u32::saturating_add(*count, u32::from(*regime == response.regime()));
             }
             for (output, values) in &mut outputs {
                 values.extend(output.of(&response).map(|y| y * output.unit(&scales)));
@@ -184,7 +184,7 @@ impl MonteCarlo {
     /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of the number type.
     #[must_use]
     pub fn invalid(&self) -> u32 {
-        self.draws - self.valid()
+        self.draws.saturating_sub(self.valid())
     }
 
     /// Valid draws in a regime.
@@ -219,10 +219,10 @@ impl MonteCarlo {
         if !(0.0..=1.0).contains(&share) || values.is_empty() {
             return None;
         }
-        let place = share * (values.len() - 1) as f64;
+        let place = share * values.len().saturating_sub(1) as f64;
         let (below, part) = (place.floor(), place.fract());
         let low = *values.get(below as usize)?;
-        let high = values.get(below as usize + 1).copied().unwrap_or(low);
+        let high = values.get((below as usize).saturating_add(1)).copied().unwrap_or(low);
         Some(low + (high - low) * part)
     }
 

@@ -17,9 +17,9 @@ pub(super) fn range<F: Float, const N: usize>(
     let mut ends: Option<(F, F)> = None;
     let (mut looked_at, mut existing) = (0, 0);
     let mut look = |shares: [F; N]| -> Result<(), Error> {
-        looked_at += 1;
+        looked_at = u32::saturating_add(looked_at, 1);
         if let Some(y) = f(shares)? {
-            existing += 1;
+            existing = u32::saturating_add(existing, 1);
             ends = Some(match ends {
                 None => (y, y),
                 Some((low, high)) => (if y < low { y } else { low }, high.or_larger(y)),

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Float, PhaseFunction, Real};
+use stickslip::{Border, PhaseFunction};
 
 /// 512 bits.
 type Exact = Mp<8>;
@@ -30,17 +30,25 @@ pub(crate) fn borders(omega: f64) {
     let close = |name: &str, ours: f64, exact: Exact| {
         assert!(ours.is_finite(), "{name} at Ω = {omega:e}: {ours:e}");
         let error = error(ours, exact);
-        assert!(error <= ACCURACY, "{name} at Ω = {omega:e}: {ours:e} for {:e}, off by {error:e}", exact.to_f64());
+        assert!(
+            error <= ACCURACY,
+            "{name} at Ω = {omega:e}: {ours:e} for {:e}, off by {error:e}",
+            exact.to_f64()
+        );
     };
     close("K", p.value(), exact_p.value());
     close("α_min", ours.min_force_ratio(), exact.min_force_ratio());
     close("eq. 61", ours.turning_point(), exact.turning_point());
     close("S", ours.least_displacement(), exact.least_displacement());
     // Where the two touch, the phase is that of one or the other.
-    if (exact.min_force_ratio() - exact.turning_point()).to_f64() > ACCURACY * exact.turning_point().to_f64() {
+    if (exact.min_force_ratio() - exact.turning_point()).to_f64() > ACCURACY * exact.turning_point().to_f64()
+    {
         let apart = (Exact::from(ours.phase()) - exact.phase()).abs().to_f64();
         // As the supremum is flat there, the phase keeps fewer digits beside a pole or a zero of T.
-        assert!(apart <= 1e-6 || ours.phase().min(std::f64::consts::PI - ours.phase()) < 1e-6, "τ* at Ω = {omega:e}");
+        assert!(
+            apart <= 1e-6 || ours.phase().min(std::f64::consts::PI - ours.phase()) < 1e-6,
+            "τ* at Ω = {omega:e}"
+        );
     }
     assert!(Exact::pi() > Exact::from(ours.phase()));
 }

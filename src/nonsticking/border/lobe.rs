@@ -135,7 +135,7 @@ impl Lobe {
 
 /// `2n + offset`.
 fn odd<F: Float>(index: u16, offset: i32) -> F {
-    F::int(2 * i32::from(index) + offset)
+    F::int(i32::from(index).saturating_mul(2).saturating_add(offset))
 }
 
 #[cfg(test)]

@@ -29,7 +29,7 @@ impl Lobe {
     #[must_use]
     pub fn shortfall<F: Float>(self) -> Option<Shortfall<F>> {
         let pole = self.high_pole()?;
-        let high = F::int(1) / F::int(2 * i32::from(self.index()));
+        let high = F::ratio(1, 2) / F::int(i32::from(self.index()));
         Some(Shortfall { low: BandEnd::of(self.index()).omega(), pole, high })
     }
 }
@@ -48,7 +48,7 @@ impl<F: Float> BandEnd<F> {
     /// pole, is smooth on the whole bracket.
     pub(super) fn of(index: u16) -> Self {
         let (one, half_pi) = (F::int(1), F::pi() / F::int(2));
-        let inverse = |gamma: F| F::int(2 * i32::from(index)) + gamma / half_pi;
+        let inverse = |gamma: F| F::int(2) * F::int(i32::from(index)) + gamma / half_pi;
         let excess = |gamma: F| {
             let u = inverse(gamma);
             let eta = stationary_point(one / u, gamma);
