@@ -143,7 +143,7 @@ fn shaken(omega: f64, base: f64, carries_surface: bool) -> f64 {
         let (u, rate) = ground(t);
         u - x - (v - carried * rate).signum()
     };
-    let (steps, cycles) = (5_000, 60);
+    let (steps, cycles) = (40_000, 60);
     let dt = std::f64::consts::TAU / omega / f64::from(steps);
     let (mut x, mut v, mut furthest) = (0.0, 0.0, 0.0_f64);
     for i in 0..cycles * steps {

@@ -11,9 +11,10 @@ use std::path::Path;
 fn each_rendering_is_that_of_its_source() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/formulae");
     let formulae = render::folder(&folder).unwrap();
-    for (source, html, rendered) in &formulae {
-        let kept = std::fs::read_to_string(html).unwrap_or_default();
-        assert!(kept == *rendered, "{}: `cargo run --example mathml -- src/formulae`", source.display());
+    for formula in &formulae {
+        let kept = std::fs::read_to_string(&formula.html).unwrap_or_default();
+        let name = formula.html.display();
+        assert!(kept == formula.rendered, "{name}: `cargo run --example mathml -- src/formulae`");
     }
     // No rendering without a source.
     let files = std::fs::read_dir(&folder).unwrap().count();
@@ -24,8 +25,8 @@ fn each_rendering_is_that_of_its_source() {
 fn each_formula_is_shown() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/formulae");
     let shown = include_str!("../src/lib.rs");
-    for (_, html, _) in render::folder(&folder).unwrap() {
-        let name = html.file_name().unwrap().to_str().unwrap();
+    for formula in render::folder(&folder).unwrap() {
+        let name = formula.html.file_name().unwrap().to_str().unwrap();
         assert!(shown.contains(&format!("include_str!(\"formulae/{name}\")")), "{name} is shown nowhere");
     }
 }

@@ -189,6 +189,9 @@ fn links(text: &str) -> Vec<String> {
     prose.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0.to_owned())).collect()
 }
 
+/// Pages that are linked before they are written.
+const TO_COME: &[&str] = &["accuracy.md", "robustness.md"];
+
 #[test]
 fn every_link_leads_somewhere() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -200,6 +203,9 @@ fn every_link_leads_somewhere() {
                 "" => root.join(&page),
                 file => root.join(&page).parent().unwrap().join(file),
             };
+            if TO_COME.iter().any(|name| target.file_name() == Some(name.as_ref())) {
+                continue;
+            }
             assert!(target.exists(), "{page}: {link}");
             if !heading.is_empty() {
                 let text = std::fs::read_to_string(&target).unwrap();

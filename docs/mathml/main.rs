@@ -17,8 +17,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         // mdBook asks whether a renderer is supported: the status is the answer, and all are.
         Some("supports") => Ok(()),
         Some(folder) => {
-            for (_, html, rendered) in render::folder(folder.as_ref())? {
-                std::fs::write(html, rendered)?;
+            for formula in render::folder(folder.as_ref())? {
+                std::fs::write(formula.html, formula.rendered)?;
             }
             Ok(())
         }

@@ -77,18 +77,23 @@ pub(crate) fn page(markdown: &str) -> Result<String, Box<dyn Error>> {
     Ok(rendered)
 }
 
-/// (source, target, rendered) of each `NAME.tex` of a folder, in order.
-pub(crate) fn folder(path: &Path) -> Result<Vec<(PathBuf, PathBuf, String)>, Box<dyn Error>> {
+/// A formula kept in a file.
+pub(crate) struct Kept {
+    /// Where its rendering goes.
+    pub(crate) html: PathBuf,
+    pub(crate) rendered: String,
+}
+
+/// Each `NAME.tex` of a folder.
+pub(crate) fn folder(path: &Path) -> Result<Vec<Kept>, Box<dyn Error>> {
     let mut sources: Vec<PathBuf> =
         std::fs::read_dir(path)?.map(|entry| Ok(entry?.path())).collect::<Result<_, std::io::Error>>()?;
     sources.retain(|source| source.extension().is_some_and(|extension| extension == "tex"));
-    sources.sort();
     sources
         .into_iter()
         .map(|source| {
             let rendered = block(&std::fs::read_to_string(&source)?)?;
-            let html = source.with_extension("html");
-            Ok((source, html, rendered))
+            Ok(Kept { html: source.with_extension("html"), rendered })
         })
         .collect()
 }
