@@ -48,7 +48,7 @@ Colours are for terminals only; NO_COLOR=1 does without.";
 #[command(name = "stickslip", version, arg_required_else_help = true, styles = STYLES, after_help = AFTER_HELP)]
 pub(crate) struct CommandLine {
     /// Neither progress nor notes, but answers and errors
-    #[arg(short, long, global = true)]
+    #[arg(short, long, global = true, display_order = 900)]
     pub(crate) quiet: bool,
     #[command(subcommand)]
     pub(crate) command: Command,
