@@ -17,6 +17,13 @@ use num_traits::NumOps;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
 #[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of multiple-precision numbers; counts of limbs and of digits, which a format's u16 bounds"
+    )
+)]
 pub mod mp;
 mod primitive;
 
