@@ -39,12 +39,10 @@ pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
     if condition { yes } else { no }
 }
 
-/// The block that `rest` begins, its last point repeated to the end; `None` where there is none.
-pub(crate) fn padded(rest: &[f64]) -> Option<Block> {
-    let last = *rest.last()?;
-    let mut block = [last; POINTS];
-    for (slot, &x) in block.iter_mut().zip(rest) {
+/// Fills a block with `points`, the last of them repeated to the end.
+pub(crate) fn pad(points: &[f64], block: &mut Block) {
+    let last = points.last().copied().unwrap_or_default();
+    for (slot, x) in block.iter_mut().zip(points.iter().copied().chain(core::iter::repeat(last))) {
         *slot = x;
     }
-    Some(block)
 }
