@@ -1,7 +1,7 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
 use super::amplitude::{amplitude, has_loops};
-use super::block::{AtPoint, Block, POINTS, each};
+use super::block::{AtPoint, Block, POINTS, each, each_straight};
 use super::careful;
 use super::cycle::{all_low_over_alpha, all_over_alpha};
 use super::frequency::Parts;
@@ -120,6 +120,16 @@ impl Kernel<3> for FixedTripleKernel<'_> {
         // A copy, which the outputs cannot overlap.
         let point = self.0.point;
         each(&point, [alpha], out);
+    }
+
+    const IS_STRAIGHT: bool = true;
+
+    #[inline(always)]
+    fn pass_straight(&self, _: &Block, alpha: &Block, [a, b, c]: &mut [&mut [f64]; 3]) {
+        let point = self.0.point;
+        if let (Some(a), Some(b), Some(c)) = (a.first_chunk_mut(), b.first_chunk_mut(), c.first_chunk_mut()) {
+            each_straight(&point, [alpha], a, b, c);
+        }
     }
 
     fn careful(&self, _: f64, alpha: f64) -> [f64; 3] {

@@ -16,6 +16,13 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     /// The outputs over a block; `#[inline(always)]`, as all it calls.
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; N]);
 
+    /// Whether there is [`Kernel::pass_straight`].
+    const IS_STRAIGHT: bool = false;
+
+    /// [`Kernel::pass`] for outputs of one loop, which need no blocks in between.
+    #[inline(always)]
+    fn pass_straight(&self, _omega: &Block, _alpha: &Block, _out: &mut [&mut [f64]; N]) {}
+
     /// The outputs over a block of points with [`Kernel::has_low`]; `#[inline(always)]`, as all it calls.
     #[inline(always)]
     fn pass_low(&self, _omega: &Block, _alpha: &Block, _work: &mut Work, _out: [&mut Block; N]) {}
@@ -36,6 +43,13 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     }
 }
 
+/// Whether a mark says that its point is left. As integers, of which vectors are made.
+#[inline(always)]
+fn is_any_left(marks: Option<&[f64]>) -> bool {
+    let marks: &Block = marks.and_then(<[f64]>::first_chunk).unwrap_or(&[f64::NAN; POINTS]);
+    marks.iter().fold(0, |any, mark| any | u64::from(mark.is_nan())) != 0
+}
+
 struct Pass<'a, K, const N: usize> {
     kernel: &'a K,
     omega: &'a Block,
@@ -44,20 +58,43 @@ struct Pass<'a, K, const N: usize> {
 }
 
 impl<K: Kernel<N>, const N: usize> Loops for Pass<'_, K, N> {
+    type Output = bool;
+
     #[inline(always)]
-    fn run(self) {
+    fn run(self) -> bool {
         let Scratch { work, answer } = self.scratch;
         self.kernel.pass(self.omega, self.alpha, work, answer.each_mut());
+        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
+    }
+}
+
+struct PassStraight<'a, 'b, K, const N: usize> {
+    kernel: &'a K,
+    omega: &'a Block,
+    alpha: &'a Block,
+    out: &'a mut [&'b mut [f64]; N],
+}
+
+impl<K: Kernel<N>, const N: usize> Loops for PassStraight<'_, '_, K, N> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        self.kernel.pass_straight(self.omega, self.alpha, self.out);
+        is_any_left(self.out.get(K::MARK).map(|column| &**column))
     }
 }
 
 struct PassLow<'a, K, const N: usize>(Pass<'a, K, N>);
 
 impl<K: Kernel<N>, const N: usize> Loops for PassLow<'_, K, N> {
+    type Output = bool;
+
     #[inline(always)]
-    fn run(self) {
+    fn run(self) -> bool {
         let Pass { kernel, omega, alpha, scratch: Scratch { work, answer } } = self.0;
         kernel.pass_low(omega, alpha, work, answer.each_mut());
+        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
     }
 }
 
@@ -65,6 +102,17 @@ impl<K: Kernel<N>, const N: usize> Loops for PassLow<'_, K, N> {
 struct Scratch<const N: usize> {
     work: Work,
     answer: [Block; N],
+}
+
+impl<const N: usize> Scratch<N> {
+    /// The answers where they belong.
+    fn put(&self, columns: &mut [&mut [f64]; N]) {
+        for (column, block) in columns.iter_mut().zip(&self.answer) {
+            if let Some(values) = block.get(..column.len()) {
+                column.copy_from_slice(values);
+            }
+        }
+    }
 }
 
 /// Where the outputs go.
@@ -75,13 +123,13 @@ struct Out<'a, const N: usize> {
 }
 
 impl<const N: usize> Out<'_, N> {
-    /// The answers of a block, of which the first is at `start`.
-    fn put(&mut self, start: usize, answer: &[Block; N]) {
-        for (column, block) in self.columns.iter_mut().zip(answer) {
-            for (slot, &value) in column.iter_mut().skip(start).zip(block) {
-                *slot = value;
-            }
-        }
+    /// The outputs of the points from `start` on, at most a block of them.
+    fn block(&mut self, start: usize) -> [&mut [f64]; N] {
+        self.columns.each_mut().map(|column| {
+            let rest = column.get_mut(start..).unwrap_or_default();
+            let n = rest.len().min(POINTS);
+            rest.get_mut(..n).unwrap_or_default()
+        })
     }
 
     /// The answers of points that are not together.
@@ -127,21 +175,31 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
     let (mut low, mut rooms) = (Places::default(), ([0.0; POINTS], [0.0; POINTS]));
     for (block, (omegas, alphas)) in omega.chunks(POINTS).zip(alpha.chunks(POINTS)).enumerate() {
         let start = block * POINTS;
+        let mut columns = out.block(start);
+        let mut set_aside = |i, omega| {
+            let is_low = kernel.has_low(kernel.omega(omega));
+            if is_low {
+                low.push(start + i);
+            }
+            is_low
+        };
         if level == Level::Scalar {
-            scratch.answer = [[f64::NAN; POINTS]; N];
-            redo(kernel, omegas, alphas, &mut scratch.answer, |_, _| true);
+            columns.iter_mut().for_each(|column| column.fill(f64::NAN));
+            redo(kernel, omegas, alphas, &mut columns, |_, _| false);
+        } else if K::IS_STRAIGHT
+            && let (Some(omega), Some(alpha)) = (omegas.first_chunk(), alphas.first_chunk())
+        {
+            if level.run(PassStraight { kernel, omega, alpha, out: &mut columns }) {
+                redo(kernel, omegas, alphas, &mut columns, set_aside);
+            }
         } else {
             let (omega, alpha) = (whole(omegas, &mut rooms.0), whole(alphas, &mut rooms.1));
-            level.run(Pass { kernel, omega, alpha, scratch: &mut scratch });
-            redo(kernel, omegas, alphas, &mut scratch.answer, |i, omega| {
-                let is_low = kernel.has_low(kernel.omega(omega));
-                if is_low {
-                    low.push(start + i);
-                }
-                !is_low
-            });
+            let is_any_left = level.run(Pass { kernel, omega, alpha, scratch: &mut scratch });
+            scratch.put(&mut columns);
+            if is_any_left {
+                redo(kernel, omegas, alphas, &mut columns, &mut set_aside);
+            }
         }
-        out.put(start, &scratch.answer);
         if low.is_full() {
             low_points(kernel, level, omega, alpha, &mut scratch, &mut low, &mut out);
         }
@@ -218,9 +276,12 @@ fn low_points<K: Kernel<N>, const N: usize>(
         block
     };
     let (omega, alpha) = (gather(omega), gather(alpha));
-    level.run(PassLow(Pass { kernel, omega: &omega, alpha: &alpha, scratch }));
+    let is_any_left = level.run(PassLow(Pass { kernel, omega: &omega, alpha: &alpha, scratch }));
     let (omega, alpha) = (omega.get(..count).unwrap_or_default(), alpha.get(..count).unwrap_or_default());
-    redo(kernel, omega, alpha, &mut scratch.answer, |_, _| true);
+    if is_any_left {
+        let mut answer = scratch.answer.each_mut().map(<[f64; POINTS]>::as_mut_slice);
+        redo(kernel, omega, alpha, &mut answer, |_, _| false);
+    }
     out.scatter(places, &scratch.answer);
 }
 
@@ -235,29 +296,20 @@ fn whole<'a>(points: &'a [f64], room: &'a mut Block) -> &'a Block {
     }
 }
 
-/// Does the points whose mark says so and which are `for_now`, by their place in the block and Ω.
+/// Does the points whose mark says so, but for those that are `set_aside`, by their place in the block and Ω.
 fn redo<K: Kernel<N>, const N: usize>(
     kernel: &K,
     omega: &[f64],
     alpha: &[f64],
-    answer: &mut [Block; N],
-    mut for_now: impl FnMut(usize, f64) -> bool,
+    answer: &mut [&mut [f64]; N],
+    mut set_aside: impl FnMut(usize, f64) -> bool,
 ) {
-    /// Points looked at together: few blocks have none left, most eighths of a block do.
-    const GROUP: usize = 16;
-    for start in (0..omega.len()).step_by(GROUP) {
-        let marks = answer.get(K::MARK).and_then(|block| block.get(start..start + GROUP)).unwrap_or_default();
-        if !marks.iter().fold(false, |any, &mark| any | mark.is_nan()) {
-            continue;
-        }
-        let points = omega.iter().zip(alpha).enumerate().skip(start).take(GROUP);
-        for (i, (&omega, &alpha)) in points {
-            let mark = answer.get(K::MARK).and_then(|block| block.get(i)).copied().unwrap_or_default();
-            if mark.is_nan() && for_now(i, omega) {
-                for (block, value) in answer.iter_mut().zip(kernel.careful(omega, alpha)) {
-                    if let Some(slot) = block.get_mut(i) {
-                        *slot = value;
-                    }
+    for (i, (&omega, &alpha)) in omega.iter().zip(alpha).enumerate() {
+        let mark = answer.get(K::MARK).and_then(|block| block.get(i)).copied().unwrap_or_default();
+        if mark.is_nan() && !set_aside(i, omega) {
+            for (column, value) in answer.iter_mut().zip(kernel.careful(omega, alpha)) {
+                if let Some(slot) = column.get_mut(i) {
+                    *slot = value;
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! {Δ₀, α_min, A₁} of a block.
 
 use super::amplitude::{amplitude, border_force, has_loops};
-use super::block::{AtPoint, Block, each};
+use super::block::{AtPoint, Block, each, each_straight};
 use super::careful;
 use super::frequency::PhaseFunction;
 use super::kernel::{Kernel, Work};
@@ -17,6 +17,15 @@ impl Kernel<3> for TripleKernel {
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
         each(&Point(PhaseFunction::new()), [omega, alpha], out);
+    }
+
+    const IS_STRAIGHT: bool = true;
+
+    #[inline(always)]
+    fn pass_straight(&self, omega: &Block, alpha: &Block, [a, b, c]: &mut [&mut [f64]; 3]) {
+        if let (Some(a), Some(b), Some(c)) = (a.first_chunk_mut(), b.first_chunk_mut(), c.first_chunk_mut()) {
+            each_straight(&Point(PhaseFunction::new()), [omega, alpha], a, b, c);
+        }
     }
 
     #[inline(always)]
