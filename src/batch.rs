@@ -21,10 +21,11 @@
 //!
 //! # How
 //!
-//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time.
-//! What such a loop cannot do well is left to the library's own code for one point ([`crate::Cycle`], [`crate::Border`]):
-//! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than 1/32, a velocity whose steps do not settle. So
-//! there is an answer for every point of the domain, and on which side of the border it lies is decided as
+//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time: one set of
+//! loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
+//! cannot do well is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
+//! 1/(2n) than 0.0012 Ω of it, α² closer to the border's square than 2⁻⁴⁶ α² or to K² than α²/16, a start too far from the greatest velocity.
+//! So there is an answer for every point of the domain, and on which side of the border it lies is decided as
 //! [`mod@crate::regime`] decides it.
 //!
 //! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
