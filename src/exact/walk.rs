@@ -39,6 +39,9 @@ pub(crate) struct Walk<F> {
 }
 
 /// The walk of `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
+///
+/// A motion has at most about `1 + 1/Ω` velocity zeros in half a turn, with a few slides and stops at each. From a trial point so far
+/// out that no time passes between its zeros there is no motion to follow: a walk of eight times as many parts ends, nowhere (NaN).
 pub(crate) fn walk<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
@@ -55,7 +58,12 @@ pub(crate) fn walk<F: Float>(
     if matches!(next, Next::Stick(_)) {
         monodromy = monodromy.after_zero(zero);
     }
+    let most = 64.0 + 32.0 * half_turns as f64 * (1.0 + 1.0 / equation.omega.to_f64());
     loop {
+        if parts.len() as f64 > most {
+            let nowhere = zero / zero;
+            return Walk { end: Point { phase: target, x: nowhere, w: nowhere }, monodromy, parts };
+        }
         match next {
             Next::Stick(stick) => match stick.release {
                 Some((phase, direction)) if target.since(phase) > zero => {
