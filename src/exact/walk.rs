@@ -61,7 +61,7 @@ pub(crate) fn walk<F: Float>(
     let most = 64.0 + 32.0 * half_turns as f64 * (1.0 + 1.0 / equation.omega.to_f64());
     loop {
         if parts.len() as f64 > most {
-            let nowhere = zero / zero;
+            let nowhere = F::from_f64(f64::NAN);
             return Walk { end: Point { phase: target, x: nowhere, w: nowhere }, monodromy, parts };
         }
         match next {
