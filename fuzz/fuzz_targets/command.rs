@@ -20,12 +20,14 @@ mod command {
     pub(crate) mod record;
     pub(crate) mod response;
     pub(crate) mod sink;
+    pub(crate) mod style;
 }
 
 use clap::Parser;
 use command::args::{Command, CommandLine, OutputArgs, Question};
 use command::{
     args, bits, border, decay, design, failure, grid, input, interrupt, note, points, record, response, sink,
+    style,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -69,7 +71,9 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         | Command::Simulate(_)
         | Command::Verify(_)
         | Command::Figure(_)
-        | Command::Figures(_) => return None,
+        | Command::Figures(_)
+        | Command::Completions(_)
+        | Command::Man(_) => return None,
     })
 }
 
