@@ -215,7 +215,7 @@ fn the_regime_and_what_does_not_exist() {
 }
 
 /// The outputs of one point's own code.
-fn alone(omega: f64, alpha: f64) -> Option<[f64; 9]> {
+fn alone<F: stickslip::Float>(omega: F, alpha: F) -> Option<[F; 9]> {
     let c = Cycle::new(Ratios::new(omega, alpha).ok()?).ok()?;
     Some([
         c.max_displacement(),
@@ -292,24 +292,7 @@ fn as_one_point_alone() {
 fn against_256_bits() {
     use stickslip::Float;
     use stickslip::float::mp::Mp;
-    let exact = |omega, alpha| {
-        let (omega, alpha) = (Mp::<4>::from_f64(omega), Mp::<4>::from_f64(alpha));
-        let c = Cycle::new(Ratios::new(omega, alpha).ok()?).ok()?;
-        Some(
-            [
-                c.max_displacement(),
-                c.displacement_phase(),
-                c.max_velocity(),
-                c.velocity_phase(),
-                c.deviation(),
-                Border::new(omega).ok()?.min_force_ratio(),
-                c.contraction(),
-                c.loop_size_stiffness(),
-                c.loop_size_inertia(),
-            ]
-            .map(Mp::to_f64),
-        )
-    };
+    let exact = |omega, alpha| Some(alone(Mp::<4>::from_f64(omega), Mp::from_f64(alpha))?.map(Mp::to_f64));
     let (omega, alpha) = points(20_000);
     let answer = cycles(Batch::new(), &omega, &alpha);
     within(worst(&answer, &omega, &alpha, exact), BOUNDS, &omega, &alpha);
