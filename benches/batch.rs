@@ -23,6 +23,10 @@ fn batch(criterion: &mut Criterion) {
     batches.push(("threads".to_owned(), Batch::new().on_threads()));
     for (name, batch) in batches.drain(..) {
         group.bench_function(format!("triple/{name}"), |b| b.iter(|| columns.triple(batch, &omega, &alpha)));
+        group.bench_function(format!("peaks/{name}"), |b| b.iter(|| columns.peaks(batch, &omega, &alpha)));
+        group.bench_function(format!("peaks from 0.35/{name}"), |b| {
+            b.iter(|| columns.peaks(batch, &low_omega, &low_alpha));
+        });
         group.bench_function(format!("cycles/{name}"), |b| b.iter(|| columns.cycles(batch, &omega, &alpha)));
         group.bench_function(format!("cycles from 0.35/{name}"), |b| {
             b.iter(|| columns.cycles(batch, &low_omega, &low_alpha));
@@ -30,6 +34,9 @@ fn batch(criterion: &mut Criterion) {
         if let Ok(row) = FixedOmega::new(1.5) {
             group.bench_function(format!("triple at fixed Ω/{name}"), |b| {
                 b.iter(|| columns.triple_at(batch, &row, &alpha));
+            });
+            group.bench_function(format!("peaks at fixed Ω/{name}"), |b| {
+                b.iter(|| columns.peaks_at(batch, &row, &alpha));
             });
             group.bench_function(format!("cycles at fixed Ω/{name}"), |b| {
                 b.iter(|| columns.cycles_at(batch, &row, &alpha));

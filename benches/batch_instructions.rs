@@ -26,7 +26,9 @@ fn main() {
     let Ok(row) = FixedOmega::new(1.5) else { return };
     for _ in 0..n {
         match kernel.as_str() {
-            "batch-triple" => columns.triple(batch, &omega, &alpha),
+            "batch-triple" | "batch-triple-low" => columns.triple(batch, &omega, &alpha),
+            "batch-peaks" | "batch-peaks-low" => columns.peaks(batch, &omega, &alpha),
+            "batch-peaks-fixed" => columns.peaks_at(batch, &row, &alpha),
             "batch-cycles" | "batch-cycles-low" => columns.cycles(batch, &omega, &alpha),
             "batch-triple-fixed" => columns.triple_at(batch, &row, &alpha),
             "batch-cycles-fixed" => columns.cycles_at(batch, &row, &alpha),

@@ -29,7 +29,7 @@ all() {
         report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
     done
     batch=$(program batch_instructions)
-    for kernel in batch-triple batch-triple-fixed batch-cycles batch-cycles-fixed batch-cycles-low; do
+    for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
         # The difference of two numbers of rounds, so that start-up does not count.
         once=$(count "*" "$batch" "$kernel" 1)
         report "$kernel" $(($(count "*" "$batch" "$kernel" 5) - once)) $((4 * 12800))

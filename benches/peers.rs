@@ -50,16 +50,43 @@ fn time(omega: &[f64], alpha: &[f64]) {
         let batch = Batch::new().at_level(level);
         let name = format!("stickslip {level:?}");
         report(&name, "triple", &mut || columns.triple(batch, omega, alpha));
-        report(&name, "cycle", &mut || columns.cycles(batch, omega, alpha));
+        report(&name, "five", &mut || columns.peaks(batch, omega, alpha));
+        report(&name, "all", &mut || columns.cycles(batch, omega, alpha));
         if let Ok(row) = FixedOmega::new(1.5) {
             report(&name, "triple, fixed Ω", &mut || columns.triple_at(batch, &row, alpha));
-            report(&name, "cycle, fixed Ω", &mut || columns.cycles_at(batch, &row, alpha));
+            report(&name, "five, fixed Ω", &mut || columns.peaks_at(batch, &row, alpha));
+            report(&name, "all, fixed Ω", &mut || columns.cycles_at(batch, &row, alpha));
         }
     }
     #[cfg(feature = "rayon")]
+    threads(omega, alpha);
+}
+
+/// One thread and all, in turn, so that what else the machine does falls on both.
+#[cfg(feature = "rayon")]
+fn threads(omega: &[f64], alpha: &[f64]) {
+    let mut columns = Columns::new(omega.len());
+    let batches = [("one thread", Batch::new()), ("all threads", Batch::new().on_threads())];
+    let steady = omega.len().min(20_000);
+    let (some_omega, some_alpha) = (omega.split_at(steady).0, alpha.split_at(steady).0);
+    for (kernel, n) in
+        [("triple", omega.len()), ("five", omega.len()), ("all", omega.len()), ("steady", steady)]
     {
-        let batch = Batch::new().on_threads();
-        report("stickslip, threads", "triple", &mut || columns.triple(batch, omega, alpha));
-        report("stickslip, threads", "cycle", &mut || columns.cycles(batch, omega, alpha));
+        let mut best = [f64::INFINITY; 2];
+        for _ in 0..15 {
+            for (best, (_, batch)) in best.iter_mut().zip(batches) {
+                let start = Instant::now();
+                match kernel {
+                    "triple" => columns.triple(batch, omega, alpha),
+                    "five" => columns.peaks(batch, omega, alpha),
+                    "all" => columns.cycles(batch, omega, alpha),
+                    _ => drop(std::hint::black_box(batch.steady(some_omega, some_alpha))),
+                }
+                *best = best.min(start.elapsed().as_secs_f64());
+            }
+        }
+        for (best, (name, _)) in best.iter().zip(batches) {
+            println!("stickslip, {name}\t{kernel}, {n} points\t{:.2}", best / n as f64 * 1e9);
+        }
     }
 }

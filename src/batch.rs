@@ -32,13 +32,18 @@
 //!
 //! [`Level::Portable`], [`Level::Avx2`] and [`Level::Avx512`] give the same bits, and threads do not change them.
 
+mod amplitude;
+mod arrival;
 mod block;
+mod careful;
 mod circular;
 mod cycle;
 mod fixed;
 mod frequency;
 mod kernel;
 mod level;
+mod low;
+mod peaks;
 mod steady;
 mod triple;
 mod velocity;
@@ -93,6 +98,21 @@ pub struct Triple<'a> {
     pub loop_size_stiffness: &'a mut [f64],
 }
 
+/// Where [`Batch::peaks`] writes, slices of the length of Ω.
+#[derive(Debug)]
+pub struct Peaks<'a> {
+    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
+    pub max_displacement: &'a mut [f64],
+    /// The exact border α_min ([`crate::Border::min_force_ratio`]).
+    pub min_force_ratio: &'a mut [f64],
+    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
+    pub loop_size_stiffness: &'a mut [f64],
+    /// Maximum velocity V₀/(Bω_d) ([`crate::Cycle::max_velocity`]).
+    pub max_velocity: &'a mut [f64],
+    /// Its phase ω_d t₁ ([`crate::Cycle::velocity_phase`]).
+    pub velocity_phase: &'a mut [f64],
+}
+
 /// Where [`Batch::cycles`] writes, slices of the length of Ω.
 #[derive(Debug)]
 pub struct Cycles<'a> {
@@ -128,6 +148,24 @@ impl<'a> Triple<'a> {
         same_length(n, "least force ratio α_min", self.min_force_ratio.len())?;
         same_length(n, "loop size A₁", self.loop_size_stiffness.len())?;
         Ok([self.max_displacement, self.min_force_ratio, self.loop_size_stiffness])
+    }
+}
+
+impl<'a> Peaks<'a> {
+    /// The slices in the kernel's order, all of length `n`.
+    fn split(self, n: usize) -> Result<[&'a mut [f64]; 5], LengthMismatch> {
+        same_length(n, "maximum displacement Δ₀/B", self.max_displacement.len())?;
+        same_length(n, "least force ratio α_min", self.min_force_ratio.len())?;
+        same_length(n, "loop size A₁", self.loop_size_stiffness.len())?;
+        same_length(n, "maximum velocity V₀/(B ω_d)", self.max_velocity.len())?;
+        same_length(n, "phase ω_d t₁", self.velocity_phase.len())?;
+        Ok([
+            self.max_displacement,
+            self.min_force_ratio,
+            self.loop_size_stiffness,
+            self.max_velocity,
+            self.velocity_phase,
+        ])
     }
 }
 
@@ -194,6 +232,17 @@ impl Batch {
         Ok(())
     }
 
+    /// {Δ₀/B, α_min, A₁, V₀/(Bω_d), ω_d t₁} at the points (Ω, α).
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn peaks(&self, omega: &[f64], alpha: &[f64], out: Peaks<'_>) -> Result<(), LengthMismatch> {
+        same_length(omega.len(), "force ratio α", alpha.len())?;
+        let out = out.split(omega.len())?;
+        self.run(&peaks::PeaksKernel, omega, alpha, out, &mut []);
+        Ok(())
+    }
+
     /// The regime and all outputs of [`crate::Cycle`] at the points (Ω, α).
     ///
     /// # Errors
@@ -215,17 +264,32 @@ impl Batch {
         Ok(())
     }
 
+    /// [`Batch::peaks`] at one Ω.
+    ///
+    /// # Errors
+    /// [`LengthMismatch`] where the slices are not of one length.
+    pub fn peaks_at(&self, row: &FixedOmega, alpha: &[f64], out: Peaks<'_>) -> Result<(), LengthMismatch> {
+        let out = out.split(alpha.len())?;
+        self.for_row(row).run(&fixed::FixedPeaksKernel(row), alpha, alpha, out, &mut []);
+        Ok(())
+    }
+
     /// [`Batch::cycles`] at one Ω.
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
     pub fn cycles_at(&self, row: &FixedOmega, alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
         let (regime, out) = out.split(alpha.len())?;
-        let level = if row.has_loops() { self.level } else { Level::Scalar };
-        let mut at = *self;
-        at.level = level;
-        at.run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
+        self.for_row(row).run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
         Ok(())
+    }
+
+    /// The same, point by point where the loops do not reach.
+    const fn for_row(mut self, row: &FixedOmega) -> Self {
+        if !row.has_loops() {
+            self.level = Level::Scalar;
+        }
+        self
     }
 
     /// The exact motion in the long run from rest at the points (Ω, α): [`LongRun::from_start`] for each.

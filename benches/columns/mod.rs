@@ -2,7 +2,7 @@
 
 use std::hint::black_box;
 use stickslip::Regime;
-use stickslip::batch::{Batch, Cycles, FixedOmega, Triple};
+use stickslip::batch::{Batch, Cycles, FixedOmega, Peaks, Triple};
 
 pub(crate) struct Columns {
     regime: Vec<Option<Regime>>,
@@ -18,6 +18,17 @@ impl Columns {
     fn three(&mut self) -> Triple<'_> {
         let [a, b, c, ..] = &mut self.columns;
         Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c }
+    }
+
+    fn five(&mut self) -> Peaks<'_> {
+        let [a, b, c, d, e, ..] = &mut self.columns;
+        Peaks {
+            max_displacement: a,
+            min_force_ratio: b,
+            loop_size_stiffness: c,
+            max_velocity: d,
+            velocity_phase: e,
+        }
     }
 
     fn all(&mut self) -> Cycles<'_> {
@@ -40,12 +51,20 @@ impl Columns {
         assert_eq!(batch.triple(black_box(omega), black_box(alpha), self.three()), Ok(()));
     }
 
+    pub(crate) fn peaks(&mut self, batch: Batch, omega: &[f64], alpha: &[f64]) {
+        assert_eq!(batch.peaks(black_box(omega), black_box(alpha), self.five()), Ok(()));
+    }
+
     pub(crate) fn cycles(&mut self, batch: Batch, omega: &[f64], alpha: &[f64]) {
         assert_eq!(batch.cycles(black_box(omega), black_box(alpha), self.all()), Ok(()));
     }
 
     pub(crate) fn triple_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {
         assert_eq!(batch.triple_at(black_box(row), black_box(alpha), self.three()), Ok(()));
+    }
+
+    pub(crate) fn peaks_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {
+        assert_eq!(batch.peaks_at(black_box(row), black_box(alpha), self.five()), Ok(()));
     }
 
     pub(crate) fn cycles_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {

@@ -118,6 +118,6 @@ int main(int count, char **arguments) {
         best[0] = fmin(best[0], middle - start);
         best[1] = fmin(best[1], end - middle);
     }
-    printf("%s\ttriple\t%.2f\n%s\tcycle\t%.2f\n", NAME, best[0] / n * 1e9, NAME, best[1] / n * 1e9);
+    printf("%s\ttriple\t%.2f\n%s\tfive\t%.2f\n", NAME, best[0] / n * 1e9, NAME, best[1] / n * 1e9);
     return out[n / 2] == 0;
 }

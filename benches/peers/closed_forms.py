@@ -46,7 +46,7 @@ def best(f, runs):
     return min(times) / len(omega) * 1e9
 
 
-print(f"numpy\ttriple\t{best(triple, 15):.2f}\nnumpy\tcycle\t{best(five, 5):.2f}")
+print(f"numpy\ttriple\t{best(triple, 15):.2f}\nnumpy\tfive\t{best(five, 5):.2f}")
 try:
     import numba
 except ImportError:

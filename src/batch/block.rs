@@ -33,18 +33,30 @@ pub(crate) fn each<const I: usize, const O: usize>(
     }
 }
 
+/// The same over outputs that are not blocks of a thread's own: that no two of them overlap is known of parameters only.
+#[inline(always)]
+pub(crate) fn each_straight<const I: usize>(
+    f: &impl AtPoint<I, 3>,
+    inputs: [&Block; I],
+    a: &mut Block,
+    b: &mut Block,
+    c: &mut Block,
+) {
+    for (i, ((a, b), c)) in a.iter_mut().zip(b).zip(c).enumerate() {
+        [*a, *b, *c] = f.at(inputs.map(|block| block.get(i).copied().unwrap_or_default()));
+    }
+}
+
 /// `yes` where `condition` holds, `no` elsewhere: both are computed, so that nothing branches.
 #[inline(always)]
 pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
     if condition { yes } else { no }
 }
 
-/// The block that `rest` begins, its last point repeated to the end; `None` where there is none.
-pub(crate) fn padded(rest: &[f64]) -> Option<Block> {
-    let last = *rest.last()?;
-    let mut block = [last; POINTS];
-    for (slot, &x) in block.iter_mut().zip(rest) {
+/// Fills a block with `points`, the last of them repeated to the end.
+pub(crate) fn pad(points: &[f64], block: &mut Block) {
+    let last = points.last().copied().unwrap_or_default();
+    for (slot, x) in block.iter_mut().zip(points.iter().copied().chain(core::iter::repeat(last))) {
         *slot = x;
     }
-    Some(block)
 }

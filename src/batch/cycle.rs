@@ -1,179 +1,110 @@
 //! All outputs of a cycle, over a block.
 
 use super::block::{AtPoint, Block, each, select};
-use super::circular::first_quadrant_angle;
-use super::frequency::{Frequency, frequency};
+use super::careful;
+use super::circular::{SinCos, TO_HALF_PI, held};
+use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
-use super::triple::{CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, has_loops};
-use super::velocity::{Waves, velocity_phase};
-use crate::nonsticking::{Border, Cycle};
-use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::Ratios;
+use super::low::{LowArrival, LowDisplacement, LowParts, LowStart, has_low_loops};
+use super::peaks::{Arrival, Displacement, Start};
 use core::f64::consts::PI;
 
 /// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂}.
 pub(crate) struct CycleKernel;
-
-/// `[1/Ω, K, sin β, cos β, 1/cos β, (1 − sin β)/cos β]`.
-#[inline(always)]
-pub(crate) fn parts(omega: f64) -> [f64; 6] {
-    let f = frequency(omega);
-    [f.inverse, f.phase_function, f.sin_beta, f.cos_beta, f.secant, f.tan_half_offset]
-}
-
-struct Parts;
-
-impl AtPoint<1, 6> for Parts {
-    #[inline(always)]
-    fn at(&self, [omega]: [f64; 1]) -> [f64; 6] {
-        parts(omega)
-    }
-}
 
 impl Kernel<9> for CycleKernel {
     const MARK: usize = 5;
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [inverse, k, sin_beta, cos_beta, secant, offset, a, b, c] = work;
-        each(&Parts, [omega], [inverse, k, sin_beta, cos_beta, secant, offset]);
-        over_alpha(omega, alpha, [inverse, k, sin_beta, cos_beta, secant, offset], [a, b, c], out);
+        let [k, inverse, kappa, slope, a, b, ..] = work;
+        each(&Parts::new(), [omega], [k, inverse, kappa, slope]);
+        all_over_alpha(omega, alpha, [k, inverse, kappa, slope], [a, b], out);
+    }
+
+    #[inline(always)]
+    fn pass_low(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
+        let [k, inverse, sin_beta, cos_beta, force, a, b, ..] = work;
+        each(&LowParts::new(), [omega], [k, inverse, sin_beta, cos_beta, force]);
+        all_low_over_alpha(omega, alpha, [k, inverse, sin_beta, cos_beta, force], [a, b], out);
+    }
+
+    fn has_low(&self, omega: f64) -> bool {
+        has_low_loops(omega)
     }
 
     fn careful(&self, omega: f64, alpha: f64) -> [f64; 9] {
-        let nan = f64::NAN;
-        let Ok(ratios) = Ratios::new(omega, alpha) else { return [nan; 9] };
-        let p = PhaseFunction::of_valid(omega);
-        let border = Border::at(&p).min_force_ratio();
-        if alpha < border || omega == 1.0 {
-            return [nan, nan, nan, nan, nan, border, nan, nan, nan];
-        }
-        let cycle = Cycle::at(&p, ratios);
-        [
-            cycle.max_displacement(),
-            cycle.displacement_phase(),
-            cycle.max_velocity(),
-            cycle.velocity_phase(),
-            cycle.deviation(),
-            border,
-            cycle.contraction(),
-            cycle.loop_size_stiffness(),
-            cycle.loop_size_inertia(),
-        ]
+        careful::all(omega, alpha)
     }
 }
 
-/// The loops over α.
+/// The loops over α, from `[K, 1/Ω, κ, u/(Ω − 1)]`.
 #[inline(always)]
-pub(crate) fn over_alpha(
+pub(crate) fn all_over_alpha(
     omega: &Block,
     alpha: &Block,
-    of_omega: [&Block; 6],
-    work: [&mut Block; 3],
-    out: [&mut Block; 9],
+    [k, inverse, kappa, slope]: [&Block; 4],
+    [psi, mark]: [&mut Block; 2],
+    [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    let [inverse, k, sin_beta, cos_beta, secant, tan_half_offset] = of_omega;
-    let [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2] = out;
-    let [first, second, found] = work;
-    each(
-        &Amplitude,
-        [omega, alpha, inverse, k, sin_beta, cos_beta],
-        [displacement, phase2, border, contraction, size1, size2],
-    );
-    let [a, b, c, d, e, f, g] = [omega, &*displacement, inverse, sin_beta, cos_beta, secant, tan_half_offset];
-    each(&FirstStep, [a, b, c, d, e, f, g], [first]);
-    each(&SecondStep, [a, b, c, d, e, f, g, &*first], [second]);
-    each(&LastStep, [a, b, c, d, e, f, g, &*first, &*second, &*phase2], [velocity, phase1, deviation, found]);
-    let mark = *border;
-    each(&Sum, [&mark, found], [border]);
+    each(&Displacement::new(), [omega, alpha, k, inverse], [displacement, mark, size1, phase2]);
+    each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
+    each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
+    each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
+    blank(displacement, phase2);
 }
 
-struct Sum;
-
-impl AtPoint<2, 1> for Sum {
-    #[inline(always)]
-    fn at(&self, [a, b]: [f64; 2]) -> [f64; 1] {
-        [a + b]
-    }
-}
-
+/// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
 #[inline(always)]
-fn waves([omega, max_displacement, inverse, sin_beta, cos_beta, secant, tan_half_offset]: [f64; 7]) -> Waves {
-    let at = Frequency { inverse, phase_function: 0.0, sin_beta, cos_beta, secant, tan_half_offset };
-    Waves { omega, max_displacement, at }
+pub(crate) fn all_low_over_alpha(
+    omega: &Block,
+    alpha: &Block,
+    [k, inverse, sin_beta, cos_beta, force]: [&Block; 5],
+    [theta, mark]: [&mut Block; 2],
+    [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
+) {
+    each(&LowDisplacement::new(), [omega, alpha, k, force], [displacement, mark, size1, phase2]);
+    each(&LowStart::new(), [omega, alpha, displacement, inverse, sin_beta, cos_beta, phase2], [theta]);
+    let given = [omega, &*displacement, inverse, sin_beta, cos_beta, &*theta, &*phase2, &*mark];
+    each(&LowArrival::new(), given, [velocity, phase1, border, deviation]);
+    each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
+    blank(displacement, phase2);
 }
 
-struct FirstStep;
-
-impl AtPoint<7, 1> for FirstStep {
-    #[inline(always)]
-    fn at(&self, given: [f64; 7]) -> [f64; 1] {
-        [waves(given).first_step()]
+/// Where there is no Δ₀, there is no phase of it.
+#[inline(always)]
+fn blank(displacement: &Block, phase: &mut Block) {
+    for (phase, displacement) in phase.iter_mut().zip(displacement) {
+        *phase = select(displacement.is_nan(), f64::NAN, *phase);
     }
 }
 
-struct SecondStep;
+/// The contraction λ and the loop size A₂.
+#[derive(Clone, Copy)]
+struct Rest(SinCos<8, 8>);
 
-impl AtPoint<8, 1> for SecondStep {
+impl Rest {
     #[inline(always)]
-    fn at(&self, [a, b, c, d, e, f, g, psi]: [f64; 8]) -> [f64; 1] {
-        [waves([a, b, c, d, e, f, g]).next(psi)]
+    fn new() -> Self {
+        Self(held(TO_HALF_PI))
     }
 }
 
-/// `[V₀, ω_d t₁, Δ₁, mark]`.
-struct LastStep;
-
-impl AtPoint<10, 4> for LastStep {
+impl AtPoint<4, 2> for Rest {
+    /// `[λ, A₂]` from `[Ω, Δ₀, 1/Ω, A₁]`.
     #[inline(always)]
-    fn at(&self, [omega, delta, inverse, d, e, f, g, first, second, phase2]: [f64; 10]) -> [f64; 4] {
-        let fastest = waves([omega, delta, inverse, d, e, f, g]).arrive(first, second);
-        [
-            fastest.velocity * inverse,
-            velocity_phase(phase2, omega, fastest.psi),
-            fastest.displacement,
-            // Where there is no cycle, no step could settle.
-            select(fastest.is_found | delta.is_nan(), 0.0, f64::NAN),
-        ]
-    }
-}
-
-/// `[Δ₀, ω_d t₂, α_min, λ, A₁, A₂]`; NaN for α_min says that the point is to be redone.
-struct Amplitude;
-
-impl AtPoint<6, 6> for Amplitude {
-    #[inline(always)]
-    fn at(&self, [omega, alpha, inverse, k, sin_beta, cos_beta]: [f64; 6]) -> [f64; 6] {
-        let q = one_minus_square(omega);
-        let force = q * inverse * inverse;
-        let border = force.mul_add(force, k * k).sqrt();
-        let slides = alpha >= border;
-        let sine = ((alpha - k) * (alpha + k)).sqrt();
-        let displacement = select(slides, sine / q.abs(), f64::NAN);
-        // For Ω ≥ 1/2, K ≤ 0.
-        let angle = first_quadrant_angle(sine, -k, alpha);
-        let phase = PI + select(omega < 1.0, -angle, angle);
-        let size = 8.0 * displacement / (alpha * alpha);
+    fn at(&self, [omega, displacement, inverse, size]: [f64; 4]) -> [f64; 2] {
+        // sin and cos of π/Ω up to sign, from its distance to the nearest multiple of π.
+        let multiple = inverse.round_ties_even();
+        let (sine, cosine) = self.0.sin_cos(PI * (-multiple).mul_add(omega, 1.0) * inverse);
         let square = omega * omega;
         let g = square * displacement;
-        let g_sine = g * (2.0 * sin_beta * cos_beta).abs();
-        let g_cosine = g * ((cos_beta - sin_beta) * (cos_beta + sin_beta)).abs();
+        let g_sine = g * sine.abs();
         let is_complex = g_sine > 1.0;
         let x = select(is_complex, g, g_sine);
         let product = (x - 1.0) * (x + 1.0);
-        let modulus = select(is_complex, 0.0, g_cosine) + product.abs().sqrt();
-        let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
-        let ordinary = has_loops(omega)
-            & (alpha > 0.0)
-            & ((alpha - border).abs() > CLEAR_OF_BORDER * border)
-            & (!slides | clear);
-        [
-            displacement,
-            select(slides, phase, f64::NAN),
-            select(ordinary, border, f64::NAN),
-            modulus / (g + 1.0),
-            size,
-            square * size,
-        ]
+        let modulus = select(is_complex, 0.0, g * cosine) + product.abs().sqrt();
+        [modulus / (g + 1.0), square * size]
     }
 }

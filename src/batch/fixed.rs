@@ -1,11 +1,13 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
-use super::block::{AtPoint, Block, POINTS, each, select};
-use super::cycle::{CycleKernel, over_alpha, parts};
+use super::amplitude::{amplitude, has_loops};
+use super::block::{AtPoint, Block, POINTS, each, each_straight};
+use super::careful;
+use super::cycle::{all_low_over_alpha, all_over_alpha};
+use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
-use super::triple::{
-    CLEAR_OF_BORDER, CLEAR_OF_PHASE_FUNCTION, GREATEST_DISPLACEMENT, TripleKernel, has_loops,
-};
+use super::low::{LowParts, has_low_loops};
+use super::peaks::{low_over_alpha, over_alpha};
 use crate::error::Error;
 use crate::nonsticking::Border;
 use crate::phase_function::{PhaseFunction, one_minus_square};
@@ -29,7 +31,18 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 pub struct FixedOmega {
     point: PointAt,
     omega: Block,
-    of_omega: [Block; 6],
+    loops: Loops,
+}
+
+/// What the loops need of Ω.
+#[derive(Debug, Clone)]
+enum Loops {
+    /// Ω ≥ 1/2: `[K, 1/Ω, κ, u/(Ω − 1)]`.
+    High([Block; 4]),
+    /// Below: `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
+    Low([Block; 5]),
+    /// Beyond: each point on its own.
+    None,
 }
 
 impl FixedOmega {
@@ -39,13 +52,23 @@ impl FixedOmega {
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: f64) -> Result<Self, Error> {
         let p = PhaseFunction::new(omega)?;
+        let border = Border::at(&p);
+        let one_minus_square = one_minus_square(omega);
         let point = PointAt {
             omega,
             phase_function: p.value(),
-            distance: one_minus_square(omega).abs(),
-            border: Border::at(&p).min_force_ratio(),
+            distance: one_minus_square.abs(),
+            force: one_minus_square * border.least_displacement(),
+            border: border.min_force_ratio(),
         };
-        Ok(Self { point, omega: [omega; POINTS], of_omega: parts(omega).map(|x| [x; POINTS]) })
+        let loops = if has_loops(omega) {
+            Loops::High(Parts::new().at([omega]).map(|x| [x; POINTS]))
+        } else if has_low_loops(omega) {
+            Loops::Low(LowParts::new().at([omega]).map(|x| [x; POINTS]))
+        } else {
+            Loops::None
+        };
+        Ok(Self { point, omega: [omega; POINTS], loops })
     }
 
     /// Ω.
@@ -60,9 +83,9 @@ impl FixedOmega {
         self.point.border
     }
 
-    /// Whether Ω is in the range of the loops over all outputs.
-    pub(crate) fn has_loops(&self) -> bool {
-        has_loops(self.point.omega)
+    /// Whether the loops over α reach this Ω.
+    pub(crate) const fn has_loops(&self) -> bool {
+        !matches!(self.loops, Loops::None)
     }
 }
 
@@ -72,21 +95,17 @@ struct PointAt {
     phase_function: f64,
     /// |1 − Ω²|.
     distance: f64,
+    /// (1 − Ω²) S.
+    force: f64,
     border: f64,
 }
 
 impl AtPoint<1, 3> for PointAt {
     #[inline(always)]
     fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
-        let Self { phase_function: k, distance, border, .. } = *self;
-        let slides = alpha >= border;
-        let displacement = ((alpha - k) * (alpha + k)).sqrt() / distance;
-        let size = 8.0 * displacement / (alpha * alpha);
-        let clear = (displacement <= GREATEST_DISPLACEMENT) & (alpha > CLEAR_OF_PHASE_FUNCTION * k.abs());
-        let ordinary =
-            (alpha > 0.0) & ((alpha - border).abs() > CLEAR_OF_BORDER * border) & (!slides | clear);
-        let nan = f64::NAN;
-        [select(slides, displacement, nan), select(ordinary, border, nan), select(slides, size, nan)]
+        let Self { phase_function, distance, force, border, .. } = *self;
+        let found = amplitude(alpha, phase_function, distance, force, border, distance > 0.0);
+        [found.displacement, found.border, found.size]
     }
 }
 
@@ -103,8 +122,47 @@ impl Kernel<3> for FixedTripleKernel<'_> {
         each(&point, [alpha], out);
     }
 
+    const IS_STRAIGHT: bool = true;
+
+    #[inline(always)]
+    fn pass_straight(&self, _: &Block, alpha: &Block, [a, b, c]: &mut [&mut [f64]; 3]) {
+        let point = self.0.point;
+        if let (Some(a), Some(b), Some(c)) = (a.first_chunk_mut(), b.first_chunk_mut(), c.first_chunk_mut()) {
+            each_straight(&point, [alpha], a, b, c);
+        }
+    }
+
     fn careful(&self, _: f64, alpha: f64) -> [f64; 3] {
-        TripleKernel.careful(self.0.omega(), alpha)
+        careful::triple(self.0.omega(), alpha)
+    }
+
+    fn omega(&self, _: f64) -> f64 {
+        self.0.omega()
+    }
+}
+
+/// {Δ₀, α_min, A₁, V₀, ω_d t₁} of a row.
+pub(crate) struct FixedPeaksKernel<'a>(pub(crate) &'a FixedOmega);
+
+impl Kernel<5> for FixedPeaksKernel<'_> {
+    const MARK: usize = 1;
+
+    #[inline(always)]
+    fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
+        let [a, b, c, ..] = work;
+        match &self.0.loops {
+            Loops::High(of_omega) => {
+                over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
+            }
+            Loops::Low(of_omega) => {
+                low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
+            }
+            Loops::None => {}
+        }
+    }
+
+    fn careful(&self, _: f64, alpha: f64) -> [f64; 5] {
+        careful::peaks(self.0.omega(), alpha)
     }
 
     fn omega(&self, _: f64) -> f64 {
@@ -120,12 +178,20 @@ impl Kernel<9> for FixedCycleKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [.., a, b, c] = work;
-        over_alpha(&self.0.omega, alpha, self.0.of_omega.each_ref(), [a, b, c], out);
+        let [a, b, ..] = work;
+        match &self.0.loops {
+            Loops::High(of_omega) => {
+                all_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);
+            }
+            Loops::Low(of_omega) => {
+                all_low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);
+            }
+            Loops::None => {}
+        }
     }
 
     fn careful(&self, _: f64, alpha: f64) -> [f64; 9] {
-        CycleKernel.careful(self.0.omega(), alpha)
+        careful::all(self.0.omega(), alpha)
     }
 
     fn omega(&self, _: f64) -> f64 {

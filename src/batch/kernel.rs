@@ -1,6 +1,6 @@
 //! How slices are cut into blocks, what was left to the careful path is done, and the work is spread over threads.
 
-use super::block::{Block, POINTS, padded};
+use super::block::{Block, POINTS, pad};
 use super::level::{Level, Loops};
 use crate::regime::Regime;
 
@@ -16,6 +16,23 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     /// The outputs over a block; `#[inline(always)]`, as all it calls.
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; N]);
 
+    /// Whether there is [`Kernel::pass_straight`].
+    const IS_STRAIGHT: bool = false;
+
+    /// [`Kernel::pass`] for outputs of one loop, which need no blocks in between.
+    #[inline(always)]
+    fn pass_straight(&self, _omega: &Block, _alpha: &Block, _out: &mut [&mut [f64]; N]) {}
+
+    /// The outputs over a block of points with [`Kernel::has_low`]; `#[inline(always)]`, as all it calls.
+    #[inline(always)]
+    fn pass_low(&self, _omega: &Block, _alpha: &Block, _work: &mut Work, _out: [&mut Block; N]) {}
+
+    /// Whether [`Kernel::pass_low`] may have the answer at an Ω for which [`Kernel::pass`] has none.
+    #[inline]
+    fn has_low(&self, _omega: f64) -> bool {
+        false
+    }
+
     /// The outputs at one point by the library's own code for one point.
     fn careful(&self, omega: f64, alpha: f64) -> [f64; N];
 
@@ -26,18 +43,104 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     }
 }
 
+/// Whether a mark says that its point is left. As integers, of which vectors are made.
+#[inline(always)]
+fn is_any_left(marks: Option<&[f64]>) -> bool {
+    let marks: &Block = marks.and_then(<[f64]>::first_chunk).unwrap_or(&[f64::NAN; POINTS]);
+    marks.iter().fold(0, |any, mark| any | u64::from(mark.is_nan())) != 0
+}
+
 struct Pass<'a, K, const N: usize> {
     kernel: &'a K,
     omega: &'a Block,
     alpha: &'a Block,
-    work: &'a mut Work,
-    out: [&'a mut Block; N],
+    scratch: &'a mut Scratch<N>,
 }
 
 impl<K: Kernel<N>, const N: usize> Loops for Pass<'_, K, N> {
+    type Output = bool;
+
     #[inline(always)]
-    fn run(self) {
-        self.kernel.pass(self.omega, self.alpha, self.work, self.out);
+    fn run(self) -> bool {
+        let Scratch { work, answer } = self.scratch;
+        self.kernel.pass(self.omega, self.alpha, work, answer.each_mut());
+        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
+    }
+}
+
+struct PassStraight<'a, 'b, K, const N: usize> {
+    kernel: &'a K,
+    omega: &'a Block,
+    alpha: &'a Block,
+    out: &'a mut [&'b mut [f64]; N],
+}
+
+impl<K: Kernel<N>, const N: usize> Loops for PassStraight<'_, '_, K, N> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        self.kernel.pass_straight(self.omega, self.alpha, self.out);
+        is_any_left(self.out.get(K::MARK).map(|column| &**column))
+    }
+}
+
+struct PassLow<'a, K, const N: usize>(Pass<'a, K, N>);
+
+impl<K: Kernel<N>, const N: usize> Loops for PassLow<'_, K, N> {
+    type Output = bool;
+
+    #[inline(always)]
+    fn run(self) -> bool {
+        let Pass { kernel, omega, alpha, scratch: Scratch { work, answer } } = self.0;
+        kernel.pass_low(omega, alpha, work, answer.each_mut());
+        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
+    }
+}
+
+/// Blocks of a thread's own: that no two of them overlap is then known to the compiler, too.
+struct Scratch<const N: usize> {
+    work: Work,
+    answer: [Block; N],
+}
+
+impl<const N: usize> Scratch<N> {
+    /// The answers where they belong.
+    fn put(&self, columns: &mut [&mut [f64]; N]) {
+        for (column, block) in columns.iter_mut().zip(&self.answer) {
+            if let Some(values) = block.get(..column.len()) {
+                column.copy_from_slice(values);
+            }
+        }
+    }
+}
+
+/// Where the outputs go.
+struct Out<'a, const N: usize> {
+    columns: [&'a mut [f64]; N],
+    /// Of the same length, or empty.
+    regimes: &'a mut [Option<Regime>],
+}
+
+impl<const N: usize> Out<'_, N> {
+    /// The outputs of the points from `start` on, at most a block of them.
+    fn block(&mut self, start: usize) -> [&mut [f64]; N] {
+        self.columns.each_mut().map(|column| {
+            let rest = column.get_mut(start..).unwrap_or_default();
+            let n = rest.len().min(POINTS);
+            rest.get_mut(..n).unwrap_or_default()
+        })
+    }
+
+    /// The answers of points that are not together.
+    fn scatter(&mut self, places: &[usize], answer: &[Block; N]) {
+        for (column, block) in self.columns.iter_mut().zip(answer) {
+            for (&place, &value) in places.iter().zip(block) {
+                if let Some(slot) = column.get_mut(place) {
+                    *slot = value;
+                }
+            }
+        }
     }
 }
 
@@ -67,74 +170,146 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
     out: [&mut [f64]; N],
     regimes: &mut [Option<Regime>],
 ) {
-    let mut regimes = regimes.chunks_mut(POINTS);
-    let mut out = out.map(|slice| slice.chunks_mut(POINTS));
-    // Blocks of the thread's own: that no two of them overlap is then known to the compiler, too.
-    let (mut answer, mut work) = ([[0.0; POINTS]; N], [[0.0; POINTS]; 9]);
-    for (omega, alpha) in omega.chunks(POINTS).zip(alpha.chunks(POINTS)) {
+    let mut out = Out { columns: out, regimes };
+    let mut scratch = Scratch { work: [[0.0; POINTS]; 9], answer: [[0.0; POINTS]; N] };
+    let (mut low, mut rooms) = (Places::default(), ([0.0; POINTS], [0.0; POINTS]));
+    for (block, (omegas, alphas)) in omega.chunks(POINTS).zip(alpha.chunks(POINTS)).enumerate() {
+        let start = block * POINTS;
+        let mut columns = out.block(start);
+        let mut set_aside = |i, omega| {
+            let is_low = kernel.has_low(kernel.omega(omega));
+            if is_low {
+                low.push(start + i);
+            }
+            is_low
+        };
         if level == Level::Scalar {
-            redo(kernel, omega, alpha, &mut answer, |_| true);
+            columns.iter_mut().for_each(|column| column.fill(f64::NAN));
+            redo(kernel, omegas, alphas, &mut columns, |_, _| false);
+        } else if K::IS_STRAIGHT
+            && let (Some(omega), Some(alpha)) = (omegas.first_chunk(), alphas.first_chunk())
+        {
+            if level.run(PassStraight { kernel, omega, alpha, out: &mut columns }) {
+                redo(kernel, omegas, alphas, &mut columns, set_aside);
+            }
         } else {
-            over_block(kernel, level, omega, alpha, &mut work, &mut answer);
-        }
-        if let (Some(slots), Some(borders)) = (regimes.next(), answer.get(K::MARK)) {
-            for (((slot, &omega), &alpha), &border) in slots.iter_mut().zip(omega).zip(alpha).zip(borders) {
-                *slot = regime(kernel.omega(omega), alpha, border);
+            let (omega, alpha) = (whole(omegas, &mut rooms.0), whole(alphas, &mut rooms.1));
+            let is_any_left = level.run(Pass { kernel, omega, alpha, scratch: &mut scratch });
+            scratch.put(&mut columns);
+            if is_any_left {
+                redo(kernel, omegas, alphas, &mut columns, &mut set_aside);
             }
         }
-        for (slices, block) in out.iter_mut().zip(&answer) {
-            if let Some(slice) = slices.next()
-                && let Some(points) = block.get(..slice.len())
-            {
-                slice.copy_from_slice(points);
-            }
+        if low.is_full() {
+            low_points(kernel, level, omega, alpha, &mut scratch, &mut low, &mut out);
         }
+    }
+    while !low.is_empty() {
+        low_points(kernel, level, omega, alpha, &mut scratch, &mut low, &mut out);
+    }
+    let borders = out.columns.get(K::MARK).into_iter().flat_map(|column| column.iter());
+    for (((slot, &omega), &alpha), &border) in out.regimes.iter_mut().zip(omega).zip(alpha).zip(borders) {
+        *slot = regime(kernel.omega(omega), alpha, border);
     }
 }
 
-/// One block, or what there is of it.
-fn over_block<K: Kernel<N>, const N: usize>(
+/// Points set aside, at most two blocks of them.
+struct Places {
+    places: [usize; 2 * POINTS],
+    count: usize,
+}
+
+impl Default for Places {
+    fn default() -> Self {
+        Self { places: [0; 2 * POINTS], count: 0 }
+    }
+}
+
+impl Places {
+    fn push(&mut self, place: usize) {
+        if let Some(slot) = self.places.get_mut(self.count) {
+            *slot = place;
+            self.count += 1;
+        }
+    }
+
+    /// Whether a whole block of them is there, so that another may not find room.
+    const fn is_full(&self) -> bool {
+        self.count >= POINTS
+    }
+
+    const fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    /// The last block of them, or what there is of it.
+    fn pop(&mut self) -> ([usize; POINTS], usize) {
+        let left = self.count.saturating_sub(POINTS);
+        let mut taken = [0; POINTS];
+        for (slot, &place) in taken.iter_mut().zip(self.places.iter().skip(left)) {
+            *slot = place;
+        }
+        let count = self.count - left;
+        self.count = left;
+        (taken, count)
+    }
+}
+
+/// A block of the points set aside.
+fn low_points<K: Kernel<N>, const N: usize>(
     kernel: &K,
     level: Level,
     omega: &[f64],
     alpha: &[f64],
-    work: &mut Work,
-    answer: &mut [Block; N],
+    scratch: &mut Scratch<N>,
+    low: &mut Places,
+    out: &mut Out<'_, N>,
 ) {
-    if let (Some(omega), Some(alpha)) = (omega.first_chunk(), alpha.first_chunk()) {
-        level.run(Pass { kernel, omega, alpha, work, out: answer.each_mut() });
-    } else if let (Some(omega), Some(alpha)) = (padded(omega), padded(alpha)) {
-        level.run(Pass { kernel, omega: &omega, alpha: &alpha, work, out: answer.each_mut() });
+    let (places, count) = low.pop();
+    let places = places.get(..count).unwrap_or_default();
+    let last = places.last().copied().unwrap_or_default();
+    let gather = |from: &[f64]| {
+        let mut block = [from.get(last).copied().unwrap_or_default(); POINTS];
+        for (slot, &place) in block.iter_mut().zip(places) {
+            *slot = from.get(place).copied().unwrap_or_default();
+        }
+        block
+    };
+    let (omega, alpha) = (gather(omega), gather(alpha));
+    let is_any_left = level.run(PassLow(Pass { kernel, omega: &omega, alpha: &alpha, scratch }));
+    let (omega, alpha) = (omega.get(..count).unwrap_or_default(), alpha.get(..count).unwrap_or_default());
+    if is_any_left {
+        let mut answer = scratch.answer.each_mut().map(<[f64; POINTS]>::as_mut_slice);
+        redo(kernel, omega, alpha, &mut answer, |_, _| false);
     }
-    redo(kernel, omega, alpha, answer, f64::is_nan);
+    out.scatter(places, &scratch.answer);
 }
 
-/// Does the points whose mark says so.
+/// The first block of `points`; where there is less, `room` with it.
+fn whole<'a>(points: &'a [f64], room: &'a mut Block) -> &'a Block {
+    match points.first_chunk() {
+        Some(block) => block,
+        None => {
+            pad(points, room);
+            room
+        }
+    }
+}
+
+/// Does the points whose mark says so, but for those that are `set_aside`, by their place in the block and Ω.
 fn redo<K: Kernel<N>, const N: usize>(
     kernel: &K,
     omega: &[f64],
     alpha: &[f64],
-    answer: &mut [Block; N],
-    is_left: impl Fn(f64) -> bool,
+    answer: &mut [&mut [f64]; N],
+    mut set_aside: impl FnMut(usize, f64) -> bool,
 ) {
-    /// Points looked at together: few blocks have none left, most eighths of a block do.
-    const GROUP: usize = 16;
-    for start in (0..omega.len()).step_by(GROUP) {
-        let marks = answer
-            .get(K::MARK)
-            .and_then(|block| block.get(start..start.saturating_add(GROUP)))
-            .unwrap_or_default();
-        if !marks.iter().fold(false, |any, &mark| any | is_left(mark)) {
-            continue;
-        }
-        let points = omega.iter().zip(alpha).enumerate().skip(start).take(GROUP);
-        for (i, (&omega, &alpha)) in points {
-            let mark = answer.get(K::MARK).and_then(|block| block.get(i)).copied().unwrap_or_default();
-            if is_left(mark) {
-                for (block, value) in answer.iter_mut().zip(kernel.careful(omega, alpha)) {
-                    if let Some(slot) = block.get_mut(i) {
-                        *slot = value;
-                    }
+    for (i, (&omega, &alpha)) in omega.iter().zip(alpha).enumerate() {
+        let mark = answer.get(K::MARK).and_then(|block| block.get(i)).copied().unwrap_or_default();
+        if mark.is_nan() && !set_aside(i, omega) {
+            for (column, value) in answer.iter_mut().zip(kernel.careful(omega, alpha)) {
+                if let Some(slot) = column.get_mut(i) {
+                    *slot = value;
                 }
             }
         }
@@ -154,7 +329,7 @@ pub(crate) fn run_on_threads<K: Kernel<N>, const N: usize>(
 ) {
     /// Blocks worth a task of their own.
     const WORTH: usize = 16 * POINTS;
-    let half = (omega.len() / 2 / POINTS).saturating_mul(POINTS);
+    let half = omega.len() / 2 / POINTS * POINTS;
     if half < WORTH {
         return run(kernel, level, omega, alpha, out, regimes);
     }

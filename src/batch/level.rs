@@ -55,7 +55,7 @@ impl Level {
     /// Runs the loops of `task` with these instructions; with those the program was compiled for where the processor
     /// does not have them.
     #[inline]
-    pub(crate) fn run<T: Loops>(self, task: T) {
+    pub(crate) fn run<T: Loops>(self, task: T) -> T::Output {
         #[cfg(target_arch = "x86_64")]
         match self {
             Self::Avx2 => {
@@ -70,14 +70,17 @@ impl Level {
             }
             Self::Scalar | Self::Portable => {}
         }
-        task.run();
+        task.run()
     }
 }
 
 /// Loops to be compiled once for each level: `run` has to be `#[inline(always)]`, down to the last function it calls.
 pub(crate) trait Loops {
+    /// What is known after them.
+    type Output;
+
     /// Runs them.
-    fn run(self);
+    fn run(self) -> Self::Output;
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -85,10 +88,10 @@ struct Vectorized<T>(T);
 
 #[cfg(target_arch = "x86_64")]
 impl<T: Loops> pulp::NullaryFnOnce for Vectorized<T> {
-    type Output = ();
+    type Output = T::Output;
 
     #[inline(always)]
-    fn call(self) {
-        self.0.run();
+    fn call(self) -> T::Output {
+        self.0.run()
     }
 }

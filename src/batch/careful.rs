@@ -1,0 +1,38 @@
+//! What the loops leave: the library's own answer at one point.
+
+use crate::ratios::Ratios;
+use crate::response::Response;
+
+/// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂} at (Ω, α): NaN what does not exist.
+pub(crate) fn all(omega: f64, alpha: f64) -> [f64; 9] {
+    let nan = f64::NAN;
+    let Ok(ratios) = Ratios::new(omega, alpha) else { return [nan; 9] };
+    let answer = Response::new(ratios);
+    let border = answer.border().min_force_ratio();
+    match answer.cycle() {
+        None => [nan, nan, nan, nan, nan, border, nan, nan, nan],
+        Some(cycle) => [
+            cycle.max_displacement(),
+            cycle.displacement_phase(),
+            cycle.max_velocity(),
+            cycle.velocity_phase(),
+            cycle.deviation(),
+            border,
+            cycle.contraction(),
+            cycle.loop_size_stiffness(),
+            cycle.loop_size_inertia(),
+        ],
+    }
+}
+
+/// {Δ₀, α_min, A₁}.
+pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
+    let [displacement, _, _, _, _, border, _, size, _] = all(omega, alpha);
+    [displacement, border, size]
+}
+
+/// {Δ₀, α_min, A₁, V₀, ω_d t₁}.
+pub(crate) fn peaks(omega: f64, alpha: f64) -> [f64; 5] {
+    let [displacement, _, velocity, phase, _, border, _, size, _] = all(omega, alpha);
+    [displacement, border, size, velocity, phase]
+}
