@@ -2,7 +2,7 @@
 #![cfg(feature = "mp")]
 
 use stickslip::float::{AtPrecision, mp::Mp};
-use stickslip::{Border, Cycle, Float, Ratios, Real, Response};
+use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Real, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
 fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {
@@ -181,18 +181,29 @@ fn beside_the_natural_frequency_and_its_fractions() {
     agrees::<32, 64>(beside(&[1, 2, 4], &[600, 1100, 1900]).into_iter());
 }
 
-/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀.
-#[test]
-fn the_maximum_velocity_beside_the_fractions_is_the_greatest() {
-    for (omega, alpha) in beside::<4>(&[1, 2, 3, 4, 5, 6], &[20, 45, 58, 61, 64, 100, 150]) {
+/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀, up to `2^slack` units.
+fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samples: i32) {
+    for &(omega, alpha) in places {
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
-        let greatest = cycle.max_velocity() * (Mp::of_int(1) + Mp::epsilon().scale2(20));
-        for i in 0..200 {
-            let phase = Mp::pi() * Mp::ratio(i, 100);
+        let greatest = cycle.max_velocity() * (Mp::of_int(1) + Mp::epsilon().scale2(slack));
+        for i in 0..samples {
+            let phase = Mp::pi() * Mp::ratio(2 * i, samples);
             let velocity = cycle.velocity_at(phase);
             assert!(velocity <= greatest, "({omega}, {alpha}) at {phase}: {velocity}");
         }
     }
+}
+
+#[test]
+fn the_maximum_velocity_is_the_greatest() {
+    nothing_is_faster::<4>(&beside(&[1, 2, 3, 4, 5, 6], &[20, 45, 58, 61, 64, 100, 150]), 20, 200);
+    // Closer to 1 than f64 has exponents for, and so close to the border that Δ₀/B is an ordinary number.
+    let places = [-1, 1].map(|sign| {
+        let omega = Mp::<64>::of_int(1) + Mp::of_int(sign).scale2(-1100);
+        let width = Mp::of_int(3) * (Mp::of_int(1) - omega);
+        (omega, PhaseFunction::new(omega).unwrap().value().hypot(width))
+    });
+    nothing_is_faster(&places, 40, 20);
 }
 
 /// Without guard bits: no output loses more units in the last place than this over the ordinary points. The
@@ -213,23 +224,34 @@ const PLAIN: [(&str, f64); 13] = [
     ("contraction", 40.0),
 ];
 
-#[test]
-fn without_guard_bits_the_last_digits_are_rounding() {
+/// The worst error of each output without guard bits, each below its limit.
+fn plain<const N: usize, const D: usize>(count: usize) -> [f64; PLAIN.len()] {
     let mut worst = [0.0; PLAIN.len()];
-    for (omega, alpha) in ordinary(10_000) {
-        for ((name, error), (known, limit), worst) in errors::<4, 8>(omega, alpha, false)
-            .into_iter()
-            .zip(PLAIN)
-            .zip(&mut worst)
-            .map(|((e, p), w)| (e, p, w))
+    for (omega, alpha) in ordinary(count) {
+        let errors = errors::<N, D>(omega, alpha, false);
+        for ((name, error), ((known, limit), worst)) in
+            errors.into_iter().zip(PLAIN.into_iter().zip(&mut worst))
         {
             assert_eq!(name, known);
-            assert!(error <= limit, "{name} at ({omega}, {alpha}): {error} units in the last place");
+            assert!(
+                error <= limit,
+                "{name} at ({omega}, {alpha}), {N} limbs: {error} units in the last place"
+            );
             *worst = error.max(*worst);
         }
     }
+    worst
+}
+
+#[test]
+fn without_guard_bits_the_last_digits_are_rounding() {
     // A limit that nothing comes near is stale; and one unit is not to be had this way.
-    for ((name, limit), worst) in PLAIN.into_iter().zip(worst) {
+    for ((name, limit), worst) in PLAIN.into_iter().zip(plain::<4, 8>(10_000)) {
         assert!(worst > limit / 4.0 && worst > 1.0, "{name}: {worst} units in the last place");
     }
+    // The widths that start from f64 and from just over a quarter of their bits.
+    plain::<2, 4>(2_000);
+    plain::<3, 6>(2_000);
+    plain::<16, 32>(500);
+    plain::<64, 128>(20);
 }

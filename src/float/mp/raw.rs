@@ -1,11 +1,13 @@
 //! The number itself and MPFR's functions of it, through MPFR's custom interface.
 //!
 //! Everything unsafe stands here, and rests on two things. A value's fields are written only by
-//! [`Mp::output`], from what MPFR left there, so that they always describe a valid MPFR number of
-//! [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that a function names
-//! as its result, whose significand is on the stack for the time of the call, of the right size.
+//! [`Mp::output`], from what MPFR left there (`parts` changes signs, no more), so that they always describe a
+//! valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that a
+//! function names as its result, whose significand is on the stack for the time of the call, of the right size.
 
 #![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
+
+mod parts;
 
 use core::cmp::Ordering;
 use core::ffi::{c_int, c_void};
@@ -72,54 +74,6 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         Self { kind, exponent: if regular { exponent } else { 0 }, ..result }
     }
 
-    /// The number with its sign bit inverted.
-    #[inline]
-    pub(super) fn negated(self) -> Self {
-        Self { kind: -self.kind, ..self }
-    }
-
-    /// `|self|`.
-    #[inline]
-    #[must_use]
-    pub fn abs(self) -> Self {
-        Self { kind: self.kind.abs(), ..self }
-    }
-
-    /// Whether the sign is negative: of −0 and −∞ too, never of NaN.
-    #[inline]
-    #[must_use]
-    pub fn is_sign_negative(self) -> bool {
-        self.kind < 0
-    }
-
-    /// Whether this is NaN.
-    #[inline]
-    #[must_use]
-    pub fn is_nan(self) -> bool {
-        self.kind == mpfr::NAN_KIND
-    }
-
-    /// Whether this is a zero of either sign.
-    #[inline]
-    #[must_use]
-    pub fn is_zero(self) -> bool {
-        self.kind.abs() == mpfr::ZERO_KIND
-    }
-
-    /// Neither infinite nor NaN.
-    #[inline]
-    #[must_use]
-    pub fn is_finite(self) -> bool {
-        self.kind.abs() >= mpfr::ZERO_KIND
-    }
-
-    /// The e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` of zeros, infinities and NaN.
-    #[inline]
-    #[must_use]
-    pub fn exponent(self) -> Option<i64> {
-        (self.kind.abs() == mpfr::REGULAR_KIND).then_some(self.exponent)
-    }
-
     /// The largest finite number.
     #[must_use]
     pub fn largest() -> Self {
@@ -141,12 +95,6 @@ impl<const LIMBS: usize> Mp<LIMBS> {
             mpfr::nextabove(r);
         });
         next.minus(x)
-    }
-
-    /// The significand of a regular number, least limb first.
-    #[inline]
-    pub(super) fn significand(&self) -> &[limb_t; LIMBS] {
-        &self.limbs
     }
 
     /// The order of two numbers; `None` where one is NaN.

@@ -1,0 +1,59 @@
+//! Sign, kind, exponent and significand: what needs no call of MPFR.
+
+use super::{Mp, limb_t, mpfr};
+
+impl<const LIMBS: usize> Mp<LIMBS> {
+    /// The number with its sign bit inverted.
+    #[inline]
+    pub(in crate::float::mp) fn negated(self) -> Self {
+        Self { kind: -self.kind, ..self }
+    }
+
+    /// `|self|`.
+    #[inline]
+    #[must_use]
+    pub fn abs(self) -> Self {
+        Self { kind: self.kind.abs(), ..self }
+    }
+
+    /// Whether the sign is negative: of −0 and −∞ too, never of NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_sign_negative(self) -> bool {
+        self.kind < 0
+    }
+
+    /// Whether this is NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_nan(self) -> bool {
+        self.kind == mpfr::NAN_KIND
+    }
+
+    /// Whether this is a zero of either sign.
+    #[inline]
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self.kind.abs() == mpfr::ZERO_KIND
+    }
+
+    /// Neither infinite nor NaN.
+    #[inline]
+    #[must_use]
+    pub fn is_finite(self) -> bool {
+        self.kind.abs() >= mpfr::ZERO_KIND
+    }
+
+    /// The e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` of zeros, infinities and NaN.
+    #[inline]
+    #[must_use]
+    pub fn exponent(self) -> Option<i64> {
+        (self.kind.abs() == mpfr::REGULAR_KIND).then_some(self.exponent)
+    }
+
+    /// The significand of a regular number, least limb first.
+    #[inline]
+    pub(in crate::float::mp) fn significand(&self) -> &[limb_t; LIMBS] {
+        &self.limbs
+    }
+}
