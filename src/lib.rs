@@ -55,7 +55,8 @@
 //! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
 //!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
 //! * `serde`: numbers to and from text by serde (with `mp`);
-//! * `matching`: `nalgebra`'s matrices over `Mp` (with `mp`).
+//! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
+//!   `Mp` too with `mp`.
 
 #![cfg_attr(
     not(test),

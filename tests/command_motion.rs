@@ -24,9 +24,9 @@ fn json(arguments: &str) -> Value {
 const STEADY: [(&str, &str, f64, u64, u64); 5] = [
     ("0.4", "6.0", 6.79382, 2, 4),
     ("0.1", "3.0", 2.160_025_244_6, 4, 8),
-    ("0.5", "2.0", 2.606_858_408_4, 2, 4),
-    ("0.7", "1.2", 1.417_437_097_7, 2, 4),
-    ("0.8", "1.1", 0.056_576_588_9, 2, 4),
+    ("0.5", "2.0", 2.606_858_408_4, 2, 2),
+    ("0.7", "1.2", 1.417_437_097_7, 2, 2),
+    ("0.8", "1.1", 0.056_576_588_9, 2, 2),
 ];
 
 #[test]
@@ -37,9 +37,7 @@ fn steady_has_the_agreed_keys_and_values() {
         assert!((number("max_displacement") / max - 1.0).abs() < 1e-6, "({omega}, {alpha}): {answer}");
         assert!((number("min_displacement") / max + 1.0).abs() < 1e-6);
         assert_eq!(answer["sticks_per_cycle"].as_u64(), Some(sticks), "({omega}, {alpha})");
-        if omega != "0.1" {
-            assert_eq!(answer["velocity_zeros_per_cycle"].as_u64(), Some(zeros), "({omega}, {alpha})");
-        }
+        assert_eq!(answer["velocity_zeros_per_cycle"].as_u64(), Some(zeros), "({omega}, {alpha})");
         assert_eq!(
             (answer["regime"].as_str(), answer["limit"].as_str()),
             (Some("sticking"), Some("periodic"))
@@ -83,7 +81,7 @@ fn steady_names_what_has_no_single_limit() {
     assert_eq!(limit("--omega 0.7 --alpha 0.8 --x0 4"), "rest");
     assert_eq!(limit("--omega 1 --alpha 2"), "none");
     assert_eq!(limit("--omega 0.5 --alpha 4 --x0 1"), "family");
-    assert_eq!(limit("--omega 1.0000001 --alpha 1.5 --x0 1000 --max-periods 1"), "not-converged");
+    assert_eq!(limit("--omega 0.4 --alpha 6 --max-periods 1"), "not-converged");
     let resting = json("steady --omega 0.7 --alpha 0.8 --x0 4 --format json");
     let place = resting["rest_position"].as_f64().unwrap();
     assert!(place.abs() <= 0.2 + 1e-12 && resting["max_displacement"].is_null());

@@ -3,8 +3,21 @@
 //! In the paper's own symbols, for any number that has the field operations. Time enters as the phases
 //! ω_d t of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
 //! unit.
+//!
+//! [`balanced`] has eq. 21–25 in a well-conditioned form, with the Jacobian; `newton` (feature `matching`) solves
+//! them.
 
 use crate::float::Real;
+
+#[cfg(feature = "matching")]
+mod accuracy;
+pub mod balanced;
+#[cfg(feature = "matching")]
+mod fastest;
+#[cfg(feature = "matching")]
+pub mod newton;
+#[cfg(feature = "matching")]
+mod start;
 
 /// What is given: A (eq. 5), B (eq. 6) and Ω (eq. 9).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,0 +1,41 @@
+//! How good a solution is: its residuals in units of the last place, and the bits the problem loses.
+
+use super::balanced::Balanced;
+use super::{Given, Unknowns};
+use crate::float::{Float, Real};
+use nalgebra::{DMatrix, RealField};
+
+/// The largest term of eq. 21–25.
+pub(super) fn largest_term<F: Float>(given: &Given<F>, u: &Unknowns<F>) -> F {
+    let a = given.amplitude.abs();
+    let terms = [
+        a * given.omega,
+        a * given.omega.square(),
+        given.rho(u).abs(),
+        given.offset(u).abs(),
+        u.max_displacement,
+    ];
+    terms.into_iter().fold(a, F::or_larger)
+}
+
+pub(super) fn in_last_places<F: Float>(residual: F, size: F) -> F {
+    residual.abs() / (size * F::epsilon())
+}
+
+/// Bits that the inverse Jacobian takes from a phase, V₀ or Δ₀, the residuals being good to a few last places
+/// of their terms.
+pub(super) fn lost_bits<F: Float + RealField>(system: &Balanced<F>, u: &Unknowns<F>) -> u32 {
+    let entries = system.jacobian(u).into_iter().flatten().map(Float::to_f64);
+    let Some(inverse) = DMatrix::from_row_iterator(5, 5, entries).try_inverse() else { return F::PRECISION };
+    let given = system.given();
+    let one = <F as Real>::int(1);
+    let parts =
+        [system.omega, one / system.omega, given.friction_displacement, given.rho(u), given.offset(u)];
+    let terms = parts.into_iter().fold(1.0, |sum, x| sum + Float::to_f64(x).abs());
+    let sizes = [one, one, u.max_velocity, u.max_displacement];
+    let worst = inverse.row_iter().zip(sizes).map(|(row, size)| {
+        4.0 * terms * row.iter().map(|y| y.abs()).sum::<f64>() / Float::to_f64(size).abs()
+    });
+    let bits = worst.fold(1.0, f64::max).log2().ceil();
+    (bits as u32).min(F::PRECISION)
+}

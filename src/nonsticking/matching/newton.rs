@@ -1,0 +1,301 @@
+//! Eq. 21–25 solved by Newton's method, without the closed forms.
+//!
+//! ```
+//! use stickslip::{Ratios, nonsticking::matching::newton};
+//! let found = newton::solve(Ratios::new(1.5f64, 2.5)?)?;
+//! assert!((found.unknowns.max_displacement - 1.632993161855452).abs() < 1e-14);
+//! assert!(found.residuals.iter().all(|r| *r < 8.0));
+//! // With eq. 58 and 59 and α free: the border at the turning point.
+//! assert!((newton::solve_border(2.0f64)?.force_ratio - 1.6770509831248424).abs() < 1e-14);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! **Start.** Without friction the motion is `x = A sin ω_d t`, with t₁ = 0, t₂ = π/2 (half a turn later
+//! above the natural frequency). From there the friction grows to its value at f64, each step predicted along
+//! the tangent and corrected by Newton: the motion that this leads to is the forced response with friction, not another
+//! root. Where eq. 46 has several roots (Ω < 1/2) the fastest instant of the rising branch, looked for on a
+//! grid, is taken for t₁. Newton's method at full precision then doubles the digits.
+//!
+//! **Digits.** [`Balanced`] is solved, which has no cancellation beside Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
+//! keep the digits of the type where they are of the order of A. Where they are smaller, near the border,
+//! the problem itself loses digits, up to twice the zeros of 1 − Ω: 203 bits on the border at |1 − Ω| = 10⁻³⁰.
+//! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how many, so
+//! that a result of N bits takes N + `lost_bits` of them.
+
+use super::accuracy::{in_last_places, largest_term, lost_bits};
+use super::balanced::Balanced;
+use super::{Given, Unknowns, fastest, start};
+use crate::error::Error;
+use crate::float::{Float, Real};
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::ratios::Ratios;
+use nalgebra::{DMatrix, DVector, RealField};
+
+/// Why the matching problem has no solution here.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MatchingError {
+    /// The frequency ratio is not in its domain.
+    #[error(transparent)]
+    Input(#[from] Error),
+    /// At Ω = 1 no bounded motion has this friction.
+    #[error("frequency ratio Ω = 1 must be ≠ 1: there is no cycle to match")]
+    Resonance,
+    /// The path from the motion without friction ends, at this part of the friction: there is no cycle with α, or
+    /// Ω is so far from 1 that f64 cannot follow it.
+    #[error("friction = {part:.6} of r_y must reach 1: no cycle found at Ω = {omega}, α = {alpha} beyond it")]
+    NoCycle {
+        /// Frequency ratio Ω.
+        omega: String,
+        /// Force ratio α.
+        alpha: String,
+        /// Part of the friction that was reached.
+        part: f64,
+    },
+    /// Newton's method settles on a solution that is no cycle, with a negative Δ₀ or α.
+    #[error("{what} = {value} must be > 0: the iteration has left the branch of the cycle")]
+    NotACycle {
+        /// Δ₀/B or α.
+        what: &'static str,
+        /// Its value.
+        value: String,
+    },
+    /// Newton's method does not settle.
+    #[error(
+        "last Newton step = {step:e} must be rounding only after {iterations} iterations, residual {residual:e}"
+    )]
+    NoConvergence {
+        /// Iterations done.
+        iterations: u32,
+        /// Size of the last step.
+        step: f64,
+        /// Largest residual, in units of A.
+        residual: f64,
+    },
+}
+
+/// A solution of eq. 21–25.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Solution<F> {
+    /// t₁, t₂, V₀, Δ₀, Δ₁; lengths in units of B. t₂ in `[0, 2π)`, t₁ in the half cycle before it.
+    pub unknowns: Unknowns<F>,
+    /// |left − right| of eq. 21–25 as the paper has them, in units of the last place of their largest term.
+    pub residuals: [F; 5],
+    /// Newton iterations at the full precision.
+    pub iterations: u32,
+    /// Bits of the type that V₀, Δ₀ or a phase may lack, from the inverse Jacobian: at 53 bits and
+    /// `lost_bits` = 10, 43 are good.
+    pub lost_bits: u32,
+}
+
+/// The border by eq. 21–25, 58 and 59.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BorderSolution<F> {
+    /// The force ratio α, which eq. 61 gives in closed form.
+    pub force_ratio: F,
+    /// The cycle on the border, as in [`Solution`]. Beside Ω = 1, unlike α, it lacks the digits that
+    /// [`Solution::lost_bits`] counts; t₁ is not looked for again.
+    pub unknowns: Unknowns<F>,
+    /// |left − right| of eq. 21–25 and 59, in units of the last place of their largest term.
+    pub residuals: [F; 6],
+    /// Newton iterations at the full precision.
+    pub iterations: u32,
+}
+
+/// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α).
+///
+/// # Errors
+/// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
+/// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
+/// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
+pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    if omega == <F as Real>::int(1) {
+        return Err(MatchingError::Resonance);
+    }
+    let phase_function = PhaseFunction::new(omega)?;
+    let q = one_minus_square(omega);
+    let sin_cos_beta = phase_function.sin_cos();
+    let friction = q / (alpha * sin_cos_beta.1);
+    let system = Balanced { omega, one_minus_square: q, sin_cos_beta, friction };
+    let start = start::with_friction(&to_f64(&system), Float::to_f64(friction)).map_err(|part| {
+        MatchingError::NoCycle { omega: omega.to_string(), alpha: alpha.to_string(), part }
+    })?;
+    let mut start = start.map(<F as Float>::from_f64);
+    let mut iterations = 0;
+    // Where f64 could not tell which stationary point is the fastest, the full precision can.
+    let (u, found, faster) = loop {
+        let found = iterate(start, |x| {
+            let u = unknowns(x);
+            (system.residuals(&u), system.jacobian(&u))
+        })?;
+        iterations += found.iterations;
+        let u = unknowns(&found.at);
+        match fastest::on_a_grid(&system, &u, 16.0) {
+            Some(faster) if iterations <= most_iterations::<F>() => start = in_order(&faster),
+            faster => break (u, found, faster),
+        }
+    };
+    let unknowns = in_units_of_b(&u, alpha / q);
+    positive("Δ₀/B", unknowns.max_displacement)?;
+    let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
+    let size = largest_term(&given, &unknowns);
+    let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
+    if faster.is_some() || largest(&residuals) > rounding(omega) {
+        return Err(MatchingError::NoConvergence { iterations, step: found.step, residual: found.residual });
+    }
+    let lost_bits = lost_bits(&system, &u);
+    Ok(Solution { unknowns, residuals, iterations, lost_bits })
+}
+
+/// Solves eq. 21–25 and 59 for t₁, t₂, V₀, Δ₀, Δ₁ and α at Ω: six equations, six unknowns.
+///
+/// Eq. 58 is eq. 21. Below Ω = 1/2 the cycle found is not a motion where the exact border is higher
+/// ([`crate::nonsticking::border`]); it solves the equations all the same.
+///
+/// # Errors
+/// As [`solve`]; [`crate::Error`] where Ω is not in its domain.
+pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>, MatchingError> {
+    let phase_function = PhaseFunction::new(omega)?;
+    let q = one_minus_square(omega);
+    let system = Balanced { omega, one_minus_square: q, sin_cos_beta: phase_function.sin_cos(), friction: q };
+    let start = start::on_the_border(&to_f64(&system), friction_sign(omega, &phase_function));
+    let found = iterate(start.map(<F as Float>::from_f64), |x| {
+        let [t1, t2, v, d, e, friction] = *x;
+        let (system, u) = (Balanced { friction, ..system }, unknowns(&[t1, t2, v, d, e]));
+        let [r1, r2, r3, r4, r5] = system.residuals(&u);
+        let by_friction = system.by_friction(&u);
+        let rows = system.jacobian(&u);
+        let mut jacobian = [system.turning_point_gradient(&u); 6];
+        for ((row, left), last) in jacobian.iter_mut().zip(rows).zip(by_friction) {
+            let [j1, j2, j3, j4, j5] = left;
+            *row = [j1, j2, j3, j4, j5, last];
+        }
+        ([r1, r2, r3, r4, r5, system.turning_point(&u)], jacobian)
+    })?;
+    let [t1, t2, v, d, e, friction] = found.at;
+    // b = κ cos β = (1 − Ω²)/α; at Ω = 1 the quotient is its limit, which needs no cycle of finite size.
+    let force_ratio = q / (friction * system.sin_cos_beta.1);
+    positive("force ratio α", force_ratio)?;
+    let amplitude = force_ratio / q;
+    let unknowns = in_units_of_b(&unknowns(&[t1, t2, v, d, e]), amplitude);
+    let one = <F as Real>::int(1);
+    let given = Given { amplitude, friction_displacement: one, omega };
+    let size = largest_term(&given, &unknowns);
+    let [r1, r2, r3, r4, r5] = given.residuals(&unknowns);
+    let sine = Real::sin(unknowns.displacement_phase);
+    let e59 = crate::nonsticking::border::slip_excess(force_ratio, sine, one, unknowns.max_displacement, one);
+    let residuals = [r1, r2, r3, r4, r5, e59].map(|r| in_last_places(r, size));
+    let Found { iterations, step, residual, .. } = found;
+    if largest(&residuals) > rounding(omega) {
+        return Err(MatchingError::NoConvergence { iterations, step, residual });
+    }
+    Ok(BorderSolution { force_ratio, unknowns, residuals, iterations })
+}
+
+/// The sign of κ = (1 − Ω²)/(α cos β).
+fn friction_sign<F: Float>(omega: F, p: &PhaseFunction<F>) -> f64 {
+    let (below, (_, cosine)) = (omega < F::int(1), p.sin_cos());
+    if below == (cosine > F::int(0)) { 1.0 } else { -1.0 }
+}
+
+fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
+    if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: value.to_string() }) }
+}
+
+pub(super) fn in_order<F: Real>(u: &Unknowns<F>) -> [F; 5] {
+    [u.velocity_phase, u.displacement_phase, u.max_velocity, u.max_displacement, u.deviation]
+}
+
+pub(super) fn unknowns<F: Real>(x: &[F; 5]) -> Unknowns<F> {
+    let [velocity_phase, displacement_phase, max_velocity, max_displacement, deviation] = *x;
+    Unknowns { velocity_phase, displacement_phase, max_velocity, max_displacement, deviation }
+}
+
+fn in_units_of_b<F: Real>(u: &Unknowns<F>, amplitude: F) -> Unknowns<F> {
+    Unknowns {
+        max_velocity: u.max_velocity * amplitude,
+        max_displacement: u.max_displacement * amplitude,
+        deviation: u.deviation * amplitude,
+        ..*u
+    }
+}
+
+/// The system at f64: each field rounded on its own, so that an Ω closer to 1 than f64 can tell keeps its distance.
+fn to_f64<F: Float>(system: &Balanced<F>) -> Balanced<f64> {
+    let (sine, cosine) = system.sin_cos_beta;
+    Balanced {
+        omega: system.omega.to_f64(),
+        one_minus_square: system.one_minus_square.to_f64(),
+        sin_cos_beta: (sine.to_f64(), cosine.to_f64()),
+        friction: system.friction.to_f64(),
+    }
+}
+
+/// Where the iteration ends.
+struct Found<F, const N: usize> {
+    at: [F; N],
+    iterations: u32,
+    step: f64,
+    residual: f64,
+}
+
+/// The last places a residual may have by rounding of the angles t/Ω.
+fn rounding<F: Float>(omega: F) -> F {
+    F::int(16) * (F::int(1) + F::int(1) / omega)
+}
+
+/// Where the error is only halved, one iteration for each bit, and some.
+fn most_iterations<F: Float>() -> u32 {
+    F::PRECISION + 64
+}
+
+/// The solution of `jacobian · step = residuals` by LU with partial pivoting.
+pub(super) fn newton_step<F: Float + RealField, const N: usize>(
+    residuals: &[F; N],
+    jacobian: &[[F; N]; N],
+) -> Option<[F; N]> {
+    let matrix = DMatrix::from_row_iterator(N, N, jacobian.iter().flatten().copied());
+    let step = matrix.lu().solve(&DVector::from_column_slice(residuals))?;
+    let mut result = [<F as Real>::int(0); N];
+    for (slot, value) in result.iter_mut().zip(step.iter()) {
+        *slot = *value;
+    }
+    result.iter().all(|x| Float::is_finite(*x)).then_some(result)
+}
+
+pub(super) fn largest<F: Float>(x: &[F]) -> F {
+    x.iter().fold(F::int(0), |most, x| most.or_larger(x.abs()))
+}
+
+/// Newton's method until the step is rounding: it falls below the last places, or stops shrinking where the
+/// residuals are rounding.
+///
+/// From ten good digits each step doubles them. Beside the end of the branch, α → |K|, where two cycles
+/// meet, it only halves the error, once for each bit: so many iterations are allowed.
+fn iterate<F: Float + RealField, const N: usize>(
+    start: [F; N],
+    mut system: impl FnMut(&[F; N]) -> ([F; N], [[F; N]; N]),
+) -> Result<Found<F, N>, MatchingError> {
+    let (mut at, mut last) = (start, <F as Real>::int(1));
+    let small = Real::sqrt(<F as Float>::epsilon());
+    let mut residual = last;
+    for iterations in 1..=most_iterations::<F>() {
+        let (residuals, jacobian) = system(&at);
+        residual = largest(&residuals);
+        let Some(step) = newton_step(&residuals, &jacobian) else { break };
+        for (x, dx) in at.iter_mut().zip(&step) {
+            *x -= *dx;
+        }
+        let size = largest(&step);
+        let least = last <= small || residual <= <F as Real>::int(16) * <F as Float>::epsilon();
+        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Real>::ratio(3, 2) >= last);
+        if settled {
+            let (step, residual) = (Float::to_f64(size), Float::to_f64(residual));
+            return Ok(Found { at, iterations, step, residual });
+        }
+        last = size;
+    }
+    let (step, residual) = (Float::to_f64(last), Float::to_f64(residual));
+    Err(MatchingError::NoConvergence { iterations: most_iterations::<F>(), step, residual })
+}

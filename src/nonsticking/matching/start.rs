@@ -1,0 +1,120 @@
+//! Where Newton's method starts: from the motion without friction, the friction growing to its value, at f64.
+
+use super::balanced::Balanced;
+use super::fastest;
+use super::newton::{in_order, largest, newton_step, unknowns};
+use core::f64::consts::{FRAC_PI_2, PI};
+
+/// A point of the path: the unknowns of the system with a friction.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    at: [f64; 5],
+    friction: f64,
+}
+
+/// A step is taken where it changes no phase by more than this.
+const LONGEST: f64 = 0.2;
+
+fn moved(x: &[f64; 5], by: &[f64; 5], times: f64) -> [f64; 5] {
+    let mut result = *x;
+    for (x, dx) in result.iter_mut().zip(by) {
+        *x += times * dx;
+    }
+    result
+}
+
+/// `x = A sin ω_d t`: greatest velocity at t₁ = 0, greatest displacement at π/2; half a turn later where A < 0.
+fn without_friction(system: &Balanced<f64>, below: bool) -> Point {
+    let (sign, turn) = if below { (1.0, 0.0) } else { (-1.0, PI) };
+    Point { at: [turn, turn + FRAC_PI_2, sign * system.omega, sign, 0.0], friction: 0.0 }
+}
+
+/// A step along the path to another friction: the tangent, then Newton. `None` where that does not settle close
+/// by.
+fn step(system: &Balanced<f64>, from: &Point, friction: f64) -> Option<Point> {
+    let here = Balanced { friction: from.friction, ..*system };
+    let u = unknowns(&from.at);
+    let tangent = newton_step(&here.by_friction(&u), &here.jacobian(&u))?;
+    let mut at = moved(&from.at, &tangent, from.friction - friction);
+    let there = Balanced { friction, ..*system };
+    let mut last = f64::INFINITY;
+    for _ in 0..12 {
+        let u = unknowns(&at);
+        let correction = newton_step(&there.residuals(&u), &there.jacobian(&u))?;
+        at = moved(&at, &correction, -1.0);
+        let size = largest(&correction);
+        if size < 1e-11 || (size < 1e-7 && size >= last / 2.0) {
+            let [t1, t2, ..] = at;
+            let [s1, s2, ..] = from.at;
+            let close = (t1 - s1).abs() <= LONGEST && (t2 - s2).abs() <= LONGEST;
+            return close.then_some(Point { at, friction });
+        }
+        if size > LONGEST {
+            return None;
+        }
+        last = size;
+    }
+    None
+}
+
+/// Follows the path to `target`, or to where it ends, or to where `left_over` is within a tenth of zero; the steps
+/// adapt, and none goes further than that.
+fn follow(system: &Balanced<f64>, from: Point, target: f64, left_over: impl Fn(&Point) -> f64) -> Point {
+    let (mut point, mut length) = (from, target - from.friction);
+    for _ in 0..4000 {
+        let left = target - point.friction;
+        if left == 0.0 || left_over(&point) < 0.1 {
+            break;
+        }
+        let last = left.abs() <= length.abs();
+        let next = if last { target } else { point.friction + length };
+        match step(system, &point, next).filter(|p| left_over(p) > -0.1) {
+            Some(found) => {
+                point = found;
+                length *= 1.5;
+            }
+            None => length = if last { left / 2.0 } else { length / 2.0 },
+        }
+        if length.abs() <= 1e-15 * target.abs() {
+            break;
+        }
+    }
+    point
+}
+
+/// The cycle with all of its friction; the part of the friction where the path ends otherwise.
+pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f64; 5], f64> {
+    let below = (friction > 0.0) == (system.sin_cos_beta.1 > 0.0);
+    let end = follow(system, without_friction(system, below), friction, |_| 1.0);
+    let part = end.friction / friction;
+    // Beside the end of the branch f64 may stop short of it by rounding: Newton goes on from there.
+    if part < 1.0 - 1e-6 {
+        return Err(part);
+    }
+    let system = Balanced { friction: end.friction, ..*system };
+    let at = off_the_other_branch(end.at, below);
+    Ok(fastest::on_a_grid(&system, &unknowns(&at), 96.0).map_or(at, |u| in_order(&u)))
+}
+
+/// Two cycles meet at the end of the branch, where Δ₀ = A sin ω_d t₂ passes through zero. Where f64 cannot tell them
+/// apart, a Δ₀ that is small and positive is on the side of the right one.
+fn off_the_other_branch(at: [f64; 5], below: bool) -> [f64; 5] {
+    let sign = if below { 1.0 } else { -1.0 };
+    let [t1, t2, v, d, e] = at;
+    let least = 1e-6;
+    let shift = if sign * d < least { sign * least - d } else { 0.0 };
+    [t1, t2 + shift / t2.cos(), v, d + shift, e]
+}
+
+/// A cycle near the border: where the force left over at t₂ has fallen to a tenth, or the path ends before.
+pub(super) fn on_the_border(system: &Balanced<f64>, sign: f64) -> [f64; 6] {
+    let below = (sign > 0.0) == (system.sin_cos_beta.1 > 0.0);
+    let start = without_friction(system, below);
+    let excess = |p: &Point| Balanced { friction: p.friction, ..*system }.turning_point(&unknowns(&p.at));
+    let whole = excess(&start);
+    // More friction than any border has: the force left over is gone, or the path at its end, long before.
+    let beyond = sign * 8.0 * (1.0 + system.omega).powi(2);
+    let end = follow(system, start, beyond, |p| excess(p) / whole);
+    let [t1, t2, v, d, e] = end.at;
+    [t1, t2, v, d, e, end.friction]
+}

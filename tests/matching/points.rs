@@ -1,0 +1,105 @@
+//! Points, and what is measured at them.
+
+use crate::equations::equations;
+use nalgebra::RealField;
+use std::collections::BTreeMap;
+use stickslip::nonsticking::matching::newton;
+use stickslip::nonsticking::turning_point_border;
+use stickslip::{Cycle, Float, PhaseFunction, Ratios, Real};
+
+/// `10⁻ᵏ`.
+pub(crate) fn tenth_power<F: Float>(k: u32) -> F {
+    (0..k).fold(<F as Real>::int(1), |x, _| x / <F as Real>::int(10))
+}
+
+/// Ω = 1 and 1/(2n+1), n = 1, 2, 3, each ± 10⁻ᵏ of itself.
+pub(crate) fn special<F: Float>(powers: &[u32]) -> Vec<F> {
+    let one = <F as Real>::int(1);
+    let beside = |odd: i32, off: F| (one + off) / <F as Real>::int(odd);
+    let at = |k: &u32| {
+        let off = tenth_power::<F>(*k);
+        [1, 3, 5, 7].map(|odd| [beside(odd, off), beside(odd, -off)])
+    };
+    powers.iter().flat_map(at).flatten().collect()
+}
+
+/// The worst of what was seen.
+#[derive(Debug, Default)]
+pub(crate) struct Worst {
+    points: u32,
+    /// Error against the closed forms in units of the last place, over 2^lost_bits.
+    error: f64,
+    /// Error of the border in units of the last place, over (1 + 1/Ω)².
+    border: f64,
+    /// Residual of eq. 21–25 in units of the last place.
+    residual: f64,
+    /// Residual of each of eq. 28–49 in units of the last place of its terms.
+    equations: BTreeMap<&'static str, f64>,
+    iterations: u32,
+    border_iterations: u32,
+    lost_bits: u32,
+}
+
+impl Worst {
+    /// Solves at (Ω, α) and compares with the closed forms.
+    pub(crate) fn add<F: Float + RealField>(&mut self, omega: F, alpha: F) {
+        let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
+        let found = match newton::solve(cycle.ratios()) {
+            Ok(found) => found,
+            Err(e) => panic!("Ω = {omega}, α = {alpha}: {e}"),
+        };
+        let (u, w) = (found.unknowns, cycle.unknowns());
+        let one = <F as Real>::int(1);
+        let apart = |a: F, b: F, size: F| Float::to_f64(Real::abs(a - b) / size / <F as Float>::epsilon());
+        let errors = [
+            apart(u.max_displacement, w.max_displacement, w.max_displacement),
+            apart(u.max_velocity, w.max_velocity, w.max_velocity),
+            apart(u.velocity_phase, w.velocity_phase, one),
+            apart(u.displacement_phase, w.displacement_phase, one),
+            apart(u.deviation, w.deviation, one + alpha),
+        ];
+        let error = errors.into_iter().fold(0.0, f64::max) / 2f64.powi(found.lost_bits as i32);
+        assert!(error < 16.0, "Ω = {omega}, α = {alpha}: {errors:?} ulp, {} bits lost", found.lost_bits);
+        self.points += 1;
+        self.error = self.error.max(error);
+        self.residual = found.residuals.iter().fold(self.residual, |most, r| most.max(Float::to_f64(*r)));
+        self.iterations = self.iterations.max(found.iterations);
+        self.lost_bits = self.lost_bits.max(found.lost_bits);
+        for (name, residual, size, against_closed_form) in equations(omega, alpha, &u) {
+            let ulp = apart(residual, <F as Real>::int(0), size);
+            // Eq. 40–44, 47 and 49 compare with a closed form: there the lost bits show.
+            let lost = if against_closed_form { 2f64.powi(found.lost_bits as i32) } else { 1.0 };
+            assert!(ulp < 8.0 * lost, "eq. {name} at Ω = {omega}, α = {alpha}: {ulp} ulp");
+            let worst = self.equations.entry(name).or_default();
+            *worst = worst.max(ulp);
+        }
+    }
+
+    /// Solves for the border at Ω and compares with eq. 61.
+    pub(crate) fn add_border<F: Float + RealField>(&mut self, omega: F) {
+        let found = match newton::solve_border(omega) {
+            Ok(found) => found,
+            Err(e) => panic!("border at Ω = {omega}: {e}"),
+        };
+        let by_61 = turning_point_border(PhaseFunction::new(omega).unwrap().value(), omega);
+        let error = Float::to_f64((found.force_ratio - by_61) / by_61 / <F as Float>::epsilon()).abs();
+        let per_turn = 1.0 + 1.0 / Float::to_f64(omega);
+        assert!(
+            error < 4.0 * per_turn * per_turn,
+            "border at Ω = {omega}: {} by 6 × 6, {by_61} by eq. 61: {error} ulp",
+            found.force_ratio
+        );
+        self.border = self.border.max(error / (per_turn * per_turn));
+        self.border_iterations = self.border_iterations.max(found.iterations);
+        let last = found.residuals.iter().fold(0.0, |most: f64, r| most.max(Float::to_f64(*r)));
+        self.residual = self.residual.max(last);
+    }
+
+    /// Prints what was seen; fails beyond these bounds.
+    #[expect(clippy::print_stdout, reason = "the figures of docs/proof.md, seen with --nocapture")]
+    pub(crate) fn check(&self, name: &str, error: f64, iterations: u32) {
+        println!("{name}: {self:?}");
+        assert!(self.points > 0 && self.error <= error && self.iterations <= iterations, "{name}: {self:?}");
+        assert!(self.residual < 100.0, "{name}: {self:?}");
+    }
+}

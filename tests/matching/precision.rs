@@ -1,0 +1,86 @@
+//! The same at 256, 1024 and 4096 bits.
+
+use crate::points::{Worst, special, tenth_power};
+use nalgebra::RealField;
+use stickslip::float::mp::Mp;
+use stickslip::nonsticking::matching::newton;
+use stickslip::{Border, Float, Ratios, Real};
+
+/// Both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between, in thousandths.
+const ORDINARY: [i32; 19] =
+    [50, 150, 210, 220, 240, 250, 280, 300, 350, 400, 450, 500, 550, 700, 940, 1100, 1500, 3000, 20000];
+
+/// α over the border, in ten thousandths.
+const OVER: [i32; 3] = [10_001, 15_000, 80_000];
+
+fn all<F: Float + RealField>(name: &str, iterations: u32) {
+    let beside = special::<F>(&[3, 10, 30]);
+    let points = ORDINARY.iter().map(|n| <F as Real>::ratio(*n, 1000));
+    let mut worst = Worst::default();
+    for omega in points.chain(beside) {
+        let border = Border::new(omega).unwrap().min_force_ratio();
+        for over in OVER {
+            worst.add(omega, border * <F as Real>::ratio(over, 10_000));
+        }
+        worst.add_border(omega);
+    }
+    worst.check(name, 4.0, iterations);
+}
+
+#[test]
+fn at_256_bits() {
+    all::<Mp<4>>("256 bits", 10);
+}
+
+#[test]
+fn at_1024_bits() {
+    all::<Mp<16>>("1024 bits", 12);
+}
+
+#[test]
+fn at_4096_bits() {
+    all::<Mp<64>>("4096 bits", 14);
+}
+
+/// Where the two cycles of eq. 42 all but meet, or velocities do, f64 leads to the wrong one.
+#[test]
+fn at_256_bits_on_the_border_and_just_above() {
+    type Wide = Mp<4>;
+    let one = <Wide as Real>::int(1);
+    let mut worst = Worst::default();
+    let points = ORDINARY.iter().map(|n| <Wide as Real>::ratio(*n, 1000));
+    for omega in points.chain(special::<Wide>(&[3, 6, 8, 10, 12, 15, 18])) {
+        let border = Border::new(omega).unwrap().min_force_ratio();
+        for above in [<Wide as Real>::int(0), tenth_power(20), tenth_power(12), tenth_power(6)] {
+            worst.add(omega, border * (one + above));
+        }
+    }
+    worst.check("256 bits, border", 4.0, 100);
+}
+
+/// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how many.
+#[test]
+fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
+    type Wide = Mp<8>;
+    for k in [3, 10, 20, 30] {
+        for sign in [1, -1] {
+            let omega = <Wide as Real>::int(1) + <Wide as Real>::int(sign) * tenth_power::<Wide>(k);
+            let alpha = Border::new(omega).unwrap().min_force_ratio();
+            let mut worst = Worst::default();
+            worst.add(omega, alpha);
+            worst.check(&format!("border at 1 ± 1e-{k}"), 4.0, 140);
+            let lost = newton::solve(Ratios::new(omega, alpha).unwrap()).unwrap().lost_bits;
+            let zeros = f64::from(k) * 10f64.log2();
+            assert!((f64::from(lost) - 2.0 * zeros).abs() < 12.0, "{lost} bits lost at 1e-{k}: {zeros}");
+        }
+    }
+}
+
+#[test]
+fn the_border_at_resonance_itself_is_four_over_pi() {
+    let found = newton::solve_border(<Mp<4> as Real>::int(1) + tenth_power::<Mp<4>>(60)).unwrap();
+    let four_over_pi = <Mp<4> as Real>::int(4) / <Mp<4> as Real>::pi();
+    let off = Float::to_f64((found.force_ratio - four_over_pi) / tenth_power::<Mp<4>>(60));
+    // The border rises with the slope 2/π there.
+    assert!((off - std::f64::consts::FRAC_2_PI).abs() < 1e-9 && found.iterations < 40, "{off}");
+}

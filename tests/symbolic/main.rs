@@ -1,0 +1,17 @@
+//! The equations of the paper by exact algebra over ℚ, on the library's own functions.
+//!
+//! `docs/proof.md` says which equation follows from which, and in what sense.
+
+mod angles;
+mod balanced;
+mod border;
+mod den_hartog;
+mod dissipation;
+mod fraction;
+mod ideal;
+mod matching;
+mod operators;
+mod polynomial;
+mod scalar;
+mod setting;
+mod velocity;
