@@ -11,7 +11,6 @@
 )]
 
 mod kernels;
-mod motions;
 mod plain;
 mod points;
 
@@ -42,21 +41,6 @@ fn main() {
         "triple-plain" => run(plain::triple, &points, n),
         "cycle-generic" => run(kernels::cycle, &points, n),
         "cycle-plain" => run(plain::cycle, &points, n),
-        "steady-from-rest" => run(motions::steady_from_rest, &points, n),
-        "steady-beside-resonance" => run(|_, alpha| motions::steady_from_rest(1.02, alpha + 1.0), &points, n),
-        "steady-from-cycle" => {
-            let cycle = |&(omega, alpha): &(f64, f64)| {
-                stickslip::Ratios::new(omega, alpha).and_then(stickslip::Cycle::new).ok()
-            };
-            let cycles: Vec<_> = points.iter().filter_map(cycle).collect();
-            cycles
-                .iter()
-                .cycle()
-                .take(n)
-                .map(|c| black_box(motions::steady_from_cycle(black_box(c)))[0])
-                .sum()
-        }
-        "twenty-slides" => run(motions::twenty_slides, &points, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

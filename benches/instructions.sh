@@ -1,23 +1,28 @@
 #!/usr/bin/env bash
-# Instructions a point inside each kernel (callees included, the loop around it not), generic against plain f64,
-# counted by valgrind's callgrind. Needs valgrind. Prints one line a kernel.
+# Instructions a call of each kernel, callees included, counted by valgrind's callgrind. Needs valgrind. One line a kernel.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-points=10000
-binary=$(cargo bench --bench instructions --no-run --message-format json 2>/dev/null |
-    sed -n 's/.*"executable":"\([^"]*instructions[^"]*\)".*/\1/p' | tail -n 1)
-"$binary" >&2
-for kernel in triple-generic triple-plain cycle-generic cycle-plain; do
-    case $kernel in
-        *-generic) function="*kernels::${kernel%-generic}*" ;;
-        *) function="*plain::${kernel%-plain}*" ;;
-    esac
-    total=$(valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$function" \
-        "$binary" "$kernel" $points 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p')
-    echo "$kernel $((total / points)).$((total * 10 / points % 10))"
+program() {
+    cargo bench --bench "$1" --no-run --message-format json 2>/dev/null |
+        sed -n "s/.*\"executable\":\"\([^\"]*$1-[^\"]*\)\".*/\1/p" | tail -n 1
+}
+count() { # FUNCTION PROGRAM KERNEL N: instructions inside FUNCTION
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$1" "$2" "$3" "$4" 2>&1 |
+        sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+}
+report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
+
+closed=$(program instructions)
+"$closed" >&2
+for kernel in triple cycle; do
+    report "$kernel-generic" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
+    report "$kernel-plain" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
 done
+exact=$(program exact_instructions)
 for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
-    few=$(count "$kernel" 1000)
-    many=$(count "$kernel" 3000)
-    echo "$kernel $(((many - few) / 2000))"
+    case $kernel in
+        steady-beside-resonance) function=steady_from_rest ;;
+        *) function=${kernel//-/_} ;;
+    esac
+    report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
 done

@@ -14,7 +14,7 @@ fn answer(motion: &LongRun<f64>) -> [f64; 4] {
 }
 
 /// The exact steady state from rest.
-#[inline]
+#[inline(never)]
 pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
     match Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest())) {
         Ok(motion) => answer(&motion),
@@ -23,13 +23,13 @@ pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
 }
 
 /// The exact steady state from the closed-form cycle.
-#[inline]
+#[inline(never)]
 pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
     SteadyState::from_cycle(cycle).map_or([f64::NAN; 4], |motion| answer(&motion))
 }
 
 /// Twenty slides from rest: ten periods where the motion does not stop.
-#[inline]
+#[inline(never)]
 pub(crate) fn twenty_slides(omega: f64, alpha: f64) -> [f64; 1] {
     match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::rest())) {
         Ok(motion) => [motion.filter_map(|p| p.end()).take(20).map(|end| end.x).sum()],
