@@ -42,6 +42,18 @@ pub enum Quantity {
     Velocity,
     /// Samples in a cycle.
     SamplesPerCycle,
+    /// Maximum displacement Δ₀, in physical units.
+    MaxDisplacement,
+    /// Maximum displacement Δ₀/B.
+    MaxDisplacementRatio,
+    /// Maximum velocity V₀, in physical units.
+    MaxVelocity,
+    /// Maximum velocity V₀/(B ω_d).
+    MaxVelocityRatio,
+    /// Loop size A₁.
+    LoopSizeStiffness,
+    /// Loop size A₂.
+    LoopSizeInertia,
 }
 
 impl Quantity {
@@ -67,6 +79,12 @@ impl Quantity {
             Self::Displacement => "displacement x/B",
             Self::Velocity => "velocity v",
             Self::SamplesPerCycle => "samples per cycle",
+            Self::MaxDisplacement => "maximum displacement Δ₀",
+            Self::MaxDisplacementRatio => "maximum displacement Δ₀/B",
+            Self::MaxVelocity => "maximum velocity V₀",
+            Self::MaxVelocityRatio => "maximum velocity V₀/(B ω_d)",
+            Self::LoopSizeStiffness => "loop size A₁",
+            Self::LoopSizeInertia => "loop size A₂",
         }
     }
 }
@@ -109,6 +127,16 @@ pub enum Error {
         /// Greatest admissible value.
         greatest: String,
     },
+    /// A range whose lower end is above its upper one.
+    #[error("range of {quantity}: {low} must be ≤ {high}")]
+    EmptyRange {
+        /// What it is.
+        quantity: Quantity,
+        /// Its lower end.
+        low: String,
+        /// Its upper end.
+        high: String,
+    },
     /// No non-sticking cycle: the force ratio is below the border.
     #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
     Sticks {
@@ -119,6 +147,55 @@ pub enum Error {
         /// Least force ratio without sticking, α_min(Ω).
         least: String,
     },
+    /// No non-sticking cycle anywhere in a range of frequency ratios.
+    #[error(
+        "force ratio α = {alpha} must be ≥ {least}, the least of the border for {low} ≤ Ω ≤ {high}: below it the body sticks throughout"
+    )]
+    SticksThroughout {
+        /// Force ratio α.
+        alpha: String,
+        /// The least force ratio without sticking in the range.
+        least: String,
+        /// Lower end of the range of Ω.
+        low: String,
+        /// Upper end of the range of Ω.
+        high: String,
+    },
+    /// A target so small that the body would stick in a motion of that size.
+    #[error("{quantity} = {value} must be ≥ {least} at Ω = {omega}: in a smaller motion the body sticks")]
+    TargetSticks {
+        /// What it is.
+        quantity: Quantity,
+        /// The value asked for.
+        value: String,
+        /// The least value without sticking.
+        least: String,
+        /// Frequency ratio Ω.
+        omega: String,
+    },
+    /// A force ratio closer to the least of the border than the arithmetic can tell.
+    #[error(
+        "force ratio α = {alpha} must be further from {least}, the least of the border around Ω = {omega}, for this number type to tell on which side it is"
+    )]
+    Undecided {
+        /// Force ratio α.
+        alpha: String,
+        /// The least of the border.
+        least: String,
+        /// Where that is.
+        omega: String,
+    },
+    /// A question without a finite answer at Ω = 1, where the body either sticks or moves ever more.
+    #[error(
+        "frequency ratio Ω = 1 must be left out for {quantity} to have an answer: there the body sticks or its motion grows without bound"
+    )]
+    AtResonance {
+        /// What was asked for.
+        quantity: Quantity,
+    },
+    /// A base motion, whose force k u_g0 changes with the stiffness that is asked for.
+    #[error("drive = base motion must be a force: that of a base motion changes with the stiffness")]
+    BaseMotion,
     /// No bounded motion: Ω = 1 and α above 4/π.
     #[error(
         "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
@@ -136,8 +213,15 @@ impl Error {
         match self {
             Self::NotFinite { quantity, .. }
             | Self::NotPositive { quantity, .. }
-            | Self::OutOfRange { quantity, .. } => Some(*quantity),
-            Self::Sticks { .. } | Self::Unbounded { .. } => None,
+            | Self::OutOfRange { quantity, .. }
+            | Self::EmptyRange { quantity, .. } => Some(*quantity),
+            Self::TargetSticks { .. }
+            | Self::AtResonance { .. }
+            | Self::Sticks { .. }
+            | Self::SticksThroughout { .. }
+            | Self::Undecided { .. }
+            | Self::BaseMotion
+            | Self::Unbounded { .. } => None,
         }
     }
 }

@@ -26,7 +26,7 @@
 //! # From input to answer
 //!
 //! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
-//! [`Response`]; [`Scales`] leads back to physical units.
+//! [`Response`], [`Place`] → [`design`], the questions asked backwards; [`Scales`] leads back to physical units.
 //!
 //! # Symbols
 //!
@@ -46,7 +46,8 @@
 //! | α_min | [`Border::min_force_ratio`] | least force ratio without sticking | 1 |
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
-//! | λ | [`Cycle::contraction`] | largest multiplier per half cycle | 1 |
+//! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
+//! | τ* | [`Place::touching_phase`] | where the velocity first touches zero | rad |
 //!
 //! # Features
 //!
@@ -70,6 +71,7 @@
     )
 )]
 
+pub mod design;
 mod error;
 pub mod exact;
 pub mod float;
@@ -77,6 +79,7 @@ pub mod nonsticking;
 mod oscillator;
 pub mod phase_function;
 mod ratios;
+pub mod regime;
 mod response;
 mod root;
 pub mod verify;
@@ -87,9 +90,15 @@ pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Oscillator, Scales};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
-pub use response::{Regime, Response, regime};
+pub use regime::{Place, Regime, Verdict, regime};
+pub use response::Response;
 
 /// The examples of README.md are run as tests.
 #[cfg(doctest)]
 #[doc = include_str!("../README.md")]
 struct Readme;
+
+/// So are those of docs/design.md.
+#[cfg(doctest)]
+#[doc = include_str!("../docs/design.md")]
+struct DesignExamples;

@@ -5,6 +5,7 @@
 //! | [`matching`] | 2–39, 45 | the five unknowns and the equations between them |
 //! | [`den_hartog`] | 50–56 | Den Hartog's own half cycle |
 //! | [`max_displacement`], [`displacement_phase`] | 40–44 | Δ₀ and ω_d t₂ |
+//! | [`force_ratio_from_displacement`] | 44 | the force for a given Δ₀ |
 //! | [`max_velocity_from_phase`], [`deviation`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
 //! | [`border`] | 57–62 | the least force ratio without sticking |
 //! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
@@ -14,6 +15,7 @@
 //! [`Cycle`] has them all for one (Ω, α). Lengths are in units of B = r_y/k, velocities in B ω_d, phases
 //! ω_d t in `[0, 2π)`.
 
+mod amplitude;
 pub mod border;
 pub mod den_hartog;
 mod displacement;
@@ -24,7 +26,10 @@ pub mod printed;
 pub mod stability;
 mod velocity;
 
+pub use amplitude::force_ratio_from_displacement;
+pub(crate) use amplitude::max_velocity_from_displacement;
 pub use border::{Border, turning_point_border, turning_point_criterion};
+pub(crate) use displacement::squared_sine;
 pub use displacement::{
     cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
     sin_displacement_phase,

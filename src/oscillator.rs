@@ -130,6 +130,11 @@ impl<F: Float> Drive<F> {
         self.angular_frequency
     }
 
+    /// Whether it is the base that moves, so that the force on the body changes with its stiffness.
+    pub const fn is_base_motion(&self) -> bool {
+        matches!(self.excitation, Excitation::BaseMotion(_))
+    }
+
     /// Amplitude of the force on the body of `oscillator`: p₀, or `k u_g0` under base motion.
     pub fn force_amplitude(&self, oscillator: &Oscillator<F>) -> F {
         match self.excitation {

@@ -14,9 +14,12 @@
 //! where `1 − qΩ` is formed with one rounding (exactly, near a pole or a zero). So the floats beside
 //! Ω = 1 and Ω = 1/n are as ordinary as any.
 
+mod slope;
+
 use crate::error::Error;
 use crate::float::{Float, Real};
 use crate::ratios::frequency_ratio;
+pub(crate) use slope::arc_less_sine;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
 ///

@@ -1,36 +1,10 @@
 //! The whole answer at one (Ω, α): the regime, and what exists there.
 
-use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::{Border, Cycle, best_force_ratio, best_loop_size};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
-
-/// What the body does in the long run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Regime {
-    /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
-    Stuck,
-    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle.
-    Sticking,
-    /// α ≥ α_min(Ω): the body never stops for longer than an instant.
-    NonSticking,
-    /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
-    Unbounded,
-}
-
-impl Regime {
-    /// The regime's name as the command prints it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Stuck => "stuck",
-            Self::Sticking => "sticking",
-            Self::NonSticking => "non-sticking",
-            Self::Unbounded => "unbounded",
-        }
-    }
-}
+use crate::regime::{Regime, regime_of};
 
 /// The answer at one (Ω, α).
 ///
@@ -111,33 +85,10 @@ impl<F: Float> Response<F> {
     }
 }
 
-/// The regime at (Ω, α), given the border at Ω.
-fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
-    let (one, alpha) = (F::int(1), ratios.alpha());
-    if alpha <= one {
-        Regime::Stuck
-    } else if alpha < border.min_force_ratio() {
-        Regime::Sticking
-    } else if ratios.omega() == one {
-        Regime::Unbounded
-    } else {
-        Regime::NonSticking
-    }
-}
-
-/// The regime at (Ω, α).
-///
-/// # Errors
-/// Where a ratio is outside its domain.
-pub fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, Error> {
-    let ratios = Ratios::new(omega, alpha)?;
-    Ok(regime_of(ratios, &Border::new(omega)?))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Regime, Response, regime};
-    use crate::Ratios;
+    use super::Response;
+    use crate::{Ratios, Regime, regime};
 
     #[test]
     fn each_regime_has_its_place() {

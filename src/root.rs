@@ -48,9 +48,97 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
     x
 }
 
+/// The two numbers, next to each other but for rounding, between which `f` changes sign in `[low, high]`: the first
+/// on the side of `low`, the second on that of `high`. A zero counts as positive.
+///
+/// At the precision of the type from start to end, and certain: the bracket only ever shrinks. Inverse quadratic
+/// interpolation where the three last points promise a monotone one, halving elsewhere (Chandrupatla's criterion).
+/// Where `f` has one sign at both ends there is nothing to enclose, and the end where |f| is smaller is returned twice.
+pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> (F, F) {
+    let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
+    let positive = |y: F| y >= zero;
+    // x is the latest point, opposite the other end of the bracket, previous the point before.
+    let (mut opposite, mut x) = (low, high);
+    let (mut at_opposite, mut y) = (f(low), f(high));
+    let ordered = |a: F, b: F| if a < b { (a, b) } else { (b, a) };
+    if positive(at_opposite) == positive(y) {
+        let end = if at_opposite.abs() <= y.abs() { low } else { high };
+        return (end, end);
+    }
+    let mut share = half;
+    // Each halving takes a bit off the bracket; interpolation never makes two steps worse than that.
+    for _ in 0..4 * F::PRECISION {
+        let width = (opposite - x).abs();
+        let tolerance = F::epsilon() * x.abs().or_larger(opposite.abs());
+        if width <= tolerance {
+            break;
+        }
+        let least = tolerance / (width + width);
+        let share_inside = if share < least {
+            least
+        } else if share > one - least {
+            one - least
+        } else {
+            share
+        };
+        let next = x + share_inside * (opposite - x);
+        if next == x || next == opposite {
+            break;
+        }
+        let at_next = f(next);
+        let (previous, at_previous);
+        if positive(at_next) == positive(y) {
+            (previous, at_previous) = (x, y);
+        } else {
+            (previous, at_previous) = (opposite, at_opposite);
+            (opposite, at_opposite) = (x, y);
+        }
+        (x, y) = (next, at_next);
+        let xi = (x - opposite) / (previous - opposite);
+        let phi = (y - at_opposite) / (at_previous - at_opposite);
+        let interpolates = phi.square() < xi && (one - phi).square() < one - xi;
+        share = if interpolates {
+            let at_chord = y / (at_opposite - y) * (at_previous / (at_opposite - at_previous));
+            let beyond = (previous - x) / (opposite - x);
+            at_chord + beyond * (y / (at_previous - y)) * (at_opposite / (at_previous - at_opposite))
+        } else {
+            half
+        };
+    }
+    ordered(x, opposite)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{bracketed, newton};
+    use super::{bracketed, enclosed, newton};
+
+    #[test]
+    fn the_enclosure_is_two_neighbours() {
+        let calls = core::cell::Cell::new(0);
+        let f = |x: f64| {
+            calls.set(calls.get() + 1);
+            x.cos()
+        };
+        let (below, above) = enclosed(1.0, 2.0, f);
+        assert!(below.cos() > 0.0 && above.cos() < 0.0);
+        assert!(above - below <= 2.0 * f64::EPSILON, "{below} {above}");
+        assert!(calls.get() < 14, "{} evaluations", calls.get());
+        // A corner, a jump and a flat start: what no interpolation likes.
+        for corner in [1e-9, 0.3, 0.999] {
+            let (a, b) =
+                enclosed(0.0, 1.0, |x: f64| if x < corner { -1e-3 } else { 1e5 * (x - corner) + 1.0 });
+            assert!(a < corner && b >= corner && b - a <= f64::EPSILON * b, "{a} {b}");
+        }
+        let (a, b) = enclosed(0.0f64, 1.0, |x| x.powi(9) - 0.5f64.powi(27));
+        assert!(a <= 0.125 && b >= 0.125 && b - a <= 1e-15, "{a} {b}");
+    }
+
+    #[test]
+    fn a_zero_is_on_the_positive_side() {
+        assert_eq!(enclosed(0.0, 1.0, |x: f64| x - 0.5).1, 0.5);
+        assert_eq!(enclosed(0.0, 1.0, |x: f64| 0.5 - x).0, 0.5);
+        assert_eq!(enclosed(1.0, 2.0, |x: f64| x), (1.0, 1.0));
+    }
 
     #[test]
     fn the_zero_of_the_cosine() {

@@ -32,10 +32,19 @@
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
+pub mod lobe;
+mod range;
+mod shortfall;
+mod slope;
+
 use crate::error::Error;
 use crate::float::{AtPrecision, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::root;
+pub use lobe::{Lobe, Minimum};
+pub(crate) use range::ordered_lobes;
+pub use range::{BorderRange, border_range};
+pub use shortfall::Shortfall;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
@@ -187,6 +196,11 @@ impl<F: Float> Border<F> {
         self.phase
     }
 
+    /// Whether the velocity first touches zero at the turning point, so that eq. 61 is exact here.
+    pub fn is_turning_point(&self) -> bool {
+        self.phase == F::int(0)
+    }
+
     /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
     pub const fn least_displacement(&self) -> F {
         self.least_displacement
@@ -240,5 +254,24 @@ impl<F: Float> AtPrecision<F> for Start<F> {
 
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         back(stationary_point(there(self.omega), there(self.gamma)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Border;
+
+    /// The reference is the same condition at 60 digits.
+    #[test]
+    fn beside_one_over_2n_no_digit_is_lost() {
+        for (omega, exact) in [
+            (0.499_998_533_901_356_57, 3.000_023_457_784_889),
+            (0.031_249_988_944_768_197, 1_023.000_724_637_401_5),
+            (0.038_461_525_039_324_97, 675.000_471_869_339_2),
+            (0.249_999_9, 15.000_012_800_043_951),
+        ] {
+            let found = Border::new(omega).unwrap().min_force_ratio();
+            assert!((found / exact - 1.0f64).abs() < 8.0 * f64::EPSILON, "{omega}: {found} against {exact}");
+        }
     }
 }

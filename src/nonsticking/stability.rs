@@ -7,9 +7,10 @@
 //! λ² + (1 + s) cos(π/Ω) λ + s = 0,   s = (g − 1)/(g + 1),   g = Ω² Δ₀/B,
 //! ```
 //!
-//! and a whole cycle has λ². Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and the cycle is
+//! and a whole cycle has λ² ([`Multipliers`]). Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and the cycle is
 //! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
+use super::Cycle;
 use crate::float::{Float, Real};
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
@@ -54,9 +55,154 @@ pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)
     }
 }
 
+/// A pair of multipliers, complex conjugate or real.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Pair<F> {
+    /// `re ± i im`, im > 0.
+    Complex {
+        /// Real part.
+        re: F,
+        /// Imaginary part of the first.
+        im: F,
+    },
+    /// Two real multipliers, the one of larger modulus first.
+    Real(F, F),
+}
+
+impl<F: Float> Pair<F> {
+    /// The two as (real, imaginary) parts.
+    #[must_use]
+    pub fn parts(self) -> [(F, F); 2] {
+        let zero = F::int(0);
+        match self {
+            Self::Complex { re, im } => [(re, im), (re, -im)],
+            Self::Real(a, b) => [(a, zero), (b, zero)],
+        }
+    }
+
+    /// The pair of the map applied twice: the squares.
+    #[must_use]
+    pub fn squared(self) -> Self {
+        match self {
+            Self::Complex { re, im } => {
+                let (square, twice) = ((re - im) * (re + im), F::int(2) * re * im);
+                Self::Complex { re: square, im: twice.abs() }
+            }
+            Self::Real(a, b) => Self::Real(a.square(), b.square()),
+        }
+    }
+
+    /// The larger modulus.
+    #[must_use]
+    pub fn modulus(self) -> F {
+        match self {
+            Self::Complex { re, im } => re.hypot(im),
+            Self::Real(a, _) => a.abs(),
+        }
+    }
+}
+
+/// The multipliers of a non-sticking cycle, in closed form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Multipliers<F> {
+    half_cycle: Pair<F>,
+}
+
+impl<F: Float> Multipliers<F> {
+    /// The multipliers at Ω and Δ₀/B; `sin_cos_beta` is (sin, cos) of β = π/2Ω.
+    ///
+    /// With C = cos(π/Ω), `g = Ω²Δ₀/B`, `σ = |sin(π/Ω)|`:
+    ///
+    /// ```text
+    /// λ = [−gC ± √((1 − gσ)(1 + gσ))]/(g + 1)
+    /// ```
+    ///
+    /// Complex where gσ > 1. The smaller of two real ones is `s/λ`, s the product, so that it keeps its digits as g → 1.
+    /// Accuracy at f64: 8 ulp of the modulus, away from the double root gσ = 1.
+    #[must_use]
+    pub fn new(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> Self {
+        let (one, two) = (F::int(1), F::int(2));
+        let (s, c) = sin_cos_beta;
+        // Written with 1/g, so that an infinite g gives the limit.
+        let inverse = one / (omega.square() * max_displacement);
+        let (sine, cosine) = ((two * s * c).abs(), (c - s) * (c + s));
+        let discriminant = (inverse - sine) * (inverse + sine);
+        let mean = -(cosine / (one + inverse));
+        let spread = discriminant.abs().sqrt() / (one + inverse);
+        let half_cycle = if discriminant < F::int(0) {
+            Pair::Complex { re: mean, im: spread }
+        } else {
+            let larger = mean + spread.with_sign_of(mean);
+            let product = (one - inverse) / (one + inverse);
+            Pair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+        };
+        Self { half_cycle }
+    }
+
+    /// Of half a cycle, from one reversal to the next: λ.
+    pub const fn half_cycle(&self) -> Pair<F> {
+        self.half_cycle
+    }
+
+    /// Of a whole cycle: λ².
+    pub fn cycle(&self) -> Pair<F> {
+        self.half_cycle.squared()
+    }
+
+    /// What is left of a small disturbance after a cycle, in the long run: `max |λ|²`.
+    ///
+    /// The first few cycles may do better or worse, the map being not normal.
+    pub fn contraction(&self) -> F {
+        self.half_cycle.modulus().square()
+    }
+
+    /// The least number of cycles after which a small disturbance is down to `tolerance` of itself, at the rate of
+    /// [`Multipliers::contraction`]; `None` where it never is (Ω = 1/n), or not in 2⁶³ cycles.
+    ///
+    /// By repeated squaring, without logarithms: exact for the contraction as rounded, whose distance from 1 it inherits.
+    pub fn cycles_to_settle(&self, tolerance: F) -> Option<u64> {
+        let one = F::int(1);
+        if tolerance >= one {
+            return Some(0);
+        }
+        let rate = self.contraction();
+        if rate >= one || tolerance <= F::int(0) {
+            return None;
+        }
+        // powers[i] is the contraction in 2ⁱ cycles, as long as that does not suffice.
+        let mut powers = Vec::new();
+        let mut power = rate;
+        while power > tolerance {
+            if powers.len() == 63 {
+                return None;
+            }
+            powers.push(power);
+            power = power.square();
+        }
+        let mut left = one;
+        let mut cycles = 0;
+        for (i, &power) in powers.iter().enumerate().rev() {
+            if left * power > tolerance {
+                left = left * power;
+                cycles += 1 << i;
+            }
+        }
+        Some(cycles + 1)
+    }
+}
+
+impl<F: Float> Cycle<F> {
+    /// The multipliers of this cycle.
+    pub fn multipliers(&self) -> Multipliers<F> {
+        Multipliers::new(self.ratios.omega(), self.max_displacement, self.half.sin_cos_beta())
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{characteristic_polynomial, contraction, multiplier_product};
+    use super::{Multipliers, Pair, characteristic_polynomial, contraction, multiplier_product};
+    use crate::{Border, Cycle, Ratios};
+    use proptest::prelude::*;
 
     #[test]
     fn the_contraction_is_a_root_of_the_characteristic_polynomial() {
@@ -82,5 +228,59 @@ mod tests {
     #[test]
     fn marginal_at_one_over_n() {
         assert_eq!(contraction(0.5, 5.333, (0.0, -1.0)), 1.0);
+    }
+
+    fn multipliers(omega: f64, alpha: f64) -> Multipliers<f64> {
+        Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().multipliers()
+    }
+
+    #[test]
+    fn the_multipliers_of_the_exact_motion() {
+        // From the monodromy of the simulated motion at (0.7, 2).
+        let Pair::Complex { re, im } = multipliers(0.7, 2.0).cycle() else { panic!("a complex pair") };
+        assert!((re + 0.222_401_57).abs() < 5e-9 && (im - 0.138_157_96).abs() < 5e-9, "{re} {im}");
+    }
+
+    #[test]
+    fn a_disturbance_that_is_gone_at_once() {
+        // Ω = 2 on the border: cos(π/Ω) = 0 and s = 0.
+        let quarter = core::f64::consts::FRAC_1_SQRT_2;
+        let m = Multipliers::new(2.0, 0.25 * (1.0 - 1e-15), (quarter, quarter));
+        assert!(m.contraction() < 1e-14, "{m:?}");
+        assert_eq!(m.cycles_to_settle(1e-12), Some(1));
+    }
+
+    #[test]
+    fn cycles_to_settle() {
+        let m = multipliers(0.7, 2.0);
+        let (rate, tolerance) = (m.contraction(), 1e-12);
+        let cycles = m.cycles_to_settle(tolerance).unwrap();
+        assert_eq!(cycles, (tolerance.ln() / rate.ln()).ceil() as u64);
+        assert_eq!(m.cycles_to_settle(1.0), Some(0));
+        assert_eq!(m.cycles_to_settle(rate), Some(1));
+        assert_eq!(m.cycles_to_settle(0.0), None);
+        assert_eq!(multipliers(0.5, 4.0).cycles_to_settle(0.5), None);
+        let slow = multipliers(0.5001, 4.0);
+        let expected = 1e-6f64.ln() / slow.contraction().ln();
+        assert!((slow.cycles_to_settle(1e-6).unwrap() as f64 - expected).abs() <= 1.0 + 1e-6 * expected);
+    }
+
+    proptest! {
+        #[test]
+        fn roots_of_the_characteristic_polynomial(omega in 0.05f64..20.0, over in 1.0f64..8.0) {
+            prop_assume!((omega - 1.0).abs() > 1e-9);
+            let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+            let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
+            let (m, s) = (cycle.multipliers(), multiplier_product(omega, cycle.max_displacement()));
+            let cos_pi_1 = (std::f64::consts::PI / omega).cos();
+            for (re, im) in m.half_cycle().parts() {
+                // λ² + (1 + s) C λ + s, real and imaginary part
+                let real = characteristic_polynomial(re, s, cos_pi_1) - im * im;
+                let imaginary = im * (2.0 * re + (1.0 + s) * cos_pi_1);
+                prop_assert!(real.abs() < 1e-13 && imaginary.abs() < 1e-13, "{real:e} {imaginary:e}");
+            }
+            prop_assert!((m.half_cycle().modulus() - cycle.contraction()).abs() < 1e-14);
+            prop_assert!(m.cycle().modulus() <= 1.0 + 1e-15);
+        }
     }
 }

@@ -1,0 +1,34 @@
+//! The questions that are asked backwards: from what the machine is to do, to what it takes.
+//!
+//! | question | in ratios | in physical units | file |
+//! |---|---|---|---|
+//! | least force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`least_force`], [`least_base_amplitude`] | `force.rs` |
+//! | greatest friction that lets it slide | the same, p₀/α_min | [`greatest_friction`] | `friction.rs` |
+//! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
+//! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
+//! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
+//! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
+//!
+//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. An
+//! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
+//! An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+
+mod bands;
+mod dissipation;
+mod force;
+mod friction;
+mod target;
+mod tuning;
+
+pub use bands::{Band, Bands, Edge, bands, frequency_bands};
+pub use dissipation::{
+    BestForceRatio, BestFriction, Optimum, most_dissipating_force_ratio, most_dissipating_friction,
+};
+pub use force::{least_base_amplitude, least_force};
+pub use friction::greatest_friction;
+pub use target::{
+    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
+};
+pub use tuning::{
+    BestFrequencyRatio, BestStiffness, most_dissipating_frequency_ratio, most_dissipating_stiffness,
+};

@@ -1,0 +1,287 @@
+//! The bands of frequency in which a given force keeps the body sliding.
+//!
+//! `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one minimum and rises from
+//! it, both strictly ([`crate::nonsticking::border::lobe`]). And it is empty in every lobe n with (2n+1)² − 1 ≥ α, because
+//! α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all of them are found by looking once into each
+//! of those lobes: nothing is sampled, and nothing between two frequencies is missed.
+
+use super::force::frequency_ratio_of;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::nonsticking::border::{Lobe, ordered_lobes};
+use crate::oscillator::{Drive, Oscillator};
+use crate::phase_function::PhaseFunction;
+use crate::ratios::{Ratios, positive};
+use crate::root;
+
+/// What ends a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Edge {
+    /// The border: beyond it the body sticks.
+    Border,
+    /// The range that was asked about: the band goes on.
+    Range,
+}
+
+/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Band<F> {
+    /// Lower end.
+    pub low: F,
+    /// Upper end.
+    pub high: F,
+    /// What the lower end is.
+    pub low_edge: Edge,
+    /// What the upper end is.
+    pub high_edge: Edge,
+    /// The lobe of the border that the band is in. Only that of index 0 can contain Ω = 1, where the body never sticks but
+    /// its motion grows without bound.
+    pub lobe: Lobe,
+}
+
+/// The bands of a range, by increasing frequency: see [`bands`].
+#[derive(Debug, Clone)]
+pub struct Bands<F> {
+    alpha: F,
+    low: F,
+    high: F,
+    next: Option<Lobe>,
+    last: Lobe,
+    frequency: Option<Frequency<F>>,
+}
+
+/// What turns frequency ratios back into angular frequencies.
+#[derive(Debug, Clone, Copy)]
+struct Frequency<F> {
+    natural: F,
+    low: F,
+    high: F,
+}
+
+/// All bands of Ω in `[low, high]` in which the force ratio α keeps the body sliding: `α_min(Ω) ≤ α`.
+///
+/// Every one of them, and each exactly once: see the module's head. At each end the computed border is not above α and at
+/// the next float or two outside it is, so that [`crate::Response`] says what the band says. A band narrower than two
+/// floats beside an end of the range may be missing, and those in lobes beyond the resolution of the type near a pole
+/// are known to rounding only.
+///
+/// ```
+/// use stickslip::design::{Edge, bands};
+/// let found = bands(12.0f64, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// assert_eq!(found.len(), 2); // around 0.2971, and from 0.3707 on
+/// assert!((found[0].low - 0.280666).abs() < 1e-6 && (found[0].high - 0.301070).abs() < 1e-6);
+/// assert!((found[1].low - 0.370699).abs() < 1e-6 && found[1].high_edge == Edge::Range);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last [`Lobe`] and α would
+/// keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe whose minimum is so close to
+/// α that the type cannot tell whether there is a band in it.
+pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
+    Ratios::new(low, alpha)?;
+    let lowest = Lobe::new(u16::MAX).low_pole();
+    // Below the last lobe there is nothing to find for an α below its pole's 1/Ω² − 1.
+    let is_beyond = low < lowest && alpha < F::int(1) / lowest.square() - F::int(1);
+    let (first, last) = ordered_lobes(if is_beyond { lowest.or_larger(low) } else { low }, high)?;
+    // The casts of a float to an integer saturate.
+    let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
+    let next = first.min(Lobe::new(reachable)).max(last);
+    Ok(Bands { alpha, low, high, next: Some(next), last, frequency: None })
+}
+
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
+///
+/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as [`bands`].
+///
+/// # Errors
+/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y.
+pub fn frequency_bands<F: Float>(
+    body: &Oscillator<F>,
+    drive: &Drive<F>,
+    low: F,
+    high: F,
+) -> Result<Bands<F>, Error> {
+    let natural = body.natural_frequency();
+    let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
+    let found = bands(alpha, frequency_ratio_of(body, low)?, frequency_ratio_of(body, high)?)?;
+    Ok(Bands { frequency: Some(Frequency { natural, low, high }), ..found })
+}
+
+impl<F: Float> Iterator for Bands<F> {
+    type Item = Result<Band<F>, Error>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        while let Some(lobe) = self.next {
+            self.next = if lobe == self.last { None } else { lobe.above() };
+            match band_in(lobe, self.alpha, self.low, self.high) {
+                Ok(None) => {}
+                Ok(Some(band)) => return Some(Ok(self.in_units(band))),
+                Err(error) => return Some(Err(error)),
+            }
+        }
+        None
+    }
+}
+
+impl<F: Float> Bands<F> {
+    /// The band in the units of the question.
+    fn in_units(&self, band: Band<F>) -> Band<F> {
+        let Some(Frequency { natural, low, high }) = self.frequency else { return band };
+        let end = |edge, range: F, ratio: F| match edge {
+            Edge::Range => range,
+            Edge::Border => ratio * natural,
+        };
+        Band { low: end(band.low_edge, low, band.low), high: end(band.high_edge, high, band.high), ..band }
+    }
+}
+
+/// The band of `lobe` within `[low, high]`, if there is one.
+pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Band<F>>, Error> {
+    // Not negative where the body slides.
+    let excess = |omega: F| alpha - Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio();
+    let slides = |omega: F| excess(omega) >= F::int(0);
+    let from = low.or_larger(lobe.low_pole());
+    let to = lobe.high_pole().filter(|&pole| pole < high).unwrap_or(high);
+    let minimum = lobe.minimum::<F>();
+    let best = if minimum.omega < from {
+        from
+    } else if minimum.omega > to {
+        to
+    } else {
+        if is_too_close(alpha, minimum.force_ratio, minimum.omega) {
+            return Err(Error::Undecided {
+                alpha: alpha.to_string(),
+                least: minimum.force_ratio.to_string(),
+                omega: minimum.omega.to_string(),
+            });
+        }
+        if alpha < minimum.force_ratio {
+            return Ok(None);
+        }
+        minimum.omega
+    };
+    if !slides(best) {
+        return Ok(None);
+    }
+    let (start, low_edge) = if slides(from) {
+        (from, if from > low { Edge::Border } else { Edge::Range })
+    } else {
+        (root::enclosed(from, best, excess).1, Edge::Border)
+    };
+    let (end, high_edge) = if slides(to) {
+        (to, if to < high { Edge::Border } else { Edge::Range })
+    } else {
+        (root::enclosed(best, first_beyond(best, to, slides), excess).0, Edge::Border)
+    };
+    Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe }))
+}
+
+/// A frequency ratio in `(from, to]` where the body sticks, given that it does at `to`; not much further than need be.
+fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
+    let mut end = from + from;
+    while end < to && slides(end) {
+        end = end + end;
+    }
+    if end < to { end } else { to }
+}
+
+/// Whether α is closer to the minimum of a lobe than the type can tell: the error bound of the border, and beside a corner
+/// what the border changes within the rounding of its Ω.
+fn is_too_close<F: Float>(alpha: F, least: F, omega: F) -> bool {
+    let one = F::int(1);
+    let error = F::int(crate::Place::<F>::BORDER_ERROR) * F::epsilon() * (one + one / omega);
+    (alpha - least).abs() <= error * least
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Edge, bands, frequency_bands};
+    use crate::nonsticking::border::Lobe;
+    use crate::{Border, Drive, Error, Oscillator};
+
+    fn all(alpha: f64, low: f64, high: f64) -> Vec<super::Band<f64>> {
+        bands(alpha, low, high).unwrap().collect::<Result<_, _>>().unwrap()
+    }
+
+    #[test]
+    fn the_number_of_bands_is_that_of_the_minima_below() {
+        // 1.21, 11.364, 28.88, 54.35, 87.81, …
+        for (alpha, count) in [(1.2, 0), (1.22, 1), (11.3, 1), (11.5, 2), (28.8, 2), (29.0, 3), (88.0, 5)] {
+            assert_eq!(all(alpha, 1e-3, 1e3).len(), count, "{alpha}");
+        }
+        assert_eq!(all(1e6, 1e-4, 1e3).len(), 500);
+    }
+
+    #[test]
+    fn a_range_cuts_them() {
+        let whole = all(12.0, 0.01, 100.0);
+        assert_eq!((whole[0].low_edge, whole[0].high_edge), (Edge::Border, Edge::Border));
+        assert_eq!((whole[1].low_edge, whole[1].high_edge), (Edge::Border, Edge::Range));
+        let cut = all(12.0, 0.29, 0.295);
+        assert_eq!((cut[0].low, cut[0].high), (0.29, 0.295));
+        assert_eq!(cut[0].low_edge, Edge::Range);
+        assert!(all(12.0, 0.31, 0.36).is_empty());
+        assert_eq!(all(12.0, 0.299, 0.4).len(), 2);
+        assert_eq!(all(12.0, 0.3, 0.3).len(), 1);
+        // Above the minimum of lobe 0 the border rises to √(1 + π²/4) = 1.8621 without reaching it.
+        assert_eq!(all(1.862, 0.6, 2f64.powi(250))[0].high_edge, Edge::Border);
+        assert_eq!(all(1.863, 0.6, 2f64.powi(250))[0].high_edge, Edge::Range);
+    }
+
+    #[test]
+    fn the_ends_slide_and_their_neighbours_stick() {
+        let at = |omega: f64| Border::new(omega).unwrap().min_force_ratio();
+        for alpha in [1.21, 1.3, 1.8, 1.862, 3.0, 12.0, 31.0, 1e4, 1e9] {
+            for band in bands(alpha, 1e-3, 1e3).unwrap().map(Result::unwrap) {
+                for (end, edge, outward) in
+                    [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)]
+                {
+                    assert!(at(end) <= alpha, "{alpha} {end}");
+                    let outside = at(end * (1.0 + outward * 4.0 * f64::EPSILON));
+                    // Near 1.862 the border is flat: a float further it has not moved.
+                    assert!(edge == Edge::Range || outside > alpha * (1.0 - 1e-15), "{alpha} {end}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_minimum_that_cannot_be_told_from_alpha_is_said_so() {
+        for index in [0, 1, 2, 9] {
+            let minimum = Lobe::new(index).minimum::<f64>();
+            let (low, high) = (minimum.omega * 0.999, minimum.omega * 1.001);
+            let count =
+                |alpha| bands(alpha, low, high).unwrap().collect::<Result<Vec<_>, _>>().map(|b| b.len());
+            assert!(matches!(count(minimum.force_ratio), Err(Error::Undecided { .. })));
+            let apart = 1e-13;
+            assert_eq!(count(minimum.force_ratio * (1.0 - apart)), Ok(0));
+            assert_eq!(count(minimum.force_ratio * (1.0 + apart)), Ok(1));
+        }
+    }
+
+    #[test]
+    fn far_below_the_last_lobe() {
+        assert_eq!(all(3.0, 1e-30, 1e30).len(), 1);
+        assert!(matches!(bands(1e12, 1e-7, 1.0), Err(Error::OutOfRange { .. })));
+        assert!(matches!(bands(3.0, 1.0, 0.5), Err(Error::EmptyRange { .. })));
+        assert!(bands(-3.0, 0.5, 1.0).is_err());
+    }
+
+    #[test]
+    fn in_physical_units() {
+        // ω_n = 2, r_y = 3.
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let ratios = all(12.0, 0.1, 2.0);
+        for drive in [Drive::force(36.0, 1.0), Drive::base_motion(4.5, 7.0)] {
+            let found: Vec<_> =
+                frequency_bands(&body, &drive.unwrap(), 0.2, 4.0).unwrap().map(Result::unwrap).collect();
+            assert_eq!(found.len(), 2);
+            for (a, b) in found.iter().zip(&ratios) {
+                assert_eq!((a.low, a.low_edge, a.high_edge), (2.0 * b.low, b.low_edge, b.high_edge));
+            }
+            assert_eq!(found[1].high, 4.0);
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! The least drive that keeps the body sliding at a given frequency.
+
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::oscillator::{Drive, Oscillator};
+use crate::ratios::positive;
+
+/// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
+///
+/// Unit of force. Not sliding below it, sliding above it: α_min is the exact border. At Ω = 1 the motion grows without bound
+/// from there on. Relative accuracy at f64: that of the border, 8 ulp, and what Ω_d/ω_n loses by rounding, times
+/// [`Border::sensitivity`].
+///
+/// # Errors
+/// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or p₀ over- or underflows.
+pub fn least_force<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
+    let border = border_of(body, angular_frequency)?;
+    positive(Quantity::ForceAmplitude, body.friction_bound() * border.min_force_ratio())
+}
+
+/// The least amplitude u_g0 of a base motion that keeps `body` sliding at ω_d: `u_g0 = p₀/k = B α_min(Ω)`.
+///
+/// Unit of length; otherwise as [`least_force`].
+///
+/// # Errors
+/// As [`least_force`].
+pub fn least_base_amplitude<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
+    let border = border_of(body, angular_frequency)?;
+    positive(Quantity::BaseAmplitude, body.friction_displacement() * border.min_force_ratio())
+}
+
+/// The border of `body` at ω_d.
+pub(super) fn border_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Border<F>, Error> {
+    Border::new(frequency_ratio_of(body, angular_frequency)?)
+}
+
+/// Ω of `body` at ω_d, validated by a drive of ratio 1.
+pub(super) fn frequency_ratio_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
+    let drive = Drive::force(body.friction_bound(), angular_frequency)?;
+    Ok(drive.ratios(body)?.omega())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{least_base_amplitude, least_force};
+    use crate::{Error, Oscillator, Quantity};
+
+    #[test]
+    fn at_the_values_of_the_border() {
+        // ω_n = 2, r_y = 3, k = 8: B = 3/8.
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        for (omega, border) in [
+            (0.4, 6.949_737_755_908_733),
+            (0.3, 11.573_099_220_763_208),
+            (0.5, 3.0),
+            (1.0, 4.0 / std::f64::consts::PI),
+        ] {
+            let force: f64 = least_force(&body, 2.0 * omega).unwrap();
+            assert!((force / (3.0 * border) - 1.0).abs() < 1e-14, "{omega}: {force}");
+            let base: f64 = least_base_amplitude(&body, 2.0 * omega).unwrap();
+            assert!((base * 8.0 / force - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let quantity = |e: Error| e.quantity();
+        assert_eq!(quantity(least_force(&body, -1.0).unwrap_err()), Some(Quantity::AngularFrequency));
+        assert_eq!(quantity(least_force(&body, 1e300).unwrap_err()), Some(Quantity::FrequencyRatio));
+        let stiff = Oscillator::new(1e200, 1e200, 1e-200).unwrap();
+        let error = least_base_amplitude(&stiff, 1.0).unwrap_err();
+        assert_eq!(quantity(error), Some(Quantity::BaseAmplitude));
+    }
+}

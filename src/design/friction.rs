@@ -1,0 +1,43 @@
+//! The greatest friction that lets the body slide under a given drive.
+
+use super::force::border_of;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::oscillator::{Drive, Oscillator};
+use crate::ratios::positive;
+
+/// The greatest friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
+///
+/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. Any smaller bound slides,
+/// any greater one sticks, because Ω does not depend on friction. Accuracy as [`super::least_force`].
+///
+/// # Errors
+/// Where Ω leaves the domain of [`crate::Ratios`], or r_y over- or underflows.
+pub fn greatest_friction<F: Float>(body: &Oscillator<F>, drive: &Drive<F>) -> Result<F, Error> {
+    let border = border_of(body, drive.angular_frequency())?;
+    positive(Quantity::FrictionBound, drive.force_amplitude(body) / border.min_force_ratio())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::greatest_friction;
+    use crate::{Drive, Oscillator, Regime, Response};
+
+    #[test]
+    fn slides_below_and_sticks_above() {
+        for omega in [0.22, 0.4, 0.7, 1.0, 3.0] {
+            let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+            for drive in [Drive::force(12.0, 2.0 * omega), Drive::base_motion(1.5, 2.0 * omega)] {
+                let drive = drive.unwrap();
+                let friction: f64 = greatest_friction(&body, &drive).unwrap();
+                let regime = |share: f64| {
+                    let body = Oscillator::new(2.0, 8.0, friction * share).unwrap();
+                    Response::new(drive.ratios(&body).unwrap()).regime()
+                };
+                let slides = if omega == 1.0 { Regime::Unbounded } else { Regime::NonSticking };
+                assert_eq!(regime(1.0 - 1e-12), slides, "{omega}");
+                assert_eq!(regime(1.0 + 1e-12), Regime::Sticking, "{omega}");
+            }
+        }
+    }
+}

@@ -1,0 +1,164 @@
+//! The force for a target displacement or velocity.
+
+use super::force::frequency_ratio_of;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::nonsticking::{Border, force_ratio_from_displacement, max_velocity_from_displacement};
+use crate::oscillator::Oscillator;
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::ratios::positive;
+
+/// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
+///
+/// `α = hypot(K, (1 − Ω²) Δ₀/B)`: closed form, and the only one, Δ₀ growing with α. Accuracy at f64: 8 ulp.
+///
+/// # Errors
+/// [`Error::TargetSticks`] where Δ₀/B is below `S(Ω)`, [`Error::AtResonance`] at Ω = 1, and where an argument is not finite
+/// or not > 0.
+pub fn force_ratio_for_displacement<F: Float>(omega: F, max_displacement: F) -> Result<F, Error> {
+    displacement_target(omega, max_displacement, F::int(1), Quantity::MaxDisplacementRatio)
+}
+
+/// The force amplitude p₀ with which `body` at ω_d has the maximum displacement Δ₀ (unit of length).
+///
+/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
+///
+/// # Errors
+/// As there, the values in physical units.
+pub fn force_for_displacement<F: Float>(
+    body: &Oscillator<F>,
+    angular_frequency: F,
+    max_displacement: F,
+) -> Result<F, Error> {
+    let omega = frequency_ratio_of(body, angular_frequency)?;
+    let length = positive(Quantity::FrictionDisplacement, body.friction_displacement())?;
+    let alpha = displacement_target(omega, max_displacement, length, Quantity::MaxDisplacement)?;
+    positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
+}
+
+/// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d).
+///
+/// V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0 (`src/nonsticking/velocity.rs`),
+/// so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its value at ψ = 0. So the target itself, as Δ₀, is
+/// at or beyond the only solution, and Newton's method falls on it from there without a bracket. Accuracy at f64: 16 ulp.
+///
+/// # Errors
+/// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, otherwise as [`force_ratio_for_displacement`].
+pub fn force_ratio_for_velocity<F: Float>(omega: F, max_velocity: F) -> Result<F, Error> {
+    velocity_target(omega, max_velocity, F::int(1), Quantity::MaxVelocityRatio)
+}
+
+/// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).
+///
+/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
+///
+/// # Errors
+/// As there, the values in physical units.
+pub fn force_for_velocity<F: Float>(
+    body: &Oscillator<F>,
+    angular_frequency: F,
+    max_velocity: F,
+) -> Result<F, Error> {
+    let omega = frequency_ratio_of(body, angular_frequency)?;
+    let scale = positive(Quantity::VelocityScale, body.friction_displacement() * angular_frequency)?;
+    let alpha = velocity_target(omega, max_velocity, scale, Quantity::MaxVelocity)?;
+    positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
+}
+
+/// α for the displacement `target`, given in units of `scale`.
+fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
+    let p = steady(omega, quantity)?;
+    let displacement = positive(quantity, target)? / scale;
+    let least = Border::at(&p).least_displacement();
+    if displacement < least {
+        return Err(sticks(quantity, target, least * scale, omega));
+    }
+    force_ratio_at(&p, displacement)
+}
+
+/// α for the velocity `target`, given in units of `scale`.
+fn velocity_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
+    let p = steady(omega, quantity)?;
+    let velocity = positive(quantity, target)? / scale;
+    let least = Border::at(&p).least_displacement();
+    let (least_velocity, _) = max_velocity_from_displacement(&p, least);
+    if velocity < least_velocity {
+        return Err(sticks(quantity, target, least_velocity * scale, omega));
+    }
+    let mut displacement = velocity;
+    // Quadratic from the first step on where V₀ is nearly affine, as it is; the bound is that of halving.
+    for _ in 0..F::PRECISION {
+        let (reached, slope) = max_velocity_from_displacement(&p, displacement);
+        let step = (reached - velocity) / slope;
+        let next = displacement - step;
+        // Beyond the solution by rounding, or at the border by it.
+        if !(step > F::epsilon() * displacement && next > least) {
+            break;
+        }
+        displacement = next;
+    }
+    force_ratio_at(&p, displacement)
+}
+
+/// α for Δ₀/B, within the domain of the closed forms.
+fn force_ratio_at<F: Float>(p: &PhaseFunction<F>, displacement: F) -> Result<F, Error> {
+    let alpha = force_ratio_from_displacement(p.value(), displacement, one_minus_square(p.omega()));
+    Ok(crate::Ratios::new(p.omega(), alpha)?.alpha())
+}
+
+/// The phase function at Ω ≠ 1: there no steady motion has the size asked for.
+fn steady<F: Float>(omega: F, quantity: Quantity) -> Result<PhaseFunction<F>, Error> {
+    let p = PhaseFunction::new(omega)?;
+    if omega == F::int(1) { Err(Error::AtResonance { quantity }) } else { Ok(p) }
+}
+
+/// Why a target is too small.
+fn sticks<F: Float>(quantity: Quantity, value: F, least: F, omega: F) -> Error {
+    Error::TargetSticks {
+        quantity,
+        value: value.to_string(),
+        least: least.to_string(),
+        omega: omega.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{
+        force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
+    };
+    use crate::{Cycle, Error, Oscillator, Ratios};
+
+    #[test]
+    fn at_the_reference_point() {
+        // (1.5, 2.5): Δ₀/B and V₀/(Bω_d) to 16 digits.
+        let alpha: f64 = force_ratio_for_displacement(1.5, 1.632_993_161_855_452).unwrap();
+        assert!((alpha - 2.5).abs() < 1e-15);
+        let alpha: f64 = force_ratio_for_velocity(1.5, 1.654_152_276_482_076).unwrap();
+        assert!((alpha - 2.5).abs() < 1e-15, "{alpha}");
+    }
+
+    #[test]
+    fn a_target_that_would_stick() {
+        // S(0.4) (1 − Ω²) is √(α_min² − K²).
+        let error = force_ratio_for_displacement(0.7, 2.0).unwrap_err();
+        assert!(error.to_string().starts_with("maximum displacement Δ₀/B = 2 must be ≥ 2.04"), "{error}");
+        assert!(matches!(force_ratio_for_velocity(0.7, 2.0), Err(Error::TargetSticks { .. })));
+        assert!(matches!(force_ratio_for_velocity(1.0, 9.0), Err(Error::AtResonance { .. })));
+        assert!(force_ratio_for_displacement(0.7, f64::NAN).is_err());
+        assert!(force_ratio_for_displacement(0.7, 1e300).is_err());
+    }
+
+    #[test]
+    fn in_physical_units() {
+        // ω_n = 2, B = 3/8, ω_d = 1.4: Ω = 0.7.
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let cycle = Cycle::new(Ratios::new(0.7f64, 2.0).unwrap()).unwrap();
+        let force = force_for_displacement(&body, 1.4, cycle.max_displacement() * 0.375).unwrap();
+        assert!((force - 6.0).abs() < 1e-14);
+        let force = force_for_velocity(&body, 1.4, cycle.max_velocity() * 0.375 * 1.4).unwrap();
+        assert!((force - 6.0).abs() < 1e-14);
+        let error = force_for_velocity(&body, 1.4, 0.5).unwrap_err().to_string();
+        assert!(error.starts_with("maximum velocity V₀ = 0.5 must be ≥ 1.2777"), "{error}");
+    }
+}

@@ -1,0 +1,106 @@
+//! Where eq. 61 falls short of the exact border: a band around each pole 1/(2n+1), and nowhere else.
+//!
+//! Above the pole the band reaches to 1/(2n), below it to Ω_e in (1/(2n+2), 1/(2n+1)), the one crossing of the two values
+//! of S (proved in [`super::lobe`]).
+
+use super::lobe::Lobe;
+use super::{stationary_point, stationary_value};
+use crate::float::Float;
+use crate::root;
+
+/// Around the pole 1/(2n+1), the frequency ratios where eq. 61 falls short of the exact border.
+///
+/// On (`low`, `pole`) and (`pole`, `high`) a force ratio that meets eq. 61 need not keep the body sliding. At `low`
+/// and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next one, and for Ω ≥ 1/2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Shortfall<F> {
+    /// The lower end Ω_e, in (1/(2n+2), 1/(2n+1)).
+    pub low: F,
+    /// The pole 1/(2n+1).
+    pub pole: F,
+    /// The upper end 1/(2n).
+    pub high: F,
+}
+
+impl Lobe {
+    /// Where eq. 61 falls short around the pole at the upper end of this lobe; `None` for lobe 0.
+    ///
+    /// `low` is the one root, on the bracket γ ∈ (π/2, π), of a monotonic function; accuracy at f64: 4 ulp.
+    #[must_use]
+    pub fn shortfall<F: Float>(self) -> Option<Shortfall<F>> {
+        let pole = self.high_pole()?;
+        let high = F::int(1) / F::int(2 * i32::from(self.index()));
+        Some(Shortfall { low: BandEnd::of(self.index()).omega(), pole, high })
+    }
+}
+
+/// The point u_e where the two values of S cross, by its angle: β = π/2Ω = nπ + γ.
+pub(super) struct BandEnd<F> {
+    gamma: F,
+    /// u = 1/Ω
+    inverse: F,
+}
+
+impl<F: Float> BandEnd<F> {
+    /// The end of the band below the pole 1/(2n+1), n ≥ 1.
+    ///
+    /// Solved for γ, in which the crossing is as well conditioned for n = 10⁵ as for n = 1; `1/S`, which vanishes at the
+    /// pole, is smooth on the whole bracket.
+    pub(super) fn of(index: u16) -> Self {
+        let (one, half_pi) = (F::int(1), F::pi() / F::int(2));
+        let inverse = |gamma: F| F::int(2 * i32::from(index)) + gamma / half_pi;
+        let excess = |gamma: F| {
+            let u = inverse(gamma);
+            let eta = stationary_point(one / u, gamma);
+            u / stationary_value(gamma, gamma.cos(), (gamma + eta) / u, eta) - one
+        };
+        let (_, gamma) = root::enclosed(half_pi, half_pi * F::ratio(15, 8), excess);
+        Self { gamma, inverse: inverse(gamma) }
+    }
+
+    pub(super) fn omega(&self) -> F {
+        F::int(1) / self.inverse
+    }
+
+    /// The border there, eq. 61: `(u² − 1) √(1 + T²/u²)`.
+    pub(super) fn border(&self) -> F {
+        let one = F::int(1);
+        (self.inverse.square() - one) * one.hypot(self.gamma.tan() / self.inverse)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Lobe;
+    use crate::Border;
+
+    fn close(a: f64, b: f64, ulps: f64) {
+        assert!((a - b).abs() <= ulps * f64::EPSILON * b.abs(), "{a:e} against {b:e}");
+    }
+
+    #[test]
+    fn ends_of_the_bands_where_eq_61_falls_short() {
+        assert_eq!(Lobe::new(0).shortfall::<f64>(), None);
+        for (n, low) in [
+            (1, 0.299_505_147_567_967_3),
+            (2, 0.186_828_225_506_139_28),
+            (3, 0.135_934_367_957_850_08),
+            (7, 0.065_104_590_685_760_67),
+            (100, 0.004_966_207_411_299_988),
+            (5000, 9.998639278110747e-05),
+            (65535, 7.62943173153576e-06),
+        ] {
+            let found = Lobe::new(n).shortfall::<f64>().unwrap();
+            close(found.low, low, 4.0);
+            close(found.high, 0.5 / f64::from(n), 1.0);
+            close(found.pole, 1.0 / (2.0 * f64::from(n) + 1.0), 1.0);
+            // Exact just outside, short just inside, and on either side of the pole.
+            let falls_short =
+                |omega| Border::new(omega).is_ok_and(|b| b.turning_point() < b.min_force_ratio());
+            assert!(!falls_short(found.low * (1.0 - 1e-12)) && falls_short(found.low * (1.0 + 1e-12)));
+            assert!(falls_short(found.pole * (1.0 - 1e-11)) && falls_short(found.pole * (1.0 + 1e-11)));
+            let step = 1e-5 / f64::from(n);
+            assert!(!falls_short(found.high * (1.0 + step)) && falls_short(found.high * (1.0 - step)));
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! The derivative dα_min/dΩ of the exact border.
+//!
+//! With b = (1 − Ω²) S, `α_min² = K² + b²` and
+//!
+//! ```text
+//! α_min′ = (K/α_min) K′ + (b/α_min) b′.
+//! ```
+//!
+//! Where eq. 61 is exact, b = 1/Ω² − 1 and b′ = −2/Ω³. Elsewhere S is the value of f at a point where f is
+//! stationary in τ, so that only the explicit dependence on Ω counts. With ζ = τ/Ω = γ + η of the border's module,
+//! T′ = −(π/2Ω²)/cos²β and cos ζ + T sin ζ = cos(ζ − β)/cos β,
+//!
+//! ```text
+//! S′ = −S/Ω − [τ cos η/|cos β| + sgn T (π/2)(cos τ − cos ζ)/cos²β]/(Ω³ sin τ).
+//! ```
+//!
+//! The border is smooth but at two kinds of points below Ω = 1/2. At Ω = 1/(2n) both pieces have the slope −2/Ω³
+//! and only the second derivative jumps, because S − 1/Ω² is of the order T². At the end Ω_e of the band next to a
+//! pole, where the two values of S cross, the slope jumps: [`Border::slope`] gives that of the side whose S is the
+//! larger one as rounded.
+
+use super::{Border, stationary_point, stationary_value};
+use crate::float::Float;
+use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
+
+impl<F: Float> Border<F> {
+    /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
+    ///
+    /// Closed form but for the one bracketed root that the border has, too. Finite for every float Ω: no float is a
+    /// pole 1/(2n+1). Accuracy at f64: a few units in the last place of the larger of its two terms, so that near a
+    /// minimum of the border it is an absolute one.
+    #[must_use]
+    pub fn slope(p: &PhaseFunction<F>) -> F {
+        let (border, omega, k) = (Self::at(p), p.omega(), p.value());
+        let alpha = border.min_force_ratio();
+        let s = border.least_displacement();
+        let (b, b_slope) = if border.is_turning_point() {
+            let inverse_square = F::int(1) / omega.square();
+            (one_minus_square(omega) * inverse_square, F::int(-2) * inverse_square / omega)
+        } else {
+            let s_slope = inner_slope(p);
+            (one_minus_square(omega) * s, one_minus_square(omega) * s_slope - F::int(2) * omega * s)
+        };
+        k / alpha * p.slope() + b / alpha * b_slope
+    }
+
+    /// How much faster than Ω the border changes, in relative terms: `Ω α_min′/α_min`.
+    ///
+    /// The condition number of the border: large beside a pole 1/(2n+1), where an Ω that was measured or rounded says
+    /// little about the force.
+    #[must_use]
+    pub fn sensitivity(p: &PhaseFunction<F>) -> F {
+        p.omega() * Self::slope(p) / Self::at(p).min_force_ratio()
+    }
+}
+
+/// S′ on the bands below Ω = 1/2 where S is the inner stationary value.
+fn inner_slope<F: Float>(p: &PhaseFunction<F>) -> F {
+    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase(), p.tangent());
+    let (_, cos_beta) = p.sin_cos();
+    let cosine = cos_beta.abs();
+    let eta = sharpened(omega, gamma, stationary_point(omega, gamma));
+    let zeta = gamma + eta;
+    let tau = omega * zeta;
+    let value = stationary_value(gamma, cos_beta, tau, eta) / omega;
+    let half = F::ratio(1, 2);
+    let fall = fall_of_cosine(tau, zeta);
+    let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
+    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine)) / omega
+}
+
+/// `cos τ − cos ζ` as a product: both angles are small beside Ω = 1/(2n).
+fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
+    let half = F::ratio(1, 2);
+    F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin()
+}
+
+/// The stationary point after one more step of Newton's method, with a `g` that keeps its digits where ζ is small.
+///
+/// S is stationary at η, S′ is not: it needs η to full relative accuracy, which g as a difference of terms of order γ
+/// denies by a factor 1/γ². With γ = ζ − η, `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`.
+fn sharpened<F: Float>(omega: F, gamma: F, eta: F) -> F {
+    let zeta = gamma + eta;
+    if zeta > F::int(1) {
+        return eta;
+    }
+    let tau = omega * zeta;
+    let (sin_eta, cos_eta) = eta.sin_cos();
+    let defect = arc_less_sine(zeta) - arc_less_sine(tau) / omega;
+    let g = sin_eta * fall_of_cosine(tau, zeta) - cos_eta * defect;
+    eta - g / ((F::int(1) / omega - omega) * tau.sin() * sin_eta)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Border, PhaseFunction};
+
+    fn slope(omega: f64) -> f64 {
+        Border::slope(&PhaseFunction::new(omega).unwrap())
+    }
+
+    #[test]
+    fn values_at_forty_digits() {
+        // The derivative of the border by mpmath, whose own is by differences at 60 digits.
+        for (omega, exact) in [
+            (0.07, -32_321.812_170_538_575),
+            (0.13, -849.344_343_609_495_9),
+            (0.21, -4_466.718_529_588_457),
+            (0.22, -1_102.816_022_636_625_1),
+            (0.299, 13.822_988_511_730_633),
+            (0.3, 386.268_561_975_801_33),
+            (0.31, 781.169_942_710_029),
+            (0.35, -1_522.901_126_149_316_7),
+            (0.4, -97.463_209_876_333_75),
+            (0.45, -32.450_529_155_299_46),
+            (0.499, -16.193_928_840_325_37),
+            (0.55, -10.928_439_068_699_52),
+            (0.7, -2.934_145_466_965_71),
+            (0.84, -0.089_331_772_447_681_85),
+            (0.95, 0.548_813_596_980_087_4),
+            (1.2, 0.596_645_630_131_612_2),
+            (2.5, 0.093_621_472_504_785_67),
+            (40.0, 2.41290131119934e-05),
+        ] {
+            let found = slope(omega);
+            assert!((found / exact - 1.0f64).abs() < 1e-14, "{omega}: {found} against {exact}");
+        }
+    }
+
+    #[test]
+    fn one_slope_on_both_sides_of_one_over_2n() {
+        for n in [1.0f64, 2.0, 4.0] {
+            let omega = 0.5 / n;
+            let both = [slope(omega), slope(omega.next_down()), slope(omega.next_up())];
+            for found in both {
+                assert!((found / (-2.0 / omega.powi(3)) - 1.0).abs() < 1e-13, "{omega} {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_sensitivity_grows_like_the_inverse_distance_from_a_pole() {
+        let p = PhaseFunction::<f64>::new((1.0 + 1e-9) / 3.0).unwrap();
+        assert!((Border::sensitivity(&p) * 1e-9 + 1.0).abs() < 1e-6);
+    }
+}

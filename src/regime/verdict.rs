@@ -1,0 +1,137 @@
+//! What can be said of a point of the plane.
+
+use super::Regime;
+use crate::float::Float;
+use crate::phase_function::one_minus_square;
+use crate::ratios::Ratios;
+
+/// What the body does in the long run, as far as the arithmetic can tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Verdict<F> {
+    /// α ≤ 1: it ends at rest.
+    AtRest,
+    /// 1 < α < α_min(Ω): it stops for a while in every cycle.
+    Sticking,
+    /// α ≥ α_min(Ω): it never stops for longer than an instant, and settles on one symmetric cycle.
+    NonSticking,
+    /// The same at Ω = 1/(2n), where it settles on a member of a family of cycles, which one depending on the start.
+    Degenerate(Family<F>),
+    /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
+    Unbounded,
+    /// One of these two, closer to the border between them than the arithmetic or the input can tell.
+    Undecided(Regime, Regime),
+}
+
+impl<F: Float> Verdict<F> {
+    /// The regime, where it is decided.
+    #[must_use]
+    pub const fn regime(&self) -> Option<Regime> {
+        match self {
+            Self::AtRest => Some(Regime::Stuck),
+            Self::Sticking => Some(Regime::Sticking),
+            Self::NonSticking | Self::Degenerate(_) => Some(Regime::NonSticking),
+            Self::Unbounded => Some(Regime::Unbounded),
+            Self::Undecided(..) => None,
+        }
+    }
+
+    /// A name of one or two words.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::AtRest => "at rest",
+            Self::Sticking => "sticking",
+            Self::NonSticking => "non-sticking",
+            Self::Degenerate(_) => "degenerate",
+            Self::Unbounded => "unbounded",
+            Self::Undecided(..) => "undecided",
+        }
+    }
+}
+
+/// The non-sticking cycles at Ω = 1/(2n): one for each shift c of the middle of the motion.
+///
+/// There a half cycle is a whole number of natural periods. A falling half from x = A + c, A = α/(1 − Ω²), is
+/// `x = A cos τ + 1 + (c − 1) cos(τ/Ω)`, which reaches −A + c after τ = π whatever c; the rising half is its mirror image
+/// with −c. The body slides throughout where `A sin τ > (1 − c) sin(τ/Ω)/Ω` on (0, π), and `|sin(τ/Ω)/sin τ| ≤ 1/Ω` with
+/// equality at the ends, so that the family is complete:
+///
+/// ```text
+/// extrema ±α/(1 − Ω²) + c,   |c| ≤ αΩ²/(1 − Ω²) − 1 = α/α_min − 1.
+/// ```
+///
+/// Units of B = r_y/k. The symmetric cycle of eq. 40–49 is c = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Family<F> {
+    max_displacement: F,
+    greatest_shift: F,
+}
+
+impl<F: Float> Family<F> {
+    /// The family at Ω = 1/(2n) and α ≥ α_min = 1/Ω² − 1.
+    pub(super) fn at(ratios: Ratios<F>, least: F) -> Self {
+        Self {
+            max_displacement: ratios.alpha() / one_minus_square(ratios.omega()),
+            greatest_shift: (ratios.alpha() - least) / least,
+        }
+    }
+
+    /// The greatest |c|, in units of B.
+    pub const fn greatest_shift(&self) -> F {
+        self.greatest_shift
+    }
+
+    /// Half the stroke, α/(1 − Ω²) in units of B, the same for all: Δ₀/B of the symmetric cycle.
+    pub const fn max_displacement(&self) -> F {
+        self.max_displacement
+    }
+
+    /// Maximum and minimum displacement (units of B) of the cycle shifted by c; `None` where it would stick.
+    pub fn extremes(&self, shift: F) -> Option<(F, F)> {
+        let exists = shift.abs() <= self.greatest_shift;
+        exists.then(|| (self.max_displacement + shift, shift - self.max_displacement))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Family, Verdict};
+    use crate::{Ratios, Regime};
+
+    #[test]
+    fn the_family_slides_up_to_its_greatest_shift_and_no_further() {
+        for (omega, alpha) in [(0.5, 4.0), (0.25, 17.0), (0.125, 100.0), (1.0 / 64.0, 4096.0)] {
+            let ratios = Ratios::new(omega, alpha).unwrap();
+            let family = Family::at(ratios, 1.0 / (omega * omega) - 1.0);
+            let (a, c) = (family.max_displacement(), family.greatest_shift());
+            // The velocity of the falling half, against the sliding that it needs, over the half cycle and both shifts.
+            let slides = |shift: f64| {
+                (1..20_000).all(|i| {
+                    let tau = std::f64::consts::PI * f64::from(i) / 20_000.0;
+                    let swing = (tau / omega).sin() / omega;
+                    a * tau.sin() > (1.0 - shift) * swing && a * tau.sin() > (1.0 + shift) * swing
+                })
+            };
+            assert!(slides(0.0) && slides(c * 0.999) && slides(-c * 0.999), "{omega} {alpha}");
+            assert!(!slides(c + 1e-3 * (1.0 + c)) && !slides(-c - 1e-3 * (1.0 + c)), "{omega} {alpha}");
+            assert_eq!(family.extremes(c), Some((a + c, c - a)));
+            assert_eq!(family.extremes(-c * 1.001), None);
+        }
+    }
+
+    #[test]
+    fn names_and_regimes() {
+        let family = Family::at(Ratios::new(0.5, 4.0).unwrap(), 3.0);
+        for (verdict, name, regime) in [
+            (Verdict::AtRest, "at rest", Some(Regime::Stuck)),
+            (Verdict::Sticking, "sticking", Some(Regime::Sticking)),
+            (Verdict::NonSticking, "non-sticking", Some(Regime::NonSticking)),
+            (Verdict::Degenerate(family), "degenerate", Some(Regime::NonSticking)),
+            (Verdict::Unbounded, "unbounded", Some(Regime::Unbounded)),
+            (Verdict::Undecided(Regime::Sticking, Regime::NonSticking), "undecided", None),
+        ] {
+            assert_eq!((verdict.name(), verdict.regime()), (name, regime));
+        }
+    }
+}
