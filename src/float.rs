@@ -15,6 +15,7 @@ use num_traits::NumOps;
 
 #[cfg(feature = "mp")]
 pub mod mp;
+pub mod pair;
 mod primitive;
 
 /// What a formula needs of its numbers.
@@ -79,6 +80,8 @@ pub trait Float: Real + PartialOrd + Display {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
+    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once.
+    fn pi_rest() -> (Self, Self);
     /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].

@@ -3,7 +3,7 @@
 use super::{Float, Real};
 
 macro_rules! primitive {
-    ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal) => {
+    ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal) => {
         impl Real for $float {
             #[inline]
             fn int(n: i32) -> Self {
@@ -56,6 +56,10 @@ macro_rules! primitive {
             const RATIO_EXPONENT: i32 = $ratio_exponent;
 
             #[inline]
+            fn pi_rest() -> (Self, Self) {
+                (<$float>::from_bits($second), <$float>::from_bits($third))
+            }
+            #[inline]
             fn epsilon() -> Self {
                 $float::EPSILON
             }
@@ -89,8 +93,8 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32, u32, ratio_exponent: 30);
-primitive!(f64, u64, ratio_exponent: 250);
+primitive!(f32, u32, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced);
+primitive!(f64, u64, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc);
 
 #[cfg(test)]
 mod tests {
