@@ -23,6 +23,7 @@ mod dissipation;
 mod half_cycle;
 pub mod matching;
 pub mod printed;
+mod reversal;
 pub mod stability;
 mod velocity;
 
@@ -39,9 +40,10 @@ pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::Error;
 use crate::float::Float;
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use half_cycle::HalfCycle;
+use reversal::Reversal;
 
 /// The steady non-sticking motion at one (Ω, α), with all its outputs.
 ///
@@ -85,9 +87,10 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let k = p.value();
-        let max_displacement = max_displacement(k, alpha, one_minus_square(omega));
+        let reversal = Reversal::new(p, alpha);
+        let max_displacement = reversal.displacement.value();
         let half = HalfCycle::new(p, max_displacement);
-        let displacement_phase = displacement_phase(k, alpha, omega);
+        let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
         let (fastest, displacement) = if F::PRECISION > f64::MANTISSA_DIGITS {
             let (fastest, displacement) = velocity::fastest_and_displacement(&half, k, alpha);
             (fastest, Some(displacement))

@@ -1,0 +1,74 @@
+//! The reversal of the motion to more digits than the type has: `α |sin ω_d t₂| = √(α² − K²)` and Δ₀/B.
+//!
+//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels. It does so beside Ω = 1 alone: on the border
+//! `α² − K² ≥ (1/Ω² − 1)²` and |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + …, so that `α − |K| ≥ (2/π) w²` there, of the order of g. The
+//! pair of K has an error of the order `2⁻²ᵖ` beside Ω = 1, which is too much only very close to it. There
+//!
+//! ```text
+//! (π/2)(α − |K|) = (π/2) α − (1 + Ω) + (1 + Ω) g,
+//! ```
+//!
+//! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
+
+use crate::float::{Float, pair::Pair};
+use crate::phase_function::{PhaseFunction, cotangent_defect};
+
+/// `√(α² − K²)` and Δ₀/B.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Reversal<F> {
+    /// `α |sin ω_d t₂|` (eq. 40).
+    pub(crate) sine: Pair<F>,
+    /// Δ₀/B (eq. 44).
+    pub(crate) displacement: Pair<F>,
+}
+
+impl<F: Float> Reversal<F> {
+    /// The reversal at the frequency ratio of `p` and the force ratio α.
+    #[inline]
+    pub(crate) fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
+        let k = p.pair().abs();
+        let Pair { hi, lo } = Pair::ordered_sum(alpha, k.hi);
+        let sine = (excess(p, alpha) * Pair::new(hi, lo + k.lo)).sqrt();
+        Self { sine, displacement: sine / p.one_minus_square().abs() }
+    }
+}
+
+/// `α − |K|`.
+#[inline]
+fn excess<F: Float>(p: &PhaseFunction<F>, alpha: F) -> Pair<F> {
+    if (F::int(1) - p.omega()).abs() * F::int(1024) < F::int(1) {
+        return excess_close_to_one(p.omega(), alpha);
+    }
+    let k = p.pair().abs();
+    let Pair { hi, lo } = Pair::ordered_sum(alpha, -k.hi);
+    Pair::new(hi, lo - k.lo)
+}
+
+/// [`excess`] beside Ω = 1.
+#[cold]
+#[inline(never)]
+fn excess_close_to_one<F: Float>(omega: F, alpha: F) -> Pair<F> {
+    let (half, (second, third)) = (F::ratio(1, 2), F::pi_rest());
+    let w = Pair::exact(F::int(1) - omega) / omega * (Pair::pi() * half);
+    let one_plus = Pair::sum(F::int(1), omega);
+    let bend = one_plus * cotangent_defect(w.square());
+    let (first, second) = (Pair::product(alpha, F::pi() * half), Pair::product(alpha, second * half));
+    let third = alpha * (third * half);
+    let terms = [first.hi, -one_plus.hi, first.lo, -one_plus.lo, second.hi, bend.hi, bend.lo, second.lo, third];
+    sum(terms) * (Pair::exact(F::int(2)) / Pair::pi())
+}
+
+/// The sum to three times the digits of its largest term, rounded to a pair.
+fn sum<F: Float, const N: usize>(terms: [F; N]) -> Pair<F> {
+    let zero = F::int(0);
+    let (mut high, mut middle, mut low) = (zero, zero, zero);
+    for term in terms {
+        let first = Pair::sum(high, term);
+        let second = Pair::sum(middle, first.lo);
+        (high, middle, low) = (first.hi, second.hi, low + second.lo);
+    }
+    let top = Pair::sum(high, middle);
+    let rest = Pair::sum(top.lo, low);
+    let all = Pair::sum(top.hi, rest.hi);
+    Pair::new(all.hi, all.lo + rest.lo)
+}
