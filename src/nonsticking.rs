@@ -35,6 +35,7 @@ pub use displacement::{
     cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
     sin_displacement_phase,
 };
+pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
@@ -59,6 +60,7 @@ pub struct Cycle<F> {
     ratios: Ratios<F>,
     half: HalfCycle<F>,
     max_displacement: F,
+    reversal: Reversal<F>,
     displacement_phase: F,
     max_velocity: F,
     velocity_phase: F,
@@ -103,6 +105,7 @@ impl<F: Float> Cycle<F> {
             ratios,
             half,
             max_displacement,
+            reversal,
             displacement_phase,
             max_velocity: fastest.velocity / omega,
             velocity_phase,
@@ -110,7 +113,7 @@ impl<F: Float> Cycle<F> {
             deviation: match displacement {
                 Some(displacement) => displacement,
                 None if omega >= F::int(2) => half.displacement(fastest.psi),
-                None => deviation(alpha, velocity_phase.sin()),
+                None => reversal.deviation(k, omega, fastest.psi),
             },
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }
@@ -154,12 +157,13 @@ impl<F: Float> Cycle<F> {
 
     /// Loop size A₁ ([`loop_size_stiffness`], eq. 64).
     pub fn loop_size_stiffness(&self) -> F {
-        loop_size_stiffness(self.max_displacement, self.ratios.alpha())
+        dissipation::loop_size_stiffness_of_pair(self.reversal.displacement, self.ratios.alpha())
     }
 
     /// Loop size A₂ ([`loop_size_inertia`], eq. 67).
     pub fn loop_size_inertia(&self) -> F {
-        loop_size_inertia(self.loop_size_stiffness(), self.ratios.omega())
+        let (omega, alpha) = (self.ratios.omega(), self.ratios.alpha());
+        dissipation::loop_size_inertia_of_pair(self.reversal.displacement, alpha, omega)
     }
 
     /// What the matching problem is given here: A/B, B/B = 1 and Ω.

@@ -104,6 +104,13 @@ impl<F: Float> Pair<F> {
         Self { hi: square.hi, lo: square.lo + (self.hi + self.hi) * self.lo }
     }
 
+    /// `√[(hi + lo)² + other²]`, rounded once, for squares within the range of the type.
+    #[inline]
+    #[must_use]
+    pub fn hypot(self, other: Self) -> F {
+        (self.square() + other.square()).sqrt().value()
+    }
+
     /// `|hi + lo|`, of |lo| < |hi|.
     #[inline]
     #[must_use]
@@ -212,6 +219,7 @@ mod tests {
             prop_assert!(near(x.sqrt().square(), x));
             prop_assert!(near((x + y) * y - y.square(), x * y) || y.value() > 10.0 * x.value());
             prop_assert!(near(-(-x).abs(), -x));
+            prop_assert_eq!(x.hypot(y), (x.square() + y.square()).sqrt().normalised().hi);
         }
     }
 

@@ -38,7 +38,7 @@ mod shortfall;
 mod slope;
 
 use crate::error::Error;
-use crate::float::{AtPrecision, Float, Real};
+use crate::float::{AtPrecision, Float, Real, pair::Pair};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::root;
 pub use lobe::{Lobe, Minimum};
@@ -152,7 +152,7 @@ impl<F: Float> Border<F> {
     #[inline]
     pub fn at(p: &PhaseFunction<F>) -> Self {
         let omega = p.omega();
-        let turning_point = turning_point_border(p.value(), omega);
+        let turning_point = p.pair().hypot(p.one_minus_square() / Pair::product(omega, omega));
         let limit = F::int(1) / omega.square();
         let at_turning_point = Self {
             min_force_ratio: turning_point,

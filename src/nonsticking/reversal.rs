@@ -14,7 +14,7 @@ use crate::float::{Float, pair::Pair};
 use crate::phase_function::{PhaseFunction, cotangent_defect};
 
 /// `√(α² − K²)` and Δ₀/B.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reversal<F> {
     /// `α |sin ω_d t₂|` (eq. 40).
     pub(crate) sine: Pair<F>,
@@ -30,6 +30,16 @@ impl<F: Float> Reversal<F> {
         let Pair { hi, lo } = Pair::ordered_sum(alpha, k.hi);
         let sine = (excess(p, alpha) * Pair::new(hi, lo + k.lo)).sqrt();
         Self { sine, displacement: sine / p.one_minus_square().abs() }
+    }
+
+    /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity, `k` = K(Ω).
+    ///
+    /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, which grows with its turns.
+    #[inline]
+    pub(crate) fn deviation(&self, k: F, omega: F, psi: F) -> F {
+        let (s, c) = (omega * psi).sin_cos();
+        let sine = self.sine.hi.with_sign_of(F::int(1) - omega);
+        -(k * c + sine * s) - F::int(1)
     }
 }
 
