@@ -107,13 +107,13 @@ impl<F: Float> Cycle<F> {
             max_displacement,
             reversal,
             displacement_phase,
-            max_velocity: fastest.velocity / omega,
+            max_velocity: fastest.velocity,
             velocity_phase,
             // Far above Ω = 1 the deviation is of the order 1/Ω², the difference of eq. 47 nearly all cancellation.
             deviation: match displacement {
                 Some(displacement) => displacement,
-                None if omega >= F::int(2) => half.displacement(fastest.psi),
-                None => reversal.deviation(k, omega, fastest.psi),
+                None if omega * F::int(8) > F::int(9) => half.displacement(fastest.psi),
+                None => reversal.deviation(p.pair(), omega, fastest.psi),
             },
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }
@@ -215,7 +215,7 @@ impl<F: Float> Cycle<F> {
     /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
     pub fn velocity_at(&self, phase: F) -> F {
         let (psi, rising) = self.centred(phase);
-        let v = self.half.velocity(psi).value / self.ratios.omega();
+        let v = self.half.velocity(psi).value;
         if rising { v } else { -v }
     }
 

@@ -53,7 +53,7 @@ fn y_cot_y<F: Float>(y: F) -> F {
 pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,
-    remainder: F,
+    remainder: Pair<F>,
     value: Pair<F>,
 }
 
@@ -74,12 +74,13 @@ impl<F: Float> PhaseFunction<F> {
         if F::PRECISION > f64::MANTISSA_DIGITS {
             let remainder = F::pi() * rest / (F::int(2) * omega);
             let value = Pair::exact(phase_function(omega, quarter, remainder));
-            return Self { omega, quarter, remainder, value };
+            return Self { omega, quarter, remainder: Pair::exact(remainder), value };
         }
         // w = (π/2) (1 − qΩ)/Ω, where 1 − qΩ is exact
         let remainder = Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2));
+        let remainder = remainder.normalised();
         let value = compensated(omega, quarter, remainder).normalised();
-        Self { omega, quarter, remainder: remainder.hi, value }
+        Self { omega, quarter, remainder, value }
     }
 
     /// Frequency ratio Ω.
@@ -97,7 +98,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `w = β − q π/2`, in `[−π/4, π/4]`.
     #[inline]
     pub const fn remainder(&self) -> F {
-        self.remainder
+        self.remainder.hi
     }
 
     /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
@@ -109,7 +110,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
     #[inline]
     pub fn tangent(&self) -> F {
-        tangent(self.quarter, self.remainder)
+        tangent(self.quarter, self.remainder.hi)
     }
 
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
@@ -121,7 +122,7 @@ impl<F: Float> PhaseFunction<F> {
             let c = F::int(1) / (F::int(1) + t.square()).sqrt();
             (t * c, c)
         } else {
-            self.remainder.sin_cos()
+            self.remainder.hi.sin_cos()
         };
         match self.quarter {
             0 => (s, c),
@@ -135,7 +136,7 @@ impl<F: Float> PhaseFunction<F> {
     fn remainder_tangent(&self) -> F {
         let (omega, k) = (self.omega, self.value.hi);
         if is_beside_one(omega) {
-            F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
+            F::int(-2) * (F::int(1) + omega) * self.remainder.hi / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
             k * omega / one_minus_square(omega)
         } else {
@@ -145,15 +146,24 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
-    pub(crate) fn lobe_phase(&self) -> F {
+    pub(crate) fn lobe_phase(&self) -> Pair<F> {
         let w = self.remainder;
         if self.quarter & 1 == 1 {
-            w + F::pi() / F::int(2)
-        } else if w < F::int(0) {
-            w + F::pi()
+            Pair::pi() * F::ratio(1, 2) + w
+        } else if w.hi < F::int(0) {
+            Pair::pi() + w
         } else {
             w
         }
+    }
+
+    /// `|sin β| = sin γ`, away from Ω = 1, from `tan w = ΩK/(1 − Ω²)` or its negative reciprocal.
+    pub(crate) fn sine_magnitude(&self) -> Pair<F> {
+        let (k, q) = (self.value * self.omega, self.one_minus_square());
+        let (numerator, other) = if self.quarter & 1 == 0 { (k, q) } else { (q, k) };
+        let tangent = (numerator / other).abs();
+        let secant = (tangent.square() + Pair::exact(F::int(1))).sqrt();
+        if self.quarter & 1 == 0 { tangent / secant } else { Pair::exact(F::int(1)) / secant }
     }
 
     /// The phase function `K(Ω) = (1 − Ω²) T/Ω`, finite for every float Ω.
@@ -282,7 +292,7 @@ mod tests {
             let (s, c) = at(omega).sin_cos();
             let (sp, cp) = (std::f64::consts::FRAC_PI_2 / omega).sin_cos();
             assert!((s - sp).abs() < 1e-14 && (c - cp).abs() < 1e-14, "{omega}");
-            let lobe = at(omega).lobe_phase();
+            let lobe = at(omega).lobe_phase().value();
             assert!((lobe.sin() - s.abs()).abs() < 1e-14 && (0.0..std::f64::consts::PI).contains(&lobe));
             assert!((lobe.tan() / at(omega).tangent() - 1.0).abs() < 1e-13, "{omega}");
         }

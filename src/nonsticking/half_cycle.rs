@@ -3,7 +3,7 @@
 //! `ψ = ω_n(t₂ − t) − β` runs from β at the start (the minimum of x) to −β at t₂, β = π/2Ω. There
 //!
 //! ```text
-//! v/(Bω_n)  = Ω(Δ₀/B) cos Ωψ + H,         H = [sin ψ − sin β sin Ωψ]/cos β
+//! v/(Bω_d)  = (Δ₀/B) cos Ωψ + H/Ω,        H = [sin ψ − sin β sin Ωψ]/cos β
 //! x/B       = −1 − (Δ₀/B) sin Ωψ + J,     J = [cos ψ − (sin β/Ω) cos Ωψ]/cos β
 //! ```
 //!
@@ -26,7 +26,7 @@ pub(crate) struct HalfCycle<F> {
     beside_one: bool,
 }
 
-/// Velocity `v/(Bω_n)` and its first three derivatives by ψ at one point.
+/// Velocity `v/(Bω_d)` and its first three derivatives by ψ at one point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Jet<F> {
     pub(crate) value: F,
@@ -156,19 +156,21 @@ impl<F: Float> HalfCycle<F> {
         let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
             angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
+        // H/Ω and its derivative
+        let scale = omega * cb;
         let (h, h1) = if self.beside_one {
             let tangent = self.tan_half_offset();
-            let slope = self.one_minus_omega / cb + omega * tangent;
-            let double = F::int(2) * sm / cb;
-            (double * cp + tangent * so, slope * co - double * sp)
+            let slope = self.one_minus_omega / scale + tangent;
+            let double = F::int(2) * sm / scale;
+            (double * cp + tangent * so / omega, slope * co - double * sp)
         } else {
-            ((s - self.sin_beta * so) / cb, (c - omega * self.sin_beta * co) / cb)
+            ((s - self.sin_beta * so) / scale, (c - omega * self.sin_beta * co) / scale)
         };
         let omega2 = omega.square();
-        let value = omega * delta * co + h;
-        let first = h1 - omega2 * delta * so;
-        // v″ + Ω²v = (Ω² − 1) sin ψ/cos β
-        let forcing = -(self.one_minus_omega * (F::int(1) + omega) / cb);
+        let value = delta * co + h;
+        let first = h1 - omega * delta * so;
+        // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
+        let forcing = -(self.one_minus_omega * (F::int(1) + omega) / scale);
         let second = forcing * s - omega2 * value;
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;
@@ -230,9 +232,9 @@ mod tests {
                 assert!(((c.first - a.first) / (2.0 * d) - b.second).abs() < scale, "{omega} {psi}");
                 assert!(((c.second - a.second) / (2.0 * d) - b.third).abs() < scale, "{omega} {psi}");
                 assert!(((c.third - a.third) / (2.0 * d) - b.fourth).abs() < scale, "{omega} {psi}");
-                // dx/dψ = −v/(Bω_n)
+                // dx/dψ = −Ω v/(Bω_d)
                 let slope = (h.displacement(psi + d) - h.displacement(psi - d)) / (2.0 * d);
-                assert!((slope + b.value).abs() < scale, "{omega} {psi}");
+                assert!((slope + omega * b.value).abs() < scale, "{omega} {psi}");
             }
         }
     }

@@ -34,12 +34,15 @@ impl<F: Float> Reversal<F> {
 
     /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity, `k` = K(Ω).
     ///
-    /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, which grows with its turns.
+    /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in pairs, because
+    /// above Ω = 1 the terms are larger than V₀.
     #[inline]
-    pub(crate) fn deviation(&self, k: F, omega: F, psi: F) -> F {
-        let (s, c) = (omega * psi).sin_cos();
-        let sine = self.sine.hi.with_sign_of(F::int(1) - omega);
-        -(k * c + sine * s) - F::int(1)
+    pub(crate) fn deviation(&self, k: Pair<F>, omega: F, psi: F) -> F {
+        let angle = Pair::product(omega, psi);
+        let (s, c) = angle.hi.sin_cos();
+        let (s, c) = (Pair::new(s, c * angle.lo), Pair::new(c, -(s * angle.lo)));
+        let sine = if omega < F::int(1) { self.sine } else { -self.sine };
+        -(k * c + sine * s + Pair::exact(F::int(1))).value()
     }
 }
 

@@ -89,7 +89,7 @@ pub fn max_velocity_from_phase<R: Real>(
 pub(crate) struct Fastest<F> {
     /// Its centred time ψ.
     pub(crate) psi: F,
-    /// `V₀/(Bω_n)`.
+    /// `V₀/(Bω_d)`.
     pub(crate) velocity: F,
 }
 
@@ -187,7 +187,7 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
         }
         psi = psi + step;
         if is_final(half, step) {
-            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), &jet, step));
+            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), half.omega(), &jet, step));
         }
         angles = half.angles(psi);
         jet = half.velocity_of(&angles);
@@ -195,11 +195,11 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     (Fastest { psi, velocity: jet.value }, half.displacement_of(&angles))
 }
 
-/// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
-fn slide<F: Float>(x: F, jet: &Jet<F>, step: F) -> F {
+/// The displacement a step from `x`, dx/dψ = −Ωv, by Taylor's formula to the fourth order.
+fn slide<F: Float>(x: F, omega: F, jet: &Jet<F>, step: F) -> F {
     let third = jet.second + jet.third * step / F::int(4);
     let second = jet.first + third * step / F::int(3);
-    x - step * (jet.value + second * step / F::int(2))
+    x - omega * step * (jet.value + second * step / F::int(2))
 }
 
 /// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
