@@ -112,7 +112,7 @@ impl<F: Float> Cycle<F> {
             // Far above Ω = 1 the deviation is of the order 1/Ω², the difference of eq. 47 nearly all cancellation.
             deviation: match displacement {
                 Some(displacement) => displacement,
-                None if omega * F::int(8) > F::int(9) => half.displacement(fastest.psi),
+                None if omega * F::int(4) > F::int(5) => reversal.deviation_above_one(p, fastest.psi),
                 None => reversal.deviation(p.pair(), omega, fastest.psi),
             },
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),

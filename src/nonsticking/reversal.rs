@@ -38,12 +38,35 @@ impl<F: Float> Reversal<F> {
     /// above Ω = 1 the terms are larger than V₀.
     #[inline]
     pub(crate) fn deviation(&self, k: Pair<F>, omega: F, psi: F) -> F {
-        let angle = Pair::product(omega, psi);
-        let (s, c) = angle.hi.sin_cos();
-        let (s, c) = (Pair::new(s, c * angle.lo), Pair::new(c, -(s * angle.lo)));
+        let (s, c) = sin_cos(Pair::product(omega, psi));
         let sine = if omega < F::int(1) { self.sine } else { -self.sine };
         -(k * c + sine * s + Pair::exact(F::int(1))).value()
     }
+
+    /// Δ₁/B well above Ω = 1: the displacement at ψ, which ψ hardly changes.
+    ///
+    /// `x/B = [(cos ψ − cos β) − (sin β/Ω) cos Ωψ]/cos β − (Δ₀/B) sin Ωψ`, smaller than its terms, with
+    /// `cos ψ − cos β = (sin β − sin ψ)(sin β + sin ψ)/(cos ψ + cos β)` and `tan β = |K| Ω/|1 − Ω²|`, β in (0, π/2).
+    #[inline]
+    pub(crate) fn deviation_above_one(&self, p: &PhaseFunction<F>, psi: F) -> F {
+        let omega = p.omega();
+        let one = Pair::exact(F::int(1));
+        let tangent = (p.pair() * omega / p.one_minus_square()).abs();
+        let cos_beta = one / (one + tangent.square()).sqrt();
+        let sin_beta = tangent * cos_beta;
+        let (s, c) = psi.sin_cos();
+        let (s, c) = (Pair::exact(s), Pair::exact(c));
+        let (so, co) = sin_cos(Pair::product(omega, psi));
+        let cosines = (sin_beta - s) * (sin_beta + s) / (c + cos_beta);
+        ((cosines - sin_beta * co / omega) / cos_beta - self.displacement * so).value()
+    }
+}
+
+/// `(sin, cos)` of a pair, each with the one rounding of the type's own function.
+#[inline]
+fn sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
+    let (s, c) = angle.hi.sin_cos();
+    (Pair::new(s, c * angle.lo), Pair::new(c, -(s * angle.lo)))
 }
 
 /// `α − |K|`.
