@@ -29,14 +29,15 @@ mod velocity;
 
 pub use amplitude::force_ratio_from_displacement;
 pub(crate) use amplitude::max_velocity_from_displacement;
-pub use border::{Border, turning_point_border, turning_point_criterion};
+pub use border::{Border, turning_point_border, turning_point_border_at, turning_point_criterion};
 pub(crate) use displacement::squared_sine;
 pub use displacement::{
     cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
     sin_displacement_phase,
 };
-pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
+pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
+pub use reversal::max_displacement_at;
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::Error;

@@ -211,11 +211,7 @@ fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
         return Pair::sum(F::int(1), omega) * cotangent * (Pair::exact(F::int(-2)) / Pair::pi());
     }
     let square = one_minus_square_pair(omega);
-    if quarter & 1 == 0 {
-        square * w / (cotangent * omega)
-    } else {
-        -(square * cotangent) / (w * omega)
-    }
+    if quarter & 1 == 0 { square * w / (cotangent * omega) } else { -(square * cotangent) / (w * omega) }
 }
 
 /// `1 − Ω²`, exactly but for the rounding of the rest.

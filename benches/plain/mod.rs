@@ -4,9 +4,86 @@
 
 use std::f64::consts::PI;
 
+/// Compensated pairs, by hand.
+type Two = (f64, f64);
+
+#[inline]
+fn sum(a: f64, b: f64) -> Two {
+    let hi = a + b;
+    let b_part = hi - a;
+    (hi, (a - (hi - b_part)) + (b - b_part))
+}
+
+#[inline]
+fn ordered_sum(a: f64, b: f64) -> Two {
+    let hi = a + b;
+    (hi, b - (hi - a))
+}
+
+#[inline]
+fn product(a: f64, b: f64) -> Two {
+    let hi = a * b;
+    (hi, a.mul_add(b, -hi))
+}
+
+#[inline]
+fn add(a: Two, b: Two) -> Two {
+    let (hi, lo) = sum(a.0, b.0);
+    (hi, lo + (a.1 + b.1))
+}
+
+#[inline]
+fn mul(a: Two, b: Two) -> Two {
+    let (hi, lo) = product(a.0, b.0);
+    (hi, lo + (a.0 * b.1 + a.1 * b.0))
+}
+
+#[inline]
+fn scale(a: Two, b: f64) -> Two {
+    let (hi, lo) = product(a.0, b);
+    (hi, lo + a.1 * b)
+}
+
+#[inline]
+fn div(a: Two, b: Two) -> Two {
+    let hi = a.0 / b.0;
+    (hi, ((-hi).mul_add(b.0, a.0) + (a.1 - hi * b.1)) / b.0)
+}
+
+#[inline]
+fn square(a: Two) -> Two {
+    let (hi, lo) = product(a.0, a.0);
+    (hi, lo + (a.0 + a.0) * a.1)
+}
+
+#[inline]
+fn root(a: Two) -> Two {
+    let hi = a.0.sqrt();
+    if hi == 0.0 { (hi, 0.0) } else { (hi, ((-hi).mul_add(hi, a.0) + a.1) / (hi + hi)) }
+}
+
+#[inline]
+fn negative(a: Two) -> Two {
+    (-a.0, -a.1)
+}
+
+#[inline]
+fn magnitude(a: Two) -> Two {
+    if a.0 < 0.0 { negative(a) } else { a }
+}
+
+#[inline]
+fn sin_cos(a: Two) -> (Two, Two) {
+    let (s, c) = a.0.sin_cos();
+    ((s, c * a.1), (c, -(s * a.1)))
+}
+
+/// What f64's π misses.
+const PI_REST: f64 = f64::from_bits(0x3ca1_a626_3314_5c07);
+
 /// q mod 4 and the remainder w of π/2Ω.
 #[inline]
-fn reduced(omega: f64) -> (u8, f64) {
+fn reduced(omega: f64) -> (u8, Two) {
     let (quarter, rest) = if omega >= 2.0 {
         (0, 1.0)
     } else if 3.0 * omega >= 2.0 {
@@ -16,7 +93,8 @@ fn reduced(omega: f64) -> (u8, f64) {
     } else {
         reduced_small(omega)
     };
-    (quarter, PI * rest / (2.0 * omega))
+    let (hi, lo) = mul(div((rest, 0.0), (omega, 0.0)), (PI * 0.5, PI_REST * 0.5));
+    (quarter, ordered_sum(hi, lo))
 }
 
 #[inline(never)]
@@ -33,15 +111,52 @@ fn reduced_small(omega: f64) -> (u8, f64) {
 }
 
 #[inline]
-fn phase_function(omega: f64, quarter: u8, w: f64) -> f64 {
-    if beside_one(omega) {
-        let w2 = w * w;
-        let y_cot_y = if w2 < f64::EPSILON { 1.0 - w2 / 3.0 } else { w / w.tan() };
-        -2.0 * (1.0 + omega) / PI * y_cot_y
+fn phase_function(omega: f64, quarter: u8, w: Two, q: Two) -> Two {
+    let z = square(w);
+    let x = z.0;
+    let numerator = ((-52.0 * x + 21_450.0) * x - 1_969_110.0) * x + 43_648_605.0;
+    let denominator = (((x - 1_430.0) * x + 289_575.0) * x - 16_081_065.0) * x + 218_243_025.0;
+    let defect = div(z, ordered_sum(3.0, -(x * numerator / denominator)));
+    let (hi, lo) = ordered_sum(1.0, -defect.0);
+    let cotangent = (hi, lo - defect.1);
+    let (hi, lo) = if beside_one(omega) {
+        mul(mul(sum(1.0, omega), cotangent), div((-2.0, 0.0), (PI, PI_REST)))
+    } else if quarter & 1 == 0 {
+        div(mul(q, w), scale(cotangent, omega))
     } else {
-        let t = w.tan();
-        (1.0 - omega) * (1.0 + omega) * if quarter & 1 == 0 { t } else { -1.0 / t } / omega
+        div(negative(mul(q, cotangent)), scale(w, omega))
+    };
+    ordered_sum(hi, lo)
+}
+
+/// 1 − Ω²
+#[inline]
+fn one_minus_square(omega: f64) -> Two {
+    let (square, rest) = product(omega, omega);
+    let (hi, lo) = sum(1.0, -square);
+    (hi, lo - rest)
+}
+
+/// (√(α² − K²), Δ₀)
+#[inline]
+fn reversal(omega: f64, alpha: f64, k: Two, q: Two) -> (Two, Two) {
+    if (1.0 - omega).abs() * 1024.0 < 1.0 {
+        // Never called in the bench.
+        return ((f64::NAN, 0.0), (f64::NAN, 0.0));
     }
+    let k = magnitude(k);
+    let (hi, lo) = ordered_sum(alpha, -k.0);
+    let excess = (hi, lo - k.1);
+    let (hi, lo) = ordered_sum(alpha, k.0);
+    let sine = root(mul(excess, (hi, lo + k.1)));
+    (sine, div(sine, magnitude(q)))
+}
+
+/// eq. 61
+#[inline]
+fn turning_point(omega: f64, k: Two, q: Two) -> f64 {
+    let (hi, lo) = root(add(square(k), square(div(q, product(omega, omega)))));
+    hi + lo
 }
 
 #[inline]
@@ -63,10 +178,11 @@ pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
         return [f64::NAN; 3];
     }
     let (quarter, w) = reduced(omega);
-    let k = phase_function(omega, quarter, w);
-    let q = (1.0 - omega) * (1.0 + omega);
-    let delta = ((alpha - k) * (alpha + k)).sqrt() / q.abs();
-    [delta, k.hypot(q / (omega * omega)), 8.0 * (delta / alpha) / alpha]
+    let q = one_minus_square(omega);
+    let k = phase_function(omega, quarter, w, q);
+    let (_, (hi, lo)) = reversal(omega, alpha, k, q);
+    let delta = hi + lo;
+    [delta, turning_point(omega, k, q), 8.0 * (delta / alpha) / alpha]
 }
 
 /// A phase more than a period away: never called in the bench.
@@ -88,17 +204,18 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         return [f64::NAN; 6];
     }
     let (quarter, w) = reduced(omega);
-    let k = phase_function(omega, quarter, w);
-    let q = (1.0 - omega) * (1.0 + omega);
-    let turning_point = k.hypot(q / (omega * omega));
+    let q = one_minus_square(omega);
+    let k = phase_function(omega, quarter, w, q);
+    let turning_point = turning_point(omega, k, q);
     let border = if omega >= 0.5 { turning_point } else { raised(omega) };
     if alpha < border || omega == 1.0 {
         return [f64::NAN; 6];
     }
-    let sine = ((alpha - k) * (alpha + k)).sqrt();
-    let delta = sine / q.abs();
-    let t2 = if omega < 1.0 { sine.atan2(k) } else { PI + sine.atan2(-k) };
-    let (ws, wc) = w.sin_cos();
+    let (sine, displacement) = reversal(omega, alpha, k, q);
+    let delta = displacement.0 + displacement.1;
+    let height = sine.0 + sine.1;
+    let t2 = if omega < 1.0 { height.atan2(k.0) } else { PI + (height.atan2(-k.0) + PI_REST) };
+    let (ws, wc) = w.0.sin_cos();
     let (sb, cb) = match quarter {
         0 => (ws, wc),
         1 => (wc, -ws),
@@ -114,19 +231,21 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             let (sm, cm) = ((1.0 - omega) * half).sin_cos();
             (s, c) = (sp * cm + cp * sm, cp * cm - sp * sm);
             (so, co) = (sp * cm - cp * sm, cp * cm + sp * sm);
+            let scale = omega * cb;
             let tangent = cb / (1.0 + sb);
-            let slope = (1.0 - omega) / cb + omega * tangent;
-            let double = 2.0 * sm / cb;
-            (h, h1) = (double * cp + tangent * so, slope * co - double * sp);
+            let slope = (1.0 - omega) / scale + tangent;
+            let double = 2.0 * sm / scale;
+            (h, h1) = (double * cp + tangent * so / omega, slope * co - double * sp);
         } else {
             (s, c) = psi.sin_cos();
             (so, co) = (omega * psi).sin_cos();
-            (h, h1) = ((s - sb * so) / cb, (c - omega * sb * co) / cb);
+            let scale = omega * cb;
+            (h, h1) = ((s - sb * so) / scale, (c - omega * sb * co) / scale);
         }
         let omega2 = omega * omega;
-        let value = omega * delta * co + h;
-        let first = h1 - omega2 * delta * so;
-        let forcing = -((1.0 - omega) * (1.0 + omega) / cb);
+        let value = delta * co + h;
+        let first = h1 - omega * delta * so;
+        let forcing = -((1.0 - omega) * (1.0 + omega) / (omega * cb));
         let second = forcing * s - omega2 * value;
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;
@@ -141,8 +260,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             break;
         }
         let turn = step * if omega > 1.0 { omega } else { 1.0 };
-        let square = turn * turn;
-        if square * square * 64.0 <= f64::EPSILON {
+        let turn2 = turn * turn;
+        if turn2 * turn2 * 64.0 <= f64::EPSILON {
             let maximum = second < 0.0;
             if !maximum {
                 break;
@@ -162,14 +281,23 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             } else {
                 (g * ((cb - sb) * (cb + sb)).abs() + ((1.0 - g_sine) * (1.0 + g_sine)).sqrt()) / (g + 1.0)
             };
-            let deviation = if omega >= 2.0 {
+            let (so, co) = sin_cos(product(omega, psi));
+            let (hi, lo) = if omega * 4.0 > 5.0 {
+                let one = (1.0, 0.0);
+                let tangent = magnitude(div(scale(k, omega), q));
+                let cos_beta = div(one, root(add(one, square(tangent))));
+                let sin_beta = mul(tangent, cos_beta);
                 let (s, c) = psi.sin_cos();
-                let (so, co) = (omega * psi).sin_cos();
-                ((sb - s) * (sb + s) / (c + cb) - sb / omega * co) / cb - delta * so
+                let height = mul(add(sin_beta, negative((s, 0.0))), add(sin_beta, (s, 0.0)));
+                let cosines = div(height, add((c, 0.0), cos_beta));
+                let rest = add(cosines, negative(div(mul(sin_beta, co), (omega, 0.0))));
+                add(div(rest, cos_beta), negative(mul(displacement, so)))
             } else {
-                alpha * t1.sin() - 1.0
+                let sine = if omega < 1.0 { sine } else { negative(sine) };
+                negative(add(add(mul(k, co), mul(sine, so)), (1.0, 0.0)))
             };
-            return [delta, t2, v / omega, t1, deviation, contraction];
+            let deviation = hi + lo;
+            return [delta, t2, v, t1, deviation, contraction];
         }
     }
     [f64::NAN; 6]

@@ -19,8 +19,8 @@
 //! pole, where the two values of S cross, the slope jumps: [`Border::slope`] gives that of the side whose S is the
 //! larger one as rounded.
 
-use super::stationary::{fall_of_cosine, stationary_point, stationary_value};
 use super::Border;
+use super::stationary::{fall_of_cosine, stationary_point, stationary_value};
 use crate::float::Float;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
