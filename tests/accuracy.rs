@@ -13,7 +13,12 @@ fn no_error_exceeds_its_allowance_and_no_allowance_is_stale() {
         let place = format!("at Ω = {}, α = {}", hex(worst.omega), hex(worst.alpha));
         assert!(worst.error <= output.allowed, "{}: {} ulp {place}", output.name, worst.error);
         // So many points come within a third of the worst there is, or the allowance is too generous.
-        assert!(worst.error * 3.0 >= output.allowed, "{}: {} ulp at worst", output.name, worst.error);
+        assert!(
+            output.allowed.is_infinite() || worst.error * 3.0 >= output.allowed,
+            "{}: {} ulp at worst",
+            output.name,
+            worst.error
+        );
     }
 }
 

@@ -112,13 +112,14 @@ fn reduced_small(omega: f64) -> (u8, f64) {
 
 #[inline]
 fn phase_function(omega: f64, quarter: u8, w: Two, q: Two) -> Two {
-    let z = square(w);
-    let x = z.0;
+    let x = w.0 * w.0;
     let numerator = ((-52.0 * x + 21_450.0) * x - 1_969_110.0) * x + 43_648_605.0;
     let denominator = (((x - 1_430.0) * x + 289_575.0) * x - 16_081_065.0) * x + 218_243_025.0;
-    let defect = div(z, ordered_sum(3.0, -(x * numerator / denominator)));
-    let (hi, lo) = ordered_sum(1.0, -defect.0);
-    let cotangent = (hi, lo - defect.1);
+    let (level, rest) = ordered_sum(3.0, -(x * numerator / denominator));
+    let defect = x / level;
+    let (hi, lo) = ordered_sum(1.0, -defect);
+    let lacking = (w.0 + w.0) * w.1 - defect * rest;
+    let cotangent = (hi, lo - lacking * (1.0 / 3.0));
     let (hi, lo) = if beside_one(omega) {
         mul(mul(sum(1.0, omega), cotangent), div((-2.0, 0.0), (PI, PI_REST)))
     } else if quarter & 1 == 0 {
@@ -155,8 +156,12 @@ fn reversal(omega: f64, alpha: f64, k: Two, q: Two) -> (Two, Two) {
 /// eq. 61
 #[inline]
 fn turning_point(omega: f64, k: Two, q: Two) -> f64 {
-    let (hi, lo) = root(add(square(k), square(div(q, product(omega, omega)))));
-    hi + lo
+    if omega * 3.0 < 2.0 {
+        let (hi, lo) = root(add(square(k), square(div(q, product(omega, omega)))));
+        return hi + lo;
+    }
+    let width = (q.0 + q.1) / (omega * omega);
+    (k.0 * k.0 + width * width).sqrt()
 }
 
 #[inline]

@@ -83,10 +83,16 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
 
 /// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
 ///
-/// In compensated pairs; dimensionless. Accuracy at f64: 0.6 ulp.
+/// Dimensionless. In compensated pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares,
+/// which stay within the range of the type. Accuracy at f64: 2 ulp.
 #[inline]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    p.pair().hypot(p.one_minus_square() / Pair::product(p.omega(), p.omega()))
+    if p.omega() * F::int(3) < F::int(2) {
+        return p.pair().hypot(p.one_minus_square() / Pair::product(p.omega(), p.omega()));
+    }
+    let (k, square) = (p.value(), p.omega().square());
+    let width = p.one_minus_square().value() / square;
+    (k * k + width * width).sqrt()
 }
 
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
@@ -145,7 +151,7 @@ impl<F: Float> Border<F> {
 
     /// The exact border α_min(Ω): at and above it the steady motion does not stick.
     ///
-    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp, 0.6 for Ω ≥ 1/2.
+    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.
     pub const fn min_force_ratio(&self) -> F {
         self.min_force_ratio
     }

@@ -47,7 +47,7 @@ pub fn best_loop_size<R: Real>(phase_function: R, one_minus_square: R) -> R {
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
 }
 
-/// [`loop_size_stiffness`] of a Δ₀/B known to more digits than the type has; accuracy at f64: 0.6 ulp.
+/// [`loop_size_stiffness`] of a Δ₀/B known to more digits than the type has; accuracy at f64: 2 ulp.
 #[inline]
 pub(crate) fn loop_size_stiffness_of_pair<F: Float>(max_displacement: Pair<F>, alpha: F) -> F {
     F::int(8) * (max_displacement / Pair::product(alpha, alpha)).value()
@@ -59,13 +59,13 @@ pub(crate) fn loop_size_inertia_of_pair<F: Float>(max_displacement: Pair<F>, alp
     F::int(8) * (max_displacement * Pair::product(omega, omega) / Pair::product(alpha, alpha)).value()
 }
 
-/// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 0.6 ulp.
+/// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_force_ratio_at<F: Float>(p: &PhaseFunction<F>) -> F {
     (Pair::exact(F::int(2)).sqrt() * p.pair().abs()).value()
 }
 
-/// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 0.6 ulp.
+/// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_loop_size_at<F: Float>(p: &PhaseFunction<F>) -> F {
     let product = p.pair() * p.one_minus_square();

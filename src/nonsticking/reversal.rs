@@ -2,7 +2,7 @@
 //!
 //! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels. It does so beside Ω = 1 alone: on the border
 //! `α² − K² ≥ (1/Ω² − 1)²` and |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + …, so that `α − |K| ≥ (2/π) w²` there, of the order of g. The
-//! pair of K has an error of the order `2⁻²ᵖ` beside Ω = 1, which is too much only very close to it. There
+//! pair of K has an error of the order of `2⁻ᵖ g`, and of `2⁻²ᵖ`, which is too much only very close to Ω = 1. There
 //!
 //! ```text
 //! (π/2)(α − |K|) = (π/2) α − (1 + Ω) + (1 + Ω) g,
@@ -65,7 +65,7 @@ impl<F: Float> Reversal<F> {
 /// Maximum displacement Δ₀/B (eq. 44, [`super::max_displacement`]) at the frequency ratio of `p`.
 ///
 /// In compensated pairs: accurate however close α is to |K|, and Ω to 1. Units of B = r_y/k. NaN where α < |K|, infinite
-/// at Ω = 1. Accuracy at f64: 0.7 ulp.
+/// at Ω = 1. Accuracy at f64: 2 ulp.
 #[inline]
 pub fn max_displacement_at<F: Float>(p: &PhaseFunction<F>, alpha: F) -> F {
     Reversal::new(p, alpha).displacement.value()
