@@ -118,7 +118,7 @@ fn phase_function(omega: f64, quarter: u8, w: Two, q: Two) -> Two {
     let (level, rest) = ordered_sum(3.0, -(x * numerator / denominator));
     let defect = x / level;
     let (hi, lo) = ordered_sum(1.0, -defect);
-    let lacking = (w.0 + w.0) * w.1 - defect * rest;
+    let lacking = (w.0 + w.0) * w.1 - defect * rest + (-defect).mul_add(level, x);
     let cotangent = (hi, lo - lacking * (1.0 / 3.0));
     let (hi, lo) = if beside_one(omega) {
         mul(mul(sum(1.0, omega), cotangent), div((-2.0, 0.0), (PI, PI_REST)))
