@@ -2,7 +2,7 @@
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Float, PhaseFunction, Ratios, Real, Response};
+use stickslip::{Border, Float, PhaseFunction, Ratios, Response};
 
 /// The number of the reference: exact to f64 even where α² − K² is 2⁻¹⁰⁶ of α².
 pub(crate) type Wide = Mp<4>;

@@ -45,8 +45,7 @@ impl Survey {
         let Some(errors) = errors(omega, alpha) else { return };
         self.points += 1;
         for (worst, error) in self.worst.iter_mut().zip(errors) {
-            // Said so that NaN is the worst of all.
-            if !(error <= worst.error) {
+            if is_worse(error, worst.error) {
                 *worst = Worst { error, omega, alpha, measures };
             }
         }
@@ -56,12 +55,17 @@ impl Survey {
     pub(crate) fn merge(mut self, other: &Self) -> Self {
         self.points += other.points;
         for (mine, its) in self.worst.iter_mut().zip(other.worst) {
-            if !(its.error <= mine.error) {
+            if is_worse(its.error, mine.error) {
                 *mine = its;
             }
         }
         self
     }
+}
+
+/// NaN is the worst of all.
+fn is_worse(error: f64, known: f64) -> bool {
+    error > known || error.is_nan()
 }
 
 /// `x` in hexadecimal, as C's `%a`.
