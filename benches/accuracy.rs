@@ -28,6 +28,10 @@ fn main() {
     let table = table(&survey);
     println!("{table}");
     println!("{} points, seed {seed}, {:.0} s", survey.points, start.elapsed().as_secs_f64());
+    for (output, _) in OUTPUTS.iter().zip(survey.worst).filter(|(output, worst)| worst.error > output.allowed)
+    {
+        println!("{}: more than the {} ulp that tests/ulps allows", output.name, output.allowed);
+    }
     if args.iter().any(|a| a == "--write") {
         write(&table, survey.points, seed);
     }
