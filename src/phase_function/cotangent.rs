@@ -74,7 +74,8 @@ mod tests {
             let defect = super::cotangent_defect(Pair::exact(y).square());
             let exact = Mp::of_int(1) - exact;
             let error = (Mp::from(defect.hi) + Mp::from(defect.lo) - exact) / exact;
-            assert!(error.abs() < Mp::exp2i(-57), "{y}: {error}");
+            // t counts less than a twentieth, and has a few roundings.
+            assert!(error.abs() < Mp::exp2i(-55), "{y}: {error}");
         }
     }
 
