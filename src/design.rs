@@ -7,16 +7,20 @@
 //! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
+//! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. An
+//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling (that with
+//! sticking allowed is the best to within a tolerance, which is proven, too). An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
-//! An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+//! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
+//! beside a pole reverses more often ([`crate::Verdict::Sticking`]). An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
 mod bands;
 mod dissipation;
 mod force;
 mod friction;
+mod sticking;
 mod target;
 mod tuning;
 
@@ -26,6 +30,10 @@ pub use dissipation::{
 };
 pub use force::{least_base_amplitude, least_force};
 pub use friction::greatest_friction;
+pub use sticking::{
+    BestOfAllForceRatio, BestOfAllFriction, most_dissipating_force_ratio_of_all,
+    most_dissipating_friction_of_all,
+};
 pub use target::{
     force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
 };

@@ -54,6 +54,10 @@ pub enum Quantity {
     LoopSizeStiffness,
     /// Loop size A₂.
     LoopSizeInertia,
+    /// Relative tolerance of an answer.
+    Tolerance,
+    /// Number of draws of the parameters.
+    Draws,
 }
 
 impl Quantity {
@@ -85,6 +89,8 @@ impl Quantity {
             Self::MaxVelocityRatio => "maximum velocity V₀/(B ω_d)",
             Self::LoopSizeStiffness => "loop size A₁",
             Self::LoopSizeInertia => "loop size A₂",
+            Self::Tolerance => "relative tolerance",
+            Self::Draws => "number of draws",
         }
     }
 }
@@ -132,6 +138,14 @@ pub enum Error {
     EmptyRange {
         /// What it is.
         quantity: Quantity,
+        /// Its lower end.
+        low: String,
+        /// Its upper end.
+        high: String,
+    },
+    /// An interval of a parameter whose lower end is not below its upper one.
+    #[error("interval: {low} must be ≤ {high}")]
+    EmptyInterval {
         /// Its lower end.
         low: String,
         /// Its upper end.
@@ -196,6 +210,16 @@ pub enum Error {
     /// A base motion, whose force k u_g0 changes with the stiffness that is asked for.
     #[error("drive = base motion must be a force: that of a base motion changes with the stiffness")]
     BaseMotion,
+    /// A motion that creeps towards its limit longer than it was followed.
+    #[error(
+        "force ratio α = {alpha} must be followed further at Ω = {omega}: the motion has not settled within the periods allowed"
+    )]
+    NotSettled {
+        /// Frequency ratio Ω.
+        omega: String,
+        /// Force ratio α.
+        alpha: String,
+    },
     /// No bounded motion: Ω = 1 and α above 4/π.
     #[error(
         "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
@@ -220,6 +244,8 @@ impl Error {
             | Self::Sticks { .. }
             | Self::SticksThroughout { .. }
             | Self::Undecided { .. }
+            | Self::NotSettled { .. }
+            | Self::EmptyInterval { .. }
             | Self::BaseMotion
             | Self::Unbounded { .. } => None,
         }

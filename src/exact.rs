@@ -12,36 +12,52 @@
 //! | file | what |
 //! |---|---|
 //! | [`DrivePhase`] | the phase of the drive, reduced |
-//! | [`Slide`] | sliding in closed form, smooth through Ω = 1 |
+//! | `equation`, `motion`, [`Slide`] | sliding in closed form, smooth through Ω = 1 |
 //! | [`Stick`] | sticking, and when friction gives way |
-//! | `event`, `velocity_zero` | the next velocity zero, never missed |
-//! | [`Trajectory`] | the motion phase by phase |
-//! | [`Samples`] | the motion at evenly spaced phases |
+//! | `event`, `stretch`, `velocity_zero` | the next velocity zero, never missed |
+//! | `expect` | where it is looked for first |
+//! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
+//! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
+//! | `walk`, `matrix`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `confirm` | the closed-form cycle shown to be that fixed point |
+//! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
+//! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
+//!
+//! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
+mod confirm;
 mod drive;
+mod equation;
 mod event;
+mod expect;
 mod family;
 mod fastest;
 mod free;
+mod long_run;
 mod matrix;
 mod measures;
+mod motion;
 mod rest;
 mod samples;
 mod shooting;
 mod slide;
+mod state;
 mod steady;
 mod stick;
+mod stretch;
 mod trajectory;
 mod velocity_zero;
 mod walk;
 
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
+pub use long_run::{DEFAULT_BUDGET, LongRun};
 pub use measures::{ErrorMeasures, Extreme};
 pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::{Direction, Slide};
-pub use steady::{DEFAULT_BUDGET, LongRun, SteadyState, errors_after};
+pub use state::{Instant, State};
+pub use steady::{SteadyState, errors_after};
 pub use stick::Stick;
-pub use trajectory::{End, Instant, Kind, Phase, State, Trajectory};
+pub use trajectory::{End, Kind, Phase, Trajectory};

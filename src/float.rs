@@ -13,6 +13,8 @@ use core::fmt::{Debug, Display};
 use core::ops::Neg;
 use num_traits::NumOps;
 
+#[cfg(feature = "dual")]
+pub mod dual;
 #[cfg(feature = "mp")]
 pub mod mp;
 pub mod pair;
@@ -108,6 +110,36 @@ pub trait Float: Real + PartialOrd + Display {
     #[inline]
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<Self>(|x| x, |x| x)
+    }
+
+    /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself otherwise.
+    #[inline]
+    fn constant(self) -> Self {
+        self
+    }
+
+    /// The same value with the derivatives of `like`, in a type that carries some. Otherwise the number itself, and `like` is not
+    /// evaluated.
+    ///
+    /// For values whose own computation is a worse way to their derivatives: a quotient of two small numbers, a point found
+    /// by iteration.
+    #[inline]
+    fn differentiated_as(self, like: impl FnOnce() -> Self) -> Self {
+        let _ = like;
+        self
+    }
+
+    /// A root x of `g(x, p) = 0` that was found by iteration, with the derivatives of the implicit function: `dx = −(∂g/∂p) dp/g′`.
+    ///
+    /// `residual` gives (g, g′) at a constant x, so that g carries its explicit dependence on the parameters alone: one step
+    /// of Newton's method in the derivatives. What the iteration itself carried along is dropped: it lags behind by a step, and
+    /// a bracket at f64 carries nothing at all.
+    #[inline]
+    fn implicit_root(self, residual: impl FnOnce(Self) -> (Self, Self)) -> Self {
+        self.differentiated_as(|| {
+            let (g, slope) = residual(self.constant());
+            -(g / slope.constant())
+        })
     }
 
     /// The larger of two numbers; `self` where they are unordered.

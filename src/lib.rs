@@ -26,7 +26,8 @@
 //! # From input to answer
 //!
 //! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
-//! [`Response`], [`Place`] → [`design`], the questions asked backwards; [`Scales`] leads back to physical units.
+//! [`Response`], [`Place`] → [`design`], the questions asked backwards, and [`uncertainty`], parameters that are not known exactly; [`Scales`]
+//! leads back to physical units, [`Output`] names the outputs.
 //!
 //! # Symbols
 //!
@@ -55,7 +56,12 @@
 //! * `cli`: the command `stickslip`;
 //! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
 //!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
+//! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`);
+//! * `dual`: the number `float::dual::Dual<N>` with derivatives by N parameters, and `sensitivity`: every output by every
+//!   parameter;
+//! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::random`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
+//! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
 //!   `Mp` too with `mp`.
 
@@ -71,23 +77,32 @@
     )
 )]
 
+#[cfg(feature = "batch")]
+pub mod batch;
 pub mod design;
 mod error;
 pub mod exact;
+#[cfg(feature = "figures")]
+pub mod figures;
 pub mod float;
 pub mod nonsticking;
 mod oscillator;
+mod output;
 pub mod phase_function;
 mod ratios;
 pub mod regime;
 mod response;
 mod root;
+#[cfg(feature = "dual")]
+pub mod sensitivity;
+pub mod uncertainty;
 pub mod verify;
 
 pub use error::{Error, Quantity};
 pub use float::{Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Oscillator, Scales};
+pub use output::Output;
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use regime::{Place, Regime, Verdict, regime};
@@ -102,3 +117,8 @@ struct Readme;
 #[cfg(doctest)]
 #[doc = include_str!("../docs/design.md")]
 struct DesignExamples;
+
+/// And those of docs/uncertainty.md.
+#[cfg(all(doctest, feature = "dual", feature = "random"))]
+#[doc = include_str!("../docs/uncertainty.md")]
+struct UncertaintyExamples;

@@ -120,6 +120,27 @@ impl<F: Float> Cycle<F> {
         }
     }
 
+    /// The same cycle in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Cycle<G> {
+        Cycle {
+            ratios: self.ratios.map(&to),
+            half: self.half.map(&to),
+            max_displacement: to(self.max_displacement),
+            reversal: self.reversal.map(&to),
+            displacement_phase: to(self.displacement_phase),
+            max_velocity: to(self.max_velocity),
+            velocity_phase: to(self.velocity_phase),
+            deviation: to(self.deviation),
+            contraction: to(self.contraction),
+        }
+    }
+
+    /// `(sin β, cos β)`, β = π/2Ω.
+    #[inline]
+    pub(crate) fn sin_cos_beta(&self) -> (F, F) {
+        self.half.sin_cos_beta()
+    }
+
     /// The ratios (Ω, α).
     pub const fn ratios(&self) -> Ratios<F> {
         self.ratios

@@ -130,6 +130,13 @@ impl<F: Float> Drive<F> {
         self.angular_frequency
     }
 
+    /// The amplitude it was given by: p₀ of a force, u_g0 of a base motion.
+    pub const fn amplitude(&self) -> F {
+        match self.excitation {
+            Excitation::Force(amplitude) | Excitation::BaseMotion(amplitude) => amplitude,
+        }
+    }
+
     /// Whether it is the base that moves, so that the force on the body changes with its stiffness.
     pub const fn is_base_motion(&self) -> bool {
         matches!(self.excitation, Excitation::BaseMotion(_))

@@ -80,7 +80,9 @@ impl<F: Float> PhaseFunction<F> {
         let remainder = Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2));
         let remainder = remainder.normalised();
         let value = compensated(omega, quarter, remainder).normalised();
-        Self { omega, quarter, remainder, value }
+        let p = Self { omega, quarter, remainder, value };
+        let hi = value.hi.differentiated_as(|| p.slope().constant() * omega);
+        Self { value: Pair::new(hi, value.lo.constant()), ..p }
     }
 
     /// Frequency ratio Ω.
@@ -105,6 +107,12 @@ impl<F: Float> PhaseFunction<F> {
     #[inline]
     pub(crate) fn is_beside_one(&self) -> bool {
         is_beside_one(self.omega)
+    }
+
+    /// Whether Ω is 1/(2n), to within the rounding of Ω.
+    pub(crate) fn is_even_subharmonic(&self) -> bool {
+        let (one, rounding) = (F::int(1), F::int(4) * F::epsilon() / self.omega);
+        self.quarter & 1 == 0 && self.omega < one && self.remainder.hi.abs() <= rounding
     }
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.

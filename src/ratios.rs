@@ -27,6 +27,12 @@ impl<F: Float> Ratios<F> {
         Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)? })
     }
 
+    /// Ratios that are known to be in the domain.
+    #[cfg(feature = "dual")]
+    pub(crate) const fn of_valid(omega: F, alpha: F) -> Self {
+        Self { omega, alpha }
+    }
+
     /// Frequency ratio Ω = ω_d/ω_n (eq. 9).
     pub const fn omega(&self) -> F {
         self.omega
@@ -35,6 +41,11 @@ impl<F: Float> Ratios<F> {
     /// Force ratio α = p₀/r_y (eq. 8).
     pub const fn alpha(&self) -> F {
         self.alpha
+    }
+
+    /// Both ratios in another number type, which has to hold them.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
+        Ratios { omega: to(self.omega), alpha: to(self.alpha) }
     }
 
     /// Amplitude of the frictionless response in units of B: `A/B = α/(1 − Ω²)` (eq. 5, 6). Negative

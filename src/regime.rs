@@ -4,9 +4,11 @@
 //! far from the border, and admits that it cannot tell where the arithmetic cannot.
 
 mod place;
+mod stops;
 mod verdict;
 
 pub use place::Place;
+pub use stops::{Stops, stops_per_cycle};
 pub use verdict::{Family, Verdict};
 
 use crate::error::Error;
@@ -19,9 +21,10 @@ use crate::ratios::Ratios;
 pub enum Regime {
     /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
     Stuck,
-    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle.
+    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle; within about 1 % of a pole 1/(2n+1) it may instead
+    /// reverse six times a cycle without stopping ([`Verdict::Sticking`]).
     Sticking,
-    /// α ≥ α_min(Ω): the body never stops for longer than an instant.
+    /// α ≥ α_min(Ω): the body never stops for longer than an instant, and reverses twice a cycle.
     NonSticking,
     /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
     Unbounded,

@@ -1,6 +1,6 @@
 //! The whole answer at one (Ω, α): the regime, and what exists there.
 
-use crate::float::Float;
+use crate::float::{AtPrecision, Float};
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
@@ -21,6 +21,7 @@ pub struct Response<F> {
     regime: Regime,
     border: Border<F>,
     cycle: Option<Cycle<F>>,
+    loop_sizes: Option<(F, F)>,
     best_force_ratio: F,
     best_loop_size: F,
 }
@@ -34,17 +35,46 @@ impl<F: Float> Response<F> {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
         let regime = regime_of(ratios, &border);
+        let cycle = match regime {
+            Regime::NonSticking => Some(Cycle::at(&p, ratios)),
+            Regime::Stuck | Regime::Sticking | Regime::Unbounded => None,
+        };
         Self {
             ratios,
             regime,
             border,
-            cycle: match regime {
-                Regime::NonSticking => Some(Cycle::at(&p, ratios)),
-                Regime::Stuck | Regime::Sticking | Regime::Unbounded => None,
-            },
+            cycle,
+            loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
             best_force_ratio: best_force_ratio_at(&p),
             best_loop_size: best_loop_size_at(&p),
         }
+    }
+
+    /// The answer computed with the guard bits that the type has ([`Float::guarded`]), every output rounded once: with
+    /// multiple precision right to the last place, at f64 the same as [`Response::new`].
+    ///
+    /// The regime, too, is decided with them.
+    pub fn guarded(ratios: Ratios<F>) -> Self {
+        struct Task<F>(Ratios<F>);
+
+        impl<F: Float> AtPrecision<F> for Task<F> {
+            type Output = Response<F>;
+
+            fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Response<F> {
+                let found = Response::new(self.0.map(there));
+                Response {
+                    ratios: self.0,
+                    regime: found.regime,
+                    border: found.border.map(&back),
+                    cycle: found.cycle.map(|cycle| cycle.map(&back)),
+                    loop_sizes: found.loop_sizes.map(|(a1, a2)| (back(a1), back(a2))),
+                    best_force_ratio: back(found.best_force_ratio),
+                    best_loop_size: back(found.best_loop_size),
+                }
+            }
+        }
+
+        F::guarded(Task(ratios))
     }
 
     /// The ratios (Ω, α).
@@ -65,6 +95,16 @@ impl<F: Float> Response<F> {
     /// The non-sticking cycle, where there is one.
     pub const fn cycle(&self) -> Option<&Cycle<F>> {
         self.cycle.as_ref()
+    }
+
+    /// Loop size A₁ of the cycle (eq. 64), where there is one.
+    pub fn loop_size_stiffness(&self) -> Option<F> {
+        self.loop_sizes.map(|(a1, _)| a1)
+    }
+
+    /// Loop size A₂ of the cycle (eq. 67), where there is one.
+    pub fn loop_size_inertia(&self) -> Option<F> {
+        self.loop_sizes.map(|(_, a2)| a2)
     }
 
     /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65); it counts where it is not below

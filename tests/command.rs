@@ -1,33 +1,10 @@
 //! The command as its users see it: answers, formats, streams, and what it says of bad input.
 #![cfg(feature = "cli")]
 
-use assert_cmd::Command;
+mod command_line;
+
+use command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
-
-fn stickslip(args: &str) -> Command {
-    let mut command = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"));
-    command.args(args.split_whitespace());
-    command
-}
-
-fn stdout(args: &str) -> String {
-    let output = stickslip(args).assert().success().stderr("").get_output().stdout.clone();
-    String::from_utf8(output).unwrap()
-}
-
-fn json(args: &str) -> Value {
-    serde_json::from_str(&stdout(args)).unwrap()
-}
-
-/// Exit status 2, nothing on standard output, one line on standard error that has all of `parts`.
-fn refused(args: &str, parts: &[&str]) {
-    let assert = stickslip(args).assert().code(2).stdout("");
-    let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();
-    assert_eq!(text.matches('\n').count(), 1, "{args}: {text}");
-    for part in parts {
-        assert!(text.contains(part), "{args}: “{part}” is not in “{text}”");
-    }
-}
 
 /// The paper's machine: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s.
 const PAPER: &str = "--mass 50 --friction 5 --frequency 6.283185307179586";

@@ -1,24 +1,10 @@
 //! `stickslip steady`, `simulate` and `decay` as a user meets them.
 #![cfg(feature = "cli")]
 
-use assert_cmd::Command;
+mod command_line;
+
+use command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
-
-fn stickslip(arguments: &str) -> Command {
-    let mut command = Command::cargo_bin("stickslip").unwrap();
-    command.args(arguments.split_whitespace());
-    command
-}
-
-fn stdout(arguments: &str) -> String {
-    let output = stickslip(arguments).assert().success().get_output().clone();
-    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
-
-fn json(arguments: &str) -> Value {
-    serde_json::from_str(&stdout(arguments)).unwrap()
-}
 
 /// Values found by an independent program.
 const STEADY: [(&str, &str, f64, u64, u64); 5] = [
@@ -184,13 +170,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("decay --x0 1 --mass 2", vec!["--stiffness", "all three"]),
         ("decay --x0 1 --mass 2 --stiffness -1 --friction 1", vec!["stiffness k = -1 must be > 0"]),
     ] {
-        let output = stickslip(arguments).assert().code(2).get_output().clone();
-        let message = String::from_utf8(output.stderr).unwrap();
-        assert!(output.stdout.is_empty(), "{arguments}");
-        assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
-        for part in parts {
-            assert!(message.contains(part), "{arguments}: {message} lacks {part}");
-        }
+        refused(arguments, &parts);
     }
 }
 

@@ -1,12 +1,16 @@
 //! The closed forms at any precision: against 40 digits computed independently, and N bits against 2N.
 #![cfg(feature = "mp")]
 
-use stickslip::float::{AtPrecision, mp::Mp};
+use stickslip::float::mp::Mp;
 use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Real, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
 fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {
-    let response = Response::new(Ratios::new(omega, alpha).unwrap());
+    outputs(&Response::new(Ratios::new(omega, alpha).unwrap()))
+}
+
+/// Every output of a response.
+fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Option<F>)> {
     let cycle = response.cycle().expect("every point is non-sticking");
     let border = response.border();
     vec![
@@ -18,8 +22,8 @@ fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {
         ("min_force_ratio", Some(border.min_force_ratio())),
         ("min_force_ratio_turning_point", Some(border.turning_point())),
         ("border_phase", Some(border.phase())),
-        ("loop_size_stiffness", Some(cycle.loop_size_stiffness())),
-        ("loop_size_inertia", Some(cycle.loop_size_inertia())),
+        ("loop_size_stiffness", response.loop_size_stiffness()),
+        ("loop_size_inertia", response.loop_size_inertia()),
         ("best_force_ratio", Some(response.best_force_ratio())),
         ("best_loop_size", response.best_loop_size()),
         ("contraction", Some(cycle.contraction())),
@@ -91,18 +95,6 @@ fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// All answers with guard bits, each rounded once.
-struct Guarded<F>(F, F);
-
-impl<F: Float> AtPrecision<F> for Guarded<F> {
-    type Output = Vec<(&'static str, Option<F>)>;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
-        let all = answers(there(self.0), there(self.1));
-        all.into_iter().map(|(name, answer)| (name, answer.map(&back))).collect()
-    }
-}
-
 /// The errors of each output of N limbs against D limbs, in the units of the design: the last place of the output,
 /// of max(phase, 1) for a phase and of max(|Δ₁|, V₀) for the deviation.
 fn errors<const N: usize, const D: usize>(
@@ -110,7 +102,8 @@ fn errors<const N: usize, const D: usize>(
     alpha: Mp<N>,
     guarded: bool,
 ) -> Vec<(&'static str, f64)> {
-    let narrow = if guarded { Mp::guarded(Guarded(omega, alpha)) } else { answers(omega, alpha) };
+    let ratios = Ratios::new(omega, alpha).unwrap();
+    let narrow = outputs(&if guarded { Response::guarded(ratios) } else { Response::new(ratios) });
     let wide = answers(Mp::<D>::rounded(omega), Mp::<D>::rounded(alpha));
     assert_eq!((narrow.len(), wide.len()), (13, 13));
     let speed = narrow.iter().find(|(name, _)| *name == "max_velocity").and_then(|(_, v)| *v).unwrap();

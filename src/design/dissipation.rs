@@ -28,6 +28,8 @@ pub enum Optimum {
     Border,
     /// An end of the range that was asked about.
     RangeEnd,
+    /// Inside the region where the body sticks in every cycle, by the exact motion.
+    Sticking,
 }
 
 /// The force ratio of the largest loop among the cycles that do not stick.

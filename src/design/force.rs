@@ -8,8 +8,8 @@ use crate::ratios::positive;
 
 /// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
 ///
-/// Unit of force. Not sliding below it, sliding above it: α_min is the exact border. At Ω = 1 the motion grows without bound
-/// from there on. Relative accuracy at f64: that of the border, 8 ulp, and what Ω_d/ω_n loses by rounding, times
+/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. At Ω = 1 the motion grows without bound
+/// from there on. Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times
 /// [`Border::sensitivity`].
 ///
 /// # Errors

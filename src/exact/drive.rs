@@ -75,14 +75,34 @@ impl<F: Float> DrivePhase<F> {
     /// `θ − θ′`: exact in whole half turns up to one rounding.
     #[inline]
     pub fn since(&self, earlier: Self) -> F {
-        let turns = F::from_f64((self.half_turns - earlier.half_turns) as f64);
-        turns.mul_add(F::pi(), self.angle - earlier.angle)
+        let (turns, angle) = (self.half_turns - earlier.half_turns, self.angle - earlier.angle);
+        // A product that is exact needs no fused operation, which is a call where the processor's is not taken for granted.
+        match turns {
+            0 => return angle,
+            1 => return angle + F::pi(),
+            -1 => return angle - F::pi(),
+            2 => return angle + F::int(2) * F::pi(),
+            _ => {}
+        }
+        F::from_f64(turns as f64).mul_add(F::pi(), angle)
     }
 
     /// The phase `θ + advance`.
     #[inline]
     pub(crate) fn advanced(&self, advance: F) -> Self {
         let theta = self.angle + advance;
+        // Up to two half turns their product with π is exact, and the quotient's floor is not needed.
+        let quarter = F::pi() / F::int(2);
+        if theta >= -quarter && theta < F::int(5) * quarter {
+            let (turns, angle) = if theta < quarter {
+                (0, theta)
+            } else if theta < F::int(3) * quarter {
+                (1, theta - F::pi())
+            } else {
+                (2, theta - F::int(2) * F::pi())
+            };
+            return Self { half_turns: self.half_turns + turns, angle };
+        }
         let turns = (theta / F::pi() + F::ratio(1, 2)).floor();
         let angle = (-turns).mul_add(F::pi(), theta);
         Self { half_turns: self.half_turns + turns.to_f64() as i64, angle }

@@ -9,11 +9,13 @@
 //! close to that member it is the limit to within that distance.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
+use super::long_run::{LongRun, unsettled};
 use super::matrix::Matrix;
 use super::measures::Tally;
 use super::shooting::{Budget, Residual};
-use super::slide::{Direction, Equation, Slide};
-use super::steady::{LongRun, SteadyState, Summary, is_even_subharmonic, unsettled};
+use super::slide::{Direction, Slide};
+use super::steady::{SteadyState, Summary};
 use super::walk::{Part, Point, walk};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -22,9 +24,12 @@ use crate::ratios::Ratios;
 
 /// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
-    let omega = ratios.omega();
-    is_even_subharmonic(omega)
-        && ratios.alpha() >= Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio()
+    // 1/2 is the greatest of them.
+    if ratios.omega() * F::int(3) > F::int(2) {
+        return false;
+    }
+    let p = PhaseFunction::of_valid(ratios.omega());
+    p.is_even_subharmonic() && ratios.alpha() >= Border::at(&p).min_force_ratio()
 }
 
 /// The member that the motion through a point tends to.
@@ -48,10 +53,12 @@ pub(crate) fn member<F: Float>(
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
-        let left = change / (one - other);
+        // Friction too small beside the motion for the type to see: nothing tells how much is left.
+        let left = if other < one { change / (one - other) } else { one / F::int(0) };
         let size = one + y.x.abs() + y.w.abs();
         let rounding = F::int(4) * (residual.bound() - change);
-        if left <= rounding || (added && change <= rounding) {
+        // A motion far outside loses less in a cycle than its own rounding: that it repeats says nothing.
+        if is_near(&equation, &y) && (left <= rounding || (added && change <= rounding)) {
             let off = left + rounding;
             return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
         }
@@ -74,6 +81,13 @@ pub(crate) fn member<F: Float>(
         added = added || jump;
         parts = cycle.parts;
     }
+}
+
+/// Whether a point is as near as the members of the family are, to within a factor: `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
+fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
+    let (one, omega) = (F::int(1), equation.omega);
+    let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
+    y.x.abs() + y.w.abs() <= F::int(8) * reach
 }
 
 /// Half turns after which a motion of a family that still sticks is taken to creep.

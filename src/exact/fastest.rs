@@ -6,7 +6,8 @@
 //! is exceeded by the one a fast period closer, so that only the neighbourhoods of that crest and of the ends count.
 
 use super::event::{Found, Search, Verdict, next_zero};
-use super::slide::{Motion, Slide};
+use super::motion::Motion;
+use super::slide::Slide;
 use crate::float::Float;
 
 /// The fastest instant of a slide: its natural time and the velocity there.

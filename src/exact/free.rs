@@ -10,8 +10,9 @@
 //! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (|x| − 2)`, until `|x| ≤ 1`, where the body
 //! stays. So there are `n = ⌈(|x₁| − 1)/2⌉` of them, and the body rests at `(−1)ⁿ sgn x₁ (|x₁| − 2n)`.
 
-use super::slide::Equation;
-use super::trajectory::{State, Trajectory};
+use super::equation::Equation;
+use super::state::State;
+use super::trajectory::Trajectory;
 use crate::error::Error;
 use crate::float::Float;
 

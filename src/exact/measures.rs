@@ -1,7 +1,8 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
 use super::drive::DrivePhase;
-use super::slide::{Motion, Slide};
+use super::motion::Motion;
+use super::slide::Slide;
 use super::walk::{Part, Point};
 use crate::float::Float;
 
@@ -12,6 +13,14 @@ pub struct Extreme<F> {
     pub value: F,
     /// Where it is taken first.
     pub phase: DrivePhase<F>,
+}
+
+impl<F: Float> Extreme<F> {
+    /// The same upside down, half a turn later.
+    #[inline]
+    pub(crate) fn mirrored(self) -> Self {
+        Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
+    }
 }
 
 /// Extrema, stops and work over some time.
@@ -68,7 +77,10 @@ impl<F: Float> Tally<F> {
         let omega = slide.equation.omega;
         self.displaced(Extreme { value: end.x, phase });
         let fastest = slide.fastest(phi, end);
-        self.moved(Extreme { value: fastest.w / omega, phase: slide.start.advanced(omega * fastest.phi) });
+        let v = fastest.w / omega;
+        if v > self.max_v.value || v < self.min_v.value {
+            self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
+        }
         self.work_out = self.work_out + (end.x - slide.x).abs();
         self.work_in = self.work_in + slide.work_of_drive(end);
     }
@@ -94,11 +106,10 @@ impl<F: Float> Tally<F> {
     /// The tally of a whole turn from that of its first half, the second being the first turned upside down.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
-        let mirrored = |e: Extreme<F>| Extreme { value: -e.value, phase: e.phase.later_by_half_turns(1) };
-        for extreme in [mirrored(self.max_x), mirrored(self.min_x)] {
+        for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
             self.displaced(extreme);
         }
-        for extreme in [mirrored(self.max_v), mirrored(self.min_v)] {
+        for extreme in [self.max_v.mirrored(), self.min_v.mirrored()] {
             self.moved(extreme);
         }
         Self {

@@ -6,9 +6,11 @@
 //! So once δ is below `α min(Ω², 1)/16` the body creeps to the edge of the interval and never gets there: a limit in closed form,
 //! which no amount of simulation reaches (δ falls like 1/cycles).
 
+use super::equation::Equation;
+use super::long_run::LongRun;
 use super::shooting::Budget;
-use super::steady::LongRun;
-use super::trajectory::{Body, End, State, Trajectory};
+use super::state::State;
+use super::trajectory::{Body, End, Trajectory};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -32,7 +34,7 @@ pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget:
     let creeping = alpha * if slow < one { slow } else { one } / F::int(16);
     let mut slides = 0;
     let mut last = start;
-    let motion = Trajectory::of(super::slide::Equation::new(ratios), start);
+    let motion = Trajectory::of(Equation::new(ratios), start);
     for phase in motion {
         let periods = phase.start().phase.since(start.phase) / turn;
         match &phase.body {

@@ -1,7 +1,8 @@
 //! The motion at evenly spaced phases, without drift.
 
 use super::drive::DrivePhase;
-use super::trajectory::{Instant, Phase, Trajectory};
+use super::state::Instant;
+use super::trajectory::{Phase, Trajectory};
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 

@@ -14,8 +14,8 @@
 //!   down half a turn later is a motion, too. More than one limit needs a difference that is itself an undamped free
 //!   vibration of the drive's period: Ω = 1/n.
 
+use super::equation::Equation;
 use super::matrix::Matrix;
-use super::slide::Equation;
 use super::walk::{Part, Point, Walk, walk};
 use crate::float::Float;
 
@@ -52,11 +52,11 @@ pub(crate) struct Residual<F> {
 }
 
 impl<F: Float> Residual<F> {
-    /// The change (x, w) from y, with the rounding of the terms that x and w are made of and that of the phase: half a unit
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and that of the phase: half a unit
     /// of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, .. } = *equation;
-        let (one, unit) = (F::int(1), F::int(2) * F::epsilon());
+        let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
         let forced = alpha / (one + omega.square());
         let rate = (one + alpha + y.x.abs()) / omega;
         Self {
@@ -93,10 +93,10 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> R
     Residual::new(equation, y, (-walk.end.x - y.x, -walk.end.w - y.w))
 }
 
-/// Natural time from the start of a walk to its first velocity zero.
-fn first_zero<F: Float>(walk: &Walk<F>, usual: F) -> F {
+/// Natural time to the first velocity zero that is expected of a walk from a point that differs by (δx, δw) from that of `walk`.
+fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
     match walk.parts.first() {
-        Some(Part::Slide(_, zero)) => zero.phi,
+        Some(Part::Slide(_, zero)) => zero.expected(change),
         Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
     }
 }
@@ -114,7 +114,7 @@ pub(crate) fn shoot<F: Float>(
 ) -> Shot<F> {
     let two = F::int(2);
     let mut guess = Some(guess);
-    let mut best = walk(equation, start, 1, hint, Vec::new());
+    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4));
     let mut y = start;
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
@@ -122,23 +122,28 @@ pub(crate) fn shoot<F: Float>(
     budget.half_turns += 1;
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
-        if left.is_rounding(1) {
+        if budget.half_turns > budget.most {
+            return Shot::Unsettled(y, left.norm());
+        }
+        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance does.
+        let known = is_known(&y, inverse, &left);
+        if left.is_rounding(1) && known {
             return Shot::Settled(settled(y, best, inverse, &left));
         }
         let (dx, dw) = inverse.times((left.x, left.w));
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
         if dx.is_finite() && dw.is_finite() {
-            let tried = walk(equation, trial, 1, first_zero(&best, hint), spare);
+            let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare);
             budget.half_turns += 1;
             let after = residual(&equation, &trial, &tried);
-            if after.norm() * two <= left.norm() {
+            if after.norm() * two <= left.norm() && !left.is_rounding(1) {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
             }
             spare = tried.parts;
             // Rounding alone is left, a little more of it than expected.
-            if left.is_rounding(64) {
+            if left.is_rounding(64) && known {
                 return Shot::Settled(settled(y, best, inverse, &left));
             }
         }
@@ -146,7 +151,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, elsewhere, 1, hint, spare);
             budget.half_turns += 1;
             let after = residual(&equation, &elsewhere, &tried);
-            if after.norm() < left.norm() || after.is_rounding(1) {
+            if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;
@@ -155,8 +160,9 @@ pub(crate) fn shoot<F: Float>(
         }
         // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's reach.
         for _ in 0..follow {
-            y = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
-            let hint = first_zero(&best, hint);
+            let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
+            let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));
+            y = to;
             let next = walk(equation, y, 1, hint, spare);
             spare = core::mem::replace(&mut best, next).parts;
             budget.half_turns += 1;
@@ -170,6 +176,13 @@ pub(crate) fn shoot<F: Float>(
 }
 
 const LONGEST_FOLLOW: u32 = 64;
+
+/// Whether the bound on the distance from the limit is small beside the motion itself.
+pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
+    let (x, w) = inverse.absolute().times(left.bounds());
+    let size = y.x.abs() + y.w.abs();
+    F::int(16) * x <= size && F::int(16) * w <= size
+}
 
 fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
     Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }

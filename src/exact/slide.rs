@@ -23,9 +23,9 @@
 //! slow and a fast wave instead.
 
 use super::drive::DrivePhase;
-use super::event::Jet;
+use super::equation::{Equation, Waves};
+use super::motion::Motion;
 use crate::float::Float;
-use crate::ratios::Ratios;
 
 /// The way a body slides: the sign of its velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -58,119 +58,6 @@ impl Direction {
         match self {
             Self::Forward => Self::Backward,
             Self::Backward => Self::Forward,
-        }
-    }
-}
-
-/// The equation of motion with what of it depends on (Ω, α) alone. α = 0 is free vibration.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Equation<F> {
-    pub(crate) omega: F,
-    pub(crate) alpha: F,
-    half_sum: F,
-    half_difference: F,
-    per_one_plus: F,
-    /// `2/(1 − Ω)`, not used at Ω = 1.
-    double_per_one_minus: F,
-}
-
-impl<F: Float> Equation<F> {
-    pub(crate) fn new(ratios: Ratios<F>) -> Self {
-        Self::of(ratios.omega(), ratios.alpha())
-    }
-
-    /// Free vibration: no drive, and the unit of time 1/ω_n.
-    pub(crate) fn free() -> Self {
-        Self::of(F::int(1), F::int(0))
-    }
-
-    fn of(omega: F, alpha: F) -> Self {
-        let (one, two) = (F::int(1), F::int(2));
-        Self {
-            omega,
-            alpha,
-            half_sum: (one + omega) / two,
-            half_difference: (one - omega) / two,
-            per_one_plus: one / (one + omega),
-            double_per_one_minus: two / (one - omega),
-        }
-    }
-
-    /// The circular functions and quotients of the module's head at φ.
-    #[inline]
-    fn waves(&self, phi: F) -> Waves<F> {
-        let (sp, cp) = (self.half_sum * phi).sin_cos();
-        let (sm, cm) = (self.half_difference * phi).sin_cos();
-        let one = F::int(1);
-        let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
-        let free = (sp * cm + cp * sm, cp * cm - sp * sm);
-        let drive = (sp * cm - cp * sm, cp * cm + sp * sm);
-        let qc = q * cp;
-        let s = if self.omega < one { drive.0 - self.omega * qc } else { free.0 - qc };
-        Waves {
-            free,
-            drive,
-            c: sp * q * self.per_one_plus,
-            s: s * self.per_one_plus,
-            d: (drive.0 + qc) * self.per_one_plus,
-        }
-    }
-}
-
-struct Waves<F> {
-    /// (sin φ, cos φ)
-    free: (F, F),
-    /// (sin Ωφ, cos Ωφ)
-    drive: (F, F),
-    c: F,
-    s: F,
-    d: F,
-}
-
-/// What moves at one instant of a slide; rates are by natural time φ.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Motion<F> {
-    pub(crate) x: F,
-    pub(crate) w: F,
-    /// `w′ = α sin θ − x − s`
-    pub(crate) acceleration: F,
-    /// `w″ = αΩ cos θ − w`
-    pub(crate) jerk: F,
-    /// `α sin θ`
-    pub(crate) force: F,
-    /// (sin φ, cos φ) of the time since the start of the slide.
-    pub(crate) rotation: (F, F),
-}
-
-impl<F: Float> Motion<F> {
-    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′` and `w⁗ = −Ω² αΩ cos θ − w″`.
-    #[inline]
-    pub(crate) fn higher(&self, omega: F) -> (F, F) {
-        let square = omega.square();
-        (-(square * self.force + self.acceleration), -(square * (self.jerk + self.w) + self.jerk))
-    }
-
-    /// The velocity with its derivatives, turned to the sign of the slide.
-    #[inline]
-    pub(crate) fn velocity_jet(&self, omega: F, sign: F) -> Jet<F> {
-        let third = self.higher(omega).0;
-        Jet {
-            value: sign * self.w,
-            first: sign * self.acceleration,
-            second: sign * self.jerk,
-            third: sign * third,
-        }
-    }
-
-    /// The acceleration with its derivatives, turned to a sign.
-    #[inline]
-    pub(crate) fn acceleration_jet(&self, omega: F, sign: F) -> Jet<F> {
-        let (second, third) = self.higher(omega);
-        Jet {
-            value: sign * self.acceleration,
-            first: sign * self.jerk,
-            second: sign * second,
-            third: sign * third,
         }
     }
 }
@@ -239,11 +126,17 @@ impl<F: Float> Slide<F> {
     /// The motion at natural time φ after the start.
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
-        let Equation { omega, alpha, .. } = self.equation;
-        if omega < F::ratio(1, 2) && phi > F::int(1) {
+        if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
             return self.slow_and_fast(phi);
         }
-        let Waves { free: (sine, cosine), drive, c, s, d } = self.equation.waves(phi);
+        self.motion_of(&self.equation.waves(phi))
+    }
+
+    /// The motion from the functions of its natural time.
+    #[inline]
+    pub(crate) fn motion_of(&self, waves: &Waves<F>) -> Motion<F> {
+        let Equation { omega, alpha, .. } = self.equation;
+        let Waves { free: (sine, cosine), drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
         let sign = self.direction.sign::<F>();
         // 1 − cos φ without cancellation.
@@ -308,9 +201,10 @@ impl<F: Float> Slide<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Direction, Equation, Slide};
+    use super::{Direction, Slide};
     use crate::Ratios;
     use crate::exact::drive::DrivePhase;
+    use crate::exact::equation::Equation;
 
     fn slide(omega: f64, alpha: f64, theta: f64, x: f64, w: f64) -> Slide<f64> {
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());

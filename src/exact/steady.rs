@@ -1,165 +1,18 @@
 //! The motion in the long run.
 
-use super::drive::DrivePhase;
+use super::confirm::confirmed;
+use super::equation::Equation;
+use super::family;
+use super::long_run::{DEFAULT_BUDGET, LongRun, fastest_point};
 use super::measures::{ErrorMeasures, Extreme, Tally};
-use super::rest::{Rest, come_to_rest};
-use super::shooting::{Budget, Shot, shoot};
-use super::slide::{Direction, Equation, Slide};
-use super::trajectory::{Body, State, Trajectory, resolved};
+use super::shooting::Budget;
+use super::state::State;
+use super::trajectory::resolved;
 use super::walk::{Point, walk};
-use super::{family, trajectory};
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
-use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
-
-/// What a motion tends to.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum LongRun<F> {
-    /// One periodic motion, the same from every start: its multipliers are inside the unit circle.
-    Periodic(SteadyState<F>),
-    /// Ω = 1/(2n) without sticking: one of a family of periodic motions, the one that this start leads to.
-    Family(SteadyState<F>),
-    /// α ≤ 1: rest.
-    Rest(Rest<F>),
-    /// Ω = 1 and α > 4/π: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
-    Unbounded {
-        /// Growth of the maximum displacement in a cycle, in the limit.
-        growth: F,
-    },
-    /// No limit within the budget: where the motion is, and how far half a cycle still takes it.
-    NotConverged {
-        /// The state reached.
-        state: State<F>,
-        /// `hypot(δx, δv Ω)` of half a cycle: what has not settled.
-        residual: F,
-        /// Periods of the drive that were followed.
-        periods: F,
-    },
-}
-
-impl<F: Float> LongRun<F> {
-    /// What the motion at (Ω, α) tends to from a start.
-    ///
-    /// # Errors
-    /// As for [`Trajectory::new`].
-    pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
-        Self::within(ratios, start, DEFAULT_BUDGET)
-    }
-
-    /// The same, following the motion for at most `periods` periods of the drive.
-    ///
-    /// # Errors
-    /// As for [`Trajectory::new`].
-    pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
-        let ratios = resolved(ratios)?;
-        let (one, alpha) = (F::int(1), ratios.alpha());
-        let mut budget = Budget { half_turns: 0, most: 2 * u64::from(periods) };
-        if alpha <= one {
-            return Ok(come_to_rest(ratios, start, &mut budget));
-        }
-        if ratios.omega() == one && F::pi() * alpha > F::int(4) {
-            return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
-        }
-        let equation = Equation::new(ratios);
-        let (section, hint) = settle_in(equation, start, &mut budget);
-        if family::is_one(ratios) {
-            return Ok(family::member(equation, section, hint, budget));
-        }
-        let guess = || Cycle::new(ratios).ok().map(|cycle| fastest_point(equation, &cycle));
-        Ok(Self::shot(equation, section, hint, guess, budget))
-    }
-
-    fn shot(
-        equation: Equation<F>,
-        section: Point<F>,
-        hint: F,
-        guess: impl FnOnce() -> Option<(Point<F>, F)>,
-        mut budget: Budget,
-    ) -> Self {
-        match shoot(equation, section, hint, guess, &mut budget) {
-            Shot::Settled(fixed) => {
-                let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
-                let multipliers = fixed.walk.monodromy.squared_eigenvalues();
-                let tally = Tally::of(&fixed.start, equation.omega, &fixed.walk.parts).doubled();
-                Self::Periodic(SteadyState {
-                    equation,
-                    start: fixed.start,
-                    tally: Summary::of(&tally),
-                    multipliers,
-                    distance: fixed.distance,
-                    periods,
-                })
-            }
-            Shot::Unsettled(y, residual) => unsettled(&equation, &y, residual, &budget),
-        }
-    }
-
-    /// The periodic motion, where there is one.
-    pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
-        match self {
-            Self::Periodic(steady) | Self::Family(steady) => Some(steady),
-            Self::Rest(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
-        }
-    }
-}
-
-/// Periods of the drive that a motion is followed for unless said otherwise.
-pub const DEFAULT_BUDGET: u32 = 20_000;
-
-/// [`LongRun::NotConverged`] at a point.
-pub(crate) fn unsettled<F: Float>(
-    equation: &Equation<F>,
-    y: &Point<F>,
-    residual: F,
-    budget: &Budget,
-) -> LongRun<F> {
-    LongRun::NotConverged {
-        state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
-        residual,
-        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    }
-}
-
-/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from.
-fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budget) -> (Point<F>, F) {
-    let mut longest: Option<(Slide<F>, F)> = None;
-    let begin = start.phase;
-    let turn = F::pi();
-    for phase in Trajectory::of(equation, start) {
-        let Body::Slide(slide, end) = &phase.body else { continue };
-        let longer = longest.as_ref().is_none_or(|(_, length)| end.phi >= *length);
-        let after = end.phase.since(begin);
-        if longer || after < turn {
-            longest = Some((*slide, end.phi));
-        }
-        if after >= F::int(2) * turn {
-            break;
-        }
-    }
-    budget.half_turns += 2;
-    let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
-    let Some((slide, length)) = longest else { return (here, turn / equation.omega) };
-    let half = length / F::int(2);
-    (middle(&slide, half), half)
-}
-
-/// The fastest point of a non-sticking cycle, and the natural time from there to the maximum displacement.
-fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
-    let minimum = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.displacement_phase() - F::pi());
-    let slide = Slide::new(equation, minimum, -cycle.max_displacement(), F::int(0), Direction::Forward);
-    let lag = cycle.displacement_phase() - cycle.velocity_phase();
-    let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
-    (middle(&slide, (F::pi() - lag) / equation.omega), lag / equation.omega)
-}
-
-/// The point of a slide at natural time φ.
-fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
-    let motion = slide.motion(phi);
-    let phase = slide.start.advanced(slide.equation.omega * phi);
-    Point { phase, x: motion.x, w: motion.w }
-}
 
 /// The parts of a tally that a steady state keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -190,6 +43,22 @@ impl<F: Float> Summary<F> {
             energy_out: tally.work_out,
         }
     }
+
+    /// Of a symmetric cycle of two slides: its greatest displacement and velocity, and the work of the drive and against friction.
+    #[inline]
+    pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
+        Self {
+            max_x,
+            min_x: max_x.mirrored(),
+            max_v,
+            min_v: max_v.mirrored(),
+            sticks: 0,
+            zeros: 2,
+            stick_fraction: F::int(0),
+            energy_in,
+            energy_out,
+        }
+    }
 }
 
 /// A periodic motion, with or without stops.
@@ -217,16 +86,20 @@ pub struct SteadyState<F> {
 
 impl<F: Float> SteadyState<F> {
     /// The exact motion that the closed forms of the non-sticking cycle lead to: confirmed where they hold, from half a cycle
-    /// of the motion itself.
+    /// of the motion itself. That a motion so confirmed is nowhere faster than at ω_d t₁ is the cycle's own proof.
     ///
     /// # Errors
-    /// [`Error::Sticks`] never, since there is a cycle; as for [`Trajectory::new`].
+    /// As for [`crate::exact::Trajectory::new`].
     pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
+        let is_family = family::is_one(ratios);
+        if !is_family && let Some(steady) = confirmed(equation, cycle) {
+            return Ok(LongRun::Periodic(steady));
+        }
         let budget = Budget { half_turns: 0, most: 2 * u64::from(DEFAULT_BUDGET) };
         let (section, hint) = fastest_point(equation, cycle);
-        if family::is_one(ratios) {
+        if is_family {
             return Ok(family::member(equation, section, hint, budget));
         }
         Ok(LongRun::shot(equation, section, hint, || None, budget))
@@ -322,7 +195,7 @@ impl<F: Float> SteadyState<F> {
         self.periods
     }
 
-    /// A state on the motion, from which [`Trajectory::new`] follows it.
+    /// A state on the motion, from which [`crate::exact::Trajectory::new`] follows it.
     pub fn state(&self) -> State<F> {
         State { phase: self.start.phase, x: self.start.x, v: self.start.w / self.equation.omega }
     }
@@ -344,13 +217,13 @@ fn error_measures<F: Float>(equation: Equation<F>, start: &Point<F>) -> ErrorMea
 /// as in its Figure 3.
 ///
 /// # Errors
-/// As for [`Trajectory::new`].
+/// As for [`crate::exact::Trajectory::new`].
 pub fn errors_after<F: Float>(
     ratios: Ratios<F>,
     start: State<F>,
     cycles: u32,
 ) -> Result<ErrorMeasures<F>, Error> {
-    let equation = Equation::new(trajectory::resolved(ratios)?);
+    let equation = Equation::new(resolved(ratios)?);
     let usual = F::pi() / equation.omega;
     let mut point = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
     let mut parts = Vec::new();
@@ -359,10 +232,4 @@ pub fn errors_after<F: Float>(
         (point, parts) = (cycle.end, cycle.parts);
     }
     Ok(error_measures(equation, &point))
-}
-
-/// Whether Ω is 1/(2n), to within the rounding of Ω.
-pub(crate) fn is_even_subharmonic<F: Float>(omega: F) -> bool {
-    let p = PhaseFunction::of_valid(omega);
-    p.quarter() & 1 == 0 && omega < F::int(1) && p.remainder().abs() <= F::int(4) * F::epsilon() / omega
 }

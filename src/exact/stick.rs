@@ -4,7 +4,8 @@
 //! `α sin θ` rises through `x + 1` and backward where it falls through `x − 1`: at an arcsine, or never.
 
 use super::drive::DrivePhase;
-use super::slide::{Direction, Equation};
+use super::equation::Equation;
+use super::slide::Direction;
 use crate::float::Float;
 
 /// A stop: the body at rest at x until a phase in closed form, or for ever.
@@ -81,7 +82,7 @@ fn release<F: Float>(alpha: F, now: DrivePhase<F>, x: F, direction: Direction) -
 mod tests {
     use super::Stick;
     use crate::Ratios;
-    use crate::exact::slide::Equation;
+    use crate::exact::equation::Equation;
     use crate::exact::{Direction, DrivePhase};
     use std::f64::consts::{FRAC_PI_2, PI};
 

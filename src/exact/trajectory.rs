@@ -1,75 +1,14 @@
 //! The motion as a sequence of phases: slide, stick, slide …
 
 use super::drive::DrivePhase;
-use super::slide::{Direction, Equation, Slide};
+use super::equation::Equation;
+use super::slide::{Direction, Slide};
+use super::state::{Instant, State};
 use super::stick::{Stick, force_rounding};
 use super::velocity_zero::VelocityZero;
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::ratios::{Ratios, finite};
-
-/// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State<F> {
-    /// Phase θ = ω_d t.
-    pub phase: DrivePhase<F>,
-    /// Displacement x/B.
-    pub x: F,
-    /// Velocity x′/(Bω_d).
-    pub v: F,
-}
-
-impl<F: Float> State<F> {
-    /// At rest at x = 0 and θ = 0.
-    pub fn rest() -> Self {
-        let zero = F::int(0);
-        Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
-    }
-
-    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ.
-    ///
-    /// # Errors
-    /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,
-    /// e = [`Float::RATIO_EXPONENT`].
-    pub fn new(theta: F, x: F, v: F) -> Result<Self, Error> {
-        let bounded = |quantity, value: F| {
-            let most = F::exp2i(F::RATIO_EXPONENT);
-            let value = finite(quantity, value)?;
-            if value.abs() <= most {
-                return Ok(value);
-            }
-            Err(Error::OutOfRange {
-                quantity,
-                value: value.to_string(),
-                least: (-most).to_string(),
-                greatest: most.to_string(),
-            })
-        };
-        Ok(Self {
-            phase: DrivePhase::new(theta)?,
-            x: bounded(Quantity::Displacement, x)?,
-            v: bounded(Quantity::Velocity, v)?,
-        })
-    }
-}
-
-/// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Instant<F> {
-    /// Phase, displacement and velocity.
-    pub state: State<F>,
-    /// Acceleration `x″/(Bω_d²)`.
-    pub acceleration: F,
-    /// Friction force `r_a/r_y`, within ±1: the direction of sliding, or what holds the body.
-    pub friction: F,
-}
-
-impl<F: Float> Instant<F> {
-    /// The constitutive force `r/r_y = (r_a + k x)/r_y`, friction and spring together (eq. 1).
-    pub fn constitutive_force(&self) -> F {
-        self.friction + self.state.x
-    }
-}
+use crate::ratios::Ratios;
 
 /// How a phase of the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -252,7 +191,7 @@ impl<F: Float> Next<F> {
 pub struct Trajectory<F> {
     pub(crate) equation: Equation<F>,
     next: Option<Next<F>>,
-    /// Natural length of the last slide: the next is as long in a steady motion without stops.
+    /// Natural length expected of the next slide, from the last one.
     hint: F,
 }
 
@@ -289,8 +228,11 @@ impl<F: Float> Iterator for Trajectory<F> {
             Next::Slide(slide) => {
                 // Every slide ends: the search comes back empty only where it is given a limit.
                 let zero = slide.velocity_zero(self.hint)?;
-                self.hint = zero.phi;
                 let (next, end) = Next::after(&slide, &zero);
+                self.hint = match &next {
+                    Next::Slide(back) if end == End::Reversal => slide.expected_next(&zero, back),
+                    Next::Slide(_) | Next::Stick(_) => zero.phi,
+                };
                 self.next = Some(next);
                 Some(Phase { body: Body::Slide(slide, zero), end })
             }

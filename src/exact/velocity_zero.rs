@@ -1,8 +1,10 @@
 //! The end of a slide: the first zero of its velocity.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
 use super::event::{Found, Safe, Search, Verdict, next_zero};
-use super::slide::{Direction, Equation, Motion, Slide};
+use super::motion::Motion;
+use super::slide::{Direction, Slide};
 use crate::float::Float;
 
 /// How a slide ends.
@@ -35,20 +37,10 @@ impl<F: Float> Slide<F> {
     /// The motion at the limit, which comes first (`None` where there is no limit: every slide ends).
     #[inline]
     pub(crate) fn until(&self, hint: F, limit: Option<F>) -> Result<VelocityZero<F>, Option<Motion<F>>> {
-        let zero = F::int(0);
-        let Equation { omega, .. } = self.equation;
+        let omega = self.equation.omega;
         let sign = self.direction.sign::<F>();
         let start = self.motion_at_start().velocity_jet(omega, sign);
-        let search = Search {
-            omega,
-            angle: self.start.angle(),
-            helping: self.start.is_even() == (self.direction == Direction::Forward),
-            from_zero: start.value <= zero,
-            limit,
-            hint,
-            safe: self.safe_window(),
-            noise: F::int(4) * F::epsilon() * self.velocity_scale(),
-        };
+        let search = self.velocity_search(hint, limit);
         let found = next_zero(&search, start, |phi| {
             let m = self.motion(phi);
             (m.velocity_jet(omega, sign), m)
@@ -57,6 +49,22 @@ impl<F: Float> Slide<F> {
             Verdict::Zero(found) => Ok(self.arrival(&found)),
             Verdict::Clear(Some((_, motion))) => Err(Some(motion)),
             Verdict::Clear(None) => Err(limit.map(|phi| self.motion(phi))),
+        }
+    }
+
+    /// What is known of the velocity before it is looked at.
+    #[inline]
+    fn velocity_search(&self, hint: F, limit: Option<F>) -> Search<F> {
+        let sign = self.direction.sign::<F>();
+        Search {
+            omega: self.equation.omega,
+            angle: self.start.angle(),
+            helping: self.start.is_even() == (self.direction == Direction::Forward),
+            from_zero: sign * self.w <= F::int(0),
+            limit,
+            hint,
+            safe: self.safe_window(),
+            noise: F::int(4) * F::epsilon() * self.velocity_scale(),
         }
     }
 
@@ -156,10 +164,13 @@ impl<F: Float> Slide<F> {
 mod tests {
     use super::VelocityZero;
     use crate::exact::drive::DrivePhase;
-    use crate::exact::slide::{Direction, Equation, Slide};
+    use crate::exact::equation::Equation;
+    use crate::exact::event::{Verdict, next_zero};
+    use crate::exact::slide::{Direction, Slide};
     use crate::nonsticking::{displacement_phase, max_displacement};
     use crate::phase_function::{PhaseFunction, one_minus_square};
     use crate::{Border, Ratios};
+    use std::cell::Cell;
     use std::f64::consts::PI;
 
     /// The end of the rising half of the closed-form cycle at (Ω, α), which need not be a motion.
@@ -191,6 +202,41 @@ mod tests {
                 assert!((end.phi - touch).abs() < 1e-6, "Ω = {omega}: {touch} {end:?}");
             }
         }
+    }
+
+    #[test]
+    fn the_work_is_bounded() {
+        // A number in [0, 1) from three counters, without order.
+        let spread = |i: u32, j: u32| {
+            (f64::from(i) * 0.618_033_988_749_895 + f64::from(j) * 0.414_213_562_373_095).fract()
+        };
+        let (mut most, mut sum, mut slides) = (0, 0, 0);
+        for i in 0..40_000 {
+            let omega = 10f64.powf(6.0 * spread(i, 0) - 3.0);
+            let alpha = 1.0 + 10f64.powf(4.0 * spread(i, i / 7) - 2.0);
+            let theta = 7.0 * spread(i / 3, i);
+            let reach = 2.0 * (1.0 + alpha) / (1.0 + omega);
+            let (x, w) = (reach * (spread(i / 5, i) - 0.5), reach * spread(i, i / 11));
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let start = DrivePhase::new(theta).unwrap();
+            let slide = Slide::new(equation, start, x, w, Direction::Forward);
+            let evaluations = Cell::new(0);
+            let verdict = next_zero(
+                &slide.velocity_search(PI / omega, None),
+                slide.motion_at_start().velocity_jet(omega, 1.0),
+                |phi| {
+                    evaluations.set(evaluations.get() + 1);
+                    let m = slide.motion(phi);
+                    (m.velocity_jet(omega, 1.0), m)
+                },
+            );
+            assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
+            most = most.max(evaluations.get());
+            sum += evaluations.get();
+            slides += 1;
+        }
+        assert!(most <= 24, "{most}");
+        assert!(sum <= 6 * slides, "{sum} of {slides}");
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! From one phase of the drive to another, through whatever happens in between, with what a disturbance becomes.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
 use super::matrix::Matrix;
-use super::slide::{Equation, Motion, Slide};
+use super::motion::Motion;
+use super::slide::Slide;
 use super::stick::Stick;
 use super::trajectory::Next;
 use super::velocity_zero::VelocityZero;
@@ -97,7 +99,7 @@ mod tests {
     use super::{Point, walk};
     use crate::Ratios;
     use crate::exact::DrivePhase;
-    use crate::exact::slide::Equation;
+    use crate::exact::equation::Equation;
 
     #[test]
     fn the_monodromy_is_the_derivative_of_the_walk() {

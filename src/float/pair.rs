@@ -70,6 +70,12 @@ impl<F: Float> Pair<F> {
         Self { hi: F::pi(), lo: F::pi_rest().0 }
     }
 
+    /// The parts in another number type, each rounded on its own.
+    #[must_use]
+    pub fn map<G>(self, to: impl Fn(F) -> G) -> Pair<G> {
+        Pair { hi: to(self.hi), lo: to(self.lo) }
+    }
+
     /// The number, rounded once.
     #[inline]
     #[must_use]

@@ -119,6 +119,16 @@ impl<F: Float> Border<F> {
         PhaseFunction::new(omega).map(|p| Self::at(&p))
     }
 
+    /// The same border in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Border<G> {
+        Border {
+            min_force_ratio: to(self.min_force_ratio),
+            turning_point: to(self.turning_point),
+            phase: to(self.phase),
+            least_displacement: to(self.least_displacement),
+        }
+    }
+
     /// The border at the frequency ratio of `p`.
     #[inline]
     pub fn at(p: &PhaseFunction<F>) -> Self {

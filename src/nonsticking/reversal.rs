@@ -32,6 +32,11 @@ impl<F: Float> Reversal<F> {
         Self { sine, displacement: sine / p.one_minus_square().abs() }
     }
 
+    /// The same in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Reversal<G> {
+        Reversal { sine: self.sine.map(&to), displacement: self.displacement.map(&to) }
+    }
+
     /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity, `k` = K(Ω).
     ///
     /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in pairs, because

@@ -105,9 +105,22 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
     if half.omega() >= F::ratio(1, 2)
         && let Some(found) = from_centre(half)
     {
-        return found;
+        return found.differentiated(half);
     }
-    from_afar(half.omega(), half.max_displacement(), k, alpha)
+    from_afar(half.omega(), half.max_displacement(), k, alpha).differentiated(half)
+}
+
+impl<F: Float> Fastest<F> {
+    /// The same with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is stationary.
+    #[inline]
+    fn differentiated(self, half: &HalfCycle<F>) -> Self {
+        let psi = self.psi.implicit_root(|psi| {
+            let jet = half.velocity(psi);
+            (jet.first, jet.second)
+        });
+        let velocity = self.velocity.differentiated_as(|| half.velocity(psi.constant()).value);
+        Self { psi, velocity }
+    }
 }
 
 /// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,

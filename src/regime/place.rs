@@ -49,7 +49,8 @@ impl<F: Float> Place<F> {
 
     /// The place of ratios that are exact as they stand.
     ///
-    /// At Ω = 1/(2n) the border 1/Ω² − 1 is exact, and so is the verdict.
+    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that
+    /// is 1/(2n) to within its rounding counts as degenerate: the motion would take 10¹⁵ cycles to tell.
     pub fn new(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
@@ -58,7 +59,10 @@ impl<F: Float> Place<F> {
         let verdict = if p.value() == F::int(0) {
             degenerate(ratios)
         } else {
-            decide((omega, omega), (alpha, alpha), &BorderRange { least, greatest: Some(least) })
+            let line = BorderRange { least, greatest: Some(least) };
+            let verdict = decide((omega, omega), (alpha, alpha), &line);
+            let is_family = matches!(verdict, Verdict::NonSticking) && p.is_even_subharmonic();
+            if is_family { Verdict::Degenerate(Family::at(ratios, least)) } else { verdict }
         };
         Self { ratios, border, verdict }
     }
@@ -203,12 +207,16 @@ mod tests {
             assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
             assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
         }
-        assert_eq!(verdict(0.5f64.next_down(), 4.0), Verdict::NonSticking);
+        assert_eq!(verdict(0.5 * (1.0 - 1e-14), 4.0), Verdict::NonSticking);
+        match verdict(1.0 / 6.0, 70.0) {
+            Verdict::Degenerate(family) => assert!((family.greatest_shift() - 1.0).abs() < 1e-13),
+            other => panic!("{other:?}"),
+        }
     }
 
     #[test]
     fn undecided_within_the_error_bound_only() {
-        for omega in [0.05, 0.22, 0.3, 0.4, 0.45, 0.7, 0.99, 1.5, 20.0, 1.0 / 3.0] {
+        for omega in [0.052, 0.22, 0.3, 0.4, 0.45, 0.7, 0.99, 1.5, 20.0, 1.0 / 3.0] {
             let least = Border::new(omega).unwrap().min_force_ratio();
             for over in [0.0, 4.0, -4.0] {
                 assert_eq!(verdict(omega, least * (1.0 + over * f64::EPSILON)), EITHER, "{omega}");

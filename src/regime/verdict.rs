@@ -11,11 +11,14 @@ use crate::ratios::Ratios;
 pub enum Verdict<F> {
     /// α ≤ 1: it ends at rest.
     AtRest,
-    /// 1 < α < α_min(Ω): it stops for a while in every cycle.
+    /// 1 < α < α_min(Ω): the motion that reverses twice a cycle and never stops does not exist. The body stops for a while in
+    /// every cycle, but for one exception: within about 1 % of a pole 1/(2n+1) there are α well below the border with which it
+    /// never stops and reverses six times a cycle, as at (0.334325, 149.563). Just below the border it always stops:
+    /// where the velocity first touches zero, so does the acceleration, and the force is within the friction bound.
     Sticking,
-    /// α ≥ α_min(Ω): it never stops for longer than an instant, and settles on one symmetric cycle.
+    /// α ≥ α_min(Ω): it never stops for longer than an instant, reverses twice a cycle, and settles on one symmetric cycle.
     NonSticking,
-    /// The same at Ω = 1/(2n), where it settles on a member of a family of cycles, which one depending on the start.
+    /// The same at Ω = 1/(2n), to within the rounding of Ω, where it settles on a member of a family of cycles, which one depending on the start.
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
     Unbounded,

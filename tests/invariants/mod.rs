@@ -2,7 +2,10 @@
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
-use stickslip::{Cycle, Drive, Error, Oscillator, Quantity, Ratios, Regime, Response, Scales};
+use stickslip::{
+    Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Place, Quantity, Ratios, Regime, Response,
+    Scales, design,
+};
 
 /// Everything the closed forms promise at (Ω, α), and the waveform at one phase.
 ///
@@ -29,6 +32,8 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
         Regime::Unbounded => assert!(omega == 1.0 && alpha >= least),
         Regime::NonSticking => assert!(omega != 1.0 && alpha >= least),
     }
+    place(ratios, answer.regime());
+    inverse_questions(omega, alpha);
     let again = Cycle::new(ratios);
     match answer.cycle() {
         Some(found) => {
@@ -36,6 +41,45 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
             cycle(found, phase);
         }
         None => assert!(again.is_err()),
+    }
+}
+
+/// A verdict that is decided is that of the rounded border, but for a few units in its last place at Ω = 1/(2n).
+fn place(ratios: Ratios<f64>, regime: Regime) {
+    let place = Place::new(ratios);
+    let margin = place.margin();
+    assert!(margin >= 0.0 && margin.is_finite(), "margin {margin:e}");
+    match place.verdict().regime() {
+        Some(decided) => assert!(decided == regime || (margin - 1.0).abs() < 1e-15, "{place:?} {regime:?}"),
+        None => assert!((margin - 1.0).abs() < 1e-14, "{place:?}"),
+    }
+}
+
+/// An answer is finite and keeps the body sliding, whatever was asked.
+fn inverse_questions(omega: f64, target: f64) {
+    let p = PhaseFunction::new(omega).unwrap();
+    let least = Border::at(&p).min_force_ratio();
+    assert!(Border::sensitivity(&p).is_finite());
+    // Below 2⁻²⁴⁰ the slope itself can be beyond the largest double.
+    assert!(Border::slope(&p).is_finite() || omega < 2f64.powi(-240) && !Border::slope(&p).is_nan());
+    for force in
+        [design::force_ratio_for_displacement(omega, target), design::force_ratio_for_velocity(omega, target)]
+    {
+        match force {
+            Ok(force) => assert!(force >= least * (1.0 - 1e-15) && force.is_finite(), "{force:e}"),
+            Err(error) => assert!(error.to_string().contains(" must be "), "{error}"),
+        }
+    }
+    if let Ok(best) = design::most_dissipating_force_ratio(omega) {
+        assert!(best.force_ratio >= least && best.loop_size >= 0.0, "{best:?}");
+    }
+    let (low, high) = (omega * 0.9, omega * 1.1);
+    if let Ok(mut bands) = design::bands(target, low, high)
+        && let Some(Ok(band)) = bands.next()
+    {
+        assert!(low <= band.low && band.low <= band.high && band.high <= high, "{band:?}");
+        assert!(Border::new(band.low).unwrap().min_force_ratio() <= target);
+        assert!(Border::new(band.high).unwrap().min_force_ratio() <= target);
     }
 }
 
@@ -59,6 +103,9 @@ fn cycle(cycle: &Cycle<f64>, phase: f64) {
     }
     assert!(cycle.deviation().is_finite());
     assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
+    let multipliers = cycle.multipliers();
+    assert!(multipliers.cycle().modulus() <= 1.0 + 4e-15, "{multipliers:?}");
+    assert!((multipliers.half_cycle().modulus() - cycle.contraction()).abs() <= 1e-7, "{multipliers:?}");
     assert!(cycle.loop_size_stiffness() >= 0.0 && cycle.loop_size_inertia() >= 0.0);
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
     assert_eq!(x.is_nan(), !phase.is_finite());

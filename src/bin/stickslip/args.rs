@@ -1,6 +1,10 @@
 //! What can be typed.
 
+mod pictures;
+
 use clap::{Args, Parser, Subcommand, ValueEnum};
+use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES, SWEEP_EXAMPLES};
+pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, SweepArgs, Swept};
 use std::path::PathBuf;
 
 /// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
@@ -25,12 +29,27 @@ pub(crate) enum Command {
     /// The exact motion from a start, phase by phase or sampled.
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),
+    /// The questions asked backwards: from what the machine is to do, to what it takes.
+    #[command(subcommand, after_help = DESIGN_EXAMPLES)]
+    Design(Question),
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
     /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one fails.
     #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
+    /// A figure of the paper, or one of ours, from this library's results.
+    #[command(after_help = FIGURE_EXAMPLES)]
+    Figure(FigureArgs),
+    /// All figures at once.
+    #[command(after_help = FIGURES_EXAMPLES)]
+    Figures(FiguresArgs),
+    /// Answers over a grid of Ω and α, in parallel, in order, resumable.
+    #[command(after_help = SWEEP_EXAMPLES)]
+    Sweep(SweepArgs),
+    /// The plane of Ω and α by regime, margin, stops or any output, as CSV or a picture.
+    #[command(after_help = MAP_EXAMPLES)]
+    Map(MapArgs),
 }
 
 const STEADY_EXAMPLES: &str = "\
@@ -45,6 +64,63 @@ Examples:
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2
   stickslip simulate --omega 0.4 --alpha 6 --cycles 2 --samples 200 --format csv > motion.csv
   stickslip simulate --omega 1.5 --alpha 2.5 --cycles 100 --x0 4 --v0 -1 --format jsonl";
+
+const DESIGN_EXAMPLES: &str = "\
+Examples:
+  stickslip design force --mass 50 --stiffness 1000 --friction 5 --frequency 6
+  stickslip design friction --mass 50 --stiffness 1000 --frequency 6 --force 12
+  stickslip design bands --alpha 12 --from 0.1 --to 2
+  stickslip design displacement --omega 1.5 --target 2
+  stickslip design dissipation --mass 50 --stiffness 1000 --frequency 6 --force 12 --units kN,m
+  stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500";
+
+/// What is asked, in ratios or in physical units.
+#[derive(Debug, Subcommand)]
+pub(crate) enum Question {
+    /// The least force, or base motion, that keeps it from sticking
+    Force(QuestionArgs),
+    /// The greatest friction with which a force keeps it from sticking
+    Friction(QuestionArgs),
+    /// The frequencies, between --from and --to, at which it never sticks
+    Bands(QuestionArgs),
+    /// The force for the maximum displacement --target
+    Displacement(QuestionArgs),
+    /// The force for the maximum velocity --target
+    Velocity(QuestionArgs),
+    /// The friction that dissipates most, without sticking or, with --sticking, of all
+    Dissipation(QuestionArgs),
+    /// The stiffness, between --from and --to, that dissipates most without sticking
+    Stiffness(QuestionArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct QuestionArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    /// Lower end of a range: of Ω or, in physical units, of what is asked for
+    #[arg(long, value_name = "LOW", allow_hyphen_values = true)]
+    pub(crate) from: Option<String>,
+    /// Upper end of a range
+    #[arg(long, value_name = "HIGH", allow_hyphen_values = true)]
+    pub(crate) to: Option<String>,
+    /// Of dissipation: sticking allowed, to a proven tolerance of 1e-6
+    #[arg(long)]
+    pub(crate) sticking: bool,
+    /// What is to be reached: in units of B or B ω_d, or of length or length per time
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) target: Option<String>,
+    /// text or json
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N")]
+    pub(crate) bits: Option<u32>,
+    /// Names of the units of force and length in the text answer
+    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
+    pub(crate) units: UnitNames,
+}
 
 const DECAY_EXAMPLES: &str = "\
 Examples:

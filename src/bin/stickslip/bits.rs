@@ -5,9 +5,9 @@ use std::str::FromStr;
 use stickslip::Float;
 
 /// A number the command can read and write.
-pub(crate) trait Value: Float + FromStr {}
+pub(crate) trait Value: Float + FromStr + Send + Sync {}
 
-impl<F: Float + FromStr> Value for F {}
+impl<F: Float + FromStr + Send + Sync> Value for F {}
 
 /// A command, whatever the number.
 pub(crate) trait Task {

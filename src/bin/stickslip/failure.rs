@@ -59,6 +59,9 @@ impl From<csv::Error> for Failure {
 /// The parser's own message on one line, without its usage and hints.
 impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
+        if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+            return Self::Input("a command is missing; --help lists them".to_owned());
+        }
         let text = error.to_string();
         let message: Vec<&str> =
             text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();

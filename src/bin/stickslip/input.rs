@@ -125,11 +125,11 @@ pub(crate) fn number<F: Value>(name: &str, text: &str) -> Result<F, Failure> {
     text.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
 }
 
-fn is_physical(machine: &MachineArgs) -> bool {
+pub(crate) fn is_physical(machine: &MachineArgs) -> bool {
     [&machine.mass, &machine.stiffness, &machine.friction, &machine.frequency].iter().any(|a| a.is_some())
 }
 
-fn required<F: Value>(name: &str, given: Option<&String>) -> Result<F, Failure> {
+pub(crate) fn required<F: Value>(name: &str, given: Option<&String>) -> Result<F, Failure> {
     match given {
         Some(text) => number(name, text),
         None => Err(Failure::Input(format!("{name} is missing"))),
@@ -178,7 +178,7 @@ fn drive<F: Value>(
 }
 
 /// The library's error behind the argument, or arguments, that it comes from.
-fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
+pub(crate) fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
     let quantity = error.quantity();
     let given: [(&str, &Option<String>, &[Quantity]); 8] = {
         use Quantity as Q;
@@ -206,5 +206,9 @@ fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
         .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
         .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
         .collect();
-    Failure::Input(format!("{}: {error}", named.join(" ")))
+    match named.join(" ") {
+        // No argument is at fault alone.
+        arguments if arguments.is_empty() => Failure::Input(error.to_string()),
+        arguments => Failure::Input(format!("{arguments}: {error}")),
+    }
 }

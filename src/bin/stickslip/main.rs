@@ -1,4 +1,5 @@
-//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `decay`, `verify`.
+//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`, `verify`,
+//! `figure`, `figures`, `sweep`, `map`.
 
 #![cfg_attr(
     not(test),
@@ -16,16 +17,22 @@ mod args;
 mod bits;
 mod border;
 mod decay;
+mod design;
 mod failure;
+mod figure;
+mod grid;
 mod input;
 mod interrupt;
+mod map;
 mod note;
 mod points;
+mod progress;
 mod record;
 mod response;
 mod simulate;
 mod sink;
 mod steady;
+mod sweep;
 mod verify;
 
 use args::{Command, CommandLine};
@@ -56,8 +63,13 @@ fn run(command: &Command) -> Outcome {
         Command::Border(args) => border::run(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
+        Command::Design(question) => design::run(question, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
+        Command::Figure(args) => figure::run(args, &mut out)?,
+        Command::Figures(args) => figure::run_all(args, &mut out)?,
+        Command::Sweep(args) => sweep::run(args, &mut out)?,
+        Command::Map(args) => map::run(args, &mut out)?,
     }
     Ok(out.flush()?)
 }

@@ -4,7 +4,7 @@ use crate::args::UnitNames;
 use crate::bits::Value;
 use crate::input::{BorderScales, Machine};
 use std::io::{self, Write};
-use stickslip::{Border, Cycle, PhaseFunction, Regime, Response, nonsticking};
+use stickslip::{Cycle, Regime, Response, nonsticking};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
@@ -38,7 +38,7 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
             "Stuck: α ≤ 1, the force never exceeds friction, and the body ends at rest for good.".into()
         }
         Regime::Sticking => format!(
-            "Sticking: the body stops for a while in every cycle; the force is {margin} of what it would take to keep it sliding."
+            "Sticking: the body does not slide through its cycle; the force is {margin} of what it would take."
         ),
         Regime::NonSticking => {
             format!("Non-sticking: the body never stops; the force is {margin} times the least that does it.")
@@ -139,19 +139,19 @@ fn needed_force<F: Value>(
 
 /// The note on a border.
 pub(crate) fn border<F: Value>(
-    p: &PhaseFunction<F>,
-    border: &Border<F>,
+    answer: &Response<F>,
     scales: Option<BorderScales<F>>,
     units: &UnitNames,
     out: &mut impl Write,
 ) -> io::Result<()> {
+    let (omega, border) = (answer.ratios().omega(), answer.border());
     let forces = |x| both(x, "r_y", scales.map(|s| s.force), &units.force);
     let lengths = |x| both(x, "B", scales.map(|s| s.length), &units.length);
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
     writeln!(
         out,
         "At Ω = {} the body does not stick from a force of {} r_y on.\n",
-        digits(p.omega()),
+        digits(omega),
         digits(border.min_force_ratio())
     )?;
     writeln!(out, "  least force              {}", forces(border.min_force_ratio()))?;
@@ -159,7 +159,7 @@ pub(crate) fn border<F: Value>(
     writeln!(
         out,
         "    (eq. 61{})",
-        if p.omega() >= F::ratio(1, 2) { ", exact here" } else { ", necessary only below Ω = 1/2" }
+        if omega >= F::ratio(1, 2) { ", exact here" } else { ", necessary only below Ω = 1/2" }
     )?;
     writeln!(out, "  least displacement       {}", lengths(border.least_displacement()))?;
     writeln!(out, "  it would stop first at   {} after its maximum", times(border.phase()))

@@ -6,7 +6,7 @@ use crate::input::{BorderScales, Machine};
 use crate::note;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
-use stickslip::{Border, PhaseFunction, Response, nonsticking};
+use stickslip::Response;
 
 /// A value of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +18,21 @@ pub(crate) enum Cell<F> {
     Count(Option<u64>),
     /// Two complex numbers, each as its real and imaginary part.
     Pairs(Option<[(F, F); 2]>),
+}
+
+impl<F: Value> Cell<F> {
+    /// As a reader wants it: seven digits at f64, a dash for what does not exist.
+    pub(crate) fn text(&self) -> String {
+        let dash = || "–".to_owned();
+        match self {
+            Self::Text(text) => (*text).to_owned(),
+            Self::Number(number) => number.map_or_else(dash, note::digits),
+            Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
+            Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
+                pairs.map(|(re, im)| format!("{} {} i", note::digits(re), note::digits(im))).join(", ")
+            }),
+        }
+    }
 }
 
 /// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
@@ -83,8 +98,8 @@ impl<F: Value> Record<F> {
                 ("deviation", of_cycle(|c| c.deviation())),
                 ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
                 ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
-                ("loop_size_stiffness", of_cycle(|c| c.loop_size_stiffness())),
-                ("loop_size_inertia", of_cycle(|c| c.loop_size_inertia())),
+                ("loop_size_stiffness", Cell::Number(response.loop_size_stiffness())),
+                ("loop_size_inertia", Cell::Number(response.loop_size_inertia())),
                 ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
                 ("best_loop_size", Cell::Number(response.best_loop_size())),
                 ("contraction", of_cycle(|c| c.contraction())),
@@ -93,17 +108,17 @@ impl<F: Value> Record<F> {
         }
     }
 
-    /// The border at Ω and the best force ratio there.
-    pub(crate) fn of_border(p: &PhaseFunction<F>, border: &Border<F>) -> Self {
-        let best = nonsticking::best_force_ratio(p.value());
+    /// The border at Ω and the best force ratio there, of a response at any α.
+    pub(crate) fn of_border(response: &Response<F>) -> Self {
+        let border = response.border();
         Self {
             fields: vec![
-                ("omega", Cell::Number(Some(p.omega()))),
+                ("omega", Cell::Number(Some(response.ratios().omega()))),
                 ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
                 ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
                 ("border_phase", Cell::Number(Some(border.phase()))),
                 ("least_displacement", Cell::Number(Some(border.least_displacement()))),
-                ("best_force_ratio", Cell::Number(Some(best))),
+                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
             ],
             physical: Vec::new(),
         }
@@ -173,7 +188,7 @@ impl<F: Value> Record<F> {
                     number(|[_, (_, im)]| *im),
                 ]
             }
-            other => vec![other],
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![cell],
         });
         Ok(out.serialize(cells.collect::<Vec<_>>())?)
     }
@@ -190,12 +205,7 @@ impl<F: Value> Record<F> {
     /// One row of a table to read: seven digits, columns of one width.
     pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
         for (i, (_, cell)) in self.fields.iter().enumerate() {
-            let text = match cell {
-                Cell::Text(text) => (*text).to_owned(),
-                Cell::Number(number) => number.map_or_else(|| "–".to_owned(), note::digits),
-                Cell::Count(count) => count.map_or_else(|| "–".to_owned(), |n| n.to_string()),
-                Cell::Pairs(_) => String::new(),
-            };
+            let text = cell.text();
             let gap = if i == 0 { "" } else { "  " };
             write!(out, "{gap}{text:>COLUMN$}")?;
         }

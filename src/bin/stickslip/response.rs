@@ -25,11 +25,11 @@ impl<W: Write> Task for Run<'_, W> {
                 args.output.format,
                 ["omega", "alpha"],
                 out,
-                |[omega, alpha]| Ok(Record::of_response(&Response::new(Ratios::new(omega, alpha)?))),
+                |[omega, alpha]| Ok(Record::of_response(&Response::guarded(Ratios::new(omega, alpha)?))),
             );
         }
         let point = input::point::<F>(&args.machine, &args.force)?;
-        let response = Response::new(point.ratios);
+        let response = Response::guarded(point.ratios);
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
             Format::Json => {

@@ -5,9 +5,10 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::input::{self, Machine};
 use crate::interrupt;
+use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::exact::{Direction, DrivePhase, End, Instant, Kind, Phase, Trajectory};
 
@@ -104,11 +105,10 @@ struct Clock {
 
 impl Clock {
     fn new(cycles: u64) -> Self {
-        let target =
-            if stdout().is_terminal() { ProgressDrawTarget::hidden() } else { ProgressDrawTarget::stderr() };
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} cycles, {eta} left");
-        let bar = ProgressBar::with_draw_target(Some(cycles), target)
-            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let bar = progress::bar(cycles, "cycles");
+        if stdout().is_terminal() {
+            bar.set_draw_target(ProgressDrawTarget::hidden());
+        }
         Self { bar, cycle: 0 }
     }
 

@@ -69,7 +69,8 @@ fn names<F: Value>(limit: &LongRun<F>) -> (&'static str, &'static str) {
     }
 }
 
-fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
+/// All outputs of a steady state.
+pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
@@ -209,7 +210,7 @@ fn motion<F: Value>(
     writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
     let left = digits(steady.contraction().to_f64());
     writeln!(out, "  a disturbance shrinks to {left} of itself in a cycle")?;
-    let far = digits(steady.distance().0.to_f64());
+    let far = format!("{:.0e}", steady.distance().0.to_f64());
     let periods = digits(steady.periods().to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }

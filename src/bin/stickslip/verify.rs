@@ -3,7 +3,7 @@
 use crate::args::{Format, VerifyArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use crate::progress;
 use serde::Serialize;
 use std::io::{self, Write};
 use stickslip::verify::{Standing, Verdict, verify};
@@ -18,7 +18,7 @@ pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        let bar = progress_bar();
+        let bar = progress::bar(0, "points");
         let verdicts = verify::<F>(|done, all| {
             bar.set_length(all as u64);
             bar.set_position(done as u64);
@@ -42,13 +42,6 @@ fn conclusion(verdicts: &[Verdict]) -> Outcome {
         0 => Ok(()),
         failed => Err(Failure::Verdict(format!("{failed} of {} identities failed", verdicts.len()))),
     }
-}
-
-/// On a terminal; indicatif keeps it off anything else.
-fn progress_bar() -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} points, {eta} left");
-    ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr())
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
 fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> {

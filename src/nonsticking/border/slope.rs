@@ -27,36 +27,41 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 impl<F: Float> Border<F> {
     /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
     ///
-    /// Closed form but for the one bracketed root that the border has, too. Finite for every float Ω: no float is a
-    /// pole 1/(2n+1). Accuracy at f64: a few units in the last place of the larger of its two terms, so that near a
-    /// minimum of the border it is an absolute one.
+    /// Closed form but for the one bracketed root that the border has, too. No float is a pole 1/(2n+1), so that it
+    /// is finite for every float Ω but where its value is beyond the largest number of the type: f64, Ω below 2⁻²⁴⁰.
+    /// Accuracy at f64: a few units in the last place of the larger of its two terms, so that near a minimum of the
+    /// border it is an absolute one.
     #[must_use]
     pub fn slope(p: &PhaseFunction<F>) -> F {
-        let (border, omega, k) = (Self::at(p), p.omega(), p.value());
-        let alpha = border.min_force_ratio();
-        let s = border.least_displacement();
-        let (b, b_slope) = if border.is_turning_point() {
-            let inverse_square = F::int(1) / omega.square();
-            (one_minus_square(omega) * inverse_square, F::int(-2) * inverse_square / omega)
-        } else {
-            let s_slope = inner_slope(p);
-            (one_minus_square(omega) * s, one_minus_square(omega) * s_slope - F::int(2) * omega * s)
-        };
-        k / alpha * p.slope() + b / alpha * b_slope
+        let border = Self::at(p);
+        border.relative_slope(p) * border.min_force_ratio() / p.omega()
     }
 
     /// How much faster than Ω the border changes, in relative terms: `Ω α_min′/α_min`.
     ///
     /// The condition number of the border: large beside a pole 1/(2n+1), where an Ω that was measured or rounded says
-    /// little about the force.
+    /// little about the force. Finite for every float Ω.
     #[must_use]
     pub fn sensitivity(p: &PhaseFunction<F>) -> F {
-        p.omega() * Self::slope(p) / Self::at(p).min_force_ratio()
+        Self::at(p).relative_slope(p)
+    }
+
+    /// `Ω α_min′/α_min = [K (Ω K′) + b (Ω b′)]/α_min²`, in quotients that stay in range for any Ω.
+    fn relative_slope(&self, p: &PhaseFunction<F>) -> F {
+        let (omega, k, alpha) = (p.omega(), p.value(), self.min_force_ratio());
+        let (s, q) = (self.least_displacement(), one_minus_square(omega));
+        let (b, b_change) = if self.is_turning_point() {
+            let inverse_square = F::int(1) / omega.square();
+            (q * inverse_square, F::int(-2) * inverse_square)
+        } else {
+            (q * s, q * inner_change(p) - F::int(2) * omega.square() * s)
+        };
+        k / alpha * (omega * p.slope() / alpha) + b / alpha * (b_change / alpha)
     }
 }
 
-/// S′ on the bands below Ω = 1/2 where S is the inner stationary value.
-fn inner_slope<F: Float>(p: &PhaseFunction<F>) -> F {
+/// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.
+pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
     let (omega, gamma, tangent) = (p.omega(), p.lobe_phase().value(), p.tangent());
     let (_, cos_beta) = p.sin_cos();
     let cosine = cos_beta.abs();
@@ -67,7 +72,7 @@ fn inner_slope<F: Float>(p: &PhaseFunction<F>) -> F {
     let half = F::ratio(1, 2);
     let fall = fall_of_cosine(tau, zeta);
     let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
-    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine)) / omega
+    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine))
 }
 
 #[cfg(test)]

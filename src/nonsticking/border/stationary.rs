@@ -1,7 +1,8 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
 
+use super::slope::inner_change;
 use crate::float::{AtPrecision, Float, Real, pair::Pair};
-use crate::phase_function::{PhaseFunction, arc_less_sine};
+use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
 /// The stationary value as a width of the cycle, and where it is.
@@ -34,7 +35,16 @@ pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
     let sin_gamma = p.sine_magnitude();
     let width = p.pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
     let tau = tau.value();
+    // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
+    let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
+    let width = Pair::new(hi, width.lo.constant());
     Some(Inner { width, phase: if tangent > F::int(0) { tau } else { F::pi() - tau } })
+}
+
+/// The derivative of `(1 − Ω²) S` by Ω.
+fn change_of_width<F: Float>(p: &PhaseFunction<F>, width: F) -> F {
+    let (omega, q) = (p.omega().constant(), one_minus_square(p.omega()).constant());
+    q * inner_change(p).constant() / omega - F::int(2) * omega * width / q
 }
 
 /// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
@@ -84,7 +94,8 @@ pub(super) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     } else {
         F::narrowed(Start { omega, gamma })
     };
-    root::newton(start, F::int(0), F::pi(), |eta| stationarity(omega, gamma, eta))
+    let condition = |eta| stationarity(omega, gamma, eta);
+    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
 }
 
 /// The stationary point at a lower precision.

@@ -1,0 +1,45 @@
+//! Time a point of the batches, with every set of instructions the processor has, and of the exact steady state.
+
+mod columns;
+mod points;
+
+use columns::Columns;
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use stickslip::batch::{Batch, FixedOmega, Level};
+
+fn batch(criterion: &mut Criterion) {
+    let n = 8192;
+    let mut columns = Columns::new(n);
+    let (omega, alpha): (Vec<_>, Vec<_>) = points::points(n).into_iter().unzip();
+    let (low_omega, low_alpha): (Vec<_>, Vec<_>) = points::points_from(n, 0.35).into_iter().unzip();
+    let mut group = criterion.benchmark_group("batch");
+    group.throughput(Throughput::Elements(n as u64));
+    let mut batches: Vec<_> = Level::ALL
+        .into_iter()
+        .filter(|level| level.is_available())
+        .map(|level| (format!("{level:?}"), Batch::new().at_level(level)))
+        .collect();
+    #[cfg(feature = "rayon")]
+    batches.push(("threads".to_owned(), Batch::new().on_threads()));
+    for (name, batch) in batches.drain(..) {
+        group.bench_function(format!("triple/{name}"), |b| b.iter(|| columns.triple(batch, &omega, &alpha)));
+        group.bench_function(format!("cycles/{name}"), |b| b.iter(|| columns.cycles(batch, &omega, &alpha)));
+        group.bench_function(format!("cycles from 0.35/{name}"), |b| {
+            b.iter(|| columns.cycles(batch, &low_omega, &low_alpha));
+        });
+        if let Ok(row) = FixedOmega::new(1.5) {
+            group.bench_function(format!("triple at fixed Ω/{name}"), |b| {
+                b.iter(|| columns.triple_at(batch, &row, &alpha));
+            });
+            group.bench_function(format!("cycles at fixed Ω/{name}"), |b| {
+                b.iter(|| columns.cycles_at(batch, &row, &alpha));
+            });
+        }
+    }
+    group.finish();
+    let (omega, alpha) = (omega.split_at(64).0, alpha.split_at(64).0);
+    criterion.bench_function("batch/steady, 64 points", |b| b.iter(|| Batch::new().steady(omega, alpha)));
+}
+
+criterion_group!(benches, batch);
+criterion_main!(benches);

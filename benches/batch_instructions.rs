@@ -1,0 +1,40 @@
+//! One batch over many points and nothing else, to be run under an instruction counter: `batch_instructions KERNEL N` runs
+//! KERNEL over 12,800 points N times. The counter's processor decides the instructions: AVX2 under valgrind.
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program of its own: what it prints is its answer"
+)]
+
+mod columns;
+mod points;
+
+use columns::Columns;
+use stickslip::batch::{Batch, FixedOmega};
+
+const POINTS: usize = 12_800;
+
+fn main() {
+    let mut args = std::env::args().skip(1).filter(|a| a != "--bench");
+    let (Some(kernel), Some(n)) = (args.next(), args.next().and_then(|n| n.parse().ok())) else {
+        println!("batch_instructions KERNEL N");
+        return;
+    };
+    let least = if kernel.ends_with("-low") { 0.35 } else { 0.5 };
+    let (omega, alpha): (Vec<_>, Vec<_>) = points::points_from(POINTS, least).into_iter().unzip();
+    let (mut columns, batch) = (Columns::new(POINTS), Batch::new());
+    let Ok(row) = FixedOmega::new(1.5) else { return };
+    for _ in 0..n {
+        match kernel.as_str() {
+            "batch-triple" => columns.triple(batch, &omega, &alpha),
+            "batch-cycles" | "batch-cycles-low" => columns.cycles(batch, &omega, &alpha),
+            "batch-triple-fixed" => columns.triple_at(batch, &row, &alpha),
+            "batch-cycles-fixed" => columns.cycles_at(batch, &row, &alpha),
+            other => {
+                eprintln!("no kernel {other}");
+                std::process::exit(2);
+            }
+        }
+    }
+    println!("{:?}", batch.level());
+}

@@ -1,0 +1,65 @@
+//! The library's side of `benches/peers.sh`: `peers points FILE N LEAST` writes N points with Ω uniform from LEAST to 2.5, and
+//! `peers FILE` times them, the best of many runs, in nanoseconds a point.
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a program of its own: what it prints is its answer"
+)]
+
+mod columns;
+mod points;
+
+use columns::Columns;
+use std::time::Instant;
+use stickslip::batch::{Batch, FixedOmega, Level};
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let arguments: Vec<_> = std::env::args().skip(1).filter(|a| a != "--bench").collect();
+    match arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
+        ["points", file, n, least] => {
+            let points = points::points_from(n.parse()?, least.parse()?);
+            let columns = points.iter().map(|p| p.0).chain(points.iter().map(|p| p.1));
+            Ok(std::fs::write(file, columns.flat_map(f64::to_le_bytes).collect::<Vec<_>>())?)
+        }
+        [file] => {
+            let bytes = std::fs::read(file)?;
+            let numbers: Vec<_> =
+                bytes.as_chunks::<8>().0.iter().map(|chunk| f64::from_le_bytes(*chunk)).collect();
+            let (omega, alpha) = numbers.split_at(numbers.len() / 2);
+            time(omega, alpha);
+            Ok(())
+        }
+        _ => {
+            println!("peers points FILE N LEAST | peers FILE");
+            Ok(())
+        }
+    }
+}
+
+fn time(omega: &[f64], alpha: &[f64]) {
+    let mut columns = Columns::new(omega.len());
+    let report = |name: &str, kernel: &str, run: &mut dyn FnMut()| {
+        let best = (0..60).fold(f64::INFINITY, |best: f64, _| {
+            let start = Instant::now();
+            run();
+            best.min(start.elapsed().as_secs_f64())
+        });
+        println!("{name}\t{kernel}\t{:.2}", best / omega.len() as f64 * 1e9);
+    };
+    for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
+        let batch = Batch::new().at_level(level);
+        let name = format!("stickslip {level:?}");
+        report(&name, "triple", &mut || columns.triple(batch, omega, alpha));
+        report(&name, "cycle", &mut || columns.cycles(batch, omega, alpha));
+        if let Ok(row) = FixedOmega::new(1.5) {
+            report(&name, "triple, fixed Ω", &mut || columns.triple_at(batch, &row, alpha));
+            report(&name, "cycle, fixed Ω", &mut || columns.cycles_at(batch, &row, alpha));
+        }
+    }
+    #[cfg(feature = "rayon")]
+    {
+        let batch = Batch::new().on_threads();
+        report("stickslip, threads", "triple", &mut || columns.triple(batch, omega, alpha));
+        report("stickslip, threads", "cycle", &mut || columns.cycles(batch, omega, alpha));
+    }
+}

@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# The same closed forms in C (plain, and vectorised with the mathematics library's vector functions), numpy and numba
+# beside ours, over the same points in one run. Needs gcc; python3 with numpy, and numba, where they are to take part ($PYTHON).
+# Prints nanoseconds a point and how many times as long as plain C they take, the best of many runs each.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+n=${1:-100000}
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+ours=$(cargo bench --features rayon --bench peers --no-run --message-format json 2>/dev/null |
+    sed -n 's/.*"executable":"\([^"]*peers-[^"]*\)".*/\1/p' | tail -n 1)
+gcc -O2 -march=native benches/peers/closed_forms.c -o "$work/scalar" -lm
+gcc -O3 -march=native -ffast-math -fopenmp-simd -DVECTOR benches/peers/closed_forms.c -o "$work/vector" -lmvec -lm
+
+for least in 0.5 0.35; do
+    "$ours" points "$work/points" "$n" "$least"
+    printf '\n%s points, frequency ratios from %s to 2.5\n' "$n" "$least"
+    {
+        "$work/scalar" "$work/points"
+        "$work/vector" "$work/points"
+        "${PYTHON:-python3}" benches/peers/closed_forms.py "$work/points" 2>/dev/null || true
+        "$ours" "$work/points"
+    } | awk -F '\t' '
+        { split($2, name, ","); kernel = name[1] }
+        !(kernel in plain) { plain[kernel] = $3 }
+        { printf "%-34s %-18s %9.2f ns %8.2f x as fast as plain C\n", $1, $2, $3, plain[kernel] / $3 }'
+done

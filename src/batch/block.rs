@@ -1,0 +1,50 @@
+//! Blocks of points: short enough to stay in the first cache through several loops, long enough to fill the vectors.
+
+/// Points in a block.
+pub(crate) const POINTS: usize = 128;
+
+/// One quantity at the points of a block.
+pub(crate) type Block = [f64; POINTS];
+
+/// `O` quantities of `I` others at one point, without branches or calls.
+///
+/// A trait with `#[inline(always)]` functions, as closures and function pointers cannot be told to be inlined always, and what is not
+/// inlined is not compiled for the level's instructions.
+pub(crate) trait AtPoint<const I: usize, const O: usize> {
+    fn at(&self, inputs: [f64; I]) -> [f64; O];
+}
+
+/// One loop over a block: `outputs = f(inputs)`, point by point.
+///
+/// Simple enough that the compiler turns it into vector instructions.
+#[inline(always)]
+pub(crate) fn each<const I: usize, const O: usize>(
+    f: &impl AtPoint<I, O>,
+    inputs: [&Block; I],
+    mut outputs: [&mut Block; O],
+) {
+    for i in 0..POINTS {
+        let values = f.at(inputs.map(|block| block.get(i).copied().unwrap_or(0.0)));
+        for (block, value) in outputs.iter_mut().zip(values) {
+            if let Some(slot) = block.get_mut(i) {
+                *slot = value;
+            }
+        }
+    }
+}
+
+/// `yes` where `condition` holds, `no` elsewhere: both are computed, so that nothing branches.
+#[inline(always)]
+pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
+    if condition { yes } else { no }
+}
+
+/// The block that `rest` begins, its last point repeated to the end; `None` where there is none.
+pub(crate) fn padded(rest: &[f64]) -> Option<Block> {
+    let last = *rest.last()?;
+    let mut block = [last; POINTS];
+    for (slot, &x) in block.iter_mut().zip(rest) {
+        *slot = x;
+    }
+    Some(block)
+}

@@ -1,0 +1,94 @@
+//! Which vector instructions the loops are compiled for, chosen at run time.
+
+#[cfg(target_arch = "x86_64")]
+use pulp::x86::{V3, V4};
+
+/// The instructions a batch runs with.
+///
+/// One source for all of them, with the same fused products in the same order: [`Level::Portable`], [`Level::Avx2`] and
+/// [`Level::Avx512`] give the same bits. [`Level::Scalar`] is the library's own code for one point at a time, which
+/// agrees with them to within the errors that [`crate::batch`] states.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Level {
+    /// Point by point, without a batch's own code: where the processor has no fused product, the others would lose to it.
+    Scalar,
+    /// What the program was compiled for.
+    Portable,
+    /// x86-64 with AVX2 and FMA: four points at a time.
+    Avx2,
+    /// x86-64 with AVX-512 (F, BW, CD, DQ, VL): eight points at a time.
+    Avx512,
+}
+
+impl Level {
+    /// Every level, the fastest last.
+    pub const ALL: [Self; 4] = [Self::Scalar, Self::Portable, Self::Avx2, Self::Avx512];
+
+    /// The fastest level of this processor.
+    #[must_use]
+    pub fn best() -> Self {
+        if Self::Avx512.is_available() {
+            Self::Avx512
+        } else if Self::Avx2.is_available() {
+            Self::Avx2
+        } else if cfg!(any(target_arch = "aarch64", target_feature = "fma")) {
+            Self::Portable
+        } else {
+            Self::Scalar
+        }
+    }
+
+    /// Whether this processor has the level.
+    #[must_use]
+    pub fn is_available(self) -> bool {
+        match self {
+            Self::Scalar | Self::Portable => true,
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx2 => V3::is_available(),
+            #[cfg(target_arch = "x86_64")]
+            Self::Avx512 => V4::is_available(),
+            #[cfg(not(target_arch = "x86_64"))]
+            Self::Avx2 | Self::Avx512 => false,
+        }
+    }
+
+    /// Runs the loops of `task` with these instructions; with those the program was compiled for where the processor
+    /// does not have them.
+    #[inline]
+    pub(crate) fn run<T: Loops>(self, task: T) {
+        #[cfg(target_arch = "x86_64")]
+        match self {
+            Self::Avx2 => {
+                if let Some(processor) = V3::try_new() {
+                    return processor.vectorize(Vectorized(task));
+                }
+            }
+            Self::Avx512 => {
+                if let Some(processor) = V4::try_new() {
+                    return processor.vectorize(Vectorized(task));
+                }
+            }
+            Self::Scalar | Self::Portable => {}
+        }
+        task.run();
+    }
+}
+
+/// Loops to be compiled once for each level: `run` has to be `#[inline(always)]`, down to the last function it calls.
+pub(crate) trait Loops {
+    /// Runs them.
+    fn run(self);
+}
+
+#[cfg(target_arch = "x86_64")]
+struct Vectorized<T>(T);
+
+#[cfg(target_arch = "x86_64")]
+impl<T: Loops> pulp::NullaryFnOnce for Vectorized<T> {
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        self.0.run();
+    }
+}

@@ -1,0 +1,100 @@
+//! `--omega` and `--alpha` of sweeps and maps: evenly spaced values, or a list.
+
+use crate::bits::Value;
+use crate::failure::Failure;
+use crate::input;
+
+/// The values of one argument.
+pub(crate) enum Grid<F> {
+    Even { from: F, to: F, count: u64, logarithmic: bool },
+    List(Vec<F>),
+}
+
+/// Most values of one argument.
+const MOST: u64 = 1_000_000_000;
+
+impl<F: Value> Grid<F> {
+    /// `FROM:TO:COUNT`, `FROM:TO:COUNT:log` or `A,B,C`.
+    pub(crate) fn parse(name: &str, text: &str) -> Result<Self, Failure> {
+        let bad = |what: &str| Failure::Input(format!("{name} {text}: {what}"));
+        let value = |part: &str| -> Result<F, Failure> {
+            let value: F = part.trim().parse().map_err(|_| bad("each value must be a number"))?;
+            if value.is_finite() { Ok(value) } else { Err(bad("each value must be finite")) }
+        };
+        let parts: Vec<&str> = text.split(':').collect();
+        let (from, to, count, logarithmic) = match parts.as_slice() {
+            [list] => return list.split(',').map(value).collect::<Result<_, _>>().map(Self::List),
+            [from, to, count] => (value(from)?, value(to)?, *count, false),
+            [from, to, count, "log"] => (value(from)?, value(to)?, *count, true),
+            _ => return Err(bad("must be FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C")),
+        };
+        let count = input::count(&format!("{name} {text}: count"), count, MOST)?;
+        if count == 1 && from != to {
+            return Err(bad("a count of 1 needs FROM = TO; must be ≥ 2"));
+        }
+        if logarithmic && !(from > F::int(0) && to > F::int(0)) {
+            return Err(bad("equal ratios need FROM and TO > 0"));
+        }
+        Ok(Self::Even { from, to, count, logarithmic })
+    }
+
+    pub(crate) fn len(&self) -> u64 {
+        match self {
+            Self::Even { count, .. } => *count,
+            Self::List(values) => values.len() as u64,
+        }
+    }
+
+    /// The value at a place below [`Grid::len`], made from its number: the same whatever was asked before.
+    pub(crate) fn value(&self, place: u64) -> F {
+        match self {
+            Self::List(values) => values.get(place as usize).copied().unwrap_or(F::int(0)),
+            Self::Even { from, .. } if place == 0 => *from,
+            Self::Even { to, count, .. } if place + 1 >= *count => *to,
+            Self::Even { from, to, count, logarithmic } => {
+                let (place, last) = (place as f64, (count - 1) as f64);
+                if *logarithmic {
+                    let (from, to) = (from.to_f64(), to.to_f64());
+                    return F::from_f64(from * (to / from).powf(place / last));
+                }
+                *from + (*to - *from) * F::from_f64(place) / F::from_f64(last)
+            }
+        }
+    }
+
+    /// The values that bound all the others: the ends, or the list itself.
+    pub(crate) fn bounds(&self) -> Vec<F> {
+        match self {
+            Self::Even { from, to, .. } => vec![*from, *to],
+            Self::List(values) => values.clone(),
+        }
+    }
+
+    /// All values.
+    pub(crate) fn values(&self) -> impl Iterator<Item = F> + '_ {
+        (0..self.len()).map(|place| self.value(place))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Grid;
+
+    fn values(text: &str) -> Vec<f64> {
+        Grid::parse("--omega", text).ok().unwrap().values().collect()
+    }
+
+    #[test]
+    fn the_ends_are_exact_and_the_rest_even() {
+        assert_eq!(values("0.5:2:4"), [0.5, 1.0, 1.5, 2.0]);
+        assert_eq!(values("2:1:3"), [2.0, 1.5, 1.0]);
+        assert_eq!(values("0.1,3,0.7"), [0.1, 3.0, 0.7]);
+        let log = values("0.1:10:3:log");
+        assert!(log[0] == 0.1 && (log[1] - 1.0f64).abs() < 1e-15 && log[2] == 10.0);
+        assert_eq!(values("3:3:1"), [3.0]);
+        for bad in ["", "1:2", "1:2:0", "1:2:x", "1:2:3:lin", "0:2:3:log", "1:2:1", "nan", "1,,2", "1:inf:3"]
+        {
+            assert!(Grid::<f64>::parse("--omega", bad).is_err(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,284 @@
+//! The friction that dissipates most under a given force, sticking allowed.
+//!
+//! Let ρ = 1/α = r_y/p₀ and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k, so that A₁ = 2ρJ.
+//!
+//! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the equations of motion
+//! times the difference of the velocities, integrated over a cycle, leaves `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt = 0`, r the friction in units of
+//! its bound: r v = |v|, |r| ≤ 1. Hence
+//!
+//! ```text
+//! 0 = ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
+//! ```
+//!
+//! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a bound that
+//! becomes exact as the interval shrinks, and that turns a finite number of exact motions into a proof. Intervals whose bound is
+//! within the tolerance of the best value found are done with, the others are halved. What remains above the tolerance is
+//! nothing; the bound is returned with the answer.
+//!
+//! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
+
+use super::dissipation::{BestForceRatio, Optimum, most_dissipating_force_ratio};
+use super::force::frequency_ratio_of;
+use crate::error::{Error, Quantity};
+use crate::exact::{LongRun, State};
+use crate::float::Float;
+use crate::nonsticking::{Border, loop_size_stiffness};
+use crate::oscillator::{Drive, Oscillator};
+use crate::phase_function::PhaseFunction;
+use crate::ratios::{Ratios, positive, within};
+
+/// The force ratio of the largest loop of all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BestOfAllForceRatio<F> {
+    /// The force ratio α.
+    pub force_ratio: F,
+    /// The loop size A₁ there.
+    pub loop_size: F,
+    /// [`Optimum::Sticking`], or what it is among the motions that do not stick.
+    pub optimum: Optimum,
+    /// No force ratio at this Ω has a loop larger than this: proven, up to the rounding of the exact motion.
+    pub bound: F,
+    /// The best of those that do not stick.
+    pub non_sticking: BestForceRatio<F>,
+    /// Exact motions that were computed.
+    pub motions: u32,
+}
+
+/// The loop size A₁ of the exact motion at (Ω, α): the friction work of a cycle over p₀²/(2k); zero at rest.
+///
+/// In units of r_y B the work is W and A₁ = 2W/α².
+fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<F, Error> {
+    if alpha <= F::int(1) {
+        return Ok(F::int(0));
+    }
+    match LongRun::from_start(Ratios::new(omega, alpha)?, State::rest())? {
+        LongRun::Periodic(steady) | LongRun::Family(steady) => {
+            Ok(F::int(2) * (steady.energy_out() / alpha) / alpha)
+        }
+        LongRun::Rest(_) => Ok(F::int(0)),
+        LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: alpha.to_string() }),
+        LongRun::NotConverged { .. } => {
+            Err(Error::NotSettled { omega: omega.to_string(), alpha: alpha.to_string() })
+        }
+    }
+}
+
+/// Greatest A₁ found, and where, with a bound on all that was looked at.
+struct Search<F> {
+    omega: F,
+    share: F,
+    loop_size: F,
+    bound: F,
+    motions: u32,
+}
+
+impl<F: Float> Search<F> {
+    fn at(&mut self, share: F) -> Result<F, Error> {
+        let found = loop_size_of_motion(self.omega, F::int(1) / share)?;
+        self.motions += 1;
+        if found > self.loop_size {
+            (self.share, self.loop_size) = (share, found);
+        }
+        Ok(found)
+    }
+
+    /// Looks at `[low, high]`, A₁ being `at_low` at its lower end, until no more than `tolerance` above the best can be in it.
+    fn exhaust(&mut self, low: F, high: F, at_low: F, tolerance: F) -> Result<(), Error> {
+        let (one, two) = (F::int(1), F::int(2));
+        let mut left = Vec::new();
+        let mut from = (low, at_low);
+        for i in 1..=COARSE {
+            let next = low + (high - low) * F::ratio(i, COARSE);
+            left.push((from.0, next, from.1));
+            from = (next, self.at(next)?);
+        }
+        self.refine(low, high, (high - low) / F::int(COARSE))?;
+        while let Some((low, high, at_low)) = left.pop() {
+            let bound = at_low * (high / low);
+            if bound <= self.loop_size * (one + tolerance) {
+                self.bound = self.bound.or_larger(bound);
+                continue;
+            }
+            let middle = low + (high - low) / two;
+            if middle <= low || middle >= high {
+                self.bound = self.bound.or_larger(bound);
+                continue;
+            }
+            let at_middle = self.at(middle)?;
+            left.push((low, middle, at_low));
+            left.push((middle, high, at_middle));
+        }
+        self.refine(low, high, tolerance * self.share)
+    }
+
+    /// Golden sections around the best so far: to about the root of the precision, all that a maximum allows.
+    fn refine(&mut self, low: F, high: F, width: F) -> Result<(), Error> {
+        let golden = (F::int(3) - F::int(5).sqrt()) / F::int(2);
+        let (mut a, mut b) = (self.share - width, self.share + width);
+        (a, b) = (a.or_larger(low), if b < high { b } else { high });
+        let (mut c, mut d) = (a + golden * (b - a), b - golden * (b - a));
+        let (mut at_c, mut at_d) = (self.at(c)?, self.at(d)?);
+        while (b - a).square() > F::epsilon() * b.square() {
+            if at_c >= at_d {
+                (b, d, at_d) = (d, c, at_c);
+                c = a + golden * (b - a);
+                at_c = self.at(c)?;
+            } else {
+                (a, c, at_c) = (c, d, at_d);
+                d = b - golden * (b - a);
+                at_d = self.at(d)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Intervals of the first look.
+const COARSE: i32 = 32;
+
+/// The force ratio that makes A₁ largest at the frequency ratio Ω, sticking allowed: the global maximum to within a relative
+/// `tolerance` in A₁, proven by the bound of the module's head.
+///
+/// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the precision, as any point
+/// of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick for the best, it is
+/// [`most_dissipating_force_ratio`].
+///
+/// ```
+/// use stickslip::design::{Optimum, most_dissipating_force_ratio_of_all};
+/// let best = most_dissipating_force_ratio_of_all(0.3_f64, 1e-4)?;
+/// assert_eq!(best.optimum, Optimum::Sticking);
+/// assert!(best.loop_size > 2.0 * best.non_sticking.loop_size && best.bound < best.loop_size * 1.0001);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::AtResonance`] at Ω = 1, [`Error::NotSettled`] where a motion creeps too long for its work to be known (Ω beside 1/n), where
+/// `tolerance` is not in [ε^½, 1], and as for [`crate::exact::Trajectory::new`].
+pub fn most_dissipating_force_ratio_of_all<F: Float>(
+    omega: F,
+    tolerance: F,
+) -> Result<BestOfAllForceRatio<F>, Error> {
+    let one = F::int(1);
+    let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
+    let non_sticking = most_dissipating_force_ratio(omega)?;
+    let border = Border::at(&PhaseFunction::of_valid(omega));
+    let least = border.min_force_ratio();
+    let share = one / least;
+    let at_border = loop_size_stiffness(border.least_displacement(), least);
+    // What does not stick is a value to beat; both are one where the border is the best of it.
+    let mut sticking =
+        Search { omega, share, loop_size: non_sticking.loop_size, bound: non_sticking.loop_size, motions: 0 };
+    sticking.exhaust(share, one, at_border, tolerance)?;
+    let inside = sticking.share > share && sticking.loop_size > non_sticking.loop_size;
+    let (force_ratio, loop_size, optimum) = if inside {
+        (one / sticking.share, sticking.loop_size, Optimum::Sticking)
+    } else {
+        (non_sticking.force_ratio, non_sticking.loop_size, non_sticking.optimum)
+    };
+    let bound = sticking.bound.or_larger(loop_size);
+    Ok(BestOfAllForceRatio {
+        force_ratio,
+        loop_size,
+        optimum,
+        bound,
+        non_sticking,
+        motions: sticking.motions,
+    })
+}
+
+/// The friction bound that dissipates most, sticking allowed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BestOfAllFriction<F> {
+    /// The friction bound r_y (unit of force).
+    pub friction_bound: F,
+    /// The energy dissipated in a cycle.
+    pub energy: F,
+    /// No friction dissipates more than this in a cycle.
+    pub bound: F,
+    /// [`Optimum::Sticking`], or what it is among the motions that do not stick.
+    pub optimum: Optimum,
+}
+
+/// The friction bound with which `drive` dissipates most in a cycle, sticking allowed: [`most_dissipating_force_ratio_of_all`] in
+/// physical units.
+///
+/// Mass and stiffness are those of `body`; its own friction bound plays no part.
+///
+/// # Errors
+/// As there, and where r_y or the energy over- or underflows.
+pub fn most_dissipating_friction_of_all<F: Float>(
+    body: &Oscillator<F>,
+    drive: &Drive<F>,
+    tolerance: F,
+) -> Result<BestOfAllFriction<F>, Error> {
+    let omega = frequency_ratio_of(body, drive.angular_frequency())?;
+    let best = most_dissipating_force_ratio_of_all(omega, tolerance)?;
+    let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
+    let unit = p0 / F::int(2) * (p0 / body.stiffness());
+    Ok(BestOfAllFriction {
+        friction_bound: positive(Quantity::FrictionBound, p0 / best.force_ratio)?,
+        energy: positive(Quantity::StaticEnergy, best.loop_size * unit)?,
+        bound: best.bound * unit,
+        optimum: best.optimum,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{loop_size_of_motion, most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
+    use crate::design::Optimum;
+    use crate::{Drive, Error, Oscillator, Ratios, Response};
+
+    #[test]
+    fn more_friction_less_way() {
+        for omega in [0.13, 0.22, 0.3, 0.4, 0.7, 0.95, 1.3, 4.0] {
+            let mut last = f64::INFINITY;
+            for i in 1..200 {
+                let share = 0.005 * f64::from(i);
+                let way = loop_size_of_motion::<f64>(omega, 1.0 / share).unwrap() / share;
+                assert!(way <= last * (1.0 + 1e-12), "{omega} {share}: {way} after {last}");
+                last = way;
+            }
+        }
+    }
+
+    #[test]
+    fn none_of_all_is_better() {
+        for omega in [0.05, 0.13, 0.22, 0.3, 0.4, 0.6, 0.7, 0.9, 1.3, 4.0] {
+            let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
+            assert!(best.bound >= best.loop_size && best.bound <= best.loop_size * 1.0001, "{best:?}");
+            assert!(best.loop_size >= best.non_sticking.loop_size && best.motions < 3000, "{omega} {best:?}");
+            let again = loop_size_of_motion(omega, best.force_ratio * (1.0 + 1e-14)).unwrap();
+            assert!((again / best.loop_size - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
+            for i in 1..300 {
+                let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap();
+                assert!(other <= best.bound * (1.0 + 1e-12), "{omega} {i} {other} {best:?}");
+            }
+            let answer = Response::new(Ratios::new(omega, best.force_ratio * (1.0 + 1e-14)).unwrap());
+            assert_eq!(answer.cycle().is_none(), best.optimum == Optimum::Sticking, "{omega} {best:?}");
+        }
+    }
+
+    #[test]
+    fn the_slow_limit_and_which_one_it_is() {
+        let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 1e-3).unwrap();
+        assert!((slow.force_ratio - 2.0).abs() < 0.05 && (slow.loop_size - 2.0).abs() < 0.01, "{slow:?}");
+        let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap().optimum;
+        assert_eq!(optimum(0.3), Optimum::Sticking);
+        assert_eq!(optimum(1.5), Optimum::Interior);
+        assert!(matches!(most_dissipating_force_ratio_of_all(1.0, 1e-3), Err(Error::AtResonance { .. })));
+        assert!(matches!(most_dissipating_force_ratio_of_all(0.7, 1e-30), Err(Error::OutOfRange { .. })));
+    }
+
+    #[test]
+    fn in_physical_units() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let drive = Drive::force(12.0, 0.6).unwrap();
+        let best = most_dissipating_friction_of_all::<f64>(&body, &drive, 1e-3).unwrap();
+        let ratios = most_dissipating_force_ratio_of_all(0.3, 1e-3).unwrap();
+        assert!((best.friction_bound * ratios.force_ratio / 12.0 - 1.0).abs() < 1e-6);
+        assert!(
+            (best.energy / (ratios.loop_size * 9.0) - 1.0).abs() < 1e-9 && best.optimum == Optimum::Sticking
+        );
+    }
+}

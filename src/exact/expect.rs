@@ -1,0 +1,70 @@
+//! Where the next velocity zero is expected: a hint for the search, which proves what it finds whatever the hint.
+//!
+//! Two slides in the same direction at the same phase differ by a free vibration, so that a zero found says where that of a
+//! slide nearby is. In a motion that settles the hint is good to the third power of what has not settled, and one evaluation
+//! answers where there were two or three.
+
+use super::slide::Slide;
+use super::velocity_zero::VelocityZero;
+use crate::float::Float;
+
+impl<F: Float> VelocityZero<F> {
+    /// When the zero is expected where the start of the slide is disturbed by (δx, δw): a free vibration is added. To second order,
+    /// and unmoved where it would move far.
+    #[inline]
+    pub(crate) fn expected(&self, (x, w): (F, F)) -> F {
+        let (s, c) = self.rotation;
+        let acceleration = self.acceleration - (s * w + c * x);
+        let first = (s * x - c * w) / acceleration;
+        let delay = first - first.square() * self.jerk / (F::int(2) * acceleration);
+        if delay.abs() * F::int(4) <= self.phi { self.phi + delay } else { self.phi }
+    }
+}
+
+impl<F: Float> Slide<F> {
+    /// The length expected of the slide back that follows this one, if that begins almost as this one did, upside down and half a turn on.
+    ///
+    /// Extrapolated to where this one began, at w = 0, it differs from it by a free vibration.
+    #[inline]
+    pub(crate) fn expected_next(&self, zero: &VelocityZero<F>, next: &Self) -> F {
+        let omega = self.equation.omega;
+        let late = (next.start.since(self.start) - F::pi()) / omega;
+        if self.w != F::int(0) || late.abs() * F::int(4) > zero.phi {
+            return zero.phi;
+        }
+        let (acceleration, jerk) = (next.acceleration, next.jerk_at_start());
+        let (half, third) = (late / F::int(2), late / F::int(3));
+        let x = -next.x - self.x - late * half * (acceleration - third * jerk);
+        let w = late * (acceleration - half * jerk);
+        zero.expected((x, w)) - late
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::exact::trajectory::Body;
+    use crate::exact::{State, Trajectory};
+
+    #[test]
+    fn it_is_right_to_third_order() {
+        for (omega, alpha) in [(0.7f64, 3.0f64), (0.9, 2.0), (1.3, 2.0), (1.5, 2.5), (2.2, 4.0)] {
+            let start = State::new(0.3, 2.0, 0.0).unwrap();
+            let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap();
+            let slides = motion.filter_map(|phase| match phase.body {
+                Body::Slide(slide, zero) => Some((slide, zero)),
+                Body::Stick(_) => None,
+            });
+            let slides: Vec<_> = slides.take(60).collect();
+            let mut better = 0;
+            for pair in slides.windows(2) {
+                let [(slide, zero), (next, end)] = pair else { continue };
+                let change = (next.x + slide.x).abs() + (end.phi - zero.phi).abs();
+                let missed = (slide.expected_next(zero, next) - end.phi).abs();
+                assert!(missed <= 20.0 * change.powi(3) + 1e-14, "({omega}, {alpha}): {change} {missed}");
+                better += u32::from(missed * 10.0 < (end.phi - zero.phi).abs());
+            }
+            assert!(better >= 10, "({omega}, {alpha}): {better}");
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! What a motion tends to, by name.
+
+use super::drive::DrivePhase;
+use super::equation::Equation;
+use super::family;
+use super::measures::Tally;
+use super::rest::{Rest, come_to_rest};
+use super::shooting::{Budget, Shot, shoot};
+use super::slide::Slide;
+use super::state::State;
+use super::steady::{SteadyState, Summary};
+use super::trajectory::{Body, Trajectory, resolved};
+use super::walk::Point;
+use crate::error::Error;
+use crate::float::Float;
+use crate::nonsticking::Cycle;
+use crate::ratios::Ratios;
+
+/// What a motion tends to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LongRun<F> {
+    /// One periodic motion, the same from every start: its multipliers are inside the unit circle.
+    Periodic(SteadyState<F>),
+    /// Ω = 1/(2n) without sticking: one of a family of periodic motions, the one that this start leads to.
+    Family(SteadyState<F>),
+    /// α ≤ 1: rest.
+    Rest(Rest<F>),
+    /// Ω = 1 and α > 4/π: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
+    Unbounded {
+        /// Growth of the maximum displacement in a cycle, in the limit.
+        growth: F,
+    },
+    /// No limit within the budget: where the motion is, and how far half a cycle still takes it.
+    NotConverged {
+        /// The state reached.
+        state: State<F>,
+        /// `hypot(δx, δv Ω)` of half a cycle: what has not settled.
+        residual: F,
+        /// Periods of the drive that were followed.
+        periods: F,
+    },
+}
+
+impl<F: Float> LongRun<F> {
+    /// What the motion at (Ω, α) tends to from a start.
+    ///
+    /// # Errors
+    /// As for [`Trajectory::new`].
+    pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
+        Self::within(ratios, start, DEFAULT_BUDGET)
+    }
+
+    /// The same, following the motion for at most `periods` periods of the drive.
+    ///
+    /// # Errors
+    /// As for [`Trajectory::new`].
+    pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
+        let ratios = resolved(ratios)?;
+        let (one, alpha) = (F::int(1), ratios.alpha());
+        let mut budget = Budget { half_turns: 0, most: 2 * u64::from(periods) };
+        if alpha <= one {
+            return Ok(come_to_rest(ratios, start, &mut budget));
+        }
+        if ratios.omega() == one && F::pi() * alpha > F::int(4) {
+            return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
+        }
+        let equation = Equation::new(ratios);
+        let (section, hint) = settle_in(equation, start, &mut budget);
+        if family::is_one(ratios) {
+            return Ok(family::member(equation, section, hint, budget));
+        }
+        let guess = || match Cycle::new(ratios) {
+            Ok(cycle) => Some(fastest_point(equation, &cycle)),
+            // A start far away: the limit is that from rest.
+            Err(_) => Some(settle_in(equation, State::rest(), &mut Budget { half_turns: 0, most: 0 })),
+        };
+        Ok(Self::shot(equation, section, hint, guess, budget))
+    }
+
+    pub(crate) fn shot(
+        equation: Equation<F>,
+        section: Point<F>,
+        hint: F,
+        guess: impl FnOnce() -> Option<(Point<F>, F)>,
+        mut budget: Budget,
+    ) -> Self {
+        match shoot(equation, section, hint, guess, &mut budget) {
+            Shot::Settled(fixed) => {
+                let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+                let multipliers = fixed.walk.monodromy.squared_eigenvalues();
+                let tally = Tally::of(&fixed.start, equation.omega, &fixed.walk.parts).doubled();
+                Self::Periodic(SteadyState {
+                    equation,
+                    start: fixed.start,
+                    tally: Summary::of(&tally),
+                    multipliers,
+                    distance: fixed.distance,
+                    periods,
+                })
+            }
+            Shot::Unsettled(y, residual) => unsettled(&equation, &y, residual, &budget),
+        }
+    }
+
+    /// The periodic motion, where there is one.
+    pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
+        match self {
+            Self::Periodic(steady) | Self::Family(steady) => Some(steady),
+            Self::Rest(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
+        }
+    }
+}
+
+/// Periods of the drive that a motion is followed for unless said otherwise.
+pub const DEFAULT_BUDGET: u32 = 20_000;
+
+/// [`LongRun::NotConverged`] at a point.
+pub(crate) fn unsettled<F: Float>(
+    equation: &Equation<F>,
+    y: &Point<F>,
+    residual: F,
+    budget: &Budget,
+) -> LongRun<F> {
+    LongRun::NotConverged {
+        state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
+        residual,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    }
+}
+
+/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from.
+fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budget) -> (Point<F>, F) {
+    let mut longest: Option<(Slide<F>, F)> = None;
+    let begin = start.phase;
+    let turn = F::pi();
+    for phase in Trajectory::of(equation, start) {
+        let Body::Slide(slide, end) = &phase.body else { continue };
+        let longer = longest.as_ref().is_none_or(|(_, length)| end.phi >= *length);
+        let after = end.phase.since(begin);
+        if longer || after < turn {
+            longest = Some((*slide, end.phi));
+        }
+        if after >= F::int(2) * turn {
+            break;
+        }
+    }
+    budget.half_turns += 2;
+    let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
+    let Some((slide, length)) = longest else { return (here, turn / equation.omega) };
+    let half = length / F::int(2);
+    (middle(&slide, half), half)
+}
+
+/// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.
+pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
+    let lag = cycle.displacement_phase() - cycle.velocity_phase();
+    let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
+    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase());
+    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity() * equation.omega };
+    (point, lag / equation.omega)
+}
+
+/// The point of a slide at natural time φ.
+fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
+    let motion = slide.motion(phi);
+    let phase = slide.start.advanced(slide.equation.omega * phi);
+    Point { phase, x: motion.x, w: motion.w }
+}

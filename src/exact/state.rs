@@ -1,0 +1,75 @@
+//! Where the body is, and what acts on it.
+
+use super::drive::DrivePhase;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::ratios::finite;
+
+/// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<F> {
+    /// Phase θ = ω_d t.
+    pub phase: DrivePhase<F>,
+    /// Displacement x/B.
+    pub x: F,
+    /// Velocity x′/(Bω_d).
+    pub v: F,
+}
+
+impl<F: Float> State<F> {
+    /// At rest at x = 0 and θ = 0.
+    pub fn rest() -> Self {
+        let zero = F::int(0);
+        Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
+    }
+
+    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ, e = [`Float::RATIO_EXPONENT`], counts
+    /// as rest: it would end in a time that underflows.
+    ///
+    /// # Errors
+    /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,
+    /// e = [`Float::RATIO_EXPONENT`].
+    pub fn new(theta: F, x: F, v: F) -> Result<Self, Error> {
+        let bounded = |quantity, value: F| {
+            let most = F::exp2i(F::RATIO_EXPONENT);
+            let value = finite(quantity, value)?;
+            if value.abs() <= most {
+                return Ok(value);
+            }
+            Err(Error::OutOfRange {
+                quantity,
+                value: value.to_string(),
+                least: (-most).to_string(),
+                greatest: most.to_string(),
+            })
+        };
+        Ok(Self {
+            phase: DrivePhase::new(theta)?,
+            x: bounded(Quantity::Displacement, x)?,
+            v: moving(bounded(Quantity::Velocity, v)?),
+        })
+    }
+}
+
+/// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Instant<F> {
+    /// Phase, displacement and velocity.
+    pub state: State<F>,
+    /// Acceleration `x″/(Bω_d²)`.
+    pub acceleration: F,
+    /// Friction force `r_a/r_y`, within ±1: the direction of sliding, or what holds the body.
+    pub friction: F,
+}
+
+impl<F: Float> Instant<F> {
+    /// The constitutive force `r/r_y = (r_a + k x)/r_y`, friction and spring together (eq. 1).
+    pub fn constitutive_force(&self) -> F {
+        self.friction + self.state.x
+    }
+}
+
+/// `v`, or rest where it is next to nothing.
+fn moving<F: Float>(v: F) -> F {
+    if v.abs() < F::exp2i(-F::RATIO_EXPONENT) { F::int(0) } else { v }
+}

@@ -1,0 +1,221 @@
+//! The figures of the paper again, from this library's results, and some it does not have.
+//!
+//! | file | figures |
+//! |---|---|
+//! | `symmetry` | 3: the error measures |
+//! | `response` | 4–7: Δ₀/B, the two phases, Δ₁/B, V₀/(Bω_d) |
+//! | `border` | 8: the least force ratio without sticking |
+//! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
+//! | `stops` | the map of stops per cycle |
+//! | `portrait` | two motions in the phase plane, as in figure 2 |
+//! | `accuracy` | digits lost beside Ω = 1 |
+//! | `multipliers` | how fast the motion settles |
+//! | `draw` | a figure as SVG |
+//!
+//! A figure is data first: [`Figure::write_csv`] writes what [`Figure::svg`] draws.
+//!
+//! ```
+//! let border = stickslip::figures::figure("8").unwrap();
+//! assert!(border.svg()?.starts_with("<svg"));
+//! # Ok::<(), std::io::Error>(())
+//! ```
+
+mod accuracy;
+mod border;
+mod dissipation;
+mod draw;
+mod multipliers;
+mod plane;
+mod portrait;
+mod response;
+mod stops;
+mod symmetry;
+
+pub use plane::{Plane, Scale};
+
+use std::io::{self, Write};
+
+/// The names of all figures, in order: those of the paper by their numbers.
+pub const NAMES: [&str; 14] =
+    ["3", "4", "5", "6", "7", "8", "9a", "9b", "10a", "10b", "stops", "portrait", "accuracy", "multipliers"];
+
+/// The figure of that name, one of [`NAMES`].
+#[must_use]
+pub fn figure(name: &str) -> Option<Figure> {
+    Some(match name {
+        "3" => symmetry::errors(),
+        "4" => response::max_displacement(),
+        "5" => response::phases(),
+        "6" => response::deviation(),
+        "7" => response::max_velocity(),
+        "8" => border::least_force(),
+        "9a" => dissipation::best_force(),
+        "9b" => dissipation::largest_loop(),
+        "10a" => dissipation::loop_by_friction(),
+        "10b" => dissipation::loop_by_frequency(),
+        "stops" => stops::per_cycle(),
+        "portrait" => portrait::two_motions(),
+        "accuracy" => accuracy::beside_one(),
+        "multipliers" => multipliers::of_the_cycle(),
+        _ => return None,
+    })
+}
+
+/// A figure: panels side by side, and the words under it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Figure {
+    /// One of [`NAMES`], or what the maker of a figure of his own calls it.
+    pub name: String,
+    /// What is drawn, in a line.
+    pub title: String,
+    /// What to see in it, with the parameters.
+    pub caption: String,
+    /// The panels, row by row.
+    pub panels: Vec<Panel>,
+}
+
+/// One pair of axes and what is drawn in them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// What tells it from the other panels; empty for a single one.
+    pub title: String,
+    /// The axis to the right.
+    pub x: Axis,
+    /// The axis upwards.
+    pub y: Axis,
+    /// Values over the plane of the axes, behind the series.
+    pub plane: Option<Plane>,
+    /// Lines and marks, drawn in this order.
+    pub series: Vec<Series>,
+}
+
+/// An axis: name with unit, and range.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit.
+    pub label: String,
+    /// Value at its start.
+    pub low: f64,
+    /// Value at its end.
+    pub high: f64,
+    /// Whether equal lengths are equal ratios.
+    pub logarithmic: bool,
+}
+
+impl Axis {
+    /// An axis of equal differences.
+    #[must_use]
+    pub fn linear(label: &str, low: f64, high: f64) -> Self {
+        Self { label: label.to_owned(), low, high, logarithmic: false }
+    }
+
+    /// An axis of equal ratios.
+    #[must_use]
+    pub fn logarithmic(label: &str, low: f64, high: f64) -> Self {
+        Self { label: label.to_owned(), low, high, logarithmic: true }
+    }
+
+    /// Ω from `low` to `high`.
+    pub(crate) fn frequency_ratio(low: f64, high: f64) -> Self {
+        Self::linear("frequency ratio Ω = ω_d/ω_n", low, high)
+    }
+}
+
+/// Points of one kind, with a name.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// The name in the legend; series of one name share an entry.
+    pub name: String,
+    /// How it is drawn.
+    pub style: Style,
+    /// Which of the colours and marks, counted up.
+    pub index: usize,
+    /// (x, y); a NaN breaks a line.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Style {
+    /// A full line.
+    Line,
+    /// A full line of double width.
+    Thick,
+    /// A dashed line.
+    Dashed,
+    /// A dotted line.
+    Dotted,
+    /// A full line with a mark at every so many points.
+    Marked(usize),
+    /// Marks alone.
+    Marks,
+    /// Small dots.
+    Dots,
+}
+
+impl Series {
+    /// A series; `index` chooses the colour and the mark.
+    pub fn new(
+        name: impl Into<String>,
+        style: Style,
+        index: usize,
+        points: impl IntoIterator<Item = (f64, f64)>,
+    ) -> Self {
+        Self { name: name.into(), style, index, points: points.into_iter().collect() }
+    }
+}
+
+impl Figure {
+    /// The data: columns panel, series, x, y; and of a plane x, y and its value as x, y, value.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
+        writeln!(out, "panel,series,x,y,value")?;
+        for panel in &self.panels {
+            let title = quoted(&panel.title);
+            if let Some(plane) = &panel.plane {
+                for (x, y, value) in plane.points() {
+                    writeln!(out, "{title},{},{x},{y},{value}", quoted(&plane.label))?;
+                }
+            }
+            for series in &panel.series {
+                for (x, y) in series.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
+                    writeln!(out, "{title},{},{x},{y},", quoted(&series.name))?;
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The drawing, as a file of its own without fonts.
+    ///
+    /// # Errors
+    /// Those of the drawing library, none that are known.
+    pub fn svg(&self) -> io::Result<String> {
+        draw::svg(self)
+    }
+}
+
+/// A field of CSV, in quotes where it needs them.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}
+
+/// `count` numbers from `low` to `high`, both included.
+pub(crate) fn evenly(low: f64, high: f64, count: u32) -> impl Iterator<Item = f64> + Clone {
+    let last = f64::from(count.max(2) - 1);
+    (0..count).map(move |i| low + (high - low) * f64::from(i) / last)
+}
+
+/// The values of 1/α in the paper's figures 4 to 7, with their names and places in the palette.
+pub(crate) fn inverse_force_ratios(greatest: u32) -> impl Iterator<Item = (usize, f64, String)> {
+    (1..=greatest).map(|tenth| {
+        let inverse = f64::from(tenth) / 10.0;
+        (tenth as usize - 1, 1.0 / inverse, format!("1/α = {inverse}"))
+    })
+}

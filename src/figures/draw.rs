@@ -1,0 +1,130 @@
+//! A figure as SVG.
+//!
+//! The drawing library counts in whole pixels. The drawing is made in quarters of one and shown at its true size, so that
+//! curves are smooth. Text is left to the viewer's own sans-serif.
+
+mod frame;
+mod legend;
+mod mark;
+mod shade;
+mod ticks;
+
+use super::Figure;
+use frame::Frame;
+use plotters::backend::SVGBackend;
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, DrawingAreaErrorKind, IntoDrawingArea};
+use plotters::element::Text;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{BLACK, FontTransform, IntoFont, TextStyle, WHITE};
+use std::io;
+
+/// Units of the drawing in a pixel.
+const UNITS: i32 = 4;
+
+/// Where things are drawn.
+pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+/// What drawing comes to.
+pub(super) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
+
+/// The drawing of a figure.
+pub(super) fn svg(figure: &Figure) -> io::Result<String> {
+    let layout = Layout::of(figure);
+    let (width, height) = layout.size();
+    let mut text = String::new();
+    {
+        let size = ((width * UNITS).unsigned_abs(), (height * UNITS).unsigned_abs());
+        let canvas = SVGBackend::with_string(&mut text, size).into_drawing_area();
+        paint(figure, &layout, &canvas).map_err(|e| io::Error::other(e.to_string()))?;
+    }
+    let full = format!("width=\"{}\" height=\"{}\"", width * UNITS, height * UNITS);
+    Ok(text.replacen(&full, &format!("width=\"{width}\" height=\"{height}\""), 1))
+}
+
+fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
+    canvas.fill(&WHITE)?;
+    let middle = LEFT + layout.panels_width() / 2 - LEFT / 2;
+    write(canvas, &figure.title, (middle, 12), 18, Anchor::Above)?;
+    for (panel, origin) in figure.panels.iter().zip(layout.origins()) {
+        Frame::new(panel, origin, layout.plot).draw(canvas)?;
+    }
+    legend::draw(figure, (LEFT + layout.panels_width() - 44, TOP + 6), layout, canvas)?;
+    canvas.present()
+}
+
+/// Room to the left of a plot, above and below it, in pixels.
+const LEFT: i32 = 76;
+const TOP: i32 = 66;
+const BELOW: i32 = 62;
+const LEGEND: i32 = 290;
+
+/// Sizes in pixels.
+pub(super) struct Layout {
+    /// Width and height of a plot.
+    plot: (i32, i32),
+    columns: i32,
+    panels: i32,
+}
+
+impl Layout {
+    fn of(figure: &Figure) -> Self {
+        let panels = i32::try_from(figure.panels.len()).unwrap_or(i32::MAX).max(1);
+        match panels {
+            1 => Self { plot: (640, 440), columns: 1, panels },
+            2 => Self { plot: (430, 400), columns: 2, panels },
+            _ => Self { plot: (400, 250), columns: 2, panels },
+        }
+    }
+
+    fn step(&self) -> (i32, i32) {
+        (self.plot.0 + LEFT, self.plot.1 + BELOW + 30)
+    }
+
+    fn panels_width(&self) -> i32 {
+        self.columns * self.step().0
+    }
+
+    fn size(&self) -> (i32, i32) {
+        let rows = (self.panels + self.columns - 1) / self.columns;
+        (LEFT + self.panels_width() - 44 + LEGEND, TOP - 30 + rows * self.step().1 + 6)
+    }
+
+    /// The height that the panels take, from the top of the first.
+    pub(super) fn plots_height(&self) -> i32 {
+        self.size().1 - TOP - BELOW
+    }
+
+    /// The upper left corner of each plot.
+    fn origins(&self) -> impl Iterator<Item = (i32, i32)> + '_ {
+        let (across, down) = self.step();
+        (0..self.panels).map(move |i| (LEFT + i % self.columns * across, TOP + i / self.columns * down))
+    }
+}
+
+/// Which point of a text is given.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Anchor {
+    /// The middle of its upper edge.
+    Above,
+    /// The middle of its left edge.
+    Left,
+    /// The middle of its right edge.
+    Right,
+    /// The middle of its lower edge, written upwards.
+    Upwards,
+}
+
+/// Text of a size at a place, both in pixels.
+pub(super) fn write(canvas: &Canvas<'_>, text: &str, (x, y): (i32, i32), size: i32, anchor: Anchor) -> Drawn {
+    // The backend takes 1/1.24 of the size that it is given.
+    let font = ("sans-serif", f64::from(size * UNITS) * 1.24).into_font();
+    let (font, pos) = match anchor {
+        Anchor::Above => (font, Pos::new(HPos::Center, VPos::Top)),
+        Anchor::Left => (font, Pos::new(HPos::Left, VPos::Center)),
+        Anchor::Right => (font, Pos::new(HPos::Right, VPos::Center)),
+        Anchor::Upwards => (font.transform(FontTransform::Rotate270), Pos::new(HPos::Center, VPos::Center)),
+    };
+    let style = TextStyle::from(font).color(&BLACK).pos(pos);
+    canvas.draw(&Text::new(text.to_owned(), (x * UNITS, y * UNITS), style))
+}

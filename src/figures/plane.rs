@@ -1,0 +1,54 @@
+//! Values over a plane.
+
+/// Values at the points of a grid.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plane {
+    /// What the values are.
+    pub label: String,
+    /// The abscissae, ascending.
+    pub x: Vec<f64>,
+    /// The ordinates, ascending.
+    pub y: Vec<f64>,
+    /// The values, row by row: all x at the first y, then at the second; NaN for none.
+    pub values: Vec<f64>,
+    /// What colours mean.
+    pub scale: Scale,
+}
+
+/// What the colours of a plane mean.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Scale {
+    /// The value is the place of a name in this list.
+    Names(Vec<String>),
+    /// From dark to light as the value goes from the first number to the second.
+    Shades {
+        /// The value of the darkest shade.
+        low: f64,
+        /// The value of the lightest.
+        high: f64,
+        /// Whether equal steps are equal ratios.
+        logarithmic: bool,
+    },
+}
+
+impl Plane {
+    /// (x, y, value) of every point that has one.
+    pub fn points(&self) -> impl Iterator<Item = (f64, f64, f64)> {
+        let places = self.y.iter().flat_map(|&y| self.x.iter().map(move |&x| (x, y)));
+        places.zip(&self.values).filter(|(_, value)| !value.is_nan()).map(|((x, y), &value)| (x, y, value))
+    }
+
+    /// The shades that the values need: over orders of magnitude where they span more than two.
+    #[must_use]
+    pub fn shades(values: &[f64]) -> Scale {
+        let finite = || values.iter().copied().filter(|v| v.is_finite());
+        let (low, high) =
+            (finite().fold(f64::INFINITY, f64::min), finite().fold(f64::NEG_INFINITY, f64::max));
+        let logarithmic = low > 0.0 && high > 100.0 * low;
+        if low < high {
+            Scale::Shades { low, high, logarithmic }
+        } else {
+            Scale::Shades { low: 0.0, high: 1.0, logarithmic: false }
+        }
+    }
+}

@@ -1,0 +1,64 @@
+//! Motions in the phase plane.
+
+use super::{Axis, Figure, Panel, Series, Style};
+use crate::exact::{Kind, LongRun, State, SteadyState, Trajectory};
+use crate::{Cycle, Ratios};
+
+/// A motion without stops, with the points of figure 2, and one that sticks, each with its way there from rest.
+pub(super) fn two_motions() -> Figure {
+    let mut smooth = portrait("without stops: Ω = 0.7, α = 2", 0.7, 2.0, 6, (5.0, 5.0));
+    if let Ok(cycle) = Ratios::new(0.7, 2.0).and_then(Cycle::new) {
+        let (d0, v0, d1) = (cycle.max_displacement(), cycle.max_velocity(), cycle.deviation());
+        let mut mark =
+            |name: &str, index, x, v| smooth.series.push(Series::new(name, Style::Marks, index, [(x, v)]));
+        mark("t₁: (Δ₁, V₀)", 0, d1, v0);
+        mark("t₂: (Δ₀, 0)", 1, d0, 0.0);
+        mark("t₃: (−Δ₁, −V₀)", 2, -d1, -v0);
+        mark("t₄: (−Δ₀, 0)", 3, -d0, 0.0);
+    }
+    Figure {
+        name: "portrait".to_owned(),
+        title: "Figure 2 again: steady motions in the phase plane".to_owned(),
+        caption: "The steady motion (thick) and the way there from rest (thin), without stops at Ω = 0.7, α = 2 with the instants \
+            t₁ … t₄ of the paper's figure 2, and with four stops a cycle at Ω = 0.15, α = 3: there the velocity comes to zero and the \
+            body stays until friction gives way."
+            .to_owned(),
+        panels: vec![smooth, portrait("with four stops in a cycle: Ω = 0.15, α = 3", 0.15, 3.0, 2, (3.0, 8.0))],
+    }
+}
+
+fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f64)) -> Panel {
+    let motion = |start: State<f64>, cycles: usize| -> Vec<(f64, f64)> {
+        let samples = Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, start)?.samples(PER_CYCLE));
+        samples
+            .into_iter()
+            .flatten()
+            .take(cycles * PER_CYCLE as usize + 1)
+            .map(|i| (i.state.x, i.state.v))
+            .collect()
+    };
+    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest()));
+    let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(SteadyState::state));
+    let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
+    let stops = phases.into_iter().flatten().filter(|p| p.kind() == Kind::Stick).map(|p| p.start().x);
+    let count =
+        limit.as_ref().ok().and_then(LongRun::steady_state).map_or(0, |s| s.sticks_per_cycle() as usize);
+    let mut panel = Panel {
+        title: title.to_owned(),
+        x: Axis::linear("displacement x/B", -x, x),
+        y: Axis::linear("velocity x′/(Bω_d)", -v, v),
+        plane: None,
+        series: vec![
+            Series::new("from rest", Style::Line, 4, motion(State::rest(), cycles)),
+            Series::new("steady", Style::Thick, 0, steady.map_or(Vec::new(), |state| motion(state, 1))),
+        ],
+    };
+    if count > 0 {
+        let stops: Vec<_> = stops.take(count).map(|x| (x, 0.0)).collect();
+        panel.series.push(Series::new("stop", Style::Marks, 5, stops));
+    }
+    panel
+}
+
+/// Samples in a cycle.
+const PER_CYCLE: u32 = 240;

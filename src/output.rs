@@ -1,0 +1,138 @@
+//! The outputs of a [`Response`] by name: what the questions about uncertain parameters are asked of.
+
+use crate::float::Float;
+use crate::nonsticking::Cycle;
+use crate::oscillator::Scales;
+use crate::response::Response;
+
+/// One output of a [`Response`].
+///
+/// Dimensionless, [`Output::of`] gives it in the units of the table; [`Output::unit`] is what to multiply it by for physical units.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[non_exhaustive]
+pub enum Output {
+    /// Maximum displacement Δ₀ (B; length).
+    MaxDisplacement,
+    /// Phase ω_d t₂ of the maximum displacement (rad; time).
+    DisplacementPhase,
+    /// Maximum velocity V₀ (Bω_d; velocity).
+    MaxVelocity,
+    /// Phase ω_d t₁ of the maximum velocity (rad; time).
+    VelocityPhase,
+    /// Deviation Δ₁ (B; length).
+    Deviation,
+    /// Loop size A₁ (p₀²/2k; the energy dissipated in a cycle).
+    LoopSizeStiffness,
+    /// Loop size A₂ (p₀²/(2mω_d²); the energy dissipated in a cycle).
+    LoopSizeInertia,
+    /// Contraction per half cycle (1; 1).
+    Contraction,
+    /// Margin α/α_min (1; 1).
+    Margin,
+    /// Least force ratio without sticking, α_min (1; the least force p₀).
+    MinForceRatio,
+    /// The same by eq. 61 (1; force).
+    TurningPointForceRatio,
+    /// Least displacement S of a cycle that does not stick (B; length).
+    LeastDisplacement,
+    /// Phase τ* where the velocity first touches zero on the border (rad; time).
+    TouchingPhase,
+    /// Force ratio α* of the largest loop (1; force).
+    BestForceRatio,
+    /// Loop size A₁max there (p₀²/2k; energy).
+    BestLoopSize,
+}
+
+impl Output {
+    /// All of them, in order.
+    pub const ALL: [Self; 15] = [
+        Self::MaxDisplacement,
+        Self::DisplacementPhase,
+        Self::MaxVelocity,
+        Self::VelocityPhase,
+        Self::Deviation,
+        Self::LoopSizeStiffness,
+        Self::LoopSizeInertia,
+        Self::Contraction,
+        Self::Margin,
+        Self::MinForceRatio,
+        Self::TurningPointForceRatio,
+        Self::LeastDisplacement,
+        Self::TouchingPhase,
+        Self::BestForceRatio,
+        Self::BestLoopSize,
+    ];
+
+    /// Its name, as the command prints it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::MaxDisplacement => "max_displacement",
+            Self::DisplacementPhase => "displacement_phase",
+            Self::MaxVelocity => "max_velocity",
+            Self::VelocityPhase => "velocity_phase",
+            Self::Deviation => "deviation",
+            Self::LoopSizeStiffness => "loop_size_stiffness",
+            Self::LoopSizeInertia => "loop_size_inertia",
+            Self::Contraction => "contraction",
+            Self::Margin => "margin",
+            Self::MinForceRatio => "min_force_ratio",
+            Self::TurningPointForceRatio => "min_force_ratio_turning_point",
+            Self::LeastDisplacement => "least_displacement",
+            Self::TouchingPhase => "border_phase",
+            Self::BestForceRatio => "best_force_ratio",
+            Self::BestLoopSize => "best_loop_size",
+        }
+    }
+
+    /// Whether it belongs to the non-sticking cycle, and exists where that does.
+    #[must_use]
+    pub const fn is_of_cycle(self) -> bool {
+        matches!(
+            self,
+            Self::MaxDisplacement
+                | Self::DisplacementPhase
+                | Self::MaxVelocity
+                | Self::VelocityPhase
+                | Self::Deviation
+                | Self::LoopSizeStiffness
+                | Self::LoopSizeInertia
+                | Self::Contraction
+        )
+    }
+
+    /// Its value, dimensionless; `None` where it does not exist.
+    pub fn of<F: Float>(self, response: &Response<F>) -> Option<F> {
+        let (border, cycle) = (response.border(), response.cycle());
+        match self {
+            Self::MaxDisplacement => cycle.map(Cycle::max_displacement),
+            Self::DisplacementPhase => cycle.map(Cycle::displacement_phase),
+            Self::MaxVelocity => cycle.map(Cycle::max_velocity),
+            Self::VelocityPhase => cycle.map(Cycle::velocity_phase),
+            Self::Deviation => cycle.map(Cycle::deviation),
+            Self::LoopSizeStiffness => cycle.map(Cycle::loop_size_stiffness),
+            Self::LoopSizeInertia => cycle.map(Cycle::loop_size_inertia),
+            Self::Contraction => cycle.map(Cycle::contraction),
+            Self::Margin => Some(response.ratios().alpha() / border.min_force_ratio()),
+            Self::MinForceRatio => Some(border.min_force_ratio()),
+            Self::TurningPointForceRatio => Some(border.turning_point()),
+            Self::LeastDisplacement => Some(border.least_displacement()),
+            Self::TouchingPhase => Some(border.phase()),
+            Self::BestForceRatio => Some(response.best_force_ratio()),
+            Self::BestLoopSize => response.best_loop_size(),
+        }
+    }
+
+    /// The physical size of one unit of it.
+    pub fn unit<F: Float>(self, scales: &Scales<F>) -> F {
+        match self {
+            Self::MaxDisplacement | Self::Deviation | Self::LeastDisplacement => scales.length,
+            Self::MaxVelocity => scales.velocity,
+            Self::DisplacementPhase | Self::VelocityPhase | Self::TouchingPhase => scales.time,
+            Self::LoopSizeStiffness | Self::BestLoopSize => scales.energy_stiffness,
+            Self::LoopSizeInertia => scales.energy_inertia,
+            Self::MinForceRatio | Self::TurningPointForceRatio | Self::BestForceRatio => scales.force,
+            Self::Contraction | Self::Margin => F::int(1),
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Parameters that are known to intervals, or by distributions: what the outputs can be.
+//!
+//! | file | what |
+//! |---|---|
+//! | [`RatioBox`] | Ω and α in intervals |
+//! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, and ω_d in intervals |
+//! | `enclosure` | guaranteed ranges of the displacement and the energy |
+//! | `samples` | points of a box, for what is not known to be monotone |
+//! | `random` | Monte-Carlo over distributions (feature `random`) |
+//!
+//! # What is guaranteed, and why
+//!
+//! Let the body not stick anywhere in the box. Then, with `Δ₀/B = √(α² − K²)/|1 − Ω²|` and the border α_min(Ω):
+//!
+//! | output | monotone in | so that its range is |
+//! |---|---|---|
+//! | α_min | neither: one minimum in each lobe | known exactly ([`crate::nonsticking::border::border_range`]), sticking or not |
+//! | α/α_min | α | enclosed by the ends of α and of α_min, sticking or not |
+//! | Δ₀ | α (rising); physical: p₀ (rising), r_y (falling) | enclosed over pieces of Ω, see below |
+//! | 4 r_y Δ₀ | p₀ (rising); in r_y one maximum, r_y = p₀/(√2 \|K\|) | enclosed likewise |
+//! | V₀ | Δ₀/B, hence α (rising) | exact for one Ω; sampled over an interval of them |
+//! | K², hence α* = √2 \|K\| | Ω: falling from 1/(2n+1) to 1/(2n), rising from there to 1/(2n−1); for n = 1 to ∞ | exact |
+//!
+//! K² rises for Ω > 1/2 because κ(v) of [`crate::nonsticking::border::lobe`] falls with v = 1/Ω²; below, because T does within each half
+//! lobe and `|T′/T| ≥ π` outweighs the rest (ibid.). V₀ rises with Δ₀ because ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not
+//! negative. **Pieces:** between two neighbouring zeros or poles of K both `K²` and `|1 − Ω²|` are monotone in Ω, so that
+//! their values at the ends of a piece bound them within, and the bounds of all pieces together bound the output. They are not sharp: they
+//! exceed the range by an amount that shrinks like 1/pieces.
+//!
+//! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone: their ranges are **sampled**, at every corner of
+//! the box and at points spread over it, which is a range from the inside, and the result says so.
+//!
+//! Guaranteed means: apart from the rounding of the formulae themselves, a few units in the last place.
+//!
+//! ```
+//! use stickslip::uncertainty::{Interval, MachineBox, Sticking};
+//! use stickslip::Output;
+//! // Friction known to ±20 %, the stiffness to ±2 %.
+//! let machine = MachineBox::force(
+//!     Interval::exactly(50.0),
+//!     Interval::relative(1000.0, 0.02)?,
+//!     Interval::relative(5.0, 0.2)?,
+//!     Interval::exactly(12.0),
+//!     Interval::exactly(6.0),
+//! )?;
+//! assert_eq!(machine.sticks()?, Sticking::Never);
+//! let stroke = machine.range(Output::MaxDisplacement, 1000)?.unwrap();
+//! assert!(stroke.is_guaranteed() && 0.0102 < stroke.low && stroke.high < 0.0138);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+
+mod enclosure;
+mod machine;
+#[cfg(feature = "random")]
+pub mod random;
+mod ratios;
+mod samples;
+
+pub use machine::MachineBox;
+pub use ratios::RatioBox;
+
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::ratios::within;
+use crate::regime::{Regime, Verdict};
+
+/// What is known of a parameter: it lies between two numbers, which belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval<F> {
+    low: F,
+    high: F,
+}
+
+impl<F: Float> Interval<F> {
+    /// A parameter that is known exactly.
+    pub const fn exactly(x: F) -> Self {
+        Self { low: x, high: x }
+    }
+
+    /// Between `low` and `high`. Whether the numbers make sense for a parameter is judged where the interval is used.
+    ///
+    /// # Errors
+    /// [`Error::EmptyInterval`] where not `low ≤ high`.
+    pub fn between(low: F, high: F) -> Result<Self, Error> {
+        if low <= high {
+            Ok(Self { low, high })
+        } else {
+            Err(Error::EmptyInterval { low: low.to_string(), high: high.to_string() })
+        }
+    }
+
+    /// `x (1 ± share)`.
+    ///
+    /// # Errors
+    /// Where the share is not in [0, 1].
+    pub fn relative(x: F, share: F) -> Result<Self, Error> {
+        let share = within(Quantity::Tolerance, share, F::int(0), F::int(1))?;
+        Self::between(x - x * share, x + x * share)
+    }
+
+    /// `x ± off`.
+    ///
+    /// # Errors
+    /// [`Error::EmptyInterval`] where not `off ≥ 0`.
+    pub fn absolute(x: F, off: F) -> Result<Self, Error> {
+        Self::between(x - off, x + off)
+    }
+
+    /// The lower end.
+    pub const fn low(&self) -> F {
+        self.low
+    }
+
+    /// The upper end.
+    pub const fn high(&self) -> F {
+        self.high
+    }
+
+    /// Whether it is one number.
+    pub fn is_exact(&self) -> bool {
+        self.low == self.high
+    }
+
+    /// The point a share of the way from the lower end to the upper.
+    fn at(&self, share: F) -> F {
+        if share == F::int(1) { self.high } else { self.low + (self.high - self.low) * share }
+    }
+}
+
+/// How a range is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Known {
+    /// No parameters in the box lead outside of it, apart from rounding. `sharp` where its ends are taken, too.
+    Guaranteed {
+        /// Whether both ends are values that are taken in the box.
+        sharp: bool,
+    },
+    /// The least and the greatest value found at some points: the range is at least that wide.
+    Sampled {
+        /// Points looked at.
+        points: u32,
+        /// Points at which the output exists: the body does not stick there.
+        existing: u32,
+    },
+}
+
+/// The range of an output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range<F> {
+    /// Its lower end.
+    pub low: F,
+    /// Its upper end; infinite where the output is not bounded in the box.
+    pub high: F,
+    /// How it is known.
+    pub known: Known,
+}
+
+impl<F: Float> Range<F> {
+    /// Whether it holds for all parameters of the box.
+    pub const fn is_guaranteed(&self) -> bool {
+        matches!(self.known, Known::Guaranteed { .. })
+    }
+}
+
+/// Whether the body sticks, over a whole box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Sticking {
+    /// For all parameters of the box the body is below the border: at rest, or it stops or turns back within every half cycle.
+    Always,
+    /// It is not, for any.
+    Never,
+    /// It is for some and not for others, or the box is so close to the border that the arithmetic cannot tell.
+    Undecided,
+}
+
+impl Sticking {
+    /// From the verdict over the box.
+    fn of<F: Float>(verdict: &Verdict<F>) -> Self {
+        match verdict {
+            Verdict::AtRest | Verdict::Sticking | Verdict::Undecided(Regime::Stuck, Regime::Sticking) => {
+                Self::Always
+            }
+            Verdict::NonSticking
+            | Verdict::Degenerate(_)
+            | Verdict::Unbounded
+            | Verdict::Undecided(Regime::NonSticking, Regime::Unbounded) => Self::Never,
+            Verdict::Undecided(..) => Self::Undecided,
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The parameters of a machine in intervals.
+
+use super::enclosure::{Piece, hull, pieces};
+use super::{Interval, Known, Range, RatioBox, Sticking, samples};
+use crate::error::Error;
+use crate::float::Float;
+use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::output::Output;
+use crate::regime::Verdict;
+use crate::response::Response;
+
+/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MachineBox<F> {
+    mass: Interval<F>,
+    stiffness: Interval<F>,
+    friction_bound: Interval<F>,
+    amplitude: Interval<F>,
+    angular_frequency: Interval<F>,
+    is_base_motion: bool,
+}
+
+impl<F: Float> MachineBox<F> {
+    /// A machine under a force: m, k, r_y, p₀, ω_d.
+    ///
+    /// # Errors
+    /// Where an end of one of them is not finite or not > 0.
+    pub fn force(
+        mass: Interval<F>,
+        stiffness: Interval<F>,
+        friction_bound: Interval<F>,
+        amplitude: Interval<F>,
+        angular_frequency: Interval<F>,
+    ) -> Result<Self, Error> {
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: false }
+            .checked()
+    }
+
+    /// A machine on a moving base: m, k, r_y, u_g0, ω_d.
+    ///
+    /// # Errors
+    /// As [`MachineBox::force`].
+    pub fn base_motion(
+        mass: Interval<F>,
+        stiffness: Interval<F>,
+        friction_bound: Interval<F>,
+        amplitude: Interval<F>,
+        angular_frequency: Interval<F>,
+    ) -> Result<Self, Error> {
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: true }.checked()
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        for end in [F::int(0), F::int(1)] {
+            self.at([end; 5])?;
+        }
+        Ok(self)
+    }
+
+    /// The machine at a share of the way through each interval.
+    fn at(&self, [m, k, r, a, w]: [F; 5]) -> Result<(Oscillator<F>, Drive<F>), Error> {
+        let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?;
+        let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
+        let drive = if self.is_base_motion {
+            Drive::base_motion(amplitude, frequency)
+        } else {
+            Drive::force(amplitude, frequency)
+        };
+        Ok((body, drive?))
+    }
+
+    /// The amplitude of the force at a stiffness in an interval.
+    fn force_at(&self, stiffness: Interval<F>) -> Interval<F> {
+        if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
+    }
+
+    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, each monotone in each parameter.
+    ///
+    /// Its ends are taken, but under base motion, where k is in both, not every pair in it is. Widened by what the quotients and the
+    /// root may have lost to rounding.
+    ///
+    /// # Errors
+    /// Where a ratio leaves the domain of [`crate::Ratios`].
+    pub fn ratios(&self) -> Result<RatioBox<F>, Error> {
+        let ratio = self.stiffness.over(self.mass);
+        let natural = Interval { low: ratio.low.sqrt(), high: ratio.high.sqrt() };
+        let omega = self.angular_frequency.over(natural);
+        let alpha = self.force_at(self.stiffness).over(self.friction_bound);
+        let wider = |i: Interval<F>| {
+            let share = F::int(2) * F::epsilon();
+            Interval { low: i.low - share * i.low, high: i.high + share * i.high }
+        };
+        RatioBox::new(wider(omega), wider(alpha))
+    }
+
+    /// Whether the body sticks: for sure, never, or undecided over the box.
+    ///
+    /// Under base motion undecided may be said of a box that is just decided ([`MachineBox::ratios`]).
+    ///
+    /// # Errors
+    /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].
+    pub fn sticks(&self) -> Result<Sticking, Error> {
+        self.ratios()?.sticks()
+    }
+
+    /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at no point that was looked
+    /// at.
+    ///
+    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the least force and the margin, by the module's head; sampled
+    /// otherwise, as is everything that belongs to the cycle where the body may stick. `points` is the number of points, or of pieces.
+    ///
+    /// # Errors
+    /// As [`MachineBox::ratios`], and where a scale over- or underflows.
+    pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
+        match self.guaranteed(output, points)? {
+            Some(range) => Ok(Some(range)),
+            None => samples::range(points, |shares| {
+                let (body, drive) = self.at(shares)?;
+                let response = Response::new(drive.ratios(&body)?);
+                let unit = output.unit(&Scales::new(&body, &drive)?);
+                Ok(output.of(&response).map(|y| y * unit))
+            }),
+        }
+    }
+
+    fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
+        let ratios = self.ratios()?;
+        if output == Output::MinForceRatio {
+            // r_y has no part in Ω: the two factors are independent.
+            let border = ratios.range(output, count)?;
+            return Ok(border.map(|border| {
+                let ends = Interval { low: border.low, high: border.high };
+                let force = ends.times(self.friction_bound);
+                Range { low: force.low, high: force.high, ..border }
+            }));
+        }
+        if output == Output::Margin {
+            let range = ratios.range(output, count)?;
+            return Ok(range.map(|range| Range { known: Known::Guaranteed { sharp: false }, ..range }));
+        }
+        let is_work = matches!(output, Output::LoopSizeStiffness | Output::LoopSizeInertia);
+        if !(is_work || output == Output::MaxDisplacement) || ratios.verdict()? != Verdict::NonSticking {
+            return Ok(None);
+        }
+        let found = pieces(ratios.omega(), count);
+        let bounds = found.iter().filter_map(|piece| {
+            let stiffness = self.stiffness_in(piece)?;
+            let force = self.force_at(stiffness);
+            // Δ₀ = √(p₀² − K² r_y²)/(k |1 − Ω²|), and 4 r_y of it
+            let root = if is_work {
+                let work = piece.work(force, self.friction_bound);
+                Interval { low: F::int(4) * work.low, high: F::int(4) * work.high }
+            } else {
+                piece.root(force, self.friction_bound)
+            };
+            Some(root.times(piece.resonance).over(stiffness))
+        });
+        Ok(hull(bounds, false))
+    }
+
+    /// The stiffnesses that can have a frequency ratio in a piece, `k = m ω_d²/Ω²`; `None` where none can.
+    fn stiffness_in(&self, piece: &Piece<F>) -> Option<Interval<F>> {
+        let squared = |i: Interval<F>| i.times(i);
+        let reachable = self.mass.times(squared(self.angular_frequency)).over(squared(piece.omega));
+        // Wider than rounding.
+        let share = F::int(16) * F::epsilon();
+        let low = self.stiffness.low.or_larger(reachable.low - share * reachable.low);
+        let high = reachable.high + share * reachable.high;
+        let high = if high < self.stiffness.high { high } else { self.stiffness.high };
+        (low <= high).then_some(Interval { low, high })
+    }
+}

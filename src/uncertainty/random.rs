@@ -1,0 +1,251 @@
+//! Monte-Carlo: parameters drawn from distributions.
+//!
+//! Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of them, where they are
+//! correlated. Reproducible: the same seed gives the same draws on every machine (ChaCha8), as far as the distributions do.
+//! Draws that make no sense, such as a negative friction bound from a normal distribution, are counted, not repeated: the
+//! probabilities are those given that the draw is valid, and [`MonteCarlo::invalid`] says how many were not.
+//!
+//! ```
+//! use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
+//! use stickslip::{Output, Regime};
+//! use rand_distr::{LogNormal, Normal};
+//! let machine = Independent {
+//!     mass: Exactly(50.0),
+//!     stiffness: Normal::new(1000.0, 20.0).unwrap(),
+//!     friction_bound: LogNormal::from_mean_cv(5.0, 0.4).unwrap(),
+//!     amplitude: Exactly(12.0),
+//!     angular_frequency: Exactly(6.0),
+//! };
+//! let found = MonteCarlo::force(&machine, &[Output::MaxDisplacement], 20_000, 7)?;
+//! let sticking = found.probability(Regime::Sticking);
+//! // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
+//! assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
+//! assert_eq!(found.invalid(), 0);
+//! let [low, high] = [0.05, 0.95].map(|share| found.quantile(Output::MaxDisplacement, share).unwrap());
+//! assert!(0.004 < low && low < high && high < 0.017);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+
+use crate::error::{Error, Quantity};
+use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::output::Output;
+use crate::regime::Regime;
+use crate::response::Response;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rand_distr::Distribution;
+
+/// One draw of the parameters.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parameters {
+    /// Mass m.
+    pub mass: f64,
+    /// Stiffness k.
+    pub stiffness: f64,
+    /// Friction bound r_y.
+    pub friction_bound: f64,
+    /// Amplitude: p₀ of a force, u_g0 of a base motion.
+    pub amplitude: f64,
+    /// Angular frequency ω_d.
+    pub angular_frequency: f64,
+}
+
+/// Independent parameters, each with a distribution of its own.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Independent<M, K, R, A, W> {
+    /// Of the mass m.
+    pub mass: M,
+    /// Of the stiffness k.
+    pub stiffness: K,
+    /// Of the friction bound r_y.
+    pub friction_bound: R,
+    /// Of the amplitude: p₀ of a force, u_g0 of a base motion.
+    pub amplitude: A,
+    /// Of the angular frequency ω_d.
+    pub angular_frequency: W,
+}
+
+impl<M, K, R, A, W> Distribution<Parameters> for Independent<M, K, R, A, W>
+where
+    M: Distribution<f64>,
+    K: Distribution<f64>,
+    R: Distribution<f64>,
+    A: Distribution<f64>,
+    W: Distribution<f64>,
+{
+    fn sample<G: Rng + ?Sized>(&self, rng: &mut G) -> Parameters {
+        Parameters {
+            mass: self.mass.sample(rng),
+            stiffness: self.stiffness.sample(rng),
+            friction_bound: self.friction_bound.sample(rng),
+            amplitude: self.amplitude.sample(rng),
+            angular_frequency: self.angular_frequency.sample(rng),
+        }
+    }
+}
+
+/// The distribution of a parameter that is known exactly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Exactly(pub f64);
+
+impl Distribution<f64> for Exactly {
+    fn sample<G: Rng + ?Sized>(&self, _: &mut G) -> f64 {
+        self.0
+    }
+}
+
+/// An estimate and its standard error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The estimate.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+}
+
+/// What came of the draws.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MonteCarlo {
+    draws: u32,
+    regimes: [(Regime, u32); 4],
+    /// Each output in increasing order, at the draws that have it.
+    outputs: Vec<(Output, Vec<f64>)>,
+}
+
+impl MonteCarlo {
+    /// A machine under a force, drawn `draws` times; `outputs` are kept, in physical units ([`Output::unit`]).
+    ///
+    /// # Errors
+    /// Where `draws` is zero.
+    pub fn force(
+        machine: &impl Distribution<Parameters>,
+        outputs: &[Output],
+        draws: u32,
+        seed: u64,
+    ) -> Result<Self, Error> {
+        Self::of(machine, outputs, draws, seed, Drive::force)
+    }
+
+    /// The same for a machine on a moving base.
+    ///
+    /// # Errors
+    /// As [`MonteCarlo::force`].
+    pub fn base_motion(
+        machine: &impl Distribution<Parameters>,
+        outputs: &[Output],
+        draws: u32,
+        seed: u64,
+    ) -> Result<Self, Error> {
+        Self::of(machine, outputs, draws, seed, Drive::base_motion)
+    }
+
+    fn of(
+        machine: &impl Distribution<Parameters>,
+        outputs: &[Output],
+        draws: u32,
+        seed: u64,
+        drive: impl Fn(f64, f64) -> Result<Drive<f64>, Error>,
+    ) -> Result<Self, Error> {
+        if draws == 0 {
+            return Err(Error::NotPositive { quantity: Quantity::Draws, value: draws.to_string() });
+        }
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut regimes =
+            [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded].map(|r| (r, 0));
+        let mut outputs: Vec<_> = outputs.iter().map(|&output| (output, Vec::new())).collect();
+        for _ in 0..draws {
+            let p = machine.sample(&mut rng);
+            let Ok((response, scales)) = answer(&p, &drive) else { continue };
+            for (regime, count) in &mut regimes {
+                *count += u32::from(*regime == response.regime());
+            }
+            for (output, values) in &mut outputs {
+                values.extend(output.of(&response).map(|y| y * output.unit(&scales)));
+            }
+        }
+        for (_, values) in &mut outputs {
+            values.sort_by(f64::total_cmp);
+        }
+        Ok(Self { draws, regimes, outputs })
+    }
+
+    /// Draws in all.
+    #[must_use]
+    pub const fn draws(&self) -> u32 {
+        self.draws
+    }
+
+    /// Draws with an answer.
+    #[must_use]
+    pub fn valid(&self) -> u32 {
+        self.regimes.iter().map(|(_, count)| count).sum()
+    }
+
+    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of the number type.
+    #[must_use]
+    pub fn invalid(&self) -> u32 {
+        self.draws - self.valid()
+    }
+
+    /// Valid draws in a regime.
+    #[must_use]
+    pub fn count(&self, regime: Regime) -> u32 {
+        self.regimes.iter().filter(|(r, _)| *r == regime).map(|(_, count)| count).sum()
+    }
+
+    /// The probability of a regime, given that the draw is valid; NaN where none was.
+    ///
+    /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull), which is not zero where all draws
+    /// or none are in the regime.
+    #[must_use]
+    pub fn probability(&self, regime: Regime) -> Estimate {
+        let (count, n) = (f64::from(self.count(regime)), f64::from(self.valid()));
+        let shrunk = (count + 2.0) / (n + 4.0);
+        Estimate { value: count / n, standard_error: (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt() }
+    }
+
+    /// The values of an output that was kept, in increasing order, at the draws that have it: outputs of the cycle exist where the
+    /// body does not stick. Empty for one that was not kept.
+    #[must_use]
+    pub fn values(&self, output: Output) -> &[f64] {
+        self.outputs.iter().find(|(kept, _)| *kept == output).map_or(&[], |(_, values)| values)
+    }
+
+    /// The quantile of an output, given that it exists: linear between the values in order, the least at share 0, the greatest at
+    /// share 1. `None` for a share outside [0, 1], or where there is no value.
+    #[must_use]
+    pub fn quantile(&self, output: Output, share: f64) -> Option<f64> {
+        let values = self.values(output);
+        if !(0.0..=1.0).contains(&share) || values.is_empty() {
+            return None;
+        }
+        let place = share * (values.len() - 1) as f64;
+        let (below, part) = (place.floor(), place.fract());
+        let low = *values.get(below as usize)?;
+        let high = values.get(below as usize + 1).copied().unwrap_or(low);
+        Some(low + (high - low) * part)
+    }
+
+    /// The mean of an output, given that it exists, with its standard error `s/√n`; `None` with fewer than two values.
+    #[must_use]
+    pub fn mean(&self, output: Output) -> Option<Estimate> {
+        let values = self.values(output);
+        let n = values.len() as f64;
+        if n < 2.0 {
+            return None;
+        }
+        let mean = values.iter().sum::<f64>() / n;
+        let squares: f64 = values.iter().map(|y| (y - mean).powi(2)).sum();
+        Some(Estimate { value: mean, standard_error: (squares / (n - 1.0) / n).sqrt() })
+    }
+}
+
+/// The answer for one draw, and its scales.
+fn answer(
+    p: &Parameters,
+    drive: impl Fn(f64, f64) -> Result<Drive<f64>, Error>,
+) -> Result<(Response<f64>, Scales<f64>), Error> {
+    let body = Oscillator::new(p.mass, p.stiffness, p.friction_bound)?;
+    let drive = drive(p.amplitude, p.angular_frequency)?;
+    Ok((Response::new(drive.ratios(&body)?), Scales::new(&body, &drive)?))
+}

@@ -1,0 +1,135 @@
+//! Ω and α in intervals.
+
+use super::enclosure::{Piece, hull, pieces};
+use super::{Interval, Known, Range, Sticking, samples};
+use crate::error::Error;
+use crate::float::Float;
+use crate::nonsticking::border::border_range;
+use crate::output::Output;
+use crate::ratios::Ratios;
+use crate::regime::{Place, Verdict};
+use crate::response::Response;
+
+/// Frequency and force ratio in intervals.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RatioBox<F> {
+    omega: Interval<F>,
+    alpha: Interval<F>,
+}
+
+impl<F: Float> RatioBox<F> {
+    /// All Ω of one interval with all α of the other.
+    ///
+    /// # Errors
+    /// Where an end is outside the domain of [`Ratios`].
+    pub fn new(omega: Interval<F>, alpha: Interval<F>) -> Result<Self, Error> {
+        Ratios::new(omega.low, alpha.low)?;
+        Ratios::new(omega.high, alpha.high)?;
+        Ok(Self { omega, alpha })
+    }
+
+    /// The interval of Ω.
+    pub const fn omega(&self) -> Interval<F> {
+        self.omega
+    }
+
+    /// The interval of α.
+    pub const fn alpha(&self) -> Interval<F> {
+        self.alpha
+    }
+
+    /// The verdict that holds for the whole box ([`Place::within`]).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn verdict(&self) -> Result<Verdict<F>, Error> {
+        let ends = |interval: Interval<F>| (interval.low, interval.high);
+        Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())
+    }
+
+    /// Whether the body sticks: for sure, never, or undecided over the box.
+    ///
+    /// # Errors
+    /// As [`RatioBox::verdict`].
+    pub fn sticks(&self) -> Result<Sticking, Error> {
+        Ok(Sticking::of(&self.verdict()?))
+    }
+
+    /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked at.
+    ///
+    /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head; sampled otherwise, as is everything
+    /// that belongs to the cycle where the body may stick or Ω = 1 is inside. `points` is the number of points, or of pieces.
+    ///
+    /// # Errors
+    /// As [`RatioBox::verdict`].
+    pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
+        match self.guaranteed(output, points)? {
+            Some(range) => Ok(Some(range)),
+            None => samples::range(points, |[o, a]: [F; 2]| {
+                let response = Response::new(Ratios::new(self.omega.at(o), self.alpha.at(a))?);
+                Ok(output.of(&response))
+            }),
+        }
+    }
+
+    fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
+        let Self { omega, alpha } = *self;
+        let one = Interval::exactly(F::int(1));
+        if output == Output::MinForceRatio {
+            return self.border(|border| border, true).map(Some);
+        }
+        if output == Output::Margin {
+            return self.border(|border| alpha.over(border), omega.is_exact()).map(Some);
+        }
+        if output == Output::BestForceRatio {
+            return self.best_force_ratio();
+        }
+        if !output.is_of_cycle() || self.verdict()? != Verdict::NonSticking {
+            return Ok(None);
+        }
+        let sharp = omega.is_exact();
+        if output == Output::MaxVelocity && sharp {
+            let ends = samples::range(0, |[a]: [F; 1]| {
+                Ok(output.of(&Response::new(Ratios::new(omega.low, alpha.at(a))?)))
+            })?;
+            return Ok(ends.map(|range| Range { known: Known::Guaranteed { sharp }, ..range }));
+        }
+        // A₁ = 8 Δ₀/α² by the share ρ = 1/α of friction: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
+        let loop_size = |piece: &Piece<F>| {
+            let work = piece.work(one, one.over(alpha)).times(piece.resonance);
+            Interval { low: F::int(8) * work.low, high: F::int(8) * work.high }
+        };
+        let bounds = |piece: &Piece<F>| {
+            if output == Output::MaxDisplacement {
+                Some(piece.root(alpha, one).times(piece.resonance))
+            } else if output == Output::LoopSizeStiffness {
+                Some(loop_size(piece))
+            } else if output == Output::LoopSizeInertia {
+                Some(loop_size(piece).times(piece.omega.times(piece.omega)))
+            } else {
+                None
+            }
+        };
+        Ok(hull(pieces(omega, count).iter().filter_map(bounds), sharp))
+    }
+
+    /// What follows from the range of the border; without an upper bound where a pole is inside.
+    fn border(&self, f: impl Fn(Interval<F>) -> Interval<F>, sharp: bool) -> Result<Range<F>, Error> {
+        let border = border_range(self.omega.low, self.omega.high)?;
+        let infinite = F::int(1) / F::int(0);
+        let interval = f(Interval { low: border.least, high: border.greatest.unwrap_or(infinite) });
+        Ok(Range { low: interval.low, high: interval.high, known: Known::Guaranteed { sharp } })
+    }
+
+    /// √2 |K|, monotone on each piece; only where no pole is inside.
+    fn best_force_ratio(&self) -> Result<Option<Range<F>>, Error> {
+        if border_range(self.omega.low, self.omega.high)?.greatest.is_none() {
+            return Ok(None);
+        }
+        let best = |k_squared: F| (F::int(2) * k_squared).sqrt();
+        let found = pieces(self.omega, 1);
+        let each =
+            found.iter().map(|p| Interval { low: best(p.k_squared.low), high: best(p.k_squared.high) });
+        Ok(hull(each, true))
+    }
+}

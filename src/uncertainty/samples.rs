@@ -1,0 +1,48 @@
+//! Ranges by sampling: every corner of a box, its middle, and points spread over it.
+
+use super::{Known, Range};
+use crate::error::Error;
+use crate::float::Float;
+
+/// The least and the greatest value of a function of N shares in [0, 1]; `None` where it exists at no point.
+///
+/// All 2ᴺ corners, the middle, and `points` more: `frac(i √p)` with a prime p for each share, a sequence that fills the box
+/// evenly and is the same in every run.
+pub(super) fn range<F: Float, const N: usize>(
+    points: u32,
+    mut f: impl FnMut([F; N]) -> Result<Option<F>, Error>,
+) -> Result<Option<Range<F>>, Error> {
+    const PRIMES: [i32; 8] = [2, 3, 5, 7, 11, 13, 17, 19];
+    let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
+    let mut ends: Option<(F, F)> = None;
+    let (mut looked_at, mut existing) = (0, 0);
+    let mut look = |shares: [F; N]| -> Result<(), Error> {
+        looked_at += 1;
+        if let Some(y) = f(shares)? {
+            existing += 1;
+            ends = Some(match ends {
+                None => (y, y),
+                Some((low, high)) => (if y < low { y } else { low }, high.or_larger(y)),
+            });
+        }
+        Ok(())
+    };
+    for corner in 0..1_u32 << N {
+        look(core::array::from_fn(|i| if corner >> i & 1 == 1 { one } else { zero }))?;
+    }
+    look([half; N])?;
+    let steps: [F; N] = core::array::from_fn(|i| PRIMES.get(i).map_or(half, |&p| fraction(F::int(p).sqrt())));
+    let mut shares = [half; N];
+    for _ in 0..points {
+        for (share, &step) in shares.iter_mut().zip(&steps) {
+            *share = fraction(*share + step);
+        }
+        look(shares)?;
+    }
+    let known = Known::Sampled { points: looked_at, existing };
+    Ok(ends.map(|(low, high)| Range { low, high, known }))
+}
+
+fn fraction<F: Float>(x: F) -> F {
+    x - x.floor()
+}

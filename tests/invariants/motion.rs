@@ -1,0 +1,122 @@
+//! What holds of the exact motion from any state, and of the questions asked backwards.
+
+#![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
+
+use stickslip::design;
+use stickslip::exact::{End, Kind, LongRun, State, Trajectory};
+use stickslip::{Border, Cycle, Ratios, Regime, regime};
+
+/// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound, energy is lost
+/// only to friction and won only from the drive.
+///
+/// # Panics
+/// Where a promise is broken: that is the finding.
+pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
+    let (Ok(ratios), Ok(start)) = (Ratios::new(omega, alpha), State::new(theta, x, v)) else { return };
+    let Ok(motion) = Trajectory::new(ratios, start) else {
+        assert!(!(2f64.powi(-20)..=2f64.powi(20)).contains(&omega));
+        return;
+    };
+    let mut last = start;
+    for (i, phase) in motion.take(24).enumerate() {
+        let from = phase.start();
+        assert!(from.phase == last.phase && from.x == last.x, "phase {i} of {ratios:?} from {start:?}");
+        let at = phase.at(from.phase);
+        assert!(at.friction.abs() <= 1.0);
+        let Some(to) = phase.end() else {
+            assert!(phase.ends_by() == End::Never && phase.kind() == Kind::Stick);
+            return;
+        };
+        let length = phase.duration().unwrap_or(f64::NAN);
+        assert!(length >= 0.0, "phase {i} lasts {length:e}");
+        assert!(to.x.is_finite() && to.v == 0.0);
+        if phase.kind() == Kind::Stick {
+            assert_eq!(to.x, from.x);
+            // Friction gives way where the force left over is r_y.
+            let (sine, _) = to.phase.sin_cos();
+            let force = (alpha * sine - to.x).abs();
+            let scale = 1.0 + alpha + to.x.abs();
+            assert!((force - 1.0).abs() <= 1e-9 * scale, "release at {force:e} of {scale:e}");
+        }
+        last = to;
+    }
+}
+
+/// The long run from any state: says what it is, and what it says is consistent with itself.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
+    let (Ok(ratios), Ok(start)) = (Ratios::new(omega, alpha), State::new(theta, x, v)) else { return };
+    // Bounded work: the number of slides in a cycle is about 2 + 2/Ω. And where the force exceeds friction by less than 1e-9 of it,
+    // the slides are too short for f64 to time.
+    if omega < 1e-3 || (alpha - 1.0).abs() < 1e-9 {
+        return;
+    }
+    let Ok(limit) = LongRun::within(ratios, start, 200) else { return };
+    match &limit {
+        LongRun::Rest(rest) => {
+            assert!(alpha <= 1.0 && rest.position.abs() <= (1.0 - alpha) + 1e-12 * (1.0 + x.abs()));
+        }
+        LongRun::Unbounded { growth } => assert!(omega == 1.0 && *growth > 0.0),
+        LongRun::NotConverged { .. } => {}
+        LongRun::Periodic(steady) | LongRun::Family(steady) => {
+            assert!(alpha > 1.0);
+            assert!(steady.min_displacement() <= steady.max_displacement());
+            assert!(steady.min_velocity() <= 0.0 && steady.max_velocity() >= 0.0);
+            assert!((0.0..1.0).contains(&steady.stick_fraction()));
+            assert!(steady.contraction() <= 1.0 + 1e-6, "{}", steady.contraction());
+            let (work_in, work_out) = (steady.energy_in(), steady.energy_out());
+            // What the distance from the limit is worth in energy, and rounding in the large terms.
+            let (far, fast) = steady.distance();
+            assert!(far >= 0.0 && fast >= 0.0);
+            let size = alpha * (steady.max_displacement() - steady.min_displacement());
+            assert!(
+                (work_in - work_out).abs()
+                    <= 1e-9 * size.abs() * (1.0 + 1.0 / omega) + 64.0 * far * (1.0 + alpha),
+                "{work_in:e} in, {work_out:e} out at {ratios:?}"
+            );
+        }
+    }
+}
+
+/// What the rounding of α is worth in Δ₀, relative: `dΔ₀/Δ₀ = α² /((1 − Ω²) Δ₀)² · dα/α`, some units of it.
+fn condition(omega: f64, alpha: f64, max_displacement: f64) -> f64 {
+    let sine = (1.0 - omega) * (1.0 + omega) * max_displacement / alpha;
+    64.0 * f64::EPSILON / (sine * sine)
+}
+
+/// The questions asked backwards: an error that says what is wrong, or an answer that the forward functions confirm.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64) {
+    if let Ok(force) = design::force_ratio_for_displacement(omega, target)
+        && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
+    {
+        let slack = 1e-9 + condition(omega, force, target);
+        assert!((cycle.max_displacement() / target - 1.0).abs() < slack, "{omega:e} {target:e} {force:e}");
+    }
+    if let Ok(force) = design::force_ratio_for_velocity(omega, target)
+        && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
+    {
+        let slack = 1e-9 + condition(omega, force, cycle.max_displacement());
+        assert!((cycle.max_velocity() / target - 1.0).abs() < slack, "{omega:e} {target:e} {force:e}");
+    }
+    if let Ok(best) = design::most_dissipating_force_ratio(omega) {
+        let least = Border::new(omega).map_or(f64::NAN, |b| b.min_force_ratio());
+        assert!(best.force_ratio >= least && best.loop_size > 0.0);
+    }
+    if let Ok(bands) = design::bands(alpha, low, high) {
+        let mut last = low;
+        // A wide range at low frequency has very many.
+        for band in bands.take(64) {
+            let Ok(band) = band else { continue };
+            assert!(last <= band.low && band.low <= band.high && band.high <= high);
+            last = band.high;
+            for end in [band.low, band.high] {
+                assert_ne!(regime(end, alpha), Ok(Regime::Sticking), "{end:e} of {alpha:e}");
+            }
+        }
+    }
+}
