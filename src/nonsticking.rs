@@ -37,7 +37,7 @@ pub use displacement::{
 };
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
-pub use reversal::max_displacement_at;
+pub use reversal::{Reversal, max_displacement_at};
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::Error;
@@ -45,7 +45,6 @@ use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use half_cycle::HalfCycle;
-use reversal::Reversal;
 
 /// The steady non-sticking motion at one (Ω, α), with all its outputs.
 ///
@@ -91,7 +90,7 @@ impl<F: Float> Cycle<F> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let k = p.value();
         let reversal = Reversal::new(p, alpha);
-        let max_displacement = reversal.displacement.value();
+        let max_displacement = reversal.max_displacement();
         let half = HalfCycle::new(p, max_displacement);
         let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
         let (fastest, displacement) = if F::PRECISION > f64::MANTISSA_DIGITS {
@@ -179,13 +178,12 @@ impl<F: Float> Cycle<F> {
 
     /// Loop size A₁ ([`loop_size_stiffness`], eq. 64).
     pub fn loop_size_stiffness(&self) -> F {
-        dissipation::loop_size_stiffness_of_pair(self.reversal.displacement, self.ratios.alpha())
+        self.reversal.loop_size_stiffness()
     }
 
     /// Loop size A₂ ([`loop_size_inertia`], eq. 67).
     pub fn loop_size_inertia(&self) -> F {
-        let (omega, alpha) = (self.ratios.omega(), self.ratios.alpha());
-        dissipation::loop_size_inertia_of_pair(self.reversal.displacement, alpha, omega)
+        self.reversal.loop_size_inertia(self.ratios.omega())
     }
 
     /// What the matching problem is given here: A/B, B/B = 1 and Ω.

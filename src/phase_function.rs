@@ -53,8 +53,9 @@ fn y_cot_y<F: Float>(y: F) -> F {
 pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,
-    remainder: Pair<F>,
+    remainder: F,
     value: Pair<F>,
+    doubt: F,
 }
 
 impl<F: Float> PhaseFunction<F> {
@@ -70,19 +71,81 @@ impl<F: Float> PhaseFunction<F> {
     /// The phase function of an Ω known to be in the domain.
     #[inline]
     pub(crate) fn of_valid(omega: F) -> Self {
-        let (quarter, rest) = nearest_quarter(omega);
-        if F::PRECISION > f64::MANTISSA_DIGITS {
-            let remainder = F::pi() * rest / (F::int(2) * omega);
-            let value = Pair::exact(phase_function(omega, quarter, remainder));
-            return Self { omega, quarter, remainder: Pair::exact(remainder), value };
+        let p = if F::PRECISION > f64::MANTISSA_DIGITS {
+            Self::of_many_digits(omega)
+        } else if omega >= F::int(2) {
+            Self::above(omega)
+        } else if is_beside_one(omega) {
+            Self::beside_one(omega)
+        } else {
+            Self::refined_at(omega)
+        };
+        let hi = p.value.hi.differentiated_as(|| p.slope().constant() * omega);
+        Self { value: Pair::new(hi, p.value.lo), ..p }
+    }
+
+    /// `K = −(2/π) [(1 + Ω) − (1 + Ω) g]`, g = 1 − w cot w, w = (π/2) (1 − Ω)/Ω, for 2/3 ≤ Ω < 2: the rounding errors of g
+    /// are all that counts.
+    #[inline]
+    fn beside_one(omega: F) -> Self {
+        let half_pi = F::pi() * F::ratio(1, 2);
+        let r = (F::int(1) - omega) / omega;
+        let square = half_pi * half_pi * (r * r);
+        if square < F::exp2i(-18) {
+            return Self::refined_at(omega);
         }
-        // w = (π/2) (1 − qΩ)/Ω, where 1 − qΩ is exact
-        let remainder = Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2));
-        let remainder = remainder.normalised();
-        let value = compensated(omega, quarter, remainder).normalised();
-        let p = Self { omega, quarter, remainder, value };
-        let hi = value.hi.differentiated_as(|| p.slope().constant() * omega);
-        Self { value: Pair::new(hi, value.lo.constant()), ..p }
+        let defect = cotangent::plain_defect(square);
+        let one_plus = Pair::ordered_sum(F::int(1), omega);
+        let Pair { hi, lo } = Pair::ordered_sum(one_plus.hi, -(one_plus.hi * defect));
+        let value = -(Pair::new(hi, lo + one_plus.lo) * (Pair::exact(F::int(2)) / Pair::pi()));
+        Self { omega, quarter: 1, remainder: half_pi * r, value: value.normalised(), doubt: defect }
+    }
+
+    /// `K = −(π/2) (1 − v)(1 + h) = −(π/2) {1 − [v − h (1 − v)]}`, v = 1/Ω², h = tan β/β − 1, for Ω ≥ 2: the errors of v and h
+    /// are all that counts.
+    #[inline]
+    fn above(omega: F) -> Self {
+        let (one, half_pi) = (F::int(1), F::pi() * F::ratio(1, 2));
+        let v = one / (omega * omega);
+        let excess = cotangent::tangent_excess(half_pi * half_pi * v);
+        let y = Pair::ordered_sum(one, excess * (one - v) - v);
+        let value = -(y * (Pair::pi() * F::ratio(1, 2)));
+        Self { omega, quarter: 0, remainder: half_pi / omega, value: value.normalised(), doubt: excess }
+    }
+
+    /// K by the quotient of pairs.
+    #[inline(never)]
+    fn refined_at(omega: F) -> Self {
+        let (quarter, w) = reduced(omega);
+        let value = compensated(omega, quarter, w).normalised();
+        Self { omega, quarter, remainder: w.hi, value, doubt: Self::none() }
+    }
+
+    /// K with the digits of the type, of which there are enough.
+    #[inline]
+    fn of_many_digits(omega: F) -> Self {
+        let (quarter, rest) = nearest_quarter(omega);
+        let remainder = F::pi() * rest / (F::int(2) * omega);
+        let value = Pair::exact(phase_function(omega, quarter, remainder));
+        Self { omega, quarter, remainder, value, doubt: Self::none() }
+    }
+
+    /// The doubt of a K that is as good as it gets: no comparison finds that less is at stake.
+    #[inline]
+    fn none() -> F {
+        F::int(1) / F::int(0)
+    }
+
+    /// The same with K as good as pairs give it.
+    #[inline]
+    pub(crate) fn refined(&self) -> Self {
+        if self.doubt == Self::none() { *self } else { Self::refined_at(self.omega) }
+    }
+
+    /// What the error of [`PhaseFunction::pair`] is proportional to, of the order of w²; infinite where no better K is to be had.
+    #[inline]
+    pub(crate) const fn doubt(&self) -> F {
+        self.doubt
     }
 
     /// Frequency ratio Ω.
@@ -100,7 +163,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `w = β − q π/2`, in `[−π/4, π/4]`.
     #[inline]
     pub const fn remainder(&self) -> F {
-        self.remainder.hi
+        self.remainder
     }
 
     /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
@@ -112,13 +175,13 @@ impl<F: Float> PhaseFunction<F> {
     /// Whether Ω is 1/(2n), to within the rounding of Ω.
     pub(crate) fn is_even_subharmonic(&self) -> bool {
         let (one, rounding) = (F::int(1), F::int(4) * F::epsilon() / self.omega);
-        self.quarter & 1 == 0 && self.omega < one && self.remainder.hi.abs() <= rounding
+        self.quarter & 1 == 0 && self.omega < one && self.remainder.abs() <= rounding
     }
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
     #[inline]
     pub fn tangent(&self) -> F {
-        tangent(self.quarter, self.remainder.hi)
+        tangent(self.quarter, self.remainder)
     }
 
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
@@ -130,7 +193,7 @@ impl<F: Float> PhaseFunction<F> {
             let c = F::int(1) / (F::int(1) + t.square()).sqrt();
             (t * c, c)
         } else {
-            self.remainder.hi.sin_cos()
+            self.remainder.sin_cos()
         };
         match self.quarter {
             0 => (s, c),
@@ -144,7 +207,7 @@ impl<F: Float> PhaseFunction<F> {
     fn remainder_tangent(&self) -> F {
         let (omega, k) = (self.omega, self.value.hi);
         if is_beside_one(omega) {
-            F::int(-2) * (F::int(1) + omega) * self.remainder.hi / (F::pi() * k)
+            F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
             k * omega / one_minus_square(omega)
         } else {
@@ -155,7 +218,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
     pub(crate) fn lobe_phase(&self) -> Pair<F> {
-        let w = self.remainder;
+        let w = if F::PRECISION > f64::MANTISSA_DIGITS { Pair::exact(self.remainder) } else { reduced(self.omega).1 };
         if self.quarter & 1 == 1 {
             Pair::pi() * F::ratio(1, 2) + w
         } else if w.hi < F::int(0) {
@@ -222,12 +285,28 @@ fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
     if quarter & 1 == 0 { square * w / (cotangent * omega) } else { -(square * cotangent) / (w * omega) }
 }
 
+/// `(q mod 4, w)` of the angle `β = q π/2 + w`, `w = (π/2) (1 − qΩ)/Ω`, where 1 − qΩ is exact.
+#[inline]
+fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
+    let (quarter, rest) = nearest_quarter(omega);
+    (quarter, (Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2))).normalised())
+}
+
 /// `1 − Ω²`, exactly but for the rounding of the rest.
 #[inline]
-fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
+pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
     let square = Pair::product(omega, omega);
     let Pair { hi, lo } = Pair::sum(F::int(1), -square.hi);
     Pair::new(hi, lo - square.lo)
+}
+
+/// [`one_minus_square_pair`] for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
+#[inline]
+pub(crate) fn one_minus_square_upper<F: Float>(omega: F) -> Pair<F> {
+    let (high, low) = omega.halves();
+    let (most, rest) = (F::int(1) - high * high, low * (omega + high));
+    let hi = most - rest;
+    Pair::new(hi, (most - hi) - rest)
 }
 
 /// `tan(q π/2 + w)`.

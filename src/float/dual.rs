@@ -241,6 +241,17 @@ impl<const N: usize> Float for Dual<N> {
         Self::of(x)
     }
     #[inline]
+    fn product_less(self, other: Self, near: Self) -> Self {
+        let rest = self.value().product_less(other.value(), near.value());
+        let product = self.combined(0.0, other.value(), other, self.value());
+        product.combined(rest, 1.0, near, -1.0)
+    }
+    #[inline]
+    fn halves(self) -> (Self, Self) {
+        let (high, low) = self.value().halves();
+        (Self(DualSVec64::new(high, self.0.eps)), Self::of(low))
+    }
+    #[inline]
     fn floor(self) -> Self {
         Self::of(self.value().floor())
     }

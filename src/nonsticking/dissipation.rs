@@ -47,28 +47,16 @@ pub fn best_loop_size<R: Real>(phase_function: R, one_minus_square: R) -> R {
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
 }
 
-/// [`loop_size_stiffness`] of a Δ₀/B known to more digits than the type has; accuracy at f64: 2 ulp.
-#[inline]
-pub(crate) fn loop_size_stiffness_of_pair<F: Float>(max_displacement: Pair<F>, alpha: F) -> F {
-    F::int(8) * (max_displacement / Pair::product(alpha, alpha)).value()
-}
-
-/// [`loop_size_inertia`] in the same way.
-#[inline]
-pub(crate) fn loop_size_inertia_of_pair<F: Float>(max_displacement: Pair<F>, alpha: F, omega: F) -> F {
-    F::int(8) * (max_displacement * Pair::product(omega, omega) / Pair::product(alpha, alpha)).value()
-}
-
 /// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_force_ratio_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    (Pair::exact(F::int(2)).sqrt() * p.pair().abs()).value()
+    (Pair::exact(F::int(2)).sqrt() * p.refined().pair().abs()).value()
 }
 
 /// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_loop_size_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    let product = p.pair() * p.one_minus_square();
+    let product = p.refined().pair() * p.one_minus_square();
     if product.hi == F::int(0) {
         return F::int(4) / product.hi.abs();
     }

@@ -11,30 +11,93 @@
 //! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
 
 use crate::float::{Float, pair::Pair};
-use crate::phase_function::{PhaseFunction, cotangent_defect};
+use crate::phase_function::{PhaseFunction, cotangent_defect, one_minus_square_pair, one_minus_square_upper};
 
-/// `√(α² − K²)` and Δ₀/B.
+/// The reversal at the maximum displacement: `√(α² − K²)` and Δ₀/B to more digits than the type has.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Reversal<F> {
+pub struct Reversal<F> {
+    alpha: F,
     /// `α |sin ω_d t₂|` (eq. 40).
     pub(crate) sine: Pair<F>,
     /// Δ₀/B (eq. 44).
-    pub(crate) displacement: Pair<F>,
+    displacement: Pair<F>,
 }
 
+/// The rounding of K must not count more than this part of a unit in the last place.
+const CONDITION: i32 = 8;
+
 impl<F: Float> Reversal<F> {
-    /// The reversal at the frequency ratio of `p` and the force ratio α.
+    /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1.
     #[inline]
-    pub(crate) fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
-        let k = p.pair().abs();
+    pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
+        let k = p.pair();
+        let (minus, plus) = (Pair::ordered_sum(alpha, -k.hi), Pair::ordered_sum(alpha, k.hi));
+        // κ = K²/(α² − K²) is the condition number of Δ₀ by K.
+        let counts_little = k.hi * k.hi * p.doubt() * F::int(CONDITION) < minus.hi * plus.hi;
+        if !counts_little {
+            return Self::refined(p.omega(), k, p.doubt(), alpha);
+        }
+        let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
+        Self::of_sine((minus * plus).positive_sqrt(), one_minus_square_upper(p.omega()), alpha)
+    }
+
+    /// The reversal where α is so close to |K| that the error of K counts, and where K has none.
+    #[inline(never)]
+    fn refined(omega: F, k: Pair<F>, doubt: F, alpha: F) -> Self {
+        let k = if doubt.is_finite() { PhaseFunction::of_valid(omega).refined().pair() } else { k }.abs();
         let Pair { hi, lo } = Pair::ordered_sum(alpha, k.hi);
-        let sine = (excess(p, alpha) * Pair::new(hi, lo + k.lo)).sqrt();
-        Self { sine, displacement: sine / p.one_minus_square().abs() }
+        let sine = (excess(omega, k, alpha) * Pair::new(hi, lo + k.lo)).sqrt();
+        Self::of_sine(sine, one_minus_square_pair(omega), alpha)
+    }
+
+    #[inline]
+    fn of_sine(sine: Pair<F>, one_minus_square: Pair<F>, alpha: F) -> Self {
+        let zero = F::int(0);
+        let displacement = if one_minus_square.hi > zero {
+            (sine / one_minus_square).normalised()
+        } else if one_minus_square.hi < zero {
+            (sine / -one_minus_square).normalised()
+        } else {
+            Pair::exact(sine.hi / zero)
+        };
+        Self { alpha, sine, displacement }
+    }
+
+    /// Δ₀/B to more digits than the type has.
+    #[inline]
+    pub(crate) const fn displacement(&self) -> Pair<F> {
+        self.displacement
+    }
+
+    /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
+    #[inline]
+    pub const fn max_displacement(&self) -> F {
+        self.displacement.hi
+    }
+
+    /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
+    #[inline]
+    pub fn loop_size_stiffness(&self) -> F {
+        F::int(8) * self.per_square_force().value()
+    }
+
+    /// Loop size `A₂ = Ω² A₁` (eq. 67) at the frequency ratio Ω of this reversal. Accuracy at f64: 2 ulp.
+    #[inline]
+    pub fn loop_size_inertia(&self, omega: F) -> F {
+        F::int(8) * (self.per_square_force() * Pair::exact(omega).square()).value()
+    }
+
+    /// `(Δ₀/B)/α²`.
+    #[inline]
+    fn per_square_force(&self) -> Pair<F> {
+        let square = Pair::exact(self.alpha).square();
+        // The quotient's own rounding, and what numerator and denominator lack, to first order.
+        self.displacement / square
     }
 
     /// The same in another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Reversal<G> {
-        Reversal { sine: self.sine.map(&to), displacement: self.displacement.map(&to) }
+        Reversal { alpha: to(self.alpha), sine: self.sine.map(&to), displacement: self.displacement.map(&to) }
     }
 
     /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity, `k` = K(Ω).
@@ -73,7 +136,7 @@ impl<F: Float> Reversal<F> {
 /// at Ω = 1. Accuracy at f64: 2 ulp.
 #[inline]
 pub fn max_displacement_at<F: Float>(p: &PhaseFunction<F>, alpha: F) -> F {
-    Reversal::new(p, alpha).displacement.value()
+    Reversal::new(p, alpha).max_displacement()
 }
 
 /// `(sin, cos)` of a pair, each with the one rounding of the type's own function.
@@ -85,11 +148,10 @@ fn sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
 
 /// `α − |K|`.
 #[inline]
-fn excess<F: Float>(p: &PhaseFunction<F>, alpha: F) -> Pair<F> {
-    if (F::int(1) - p.omega()).abs() * F::int(1024) < F::int(1) {
-        return excess_close_to_one(p.omega(), alpha);
+fn excess<F: Float>(omega: F, k: Pair<F>, alpha: F) -> Pair<F> {
+    if (F::int(1) - omega).abs() * F::int(1024) < F::int(1) {
+        return excess_close_to_one(omega, alpha);
     }
-    let k = p.pair().abs();
     let Pair { hi, lo } = Pair::ordered_sum(alpha, -k.hi);
     Pair::new(hi, lo - k.lo)
 }

@@ -6,7 +6,7 @@
 //!
 //! Every difference is of a large and a small number: t < 0.13, so that an error of t counts a twenty-fifth of itself in g
 //! and less than a ninetieth in `y cot y`. Hence t needs no compensation, z and the two outer levels do. Below f64's precision t is one
-//! quotient of polynomials with integer coefficients, the convergent of the level 19; above, the levels one by one.
+//! quotient of polynomials with integer coefficients, the convergent of the level 17; above, the levels one by one.
 
 use crate::float::{Float, pair::Pair};
 
@@ -14,6 +14,18 @@ use crate::float::{Float, pair::Pair};
 #[inline]
 pub(crate) fn cotangent_defect<F: Float>(square: Pair<F>) -> Pair<F> {
     square / Pair::ordered_sum(F::int(3), -tail(square.hi))
+}
+
+/// `g = 1 − y cot y` with the roundings of the type, from y².
+#[inline]
+pub(super) fn plain_defect<F: Float>(square: F) -> F {
+    square / (F::int(3) - tail(square))
+}
+
+/// `tan y/y − 1 = z/(3 − z − t)` with the roundings of the type, from z = y².
+#[inline]
+pub(super) fn tangent_excess<F: Float>(square: F) -> F {
+    square / ((F::int(3) - square) - tail(square))
 }
 
 /// `y cot y`, with the rounding error of y² only: an eighth of its unit in the last place at |y| = π/4, fewer with y².
@@ -35,8 +47,8 @@ fn tail<F: Float>(z: F) -> F {
         return tail_by_levels(z);
     }
     let n = F::int;
-    let numerator = ((n(-52) * z + n(21_450)) * z - n(1_969_110)) * z + n(43_648_605);
-    let denominator = (((z - n(1_430)) * z + n(289_575)) * z - n(16_081_065)) * z + n(218_243_025);
+    let numerator = ((n(858) - z) * z - n(96_525)) * z + n(2_297_295);
+    let denominator = ((n(12_870) - n(44) * z) * z - n(810_810)) * z + n(11_486_475);
     z * numerator / denominator
 }
 
