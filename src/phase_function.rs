@@ -63,19 +63,19 @@ impl<F: Float> PhaseFunction<F> {
     ///
     /// # Errors
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
-    #[inline]
+    #[inline(always)]
     pub fn new(omega: F) -> Result<Self, Error> {
         frequency_ratio(omega).map(Self::of_valid)
     }
 
     /// The phase function of an Ω known to be in the domain.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
         let p = if F::PRECISION > f64::MANTISSA_DIGITS {
             Self::of_many_digits(omega)
         } else if omega >= F::int(2) {
             Self::above(omega)
-        } else if is_beside_one(omega) {
+        } else if F::int(3) * omega >= F::int(2) {
             Self::beside_one(omega)
         } else {
             Self::refined_at(omega)
@@ -86,7 +86,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `K = −(2/π) [(1 + Ω) − (1 + Ω) g]`, g = 1 − w cot w, w = (π/2) (1 − Ω)/Ω, for 2/3 ≤ Ω < 2: the rounding errors of g
     /// are all that counts.
-    #[inline]
+    #[inline(always)]
     fn beside_one(omega: F) -> Self {
         let half_pi = F::pi() * F::ratio(1, 2);
         let r = (F::int(1) - omega) / omega;
@@ -97,20 +97,22 @@ impl<F: Float> PhaseFunction<F> {
         let defect = cotangent::plain_defect(square);
         let one_plus = Pair::ordered_sum(F::int(1), omega);
         let Pair { hi, lo } = Pair::ordered_sum(one_plus.hi, -(one_plus.hi * defect));
-        let value = -(Pair::new(hi, lo + one_plus.lo) * (Pair::exact(F::int(2)) / Pair::pi()));
-        Self { omega, quarter: 1, remainder: half_pi * r, value: value.normalised(), doubt: defect }
+        let scale = Pair::exact(F::int(-2)) / Pair::pi();
+        let value = scale.halved().times_halved(Pair::new(hi, lo + one_plus.lo).halved());
+        Self { omega, quarter: 1, remainder: half_pi * r, value, doubt: defect }
     }
 
     /// `K = −(π/2) (1 − v)(1 + h) = −(π/2) {1 − [v − h (1 − v)]}`, v = 1/Ω², h = tan β/β − 1, for Ω ≥ 2: the errors of v and h
     /// are all that counts.
-    #[inline]
+    #[inline(always)]
     fn above(omega: F) -> Self {
         let (one, half_pi) = (F::int(1), F::pi() * F::ratio(1, 2));
         let v = one / (omega * omega);
         let excess = cotangent::tangent_excess(half_pi * half_pi * v);
         let y = Pair::ordered_sum(one, excess * (one - v) - v);
-        let value = -(y * (Pair::pi() * F::ratio(1, 2)));
-        Self { omega, quarter: 0, remainder: half_pi / omega, value: value.normalised(), doubt: excess }
+        let scale = -(Pair::pi() * F::ratio(1, 2));
+        let value = scale.halved().times_halved(y.halved());
+        Self { omega, quarter: 0, remainder: half_pi / omega, value, doubt: excess }
     }
 
     /// K by the quotient of pairs.
@@ -205,7 +207,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `tan w`, from K.
     fn remainder_tangent(&self) -> F {
-        let (omega, k) = (self.omega, self.value.hi);
+        let (omega, k) = (self.omega, self.value());
         if is_beside_one(omega) {
             F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
@@ -243,8 +245,8 @@ impl<F: Float> PhaseFunction<F> {
     ///
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
     #[inline]
-    pub const fn value(&self) -> F {
-        self.value.hi
+    pub fn value(&self) -> F {
+        self.value.value()
     }
 
     /// K(Ω) as a pair, whose error is at most half a unit in the last place of K and falls with (Ω − 1)² beside Ω = 1; at more bits than f64 has, K alone.

@@ -10,6 +10,11 @@
 //! and so for `f32`, `f64` and, because MPFR rounds correctly, `Mp`. Products, quotients and roots of pairs take the rest of a product
 //! from [`Float::product_less`], so that they are accurate to `2⁻²ᵖ` where the type has a fused operation of its own and to
 //! `2⁻³ᵖᐟ²` where it would be a call. None keeps |lo| below half a unit of hi: [`Pair::value`] rounds once at the end.
+//!
+//! Where the type has no fused operation, the cheapest arithmetic is that of *halved* numbers: a hi of half the digits, so that products
+//! of two are exact, and a lo of the order `2⁻ᵖᐟ²` of it ([`Pair::halved`], [`Pair::times_halved`] and so on); it has 3/2 of the
+//! digits, too.
+//!
 //! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
 
 use super::Float;
@@ -100,20 +105,9 @@ impl<F: Float> Pair<F> {
         if hi == F::int(0) {
             return Self::exact(hi);
         }
-        self.root_from(hi)
-    }
-
-    /// [`Pair::sqrt`] of a number > 0.
-    #[inline]
-    #[must_use]
-    pub fn positive_sqrt(self) -> Self {
-        self.root_from(self.hi.sqrt())
-    }
-
-    #[inline]
-    fn root_from(self, hi: F) -> Self {
         Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) }
     }
+
 
     /// `(hi + lo)²`.
     #[inline]
@@ -121,6 +115,64 @@ impl<F: Float> Pair<F> {
     pub fn square(self) -> Self {
         let hi = self.hi * self.hi;
         Self { hi, lo: self.hi.product_less(self.hi, hi) + (self.hi + self.hi) * self.lo }
+    }
+
+    /// The quotient, within one unit in the last place of the type.
+    #[inline]
+    #[must_use]
+    pub fn over(self, other: Self) -> F {
+        let divisor = other.value();
+        let rest = (other.hi - divisor) + other.lo;
+        let quotient = self.value() / divisor;
+        (self.hi + (self.lo - quotient * rest)) / divisor
+    }
+
+    /// The square of a halved number; not halved itself.
+    #[inline]
+    #[must_use]
+    pub fn halved_square(self) -> Self {
+        Self { hi: self.hi * self.hi, lo: self.lo * (self.value() + self.hi) }
+    }
+
+    /// `x` exactly, halved.
+    #[inline]
+    #[must_use]
+    pub fn exact_halved(x: F) -> Self {
+        let (hi, lo) = x.halves();
+        Self { hi, lo }
+    }
+
+    /// The same number with a hi of half the digits ([`Float::halves`]).
+    #[inline]
+    #[must_use]
+    pub fn halved(self) -> Self {
+        let (hi, low) = self.hi.halves();
+        Self { hi, lo: low + self.lo }
+    }
+
+    /// The product of two halved numbers, the product of the leading parts being exact; not halved itself.
+    #[inline]
+    #[must_use]
+    pub fn times_halved(self, other: Self) -> Self {
+        Self { hi: self.hi * other.hi, lo: self.hi * other.lo + self.lo * other.value() }
+    }
+
+    /// The square root of a number > 0, halved.
+    #[inline]
+    #[must_use]
+    pub fn halved_sqrt(self) -> Self {
+        let root = self.value().sqrt();
+        let (hi, _) = root.halves();
+        Self { hi, lo: ((self.hi - hi * hi) + self.lo) / (root + hi) }
+    }
+
+    /// The quotient of two halved numbers, halved.
+    #[inline]
+    #[must_use]
+    pub fn halved_quotient(self, other: Self) -> Self {
+        let divisor = other.value();
+        let (hi, _) = (self.value() / divisor).halves();
+        Self { hi, lo: ((self.hi - hi * other.hi) + (self.lo - hi * other.lo)) / divisor }
     }
 
     /// `√[(hi + lo)² + other²]`, rounded once, for squares within the range of the type.

@@ -40,7 +40,7 @@ mod stationary;
 
 use crate::error::Error;
 use crate::float::{Float, Real, pair::Pair};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::{PhaseFunction, one_minus_square, one_minus_square_pair};
 pub use lobe::{Lobe, Minimum};
 pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
@@ -85,14 +85,20 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
 ///
 /// Dimensionless. In compensated pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares,
 /// which stay within the range of the type. Accuracy at f64: 2 ulp.
-#[inline]
+#[inline(always)]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    if p.omega() * F::int(3) < F::int(2) {
-        return p.pair().hypot(p.one_minus_square() / Pair::product(p.omega(), p.omega()));
+    let (omega, square) = (p.omega(), p.omega().square());
+    if omega * F::int(3) < F::int(2) {
+        return turning_point_border_below(omega, p.pair());
     }
-    let (k, square) = (p.value(), p.omega().square());
-    let width = p.one_minus_square().value() / square;
+    let (k, width) = (p.value(), one_minus_square(omega) / square);
     (k * k + width * width).sqrt()
+}
+
+/// [`turning_point_border_at`] for Ω < 2/3.
+#[inline(never)]
+fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
+    k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega))
 }
 
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.

@@ -19,7 +19,7 @@ pub struct Reversal<F> {
     alpha: F,
     /// `α |sin ω_d t₂|` (eq. 40).
     pub(crate) sine: Pair<F>,
-    /// Δ₀/B (eq. 44).
+    /// Δ₀/B (eq. 44), with the sign of 1 − Ω.
     displacement: Pair<F>,
 }
 
@@ -28,7 +28,7 @@ const CONDITION: i32 = 8;
 
 impl<F: Float> Reversal<F> {
     /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1.
-    #[inline]
+    #[inline(always)]
     pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
         let k = p.pair();
         let (minus, plus) = (Pair::ordered_sum(alpha, -k.hi), Pair::ordered_sum(alpha, k.hi));
@@ -38,7 +38,9 @@ impl<F: Float> Reversal<F> {
             return Self::refined(p.omega(), k, p.doubt(), alpha);
         }
         let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
-        Self::of_sine((minus * plus).positive_sqrt(), one_minus_square_upper(p.omega()), alpha)
+        let sine = minus.halved().times_halved(plus.halved()).halved_sqrt();
+        let width = one_minus_square_upper(p.omega()).halved();
+        Self { alpha, sine, displacement: sine.halved_quotient(width) }
     }
 
     /// The reversal where α is so close to |K| that the error of K counts, and where K has none.
@@ -52,13 +54,10 @@ impl<F: Float> Reversal<F> {
 
     #[inline]
     fn of_sine(sine: Pair<F>, one_minus_square: Pair<F>, alpha: F) -> Self {
-        let zero = F::int(0);
-        let displacement = if one_minus_square.hi > zero {
-            (sine / one_minus_square).normalised()
-        } else if one_minus_square.hi < zero {
-            (sine / -one_minus_square).normalised()
+        let displacement = if one_minus_square.hi == F::int(0) {
+            Pair::exact(sine.hi / one_minus_square.hi)
         } else {
-            Pair::exact(sine.hi / zero)
+            sine / one_minus_square
         };
         Self { alpha, sine, displacement }
     }
@@ -71,28 +70,20 @@ impl<F: Float> Reversal<F> {
 
     /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
     #[inline]
-    pub const fn max_displacement(&self) -> F {
-        self.displacement.hi
+    pub fn max_displacement(&self) -> F {
+        self.displacement.value().abs()
     }
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     #[inline]
     pub fn loop_size_stiffness(&self) -> F {
-        F::int(8) * self.per_square_force().value()
+        F::int(8) * self.displacement.over(Pair::exact_halved(self.alpha).halved_square()).abs()
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67) at the frequency ratio Ω of this reversal. Accuracy at f64: 2 ulp.
     #[inline]
     pub fn loop_size_inertia(&self, omega: F) -> F {
-        F::int(8) * (self.per_square_force() * Pair::exact(omega).square()).value()
-    }
-
-    /// `(Δ₀/B)/α²`.
-    #[inline]
-    fn per_square_force(&self) -> Pair<F> {
-        let square = Pair::exact(self.alpha).square();
-        // The quotient's own rounding, and what numerator and denominator lack, to first order.
-        self.displacement / square
+        F::int(8) * (self.displacement * Pair::exact(omega).square()).over(Pair::exact(self.alpha).square()).abs()
     }
 
     /// The same in another number type.
@@ -126,7 +117,7 @@ impl<F: Float> Reversal<F> {
         let (s, c) = (Pair::exact(s), Pair::exact(c));
         let (so, co) = sin_cos(Pair::product(omega, psi));
         let cosines = (sin_beta - s) * (sin_beta + s) / (c + cos_beta);
-        ((cosines - sin_beta * co / omega) / cos_beta - self.displacement * so).value()
+        ((cosines - sin_beta * co / omega) / cos_beta + self.displacement * so).value()
     }
 }
 
