@@ -93,11 +93,10 @@ impl<F: Float> Cycle<F> {
         let max_displacement = reversal.max_displacement();
         let half = HalfCycle::new(p, max_displacement);
         let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
-        let (fastest, displacement) = if F::PRECISION > f64::MANTISSA_DIGITS {
-            let (fastest, displacement) = velocity::fastest_and_displacement(&half, k, alpha);
-            (fastest, Some(displacement))
+        let (fastest, deviation) = if F::PRECISION > f64::MANTISSA_DIGITS {
+            velocity::fastest_and_displacement(&half, k, alpha)
         } else {
-            (velocity::fastest(&half, k, alpha), None)
+            velocity::fastest_and_deviation(&half, p, &reversal, alpha)
         };
         let quarter = F::pi() / F::int(2);
         let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);
@@ -109,12 +108,7 @@ impl<F: Float> Cycle<F> {
             displacement_phase,
             max_velocity: fastest.velocity,
             velocity_phase,
-            // Far above Ω = 1 the deviation is of the order 1/Ω², the difference of eq. 47 nearly all cancellation.
-            deviation: match displacement {
-                Some(displacement) => displacement,
-                None if omega * F::int(4) > F::int(5) => reversal.deviation_above_one(p, fastest.psi),
-                None => reversal.deviation(p.pair(), omega, fastest.psi),
-            },
+            deviation,
             contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
         }
     }

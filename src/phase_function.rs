@@ -77,6 +77,8 @@ impl<F: Float> PhaseFunction<F> {
             Self::above(omega)
         } else if F::int(3) * omega >= F::int(2) {
             Self::beside_one(omega)
+        } else if omega >= F::ratio(1, 2) {
+            Self::between(omega)
         } else {
             Self::refined_at(omega)
         };
@@ -113,6 +115,17 @@ impl<F: Float> PhaseFunction<F> {
         let scale = -(Pair::pi() * F::ratio(1, 2));
         let value = scale.halved().times_halved(y.halved());
         Self { omega, quarter: 0, remainder: half_pi / omega, value, doubt: excess }
+    }
+
+    /// `K = (1 − Ω²) w/(Ω w cot w)`, w = (π/2) (1 − 2Ω)/Ω, for 1/2 ≤ Ω < 2/3: small beside the border, so that its roundings count
+    /// little.
+    #[inline]
+    fn between(omega: F) -> Self {
+        let half_pi = F::pi() * F::ratio(1, 2);
+        let remainder = half_pi * ((F::int(1) - F::int(2) * omega) / omega);
+        let cotangent = F::int(1) - cotangent::plain_defect(remainder * remainder);
+        let value = Pair::exact(one_minus_square(omega) * remainder / (omega * cotangent));
+        Self { omega, quarter: 2, remainder, value, doubt: F::int(1) }
     }
 
     /// K by the quotient of pairs.
@@ -302,12 +315,12 @@ pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
     Pair::new(hi, lo - square.lo)
 }
 
-/// [`one_minus_square_pair`] for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
+/// [`one_minus_square_pair`], halved, for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
 #[inline]
-pub(crate) fn one_minus_square_upper<F: Float>(omega: F) -> Pair<F> {
+pub(crate) fn one_minus_square_halved<F: Float>(omega: F) -> Pair<F> {
     let (high, low) = omega.halves();
     let (most, rest) = (F::int(1) - high * high, low * (omega + high));
-    let hi = most - rest;
+    let (hi, _) = (most - rest).halves();
     Pair::new(hi, (most - hi) - rest)
 }
 

@@ -127,19 +127,12 @@ impl<F: Float> Pair<F> {
         (self.hi + (self.lo - quotient * rest)) / divisor
     }
 
-    /// The square of a halved number; not halved itself.
+    /// `x²`, its lo of the order `2⁻ᵖᐟ²` of it.
     #[inline]
     #[must_use]
-    pub fn halved_square(self) -> Self {
-        Self { hi: self.hi * self.hi, lo: self.lo * (self.value() + self.hi) }
-    }
-
-    /// `x` exactly, halved.
-    #[inline]
-    #[must_use]
-    pub fn exact_halved(x: F) -> Self {
+    pub fn loose_square(x: F) -> Self {
         let (hi, lo) = x.halves();
-        Self { hi, lo }
+        Self { hi: hi * hi, lo: lo * (x + hi) }
     }
 
     /// The same number with a hi of half the digits ([`Float::halves`]).

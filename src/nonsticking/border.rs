@@ -40,7 +40,7 @@ mod stationary;
 
 use crate::error::Error;
 use crate::float::{Float, Real, pair::Pair};
-use crate::phase_function::{PhaseFunction, one_minus_square, one_minus_square_pair};
+use crate::phase_function::{PhaseFunction, one_minus_square, one_minus_square_halved, one_minus_square_pair};
 pub use lobe::{Lobe, Minimum};
 pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
@@ -87,18 +87,27 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
 /// which stay within the range of the type. Accuracy at f64: 2 ulp.
 #[inline(always)]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    let (omega, square) = (p.omega(), p.omega().square());
-    if omega * F::int(3) < F::int(2) {
-        return turning_point_border_below(omega, p.pair());
+    let (omega, k) = (p.omega(), p.pair());
+    if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(3) < F::int(2) {
+        return turning_point_border_below(omega, k);
     }
-    let (k, width) = (p.value(), one_minus_square(omega) / square);
-    (k * k + width * width).sqrt()
+    // K² with what its rounding lacks, the largest of the errors.
+    let value = k.value();
+    let lacking = value * ((k.hi - value) + k.lo);
+    let width = one_minus_square_halved(omega).value() / (omega * omega);
+    ((lacking + lacking) + (value * value + width * width)).sqrt()
 }
 
-/// [`turning_point_border_at`] for Ω < 2/3.
+/// [`turning_point_border_at`] for Ω < 2/3, where b = 1/Ω² − 1 is the larger: `b + b [√(1 + (K/b)²) − 1]`.
 #[inline(never)]
 fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
-    k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega))
+    if F::PRECISION > f64::MANTISSA_DIGITS || omega < F::ratio(1, 2) {
+        return k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega));
+    }
+    let width = one_minus_square_halved(omega).halved_quotient(Pair::loose_square(omega).halved());
+    let ratio = (k.hi / width.value()).square();
+    let one = F::int(1);
+    width.hi + (width.lo + width.value() * (ratio / (one + (one + ratio).sqrt())))
 }
 
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.

@@ -44,6 +44,14 @@ pub(crate) struct Angles<F> {
     sin_half_difference: F,
 }
 
+impl<F: Float> Angles<F> {
+    /// (sin ψ, cos ψ).
+    #[inline]
+    pub(crate) fn psi(&self) -> (F, F) {
+        self.psi
+    }
+}
+
 impl<F: Float> HalfCycle<F> {
     /// The half cycle at the frequency ratio of `p` with maximum displacement Δ₀/B.
     #[inline]
@@ -175,6 +183,54 @@ impl<F: Float> HalfCycle<F> {
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;
         Jet { value, first, second, third, fourth }
+    }
+
+    /// The velocity `v/(Bω_d)` and its first eight derivatives by ψ at ψ = 0.
+    #[inline]
+    pub(crate) fn derivatives_at_centre(&self) -> [F; 9] {
+        let (omega, one, zero) = (self.omega, F::int(1), F::int(0));
+        let scale = omega * self.cos_beta;
+        let first = if self.beside_one {
+            self.one_minus_omega / scale + self.tan_half_offset()
+        } else {
+            (one - omega * self.sin_beta) / scale
+        };
+        // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
+        let forcing = -(self.one_minus_omega * (one + omega) / scale);
+        let omega2 = omega.square();
+        let mut derivatives = [zero; 9];
+        derivatives[0] = self.max_displacement;
+        derivatives[1] = first;
+        for k in 0..7 {
+            let swing = -(omega2 * derivatives[k]);
+            derivatives[k + 2] = match k % 4 {
+                1 => swing + forcing,
+                3 => swing - forcing,
+                _ => swing,
+            };
+        }
+        derivatives
+    }
+
+    /// The deviation Δ₁/B, the displacement where the acceleration is zero, for Ω ≥ 1/2; (sin ψ, cos ψ) are given.
+    ///
+    /// The acceleration being zero, eq. 47 is `Δ₁/B = R cos ψ − 1`, `R = (1 − 1/Ω²)/cos β = −K/(Ω sin β)`: no term is as sensitive to
+    /// ψ as the displacement is. Above Ω = 1, where Δ₁/B is of the order 1/Ω², `R (cos ψ − cos β) − 1/Ω²`.
+    #[inline]
+    pub(crate) fn deviation(&self, phase_function: F, (s, c): (F, F)) -> F {
+        let (omega, one) = (self.omega, F::int(1));
+        let (sb, cb) = (self.sin_beta, self.cos_beta);
+        let inverse_square = one / omega.square();
+        let slope = if self.beside_one {
+            -(phase_function / (omega * sb))
+        } else {
+            -(self.one_minus_omega * (one + omega) * inverse_square / cb)
+        };
+        if self.is_below_one() {
+            slope * c - one
+        } else {
+            slope * ((sb - s) * (sb + s) / (c + cb)) - inverse_square
+        }
     }
 
     /// Displacement x/B at ψ.

@@ -11,7 +11,7 @@
 //! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
 
 use crate::float::{Float, pair::Pair};
-use crate::phase_function::{PhaseFunction, cotangent_defect, one_minus_square_pair, one_minus_square_upper};
+use crate::phase_function::{PhaseFunction, cotangent_defect, one_minus_square_pair, one_minus_square_halved};
 
 /// The reversal at the maximum displacement: `√(α² − K²)` and Δ₀/B to more digits than the type has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,7 +39,7 @@ impl<F: Float> Reversal<F> {
         }
         let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
         let sine = minus.halved().times_halved(plus.halved()).halved_sqrt();
-        let width = one_minus_square_upper(p.omega()).halved();
+        let width = one_minus_square_halved(p.omega());
         Self { alpha, sine, displacement: sine.halved_quotient(width) }
     }
 
@@ -62,12 +62,6 @@ impl<F: Float> Reversal<F> {
         Self { alpha, sine, displacement }
     }
 
-    /// Δ₀/B to more digits than the type has.
-    #[inline]
-    pub(crate) const fn displacement(&self) -> Pair<F> {
-        self.displacement
-    }
-
     /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
     #[inline]
     pub fn max_displacement(&self) -> F {
@@ -77,7 +71,7 @@ impl<F: Float> Reversal<F> {
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     #[inline]
     pub fn loop_size_stiffness(&self) -> F {
-        F::int(8) * self.displacement.over(Pair::exact_halved(self.alpha).halved_square()).abs()
+        F::int(8) * self.displacement.over(Pair::loose_square(self.alpha)).abs()
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67) at the frequency ratio Ω of this reversal. Accuracy at f64: 2 ulp.
@@ -100,24 +94,6 @@ impl<F: Float> Reversal<F> {
         let (s, c) = sin_cos(Pair::product(omega, psi));
         let sine = if omega < F::int(1) { self.sine } else { -self.sine };
         -(k * c + sine * s + Pair::exact(F::int(1))).value()
-    }
-
-    /// Δ₁/B well above Ω = 1: the displacement at ψ, which ψ hardly changes.
-    ///
-    /// `x/B = [(cos ψ − cos β) − (sin β/Ω) cos Ωψ]/cos β − (Δ₀/B) sin Ωψ`, smaller than its terms, with
-    /// `cos ψ − cos β = (sin β − sin ψ)(sin β + sin ψ)/(cos ψ + cos β)` and `tan β = |K| Ω/|1 − Ω²|`, β in (0, π/2).
-    #[inline]
-    pub(crate) fn deviation_above_one(&self, p: &PhaseFunction<F>, psi: F) -> F {
-        let omega = p.omega();
-        let one = Pair::exact(F::int(1));
-        let tangent = (p.pair() * omega / p.one_minus_square()).abs();
-        let cos_beta = one / (one + tangent.square()).sqrt();
-        let sin_beta = tangent * cos_beta;
-        let (s, c) = psi.sin_cos();
-        let (s, c) = (Pair::exact(s), Pair::exact(c));
-        let (so, co) = sin_cos(Pair::product(omega, psi));
-        let cosines = (sin_beta - s) * (sin_beta + s) / (c + cos_beta);
-        ((cosines - sin_beta * co / omega) / cos_beta + self.displacement * so).value()
     }
 }
 
