@@ -18,6 +18,7 @@
 mod amplitude;
 pub mod border;
 pub mod den_hartog;
+mod deviation;
 mod displacement;
 mod dissipation;
 mod half_cycle;
@@ -76,7 +77,7 @@ impl<F: Float> Cycle<F> {
     #[inline]
     pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
         let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::at(&p).min_force_ratio();
+        let least = Border::least_force_ratio(&p);
         if ratios.alpha() < least || ratios.omega() == F::int(1) {
             Err(no_cycle(ratios, least))
         } else {

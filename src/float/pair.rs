@@ -135,6 +135,14 @@ impl<F: Float> Pair<F> {
         Self { hi: hi * hi, lo: lo * (x + hi) }
     }
 
+    /// `x` exactly, halved.
+    #[inline]
+    #[must_use]
+    pub fn exact_halved(x: F) -> Self {
+        let (hi, lo) = x.halves();
+        Self { hi, lo }
+    }
+
     /// The same number with a hi of half the digits ([`Float::halves`]).
     #[inline]
     #[must_use]

@@ -174,6 +174,12 @@ impl<F: Float> Border<F> {
         }
     }
 
+    /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
+    #[inline]
+    pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
+        if p.omega() >= F::ratio(1, 2) { turning_point_border_at(p) } else { Self::at(p).min_force_ratio }
+    }
+
     /// The exact border α_min(Ω): at and above it the steady motion does not stick.
     ///
     /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.

@@ -113,6 +113,12 @@ impl<F: Float> HalfCycle<F> {
         self.max_displacement
     }
 
+    /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
+    #[inline]
+    pub(crate) fn is_beside_one(&self) -> bool {
+        self.beside_one
+    }
+
     /// Ω < 1, decided by 1 − Ω itself.
     #[inline]
     pub(crate) fn is_below_one(&self) -> bool {
@@ -210,27 +216,6 @@ impl<F: Float> HalfCycle<F> {
             };
         }
         derivatives
-    }
-
-    /// The deviation Δ₁/B, the displacement where the acceleration is zero, for Ω ≥ 1/2; (sin ψ, cos ψ) are given.
-    ///
-    /// The acceleration being zero, eq. 47 is `Δ₁/B = R cos ψ − 1`, `R = (1 − 1/Ω²)/cos β = −K/(Ω sin β)`: no term is as sensitive to
-    /// ψ as the displacement is. Above Ω = 1, where Δ₁/B is of the order 1/Ω², `R (cos ψ − cos β) − 1/Ω²`.
-    #[inline]
-    pub(crate) fn deviation(&self, phase_function: F, (s, c): (F, F)) -> F {
-        let (omega, one) = (self.omega, F::int(1));
-        let (sb, cb) = (self.sin_beta, self.cos_beta);
-        let inverse_square = one / omega.square();
-        let slope = if self.beside_one {
-            -(phase_function / (omega * sb))
-        } else {
-            -(self.one_minus_omega * (one + omega) * inverse_square / cb)
-        };
-        if self.is_below_one() {
-            slope * c - one
-        } else {
-            slope * ((sb - s) * (sb + s) / (c + cb)) - inverse_square
-        }
     }
 
     /// Displacement x/B at ψ.

@@ -133,7 +133,7 @@ pub(crate) fn fastest_and_deviation<F: Float>(
     });
     let found = found.differentiated(half);
     let at = (s.differentiated_as(|| found.psi.sin()), c.differentiated_as(|| found.psi.cos()));
-    (found, half.deviation(p.value(), at))
+    (found, super::deviation::of_fastest(half, p.pair(), at))
 }
 
 impl<F: Float> Fastest<F> {
