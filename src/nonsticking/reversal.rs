@@ -17,6 +17,8 @@ use crate::phase_function::{PhaseFunction, cotangent_defect, one_minus_square_pa
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reversal<F> {
     alpha: F,
+    /// K(Ω), as good as it is needed here.
+    pub(crate) phase_function: Pair<F>,
     /// `α |sin ω_d t₂|` (eq. 40).
     pub(crate) sine: Pair<F>,
     /// Δ₀/B (eq. 44), with the sign of 1 − Ω.
@@ -40,26 +42,19 @@ impl<F: Float> Reversal<F> {
         let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
         let sine = minus.halved().times_halved(plus.halved()).halved_sqrt();
         let width = one_minus_square_halved(p.omega());
-        Self { alpha, sine, displacement: sine.halved_quotient(width) }
+        Self { alpha, phase_function: k, sine, displacement: sine.halved_quotient(width) }
     }
 
     /// The reversal where α is so close to |K| that the error of K counts, and where K has none.
     #[inline(never)]
     fn refined(omega: F, k: Pair<F>, doubt: F, alpha: F) -> Self {
-        let k = if doubt.is_finite() { PhaseFunction::of_valid(omega).refined().pair() } else { k }.abs();
-        let Pair { hi, lo } = Pair::ordered_sum(alpha, k.hi);
-        let sine = (excess(omega, k, alpha) * Pair::new(hi, lo + k.lo)).sqrt();
-        Self::of_sine(sine, one_minus_square_pair(omega), alpha)
-    }
-
-    #[inline]
-    fn of_sine(sine: Pair<F>, one_minus_square: Pair<F>, alpha: F) -> Self {
-        let displacement = if one_minus_square.hi == F::int(0) {
-            Pair::exact(sine.hi / one_minus_square.hi)
-        } else {
-            sine / one_minus_square
-        };
-        Self { alpha, sine, displacement }
+        let k = if doubt.is_finite() { PhaseFunction::of_valid(omega).refined().pair() } else { k };
+        let size = k.abs();
+        let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
+        let sine = (excess(omega, size, alpha) * Pair::new(hi, lo + size.lo)).sqrt();
+        let width = one_minus_square_pair(omega);
+        let displacement = if width.hi == F::int(0) { Pair::exact(sine.hi / width.hi) } else { sine / width };
+        Self { alpha, phase_function: k, sine, displacement }
     }
 
     /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
@@ -82,18 +77,23 @@ impl<F: Float> Reversal<F> {
 
     /// The same in another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Reversal<G> {
-        Reversal { alpha: to(self.alpha), sine: self.sine.map(&to), displacement: self.displacement.map(&to) }
+        Reversal {
+            alpha: to(self.alpha),
+            phase_function: self.phase_function.map(&to),
+            sine: self.sine.map(&to),
+            displacement: self.displacement.map(&to),
+        }
     }
 
-    /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity, `k` = K(Ω).
+    /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity.
     ///
     /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in pairs, because
     /// above Ω = 1 the terms are larger than V₀.
     #[inline]
-    pub(crate) fn deviation(&self, k: Pair<F>, omega: F, psi: F) -> F {
+    pub(crate) fn deviation(&self, omega: F, psi: F) -> F {
         let (s, c) = sin_cos(Pair::product(omega, psi));
         let sine = if omega < F::int(1) { self.sine } else { -self.sine };
-        -(k * c + sine * s + Pair::exact(F::int(1))).value()
+        -(self.phase_function * c + sine * s + Pair::exact(F::int(1))).value()
     }
 }
 

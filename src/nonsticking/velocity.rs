@@ -125,7 +125,7 @@ pub(crate) fn fastest_and_deviation<F: Float>(
     let omega = half.omega();
     if omega < F::ratio(1, 2) {
         let found = from_afar(omega, half.max_displacement(), p.value(), alpha).differentiated(half);
-        return (found, reversal.deviation(p.pair(), omega, found.psi));
+        return (found, reversal.deviation(omega, found.psi));
     }
     let (found, (s, c)) = from_centre(half).unwrap_or_else(|| {
         let found = from_afar(omega, half.max_displacement(), p.value(), alpha);
@@ -133,7 +133,7 @@ pub(crate) fn fastest_and_deviation<F: Float>(
     });
     let found = found.differentiated(half);
     let at = (s.differentiated_as(|| found.psi.sin()), c.differentiated_as(|| found.psi.cos()));
-    (found, super::deviation::of_fastest(half, p.pair(), at))
+    (found, super::deviation::of_fastest(half, reversal.phase_function, at))
 }
 
 impl<F: Float> Fastest<F> {
