@@ -89,15 +89,15 @@ impl<F: Float> Cycle<F> {
     #[inline]
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        let k = p.value();
         let reversal = Reversal::new(p, alpha);
+        let k = reversal.phase_function.value();
         let max_displacement = reversal.max_displacement();
         let half = HalfCycle::new(p, max_displacement);
         let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
         let (fastest, deviation) = if F::PRECISION > f64::MANTISSA_DIGITS {
             velocity::fastest_and_displacement(&half, k, alpha)
         } else {
-            velocity::fastest_and_deviation(&half, p, &reversal, alpha)
+            velocity::fastest_and_deviation(&half, &reversal, alpha)
         };
         let quarter = F::pi() / F::int(2);
         let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);

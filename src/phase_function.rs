@@ -82,17 +82,23 @@ impl<F: Float> PhaseFunction<F> {
         } else {
             Self::refined_at(omega)
         };
-        let hi = p.value.hi.differentiated_as(|| p.slope().constant() * omega);
-        Self { value: Pair::new(hi, p.value.lo), ..p }
+        p.differentiated()
+    }
+
+    /// The same with the derivative of K by its own closed form.
+    #[inline]
+    fn differentiated(self) -> Self {
+        let hi = self.value.hi.differentiated_as(|| self.slope().constant() * self.omega);
+        Self { value: Pair::new(hi, self.value.lo), ..self }
     }
 
     /// `K = −(2/π) [(1 + Ω) − (1 + Ω) g]`, g = 1 − w cot w, w = (π/2) (1 − Ω)/Ω, for 2/3 ≤ Ω < 2: the rounding errors of g
     /// are all that counts.
     #[inline(always)]
     fn beside_one(omega: F) -> Self {
-        let half_pi = F::pi() * F::ratio(1, 2);
-        let r = (F::int(1) - omega) / omega;
-        let square = half_pi * half_pi * (r * r);
+        let half_pi = Pair::pi() * F::ratio(1, 2);
+        let r = Pair::halved_ratio(F::int(1) - omega, omega);
+        let square = half_pi.hi * half_pi.hi * r.halved_square().value();
         if square < F::exp2i(-18) {
             return Self::refined_at(omega);
         }
@@ -101,20 +107,19 @@ impl<F: Float> PhaseFunction<F> {
         let Pair { hi, lo } = Pair::ordered_sum(one_plus.hi, -(one_plus.hi * defect));
         let scale = Pair::exact(F::int(-2)) / Pair::pi();
         let value = scale.halved().times_halved(Pair::new(hi, lo + one_plus.lo).halved());
-        Self { omega, quarter: 1, remainder: half_pi * r, value, doubt: defect }
+        Self { omega, quarter: 1, remainder: half_pi.halved().times_halved(r).value(), value, doubt: defect }
     }
 
     /// `K = −(π/2) (1 − v)(1 + h) = −(π/2) {1 − [v − h (1 − v)]}`, v = 1/Ω², h = tan β/β − 1, for Ω ≥ 2: the errors of v and h
     /// are all that counts.
     #[inline(always)]
     fn above(omega: F) -> Self {
-        let (one, half_pi) = (F::int(1), F::pi() * F::ratio(1, 2));
+        let (one, half_pi) = (F::int(1), Pair::pi() * F::ratio(1, 2));
         let v = one / (omega * omega);
-        let excess = cotangent::tangent_excess(half_pi * half_pi * v);
+        let excess = cotangent::tangent_excess(half_pi.hi * half_pi.hi * v);
         let y = Pair::ordered_sum(one, excess * (one - v) - v);
-        let scale = -(Pair::pi() * F::ratio(1, 2));
-        let value = scale.halved().times_halved(y.halved());
-        Self { omega, quarter: 0, remainder: half_pi / omega, value, doubt: excess }
+        let value = (-half_pi).halved().times_halved(y.halved());
+        Self { omega, quarter: 0, remainder: half_pi.hi / omega + half_pi.lo / omega, value, doubt: excess }
     }
 
     /// `K = (1 − Ω²) w/(Ω w cot w)`, w = (π/2) (1 − 2Ω)/Ω, for 1/2 ≤ Ω < 2/3: small beside the border, so that its roundings count
@@ -130,10 +135,10 @@ impl<F: Float> PhaseFunction<F> {
 
     /// K by the quotient of pairs.
     #[inline(never)]
-    fn refined_at(omega: F) -> Self {
+    pub(crate) fn refined_at(omega: F) -> Self {
         let (quarter, w) = reduced(omega);
         let value = compensated(omega, quarter, w).normalised();
-        Self { omega, quarter, remainder: w.hi, value, doubt: Self::none() }
+        Self { omega, quarter, remainder: w.hi, value, doubt: Self::none() }.differentiated()
     }
 
     /// K with the digits of the type, of which there are enough.
@@ -220,7 +225,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `tan w`, from K.
     fn remainder_tangent(&self) -> F {
-        let (omega, k) = (self.omega, self.value());
+        let (omega, k) = (self.omega, self.value.value());
         if is_beside_one(omega) {
             F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
@@ -259,12 +264,14 @@ impl<F: Float> PhaseFunction<F> {
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
     #[inline]
     pub fn value(&self) -> F {
-        self.value.value()
+        self.refined().value.value()
     }
 
-    /// K(Ω) as a pair, whose error is at most half a unit in the last place of K and falls with (Ω − 1)² beside Ω = 1; at more bits than f64 has, K alone.
+    /// K(Ω) as a pair. From Ω = 1/2 on its errors are those of a few roundings and count as [`PhaseFunction::doubt`] says; that of
+    /// [`PhaseFunction::refined`] is within half a unit in the last place of K, and falls with (Ω − 1)² beside Ω = 1. At more bits
+    /// than f64 has, K alone.
     #[inline]
-    pub const fn pair(&self) -> Pair<F> {
+    pub(crate) const fn pair(&self) -> Pair<F> {
         self.value
     }
 

@@ -127,6 +127,13 @@ impl<F: Float> Pair<F> {
         (self.hi + (self.lo - quotient * rest)) / divisor
     }
 
+    /// The square of a halved number; its lo of the order `2⁻ᵖᐟ²` of it.
+    #[inline]
+    #[must_use]
+    pub fn halved_square(self) -> Self {
+        Self { hi: self.hi * self.hi, lo: self.lo * (self.value() + self.hi) }
+    }
+
     /// `x²`, its lo of the order `2⁻ᵖᐟ²` of it.
     #[inline]
     #[must_use]
@@ -165,6 +172,15 @@ impl<F: Float> Pair<F> {
         let root = self.value().sqrt();
         let (hi, _) = root.halves();
         Self { hi, lo: ((self.hi - hi * hi) + self.lo) / (root + hi) }
+    }
+
+    /// The quotient of two numbers, halved.
+    #[inline]
+    #[must_use]
+    pub fn halved_ratio(a: F, b: F) -> Self {
+        let (hi, _) = (a / b).halves();
+        let (high, low) = b.halves();
+        Self { hi, lo: ((a - hi * high) - hi * low) / b }
     }
 
     /// The quotient of two halved numbers, halved.

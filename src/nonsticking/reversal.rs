@@ -26,7 +26,7 @@ pub struct Reversal<F> {
 }
 
 /// The rounding of K must not count more than this part of a unit in the last place.
-const CONDITION: i32 = 8;
+const CONDITION: i32 = 10;
 
 impl<F: Float> Reversal<F> {
     /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1.
@@ -48,7 +48,7 @@ impl<F: Float> Reversal<F> {
     /// The reversal where α is so close to |K| that the error of K counts, and where K has none.
     #[inline(never)]
     fn refined(omega: F, k: Pair<F>, doubt: F, alpha: F) -> Self {
-        let k = if doubt.is_finite() { PhaseFunction::of_valid(omega).refined().pair() } else { k };
+        let k = if doubt.is_finite() { PhaseFunction::refined_at(omega).pair() } else { k };
         let size = k.abs();
         let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
         let sine = (excess(omega, size, alpha) * Pair::new(hi, lo + size.lo)).sqrt();

@@ -118,17 +118,16 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
 #[inline]
 pub(crate) fn fastest_and_deviation<F: Float>(
     half: &HalfCycle<F>,
-    p: &PhaseFunction<F>,
     reversal: &Reversal<F>,
     alpha: F,
 ) -> (Fastest<F>, F) {
-    let omega = half.omega();
+    let (omega, k) = (half.omega(), reversal.phase_function.value());
     if omega < F::ratio(1, 2) {
-        let found = from_afar(omega, half.max_displacement(), p.value(), alpha).differentiated(half);
+        let found = from_afar(omega, half.max_displacement(), k, alpha).differentiated(half);
         return (found, reversal.deviation(omega, found.psi));
     }
     let (found, (s, c)) = from_centre(half).unwrap_or_else(|| {
-        let found = from_afar(omega, half.max_displacement(), p.value(), alpha);
+        let found = from_afar(omega, half.max_displacement(), k, alpha);
         (found, found.psi.sin_cos())
     });
     let found = found.differentiated(half);
