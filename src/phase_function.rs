@@ -238,7 +238,11 @@ impl<F: Float> PhaseFunction<F> {
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
     pub(crate) fn lobe_phase(&self) -> Pair<F> {
-        let w = if F::PRECISION > f64::MANTISSA_DIGITS { Pair::exact(self.remainder) } else { reduced(self.omega).1 };
+        let w = if F::PRECISION > f64::MANTISSA_DIGITS {
+            Pair::exact(self.remainder)
+        } else {
+            reduced(self.omega).1
+        };
         if self.quarter & 1 == 1 {
             Pair::pi() * F::ratio(1, 2) + w
         } else if w.hi < F::int(0) {

@@ -108,7 +108,6 @@ impl<F: Float> Pair<F> {
         Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) }
     }
 
-
     /// `(hi + lo)²`.
     #[inline]
     #[must_use]

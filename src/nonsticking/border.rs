@@ -40,7 +40,9 @@ mod stationary;
 
 use crate::error::Error;
 use crate::float::{Float, Real, pair::Pair};
-use crate::phase_function::{PhaseFunction, one_minus_square, one_minus_square_halved, one_minus_square_pair};
+use crate::phase_function::{
+    PhaseFunction, one_minus_square, one_minus_square_halved, one_minus_square_pair,
+};
 pub use lobe::{Lobe, Minimum};
 pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};

@@ -248,7 +248,10 @@ fn sin_cos_small<F: Float>(x: F) -> (F, F) {
         return x.sin_cos();
     }
     let series = |first: i32, last: i32| {
-        (first..=last).rev().step_by(2).fold(F::int(1), |sum, k| F::int(1) - square * F::ratio(1, k * (k + 1)) * sum)
+        (first..=last)
+            .rev()
+            .step_by(2)
+            .fold(F::int(1), |sum, k| F::int(1) - square * F::ratio(1, k * (k + 1)) * sum)
     };
     (x - x * (square * F::ratio(1, 6) * series(4, 12)), F::int(1) - square * F::ratio(1, 2) * series(3, 11))
 }

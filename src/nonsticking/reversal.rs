@@ -11,7 +11,9 @@
 //! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
 
 use crate::float::{Float, pair::Pair};
-use crate::phase_function::{PhaseFunction, cotangent_defect, one_minus_square_pair, one_minus_square_halved};
+use crate::phase_function::{
+    PhaseFunction, cotangent_defect, one_minus_square_halved, one_minus_square_pair,
+};
 
 /// The reversal at the maximum displacement: `√(α² − K²)` and Δ₀/B to more digits than the type has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +74,8 @@ impl<F: Float> Reversal<F> {
     /// Loop size `A₂ = Ω² A₁` (eq. 67) at the frequency ratio Ω of this reversal. Accuracy at f64: 2 ulp.
     #[inline]
     pub fn loop_size_inertia(&self, omega: F) -> F {
-        F::int(8) * (self.displacement * Pair::exact(omega).square()).over(Pair::exact(self.alpha).square()).abs()
+        F::int(8)
+            * (self.displacement * Pair::exact(omega).square()).over(Pair::exact(self.alpha).square()).abs()
     }
 
     /// The same in another number type.

@@ -181,7 +181,8 @@ impl<F: Float> AtPrecision<F> for Start<F> {
         }
         // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
         // pole of K.
-        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half).map(|(found, _)| found) } else { None };
+        let centred =
+            if half.omega() >= G::ratio(1, 2) { from_centre(&half).map(|(found, _)| found) } else { None };
         let bracketed =
             || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
         back(centred.unwrap_or_else(bracketed).psi)

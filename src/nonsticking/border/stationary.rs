@@ -33,7 +33,8 @@ pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
     let (s, c) = tau.hi.sin_cos();
     let (sin_tau, cos_tau) = (Pair::new(s, c * tau.lo), Pair::new(c, -(s * tau.lo)));
     let sin_gamma = p.sine_magnitude();
-    let width = p.refined().pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
+    let width =
+        p.refined().pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
     let tau = tau.value();
     // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
     let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);

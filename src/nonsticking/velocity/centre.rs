@@ -47,9 +47,9 @@ fn start<F: Float>(half: &HalfCycle<F>) -> F {
 #[inline]
 fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> Jet<F> {
     let polynomial = |least: usize| {
-        (least..8).rev().fold(derivatives[8], |sum, k| {
-            derivatives[k] + psi * F::ratio(1, (k + 1 - least) as i32) * sum
-        })
+        (least..8)
+            .rev()
+            .fold(derivatives[8], |sum, k| derivatives[k] + psi * F::ratio(1, (k + 1 - least) as i32) * sum)
     };
     Jet {
         value: derivatives[0],
