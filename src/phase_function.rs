@@ -134,11 +134,10 @@ impl<F: Float> PhaseFunction<F> {
     }
 
     /// K by the quotient of pairs.
-    #[inline(never)]
+    #[inline]
     pub(crate) fn refined_at(omega: F) -> Self {
-        let (quarter, w) = reduced(omega);
-        let value = compensated(omega, quarter, w).normalised();
-        Self { omega, quarter, remainder: w.hi, value, doubt: Self::none() }.differentiated()
+        let (quarter, remainder, value) = refined_parts(omega);
+        Self { omega, quarter, remainder, value, doubt: Self::none() }.differentiated()
     }
 
     /// K with the digits of the type, of which there are enough.
@@ -309,6 +308,13 @@ fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
     }
     let square = one_minus_square_pair(omega);
     if quarter & 1 == 0 { square * w / (cotangent * omega) } else { -(square * cotangent) / (w * omega) }
+}
+
+/// q mod 4, w and K by the quotient of pairs; not a whole [`PhaseFunction`], so that the common path keeps its own in registers.
+#[inline(never)]
+fn refined_parts<F: Float>(omega: F) -> (u8, F, Pair<F>) {
+    let (quarter, w) = reduced(omega);
+    (quarter, w.hi, compensated(omega, quarter, w).normalised())
 }
 
 /// `(q mod 4, w)` of the angle `β = q π/2 + w`, `w = (π/2) (1 − qΩ)/Ω`, where 1 − qΩ is exact.

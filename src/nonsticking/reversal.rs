@@ -39,24 +39,13 @@ impl<F: Float> Reversal<F> {
         // κ = K²/(α² − K²) is the condition number of Δ₀ by K.
         let counts_little = k.hi * k.hi * p.doubt() * F::int(CONDITION) < minus.hi * plus.hi;
         if !counts_little {
-            return Self::refined(p.omega(), k, p.doubt(), alpha);
+            let (phase_function, sine, displacement) = refined(p.omega(), k, p.doubt(), alpha);
+            return Self { alpha, phase_function, sine, displacement };
         }
         let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
         let sine = minus.halved().times_halved(plus.halved()).halved_sqrt();
         let width = one_minus_square_halved(p.omega());
         Self { alpha, phase_function: k, sine, displacement: sine.halved_quotient(width) }
-    }
-
-    /// The reversal where α is so close to |K| that the error of K counts, and where K has none.
-    #[inline(never)]
-    fn refined(omega: F, k: Pair<F>, doubt: F, alpha: F) -> Self {
-        let k = if doubt.is_finite() { PhaseFunction::refined_at(omega).pair() } else { k };
-        let size = k.abs();
-        let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
-        let sine = (excess(omega, size, alpha) * Pair::new(hi, lo + size.lo)).sqrt();
-        let width = one_minus_square_pair(omega);
-        let displacement = if width.hi == F::int(0) { Pair::exact(sine.hi / width.hi) } else { sine / width };
-        Self { alpha, phase_function: k, sine, displacement }
     }
 
     /// Maximum displacement Δ₀/B (eq. 44). Accuracy at f64: 2 ulp.
@@ -98,6 +87,18 @@ impl<F: Float> Reversal<F> {
         let sine = if omega < F::int(1) { self.sine } else { -self.sine };
         -(self.phase_function * c + sine * s + Pair::exact(F::int(1))).value()
     }
+}
+
+/// K, `√(α² − K²)` and Δ₀/B, with the sign of 1 − Ω, where α is so close to |K| that the error of K counts, and where it has none.
+#[inline(never)]
+fn refined<F: Float>(omega: F, k: Pair<F>, doubt: F, alpha: F) -> (Pair<F>, Pair<F>, Pair<F>) {
+    let k = if doubt.is_finite() { PhaseFunction::refined_at(omega).pair() } else { k };
+    let size = k.abs();
+    let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
+    let sine = (excess(omega, size, alpha) * Pair::new(hi, lo + size.lo)).sqrt();
+    let width = one_minus_square_pair(omega);
+    let displacement = if width.hi == F::int(0) { Pair::exact(sine.hi / width.hi) } else { sine / width };
+    (k, sine, displacement)
 }
 
 /// Maximum displacement Δ₀/B (eq. 44, [`super::max_displacement`]) at the frequency ratio of `p`.
