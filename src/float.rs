@@ -17,7 +17,15 @@ use num_traits::NumOps;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
 #[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of MPFR numbers, and counts of limbs and digits"
+    )
+)]
 pub mod mp;
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of pairs"))]
 pub mod pair;
 mod primitive;
 

@@ -115,6 +115,10 @@
 )]
 
 #[cfg(feature = "batch")]
+#[cfg_attr(
+    not(test),
+    allow(clippy::arithmetic_side_effects, reason = "places within the slices given, and lanes of numbers")
+)]
 pub mod batch;
 pub mod design;
 mod error;

@@ -194,7 +194,7 @@ impl<F: Float> HalfCycle<F> {
     /// The velocity `v/(Bω_d)` and its first eight derivatives by ψ at ψ = 0.
     #[inline]
     pub(crate) fn derivatives_at_centre(&self) -> [F; 9] {
-        let (omega, one, zero) = (self.omega, F::int(1), F::int(0));
+        let (omega, one) = (self.omega, F::int(1));
         let scale = omega * self.cos_beta;
         let first = if self.beside_one {
             self.one_minus_omega / scale + self.tan_half_offset()
@@ -204,18 +204,12 @@ impl<F: Float> HalfCycle<F> {
         // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
         let forcing = -(self.one_minus_omega * (one + omega) / scale);
         let omega2 = omega.square();
-        let mut derivatives = [zero; 9];
-        derivatives[0] = self.max_displacement;
-        derivatives[1] = first;
-        for k in 0..7 {
-            let swing = -(omega2 * derivatives[k]);
-            derivatives[k + 2] = match k % 4 {
-                1 => swing + forcing,
-                3 => swing - forcing,
-                _ => swing,
-            };
-        }
-        derivatives
+        let swing = |v: F| -(omega2 * v);
+        let (value, second) = (self.max_displacement, swing(self.max_displacement));
+        let (third, fourth) = (swing(first) + forcing, swing(second));
+        let (fifth, sixth) = (swing(third) - forcing, swing(fourth));
+        let (seventh, eighth) = (swing(fifth) + forcing, swing(sixth));
+        [value, first, second, third, fourth, fifth, sixth, seventh, eighth]
     }
 
     /// Displacement x/B at ψ.

@@ -46,10 +46,13 @@ fn start<F: Float>(half: &HalfCycle<F>) -> F {
 /// v′ … v⁗ at ψ by Taylor's polynomials; the velocity itself is left out.
 #[inline]
 fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> Jet<F> {
-    let polynomial = |least: usize| {
-        (least..8)
-            .rev()
-            .fold(derivatives[8], |sum, k| derivatives[k] + psi * F::ratio(1, (k + 1 - least) as i32) * sum)
+    // Horner's scheme over the derivatives from the n-th on.
+    let polynomial = |n: usize| {
+        let terms = derivatives.iter().skip(n).enumerate().rev();
+        let sum = terms.fold(None, |sum: Option<F>, (k, &term)| {
+            Some(sum.map_or(term, |sum| term + psi * F::ratio(1, (k + 1) as i32) * sum))
+        });
+        sum.unwrap_or(psi)
     };
     Jet {
         value: derivatives[0],
