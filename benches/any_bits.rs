@@ -4,6 +4,8 @@
 //! inputs are any bits at all, a quarter any bits within the domain's exponents, a quarter from `stickslip::generators`. All
 //! threads; the same inputs for the same number of threads. Prints how many calls there were, and of what.
 
+#![allow(clippy::print_stdout, reason = "a bench prints what it counted")]
+
 use arbitrary::{Arbitrary, Unstructured};
 use std::hint::black_box;
 use std::time::Instant;

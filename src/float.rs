@@ -21,7 +21,7 @@ pub mod dual;
     not(test),
     allow(
         clippy::arithmetic_side_effects,
-        reason = "operators of MPFR numbers, and counts of limbs and digits"
+        reason = "operators of multiple-precision numbers; counts of limbs and of digits, which a format's u16 bounds"
     )
 )]
 pub mod mp;

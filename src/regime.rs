@@ -65,3 +65,25 @@ pub fn regime<F: Float>(omega: F, alpha: F) -> Result<Regime, Error> {
     let ratios = Ratios::new(omega, alpha)?;
     Ok(regime_of(ratios, &Border::new(omega)?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Regime, regime};
+    use crate::Border;
+
+    #[test]
+    fn the_border_belongs_to_what_slides() {
+        for omega in [0.22, 0.4, 0.7, 1.5] {
+            let least: f64 = Border::new(omega).unwrap().min_force_ratio();
+            assert_eq!(regime(omega, least), Ok(Regime::NonSticking));
+            assert_eq!(regime(omega, least.next_down()), Ok(Regime::Sticking));
+        }
+        assert_eq!((regime(0.7, 1.0f64), regime(1.0, 1.3f64)), (Ok(Regime::Stuck), Ok(Regime::Unbounded)));
+    }
+
+    #[test]
+    fn names() {
+        let all = [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded];
+        assert_eq!(all.map(Regime::name), ["stuck", "sticking", "non-sticking", "unbounded"]);
+    }
+}

@@ -155,6 +155,14 @@ mod tests {
     }
 
     #[test]
+    fn newton_ends_at_the_rounding_of_the_root() {
+        for off in [0.0, 1e-9, 2e-8, 5e-8, 1e-7] {
+            let root = newton(2f64.sqrt() + off, 1.0, 2.0, |x| (x * x - 2.0, 2.0 * x));
+            assert!((root - 2f64.sqrt()).abs() <= f64::EPSILON, "{off:e}: {:e}", root - 2f64.sqrt());
+        }
+    }
+
+    #[test]
     fn newton_stays_in_its_bracket() {
         // The slope sends the first step far outside: the start is kept.
         assert_eq!(newton(1.0, 0.5, 2.0, |x: f64| (x, 1e-9)), 1.0);

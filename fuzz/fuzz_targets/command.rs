@@ -3,6 +3,7 @@
 //! The command's own modules are compiled in; what one of them comes to use has to be named here.
 #![no_main]
 
+#[allow(dead_code, unused_imports, reason = "the subcommands that are left out need them")]
 #[path = "../../src/bin/stickslip"]
 mod command {
     pub(crate) mod args;
@@ -16,7 +17,6 @@ mod command {
     pub(crate) mod interrupt;
     pub(crate) mod note;
     pub(crate) mod points;
-    pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
     pub(crate) mod sink;
@@ -25,8 +25,7 @@ mod command {
 use clap::Parser;
 use command::args::{Command, CommandLine, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, progress, record, response,
-    sink,
+    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, record, response, sink,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -57,7 +56,9 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         }
         Command::Decay(args) => decay::run(args, out),
         // As many bands as the range has, and searches, are not short.
-        Command::Design(Question::Bands(_) | Question::Dissipation(_) | Question::Stiffness(_)) => return None,
+        Command::Design(Question::Bands(_) | Question::Dissipation(_) | Question::Stiffness(_)) => {
+            return None;
+        }
         Command::Design(question) => design::run(question, out),
         Command::Sweep(args) => {
             let omega = grid::Grid::<f64>::parse("--omega", &args.omega);
@@ -79,7 +80,8 @@ fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome
         Err(failure) => return Some(Err(failure)),
     };
     let bounds = grid.bounds();
-    let (low, high) = bounds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+    let (low, high) =
+        bounds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
     assert!(grid.len() >= 1 && low.is_finite() && high.is_finite());
     for place in [0, 1, grid.len() / 2, grid.len() - 1] {
         let value = grid.value(place.min(grid.len() - 1));
