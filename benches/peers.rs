@@ -1,5 +1,5 @@
 //! The library's side of `benches/peers.sh`: `peers points FILE N LEAST` writes N points with Ω uniform from LEAST to 2.5, and
-//! `peers FILE` times them, the best of many runs, in nanoseconds a point.
+//! `peers FILE` times them, the best of many runs, in nanoseconds a point; `peers threads N` times N points on one thread and on all.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -21,6 +21,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             let columns = points.iter().map(|p| p.0).chain(points.iter().map(|p| p.1));
             Ok(std::fs::write(file, columns.flat_map(f64::to_le_bytes).collect::<Vec<_>>())?)
         }
+        #[cfg(feature = "rayon")]
+        ["threads", n] => {
+            let (omega, alpha): (Vec<_>, Vec<_>) = points::points(n.parse()?).into_iter().unzip();
+            threads(&omega, &alpha);
+            Ok(())
+        }
         [file] => {
             let bytes = std::fs::read(file)?;
             let numbers: Vec<_> =
@@ -30,7 +36,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             Ok(())
         }
         _ => {
-            println!("peers points FILE N LEAST | peers FILE");
+            println!("peers points FILE N LEAST | peers FILE | peers threads N");
             Ok(())
         }
     }
@@ -58,8 +64,6 @@ fn time(omega: &[f64], alpha: &[f64]) {
             report(&name, "all, fixed Ω", &mut || columns.cycles_at(batch, &row, alpha));
         }
     }
-    #[cfg(feature = "rayon")]
-    threads(omega, alpha);
 }
 
 /// One thread and all, in turn, so that what else the machine does falls on both.

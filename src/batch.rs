@@ -21,10 +21,11 @@
 //!
 //! # How
 //!
-//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time.
-//! What such a loop cannot do well is left to the library's own code for one point ([`crate::Cycle`], [`crate::Border`]):
-//! Ω < 1/2 or above 2²⁰, α closer to the border than 2⁻⁴⁶ of it or to |K| than 1/32, a velocity whose steps do not settle. So
-//! there is an answer for every point of the domain, and on which side of the border it lies is decided as
+//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time: one set of
+//! loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
+//! cannot do well is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
+//! 1/(2n) than 0.0012 Ω of it, α² closer to the border's square than 2⁻⁴⁶ α² or to K² than α²/16, a start too far from the greatest velocity.
+//! So there is an answer for every point of the domain, and on which side of the border it lies is decided as
 //! [`mod@crate::regime`] decides it.
 //!
 //! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
@@ -37,6 +38,7 @@ mod arrival;
 mod block;
 mod careful;
 mod circular;
+mod columns;
 mod cycle;
 mod fixed;
 mod frequency;
@@ -44,34 +46,22 @@ mod kernel;
 mod level;
 mod low;
 mod peaks;
+mod places;
 mod steady;
+#[cfg(feature = "rayon")]
+mod threads;
 mod triple;
 mod velocity;
 
+pub use columns::{Cycles, LengthMismatch, Peaks, Triple};
 pub use fixed::FixedOmega;
 pub use level::Level;
 
 use crate::error::Error;
 use crate::exact::LongRun;
 use crate::regime::Regime;
+use columns::same_length;
 use kernel::Kernel;
-
-/// Slices that do not belong together: their lengths differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("{name} has {found} elements where {expected} are due")]
-pub struct LengthMismatch {
-    /// Which slice.
-    pub name: &'static str,
-    /// Its length.
-    pub found: usize,
-    /// The length of the first slice.
-    pub expected: usize,
-}
-
-/// `Err` where a slice of length `found` is not as long as the first.
-fn same_length(expected: usize, name: &'static str, found: usize) -> Result<(), LengthMismatch> {
-    if found == expected { Ok(()) } else { Err(LengthMismatch { name, found, expected }) }
-}
 
 /// How batches are run: with which instructions, and on how many threads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,108 +74,6 @@ pub struct Batch {
 impl Default for Batch {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// Where [`Batch::triple`] writes, slices of the length of Ω.
-#[derive(Debug)]
-pub struct Triple<'a> {
-    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
-    pub max_displacement: &'a mut [f64],
-    /// The border α_min ([`crate::Border::min_force_ratio`]): eq. 61 for Ω ≥ 1/2, exact below.
-    pub min_force_ratio: &'a mut [f64],
-    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
-    pub loop_size_stiffness: &'a mut [f64],
-}
-
-/// Where [`Batch::peaks`] writes, slices of the length of Ω.
-#[derive(Debug)]
-pub struct Peaks<'a> {
-    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
-    pub max_displacement: &'a mut [f64],
-    /// The exact border α_min ([`crate::Border::min_force_ratio`]).
-    pub min_force_ratio: &'a mut [f64],
-    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
-    pub loop_size_stiffness: &'a mut [f64],
-    /// Maximum velocity V₀/(Bω_d) ([`crate::Cycle::max_velocity`]).
-    pub max_velocity: &'a mut [f64],
-    /// Its phase ω_d t₁ ([`crate::Cycle::velocity_phase`]).
-    pub velocity_phase: &'a mut [f64],
-}
-
-/// Where [`Batch::cycles`] writes, slices of the length of Ω.
-#[derive(Debug)]
-pub struct Cycles<'a> {
-    /// What the body does in the long run ([`mod@crate::regime`]); `None` where Ω or α is outside the domain.
-    pub regime: &'a mut [Option<Regime>],
-    /// Maximum displacement Δ₀/B ([`crate::Cycle::max_displacement`]).
-    pub max_displacement: &'a mut [f64],
-    /// Its phase ω_d t₂ ([`crate::Cycle::displacement_phase`]).
-    pub displacement_phase: &'a mut [f64],
-    /// Maximum velocity V₀/(Bω_d) ([`crate::Cycle::max_velocity`]).
-    pub max_velocity: &'a mut [f64],
-    /// Its phase ω_d t₁ ([`crate::Cycle::velocity_phase`]).
-    pub velocity_phase: &'a mut [f64],
-    /// Deviation Δ₁/B ([`crate::Cycle::deviation`]).
-    pub deviation: &'a mut [f64],
-    /// The exact border α_min ([`crate::Border::min_force_ratio`]).
-    pub min_force_ratio: &'a mut [f64],
-    /// Contraction per half cycle ([`crate::Cycle::contraction`]).
-    pub contraction: &'a mut [f64],
-    /// Loop size A₁ ([`crate::Cycle::loop_size_stiffness`]).
-    pub loop_size_stiffness: &'a mut [f64],
-    /// Loop size A₂ ([`crate::Cycle::loop_size_inertia`]).
-    pub loop_size_inertia: &'a mut [f64],
-}
-
-/// The slices of [`Cycles`] in the kernel's order.
-type Columns<'a> = (&'a mut [Option<Regime>], [&'a mut [f64]; 9]);
-
-impl<'a> Triple<'a> {
-    /// The slices in the kernel's order, all of length `n`.
-    fn split(self, n: usize) -> Result<[&'a mut [f64]; 3], LengthMismatch> {
-        same_length(n, "maximum displacement Δ₀/B", self.max_displacement.len())?;
-        same_length(n, "least force ratio α_min", self.min_force_ratio.len())?;
-        same_length(n, "loop size A₁", self.loop_size_stiffness.len())?;
-        Ok([self.max_displacement, self.min_force_ratio, self.loop_size_stiffness])
-    }
-}
-
-impl<'a> Peaks<'a> {
-    /// The slices in the kernel's order, all of length `n`.
-    fn split(self, n: usize) -> Result<[&'a mut [f64]; 5], LengthMismatch> {
-        same_length(n, "maximum displacement Δ₀/B", self.max_displacement.len())?;
-        same_length(n, "least force ratio α_min", self.min_force_ratio.len())?;
-        same_length(n, "loop size A₁", self.loop_size_stiffness.len())?;
-        same_length(n, "maximum velocity V₀/(B ω_d)", self.max_velocity.len())?;
-        same_length(n, "phase ω_d t₁", self.velocity_phase.len())?;
-        Ok([
-            self.max_displacement,
-            self.min_force_ratio,
-            self.loop_size_stiffness,
-            self.max_velocity,
-            self.velocity_phase,
-        ])
-    }
-}
-
-impl<'a> Cycles<'a> {
-    /// The slices in the kernel's order, all of length `n`.
-    fn split(self, n: usize) -> Result<Columns<'a>, LengthMismatch> {
-        same_length(n, "regime", self.regime.len())?;
-        let named = [
-            ("maximum displacement Δ₀/B", self.max_displacement),
-            ("phase ω_d t₂", self.displacement_phase),
-            ("maximum velocity V₀/(B ω_d)", self.max_velocity),
-            ("phase ω_d t₁", self.velocity_phase),
-            ("deviation Δ₁/B", self.deviation),
-            ("least force ratio α_min", self.min_force_ratio),
-            ("contraction", self.contraction),
-            ("loop size A₁", self.loop_size_stiffness),
-            ("loop size A₂", self.loop_size_inertia),
-        ];
-        named.iter().try_for_each(|(name, slice)| same_length(n, name, slice.len()))?;
-        Ok((self.regime, named.map(|(_, slice)| slice)))
     }
 }
 
@@ -323,7 +211,7 @@ impl Batch {
     ) {
         #[cfg(feature = "rayon")]
         if self.threads {
-            return kernel::run_on_threads(kernel, self.level, omega, alpha, out, regimes);
+            return threads::run_on_threads(kernel, self.level, omega, alpha, out, regimes);
         }
         kernel::run(kernel, self.level, omega, alpha, out, regimes);
     }

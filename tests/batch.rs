@@ -4,7 +4,7 @@
 mod random;
 
 use random::Random;
-use stickslip::batch::{Batch, Cycles, FixedOmega, LengthMismatch, Level, Triple};
+use stickslip::batch::{Batch, Cycles, FixedOmega, LengthMismatch, Level, Peaks, Triple};
 use stickslip::{Border, Cycle, Ratios, Regime, regime};
 
 /// All outputs, in the order of `Cycles`.
@@ -58,6 +58,26 @@ fn triple(batch: Batch, omega: &[f64], alpha: &[f64]) -> [Vec<f64>; 3] {
         .unwrap();
     columns
 }
+
+fn five(columns: &mut [Vec<f64>; 5]) -> Peaks<'_> {
+    let [a, b, c, d, e] = columns;
+    Peaks {
+        max_displacement: a,
+        min_force_ratio: b,
+        loop_size_stiffness: c,
+        max_velocity: d,
+        velocity_phase: e,
+    }
+}
+
+fn peaks(batch: Batch, omega: &[f64], alpha: &[f64]) -> [Vec<f64>; 5] {
+    let mut columns = std::array::from_fn(|_| vec![f64::INFINITY; omega.len()]);
+    batch.peaks(omega, alpha, five(&mut columns)).unwrap();
+    columns
+}
+
+/// Where the columns of `Peaks` are among those of `Cycles`.
+const PEAKS: [usize; 5] = [0, BORDER, 7, 2, 3];
 
 fn levels() -> impl Iterator<Item = Level> {
     Level::ALL.into_iter().filter(|level| level.is_available())
@@ -121,6 +141,41 @@ fn every_level_gives_the_same_bits() {
         };
         assert!(all_bits(&triple(batch, &omega, &alpha)) == all_bits(&three), "{level:?}");
     }
+}
+
+/// The same loops, so the same bits, but for points of which the velocity is left to the careful path.
+#[test]
+fn the_peaks_are_those_of_all() {
+    let (omega, alpha) = points(20_000);
+    for level in levels() {
+        let batch = Batch::new().at_level(level);
+        let (all, five) = (cycles(batch, &omega, &alpha), peaks(batch, &omega, &alpha));
+        for (column, among_all) in five.iter().zip(PEAKS) {
+            for (i, (&x, &y)) in column.iter().zip(&all.columns[among_all]).enumerate() {
+                assert_eq!(bits(x), bits(y), "{among_all}, {level:?} at {} {}", omega[i], alpha[i]);
+            }
+        }
+    }
+}
+
+/// Ordinary points below Ω = 1/2 are answered by the loops, not one by one: their bits are not those of the scalar code.
+#[test]
+fn below_one_half_the_loops_answer() {
+    let mut random = Random(17);
+    let omega: Vec<_> = (0..1000).map(|_| random.between(0.1, 0.5)).collect();
+    let alpha: Vec<_> = omega
+        .iter()
+        .map(|&omega| Border::new(omega).unwrap().min_force_ratio() * random.between(1.05, 4.0))
+        .collect();
+    let answer = cycles(Batch::new().at_level(Level::Portable), &omega, &alpha);
+    let same = (0..omega.len())
+        .filter(|&i| {
+            alone(omega[i], alpha[i]).unwrap().map(f64::to_bits)
+                == answer.columns.each_ref().map(|c| c[i].to_bits())
+        })
+        .count();
+    assert!(same < 50, "{same} of 1000");
+    within(worst(&answer, &omega, &alpha, alone), APART, &omega, &alpha);
 }
 
 #[test]
@@ -277,6 +332,13 @@ fn rows_of_one_frequency() {
             assert_eq!(answer.regime, free.regime, "{omega}");
             assert!(answer.bits() == free.bits() || omega > 0.5, "{omega}");
             within(worst(&answer, &omegas, &alpha, alone), APART, &omegas, &alpha);
+
+            let mut columns = std::array::from_fn(|_| vec![0.0; alpha.len()]);
+            batch.peaks_at(&row, &alpha, five(&mut columns)).unwrap();
+            for (column, among_all) in columns.iter().zip(PEAKS) {
+                let all = answer.columns[among_all].iter().map(|&x| bits(x));
+                assert!(column.iter().map(|&x| bits(x)).eq(all), "{omega} {among_all}");
+            }
 
             let mut columns: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; alpha.len()]);
             let [a, b, c] = &mut columns;

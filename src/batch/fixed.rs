@@ -38,9 +38,9 @@ pub struct FixedOmega {
 #[derive(Debug, Clone)]
 enum Loops {
     /// Ω ≥ 1/2: `[K, 1/Ω, κ, u/(Ω − 1)]`.
-    High([Block; 4]),
+    High(Box<[Block; 4]>),
     /// Below: `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
-    Low([Block; 5]),
+    Low(Box<[Block; 5]>),
     /// Beyond: each point on its own.
     None,
 }
@@ -62,9 +62,9 @@ impl FixedOmega {
             border: border.min_force_ratio(),
         };
         let loops = if has_loops(omega) {
-            Loops::High(Parts::new().at([omega]).map(|x| [x; POINTS]))
+            Loops::High(Box::new(Parts::new().at([omega]).map(|x| [x; POINTS])))
         } else if has_low_loops(omega) {
-            Loops::Low(LowParts::new().at([omega]).map(|x| [x; POINTS]))
+            Loops::Low(Box::new(LowParts::new().at([omega]).map(|x| [x; POINTS])))
         } else {
             Loops::None
         };

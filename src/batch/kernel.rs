@@ -1,7 +1,8 @@
-//! How slices are cut into blocks, what was left to the careful path is done, and the work is spread over threads.
+//! How slices are cut into blocks, and what the loops left is done.
 
 use super::block::{Block, POINTS, pad};
 use super::level::{Level, Loops};
+use super::places::Places;
 use crate::regime::Regime;
 
 /// Blocks for what passes from one loop to the next: made once for all the blocks of a run.
@@ -213,48 +214,6 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
     }
 }
 
-/// Points set aside, at most two blocks of them.
-struct Places {
-    places: [usize; 2 * POINTS],
-    count: usize,
-}
-
-impl Default for Places {
-    fn default() -> Self {
-        Self { places: [0; 2 * POINTS], count: 0 }
-    }
-}
-
-impl Places {
-    fn push(&mut self, place: usize) {
-        if let Some(slot) = self.places.get_mut(self.count) {
-            *slot = place;
-            self.count += 1;
-        }
-    }
-
-    /// Whether a whole block of them is there, so that another may not find room.
-    const fn is_full(&self) -> bool {
-        self.count >= POINTS
-    }
-
-    const fn is_empty(&self) -> bool {
-        self.count == 0
-    }
-
-    /// The last block of them, or what there is of it.
-    fn pop(&mut self) -> ([usize; POINTS], usize) {
-        let left = self.count.saturating_sub(POINTS);
-        let mut taken = [0; POINTS];
-        for (slot, &place) in taken.iter_mut().zip(self.places.iter().skip(left)) {
-            *slot = place;
-        }
-        let count = self.count - left;
-        self.count = left;
-        (taken, count)
-    }
-}
-
 /// A block of the points set aside.
 fn low_points<K: Kernel<N>, const N: usize>(
     kernel: &K,
@@ -314,36 +273,4 @@ fn redo<K: Kernel<N>, const N: usize>(
             }
         }
     }
-}
-
-/// The same on all threads of the current rayon pool: the halves of halves, cut between blocks, so that the result does
-/// not depend on how many threads there are.
-#[cfg(feature = "rayon")]
-pub(crate) fn run_on_threads<K: Kernel<N>, const N: usize>(
-    kernel: &K,
-    level: Level,
-    omega: &[f64],
-    alpha: &[f64],
-    out: [&mut [f64]; N],
-    regimes: &mut [Option<Regime>],
-) {
-    /// Blocks worth a task of their own.
-    const WORTH: usize = 16 * POINTS;
-    let half = omega.len() / 2 / POINTS * POINTS;
-    if half < WORTH {
-        return run(kernel, level, omega, alpha, out, regimes);
-    }
-    let (left_omega, right_omega) = omega.split_at(half);
-    let (left_alpha, right_alpha) = alpha.split_at(half);
-    let mut rights = out.map(|slice| {
-        let (left, right) = slice.split_at_mut(half);
-        (left, Some(right))
-    });
-    let right = rights.each_mut().map(|(_, right)| right.take().unwrap_or_default());
-    let (left_regimes, right_regimes) = regimes.split_at_mut(half.min(regimes.len()));
-    let left = rights.map(|(left, _)| left);
-    rayon::join(
-        || run_on_threads(kernel, level, left_omega, left_alpha, left, left_regimes),
-        || run_on_threads(kernel, level, right_omega, right_alpha, right, right_regimes),
-    );
 }

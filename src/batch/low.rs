@@ -196,7 +196,7 @@ impl LowWaves {
         }
         .fastest();
         let there = (-side).mul_add(found.psi, theta);
-        let is_inside = (there >= 0.0) & (there <= width) & (theta >= 0.0) & (theta <= FRAC_PI_2);
+        let is_inside = (there >= 0.0) & (there <= width) & (theta.abs() <= FRAC_PI_2);
         (Fastest { is_found: found.is_found & is_inside, ..found }, omega.mul_add(found.psi, angle))
     }
 }
