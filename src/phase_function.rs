@@ -69,6 +69,7 @@ impl<F: Float> PhaseFunction<F> {
     }
 
     /// The phase function of an Ω known to be in the domain.
+    // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
         let p = if F::PRECISION > f64::MANTISSA_DIGITS {

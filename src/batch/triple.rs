@@ -3,7 +3,7 @@
 use super::block::{AtPoint, Block, each, select};
 use super::frequency::phase_function_alone;
 use super::kernel::{Kernel, Work};
-use crate::nonsticking::{Border, loop_size_stiffness, max_displacement};
+use crate::nonsticking::{Border, Reversal};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
 
@@ -43,8 +43,8 @@ impl Kernel<3> for TripleKernel {
         if alpha < border || omega == 1.0 {
             return [f64::NAN, border, f64::NAN];
         }
-        let displacement = max_displacement(p.value(), alpha, one_minus_square(omega));
-        [displacement, border, loop_size_stiffness(displacement, alpha)]
+        let reversal = Reversal::new(&p, alpha);
+        [reversal.max_displacement(), border, reversal.loop_size_stiffness()]
     }
 }
 
