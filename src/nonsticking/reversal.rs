@@ -125,7 +125,8 @@ fn sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
 /// `α − |K|`.
 #[inline]
 fn excess<F: Float>(omega: F, k: Pair<F>, alpha: F) -> Pair<F> {
-    if (F::int(1) - omega).abs() * F::int(1024) < F::int(1) {
+    let bits = if F::PRECISION < f64::MANTISSA_DIGITS { F::PRECISION as i32 / 5 } else { 10 };
+    if (F::int(1) - omega).abs() < F::exp2i(-bits) {
         return excess_close_to_one(omega, alpha);
     }
     let Pair { hi, lo } = Pair::ordered_sum(alpha, -k.hi);
