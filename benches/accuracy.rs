@@ -1,7 +1,7 @@
 //! The worst error of every output at f64, and where it is.
 //!
 //! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` looks at about POINTS points (a million unless told)
-//! on all cores against 256 bits and prints the table; with `--write` it puts it into `docs/accuracy.md`.
+//! on all cores against 128 bits and prints the table; with `--write` it puts it into `docs/accuracy.md`.
 
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 

@@ -69,6 +69,7 @@ impl<F: Float> PhaseFunction<F> {
     }
 
     /// The phase function of an Ω known to be in the domain.
+    // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
         let p = if F::PRECISION > f64::MANTISSA_DIGITS {
@@ -99,7 +100,8 @@ impl<F: Float> PhaseFunction<F> {
         let half_pi = Pair::pi() * F::ratio(1, 2);
         let r = Pair::halved_ratio(F::int(1) - omega, omega);
         let square = half_pi.hi * half_pi.hi * r.halved_square().value();
-        if square < F::exp2i(-18) {
+        // Where a doubt below that of the pairs themselves would let them through.
+        if square < F::exp2i(-(F::PRECISION as i32 / 3)) {
             return Self::refined_at(omega);
         }
         let defect = cotangent::plain_defect(square);

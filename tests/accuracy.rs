@@ -1,4 +1,4 @@
-//! Every output at f64 within its allowance of the one ulp table (`tests/ulps`), against 256 bits.
+//! Every output at f64 within its allowance of the one ulp table (`tests/ulps`), against 128 bits.
 
 mod ulps;
 

@@ -64,6 +64,9 @@ fn start(omega: f64, delta: f64, (sb, cb): (f64, f64)) -> f64 {
     d[7] = -(square * d[5]) + forcing;
     d[8] = -(square * d[6]);
     let psi = householder([d[1], d[2], d[3], d[4]]);
+    if omega > 1024.0 {
+        return psi;
+    }
     let [x2, x3, x4] = [psi * (1.0 / 2.0), psi * (1.0 / 3.0), psi * (1.0 / 4.0)];
     let [x5, x6, x7] = [psi * (1.0 / 5.0), psi * (1.0 / 6.0), psi * (1.0 / 7.0)];
     let p1 = d[5] + x5 * (d[6] + x6 * (d[7] + x7 * d[8]));

@@ -37,7 +37,7 @@ fn phase_function(omega: f64) -> Option<Phase> {
         let (high, low) = half(omega);
         let r = (r, ((rest - r * high) - r * low) / omega);
         let square = FRAC_PI_2 * FRAC_PI_2 * (r.0 * r.0 + r.1 * (sum_of(r) + r.0));
-        if square < 2f64.powi(-18) {
+        if square < 2f64.powi(-17) {
             return None;
         }
         let defect = square / (3.0 - tail(square));

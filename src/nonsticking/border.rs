@@ -85,8 +85,8 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
 
 /// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
 ///
-/// Dimensionless. In compensated pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares,
-/// which stay within the range of the type. Accuracy at f64: 2 ulp.
+/// Dimensionless. In pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares, which stay
+/// within the range of the type. Accuracy at f64: 2 ulp.
 #[inline(always)]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
     let (omega, k) = (p.omega(), p.pair());

@@ -1,8 +1,12 @@
 //! The reversal of the motion to more digits than the type has: `α |sin ω_d t₂| = √(α² − K²)` and Δ₀/B.
 //!
-//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels. It does so beside Ω = 1 alone: on the border
-//! `α² − K² ≥ (1/Ω² − 1)²` and |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + …, so that `α − |K| ≥ (2/π) w²` there, of the order of g. The
-//! pair of K has an error of the order of `2⁻ᵖ g`, and of `2⁻²ᵖ`, which is too much only very close to Ω = 1. There
+//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels: an error of K counts κ = K²/(α² − K²) times. Where that is
+//! little, K with the roundings of the type is good enough, and only what comes after it is done to more digits. Elsewhere K is
+//! computed again as a pair.
+//!
+//! The cancellation has no bound beside Ω = 1 alone: on the border `α² − K² ≥ (1/Ω² − 1)²` and |K| = (2/π)(1 + Ω)(1 − g),
+//! g = w²/3 + …, so that `α − |K| ≥ (2/π) w²` there, of the order of g. The pair of K has an error of the order of `2⁻ᵖ g`, and of
+//! `2⁻³ᵖᐟ²`, which is too much only very close to Ω = 1. There
 //!
 //! ```text
 //! (π/2)(α − |K|) = (π/2) α − (1 + Ω) + (1 + Ω) g,
@@ -27,11 +31,12 @@ pub struct Reversal<F> {
     displacement: Pair<F>,
 }
 
-/// The rounding of K must not count more than this part of a unit in the last place.
+/// K is good enough where its doubt counts less than a tenth: then it takes its part of two units in the last place.
 const CONDITION: i32 = 10;
 
 impl<F: Float> Reversal<F> {
     /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1.
+    // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
         let k = p.pair();
@@ -136,7 +141,8 @@ fn sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {
 /// `α − |K|`.
 #[inline]
 fn excess<F: Float>(omega: F, k: Pair<F>, alpha: F) -> Pair<F> {
-    if (F::int(1) - omega).abs() * F::int(1024) < F::int(1) {
+    let bits = if F::PRECISION < f64::MANTISSA_DIGITS { F::PRECISION as i32 / 5 } else { 10 };
+    if (F::int(1) - omega).abs() < F::exp2i(-bits) {
         return excess_close_to_one(omega, alpha);
     }
     let Pair { hi, lo } = Pair::ordered_sum(alpha, -k.hi);

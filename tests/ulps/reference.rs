@@ -1,11 +1,12 @@
-//! The outputs at f64, the same at 256 bits, and the distance between them.
+//! The outputs at f64, the same at 128 bits, and the distance between them.
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::mp::Mp;
 use stickslip::{Border, Float, PhaseFunction, Ratios, Response};
 
-/// The number of the reference: exact to f64 even where α² − K² is 2⁻¹⁰⁶ of α².
-pub(crate) type Wide = Mp<4>;
+/// The number of the reference. Its own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times the
+/// digits), so that more than a hundred bits are right.
+pub(crate) type Wide = Mp<2>;
 
 /// Every output at (Ω, α) in the order of [`OUTPUTS`]; `None` where there is no cycle.
 pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]> {

@@ -40,7 +40,8 @@ fn start<F: Float>(half: &HalfCycle<F>) -> F {
     let derivatives = half.derivatives_at_centre();
     let [_, first, second, third, fourth, ..] = derivatives;
     let psi = householder(&Jet { value: half.max_displacement(), first, second, third, fourth });
-    psi + householder(&expanded(&derivatives, psi))
+    // Far above Ω = 1 the derivatives grow like powers of Ω, without bound, and the first step is good enough.
+    if half.omega() > F::int(1024) { psi } else { psi + householder(&expanded(&derivatives, psi)) }
 }
 
 /// v′ … v⁗ at ψ by Taylor's polynomials; the velocity itself is left out.
