@@ -7,7 +7,7 @@
 //! | number | where it is put |
 //! |---|---|
 //! | Ω | 1; 1/n and 1/(2n + 1); the least border; 1/2; the ends of its domain; any magnitude; ordinary values |
-//! | α | 1; 4/π; `|K|`, `√2 |K|`; the exact border and eq. 61 at that Ω, and some way above; subnormal and huge values |
+//! | α | 1; 4/π; the size of K, and √2 times it; the exact border and eq. 61 at that Ω, and some way above; subnormal and huge values |
 //! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; next to no speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //!

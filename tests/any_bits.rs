@@ -25,6 +25,9 @@ fn findings() {
     );
     // α = |K| to the last bit, on the border beside Ω = 1: Δ₀ came out as zero.
     invariants::closed_forms(0.999_999_999_031_684_6, 1.273_239_544_118_714, 0.3);
+    // A family whose friction is 1e-74 of the force: its other multiplier came out as 1.29.
+    let (alpha, x, v) = (1.095_859_284_943_405_7e74, 1.095_742_087_286_741_2e74, 6.501_601_243_091_789e71);
+    motion::long_run(0.1, alpha, 1.499_312_018_341_025_3, x, v);
     // The force exceeds friction by 9e-15 of it: phases jumped by half a turn, and x by 5e-6.
     motion::trajectory(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
     motion::long_run(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
