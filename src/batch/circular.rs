@@ -165,7 +165,7 @@ mod tests {
     }
 
     fn both((s, c): (f64, f64), x: f64) {
-        close(s, x.sin(), x.sin().abs(), 1.0, x);
+        close(s, x.sin(), x.sin().abs(), 1.5, x);
         close(c, x.cos(), 1.0, 1.0, x);
     }
 
