@@ -20,7 +20,7 @@
 use super::Float;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The number `hi + lo`, |lo| a few units in the last place of hi at most.
+/// The number `hi + lo`: |lo| is a few units in the last place of hi at most, or `2⁻ᵖᐟ²` of it in a halved number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<F> {
     /// The leading part.

@@ -35,7 +35,8 @@ pub struct Reversal<F> {
 const CONDITION: i32 = 10;
 
 impl<F: Float> Reversal<F> {
-    /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1.
+    /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1. An α below |K| by
+    /// rounding is taken as the border, where Δ₀/B = 1/Ω².
     // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
@@ -115,9 +116,15 @@ impl<F: Float> Reversal<F> {
 fn refined<F: Float>(omega: F, k: Pair<F>, doubt: F, alpha: F) -> (Pair<F>, Pair<F>, Pair<F>) {
     let k = if doubt.is_finite() { PhaseFunction::refined_at(omega).pair() } else { k };
     let size = k.abs();
-    let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
-    let sine = (excess(omega, size, alpha) * Pair::new(hi, lo + size.lo)).sqrt();
     let width = one_minus_square_pair(omega);
+    let excess = excess(omega, size, alpha);
+    if excess.hi <= F::int(0) && -excess.hi <= F::int(2) * F::epsilon() * alpha {
+        // Close to Ω = 1 the border differs from |K| by less than the rounding of α: there this is the border.
+        let displacement = F::int(1) / omega.square();
+        return (k, width.abs() * displacement, Pair::exact(displacement.with_sign_of(width.hi)));
+    }
+    let Pair { hi, lo } = Pair::ordered_sum(alpha, size.hi);
+    let sine = (excess * Pair::new(hi, lo + size.lo)).sqrt();
     let displacement = if width.hi == F::int(0) { Pair::exact(sine.hi / width.hi) } else { sine / width };
     (k, sine, displacement)
 }
