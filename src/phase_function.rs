@@ -90,7 +90,7 @@ impl<F: Float> PhaseFunction<F> {
     #[inline]
     fn differentiated(self) -> Self {
         let hi = self.value.hi.differentiated_as(|| self.slope().constant() * self.omega);
-        Self { value: Pair::new(hi, self.value.lo), ..self }
+        Self { value: Pair::new(hi, self.value.lo.constant()), ..self }
     }
 
     /// `K = −(2/π) [(1 + Ω) − (1 + Ω) g]`, g = 1 − w cot w, w = (π/2) (1 − Ω)/Ω, for 2/3 ≤ Ω < 2: the rounding errors of g

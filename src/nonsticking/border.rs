@@ -166,7 +166,7 @@ impl<F: Float> Border<F> {
         // Where T > 0, so that τ* lies in the first quarter, it exceeds the limit even if rounding hides by how much.
         if supremum > limit || inner.phase * F::int(2) < F::pi() {
             Self {
-                min_force_ratio: turning_point.or_larger(p.pair().hypot(inner.width)),
+                min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
                 phase: inner.phase,
                 least_displacement: limit.or_larger(supremum),

@@ -13,6 +13,18 @@ pub(super) struct Inner<F> {
     pub(super) phase: F,
 }
 
+impl<F: Float> Inner<F> {
+    /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
+    pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
+        let (k, width) = (p.pair(), self.width);
+        if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
+            return k.hypot(width);
+        }
+        let down = F::exp2i(-F::RATIO_EXPONENT);
+        (k * down).hypot(width * down) / down
+    }
+}
+
 /// The stationary value below Ω = 1/2; `None` where T = 0.
 ///
 /// With sin γ = |sin β| and K: `(1 − Ω²) S = |K| [sin γ cos τ + sin η]/(sin γ sin τ)`, in which K and sin γ are pairs. S is
