@@ -25,6 +25,8 @@ pub mod dual;
     )
 )]
 pub mod mp;
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of pairs"))]
+pub mod pair;
 mod primitive;
 
 /// What a formula needs of its numbers.
@@ -89,6 +91,8 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
+    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once.
+    fn pi_rest() -> (Self, Self);
     /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].
@@ -108,6 +112,21 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     fn round(self) -> Self;
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
+
+    /// `self · other − near` for a number near that product: what a rounded product or quotient lacks.
+    ///
+    /// Exact where the type has a fused operation of its own, otherwise to half the digits of the type: the error is
+    /// `2⁻³ᵖᐟ²` of the product at most.
+    #[inline]
+    fn product_less(self, other: Self, near: Self) -> Self {
+        self.mul_add(other, -near)
+    }
+    /// `(high, low)` with `high + low = self` exactly and the product of two such high parts exact; of a type that has no use for
+    /// it, `(self, 0)`.
+    #[inline]
+    fn halves(self) -> (Self, Self) {
+        (self, Self::int(0))
+    }
 
     /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
     /// on, one step that quadruples them is left to do. At `f64` unless the type knows better.

@@ -14,11 +14,15 @@
 //! where `1 − qΩ` is formed with one rounding (exactly, near a pole or a zero). So the floats beside
 //! Ω = 1 and Ω = 1/n are as ordinary as any.
 
+mod cotangent;
+mod reduction;
 mod slope;
 
 use crate::error::Error;
-use crate::float::{Float, Real};
+use crate::float::{Float, Real, pair::Pair};
 use crate::ratios::frequency_ratio;
+pub(crate) use cotangent::cotangent_defect;
+use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
@@ -50,7 +54,8 @@ pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,
     remainder: F,
-    value: F,
+    value: Pair<F>,
+    doubt: F,
 }
 
 impl<F: Float> PhaseFunction<F> {
@@ -58,18 +63,110 @@ impl<F: Float> PhaseFunction<F> {
     ///
     /// # Errors
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
-    #[inline]
+    #[inline(always)]
     pub fn new(omega: F) -> Result<Self, Error> {
         frequency_ratio(omega).map(Self::of_valid)
     }
 
     /// The phase function of an Ω known to be in the domain.
-    #[inline]
+    // Always inline: the common path then keeps everything in registers.
+    #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
+        let p = if F::PRECISION > f64::MANTISSA_DIGITS {
+            Self::of_many_digits(omega)
+        } else if omega >= F::int(2) {
+            Self::above(omega)
+        } else if F::int(3) * omega >= F::int(2) {
+            Self::beside_one(omega)
+        } else if omega >= F::ratio(1, 2) {
+            Self::between(omega)
+        } else {
+            Self::refined_at(omega)
+        };
+        p.differentiated()
+    }
+
+    /// The same with the derivative of K by its own closed form.
+    #[inline]
+    fn differentiated(self) -> Self {
+        let hi = self.value.hi.differentiated_as(|| self.slope().constant() * self.omega);
+        Self { value: Pair::new(hi, self.value.lo.constant()), ..self }
+    }
+
+    /// `K = −(2/π) [(1 + Ω) − (1 + Ω) g]`, g = 1 − w cot w, w = (π/2) (1 − Ω)/Ω, for 2/3 ≤ Ω < 2: the rounding errors of g
+    /// are all that counts.
+    #[inline(always)]
+    fn beside_one(omega: F) -> Self {
+        let half_pi = Pair::pi() * F::ratio(1, 2);
+        let r = Pair::halved_ratio(F::int(1) - omega, omega);
+        let square = half_pi.hi * half_pi.hi * r.halved_square().value();
+        // Where a doubt below that of the pairs themselves would let them through.
+        if square < F::exp2i(-(F::PRECISION as i32 / 3)) {
+            return Self::refined_at(omega);
+        }
+        let defect = cotangent::plain_defect(square);
+        let one_plus = Pair::ordered_sum(F::int(1), omega);
+        let Pair { hi, lo } = Pair::ordered_sum(one_plus.hi, -(one_plus.hi * defect));
+        let scale = Pair::exact(F::int(-2)) / Pair::pi();
+        let value = scale.halved().times_halved(Pair::new(hi, lo + one_plus.lo).halved());
+        Self { omega, quarter: 1, remainder: half_pi.halved().times_halved(r).value(), value, doubt: defect }
+    }
+
+    /// `K = −(π/2) (1 − v)(1 + h) = −(π/2) {1 − [v − h (1 − v)]}`, v = 1/Ω², h = tan β/β − 1, for Ω ≥ 2: the errors of v and h
+    /// are all that counts.
+    #[inline(always)]
+    fn above(omega: F) -> Self {
+        let (one, half_pi) = (F::int(1), Pair::pi() * F::ratio(1, 2));
+        let v = one / (omega * omega);
+        let excess = cotangent::tangent_excess(half_pi.hi * half_pi.hi * v);
+        let y = Pair::ordered_sum(one, excess * (one - v) - v);
+        let value = (-half_pi).halved().times_halved(y.halved());
+        Self { omega, quarter: 0, remainder: half_pi.hi / omega + half_pi.lo / omega, value, doubt: excess }
+    }
+
+    /// `K = (1 − Ω²) w/(Ω w cot w)`, w = (π/2) (1 − 2Ω)/Ω, for 1/2 ≤ Ω < 2/3: small beside the border, so that its roundings count
+    /// little.
+    #[inline]
+    fn between(omega: F) -> Self {
+        let half_pi = F::pi() * F::ratio(1, 2);
+        let remainder = half_pi * ((F::int(1) - F::int(2) * omega) / omega);
+        let cotangent = F::int(1) - cotangent::plain_defect(remainder * remainder);
+        let value = Pair::exact(one_minus_square(omega) * remainder / (omega * cotangent));
+        Self { omega, quarter: 2, remainder, value, doubt: F::int(1) }
+    }
+
+    /// K by the quotient of pairs.
+    #[inline]
+    pub(crate) fn refined_at(omega: F) -> Self {
+        let (quarter, remainder, value) = refined_parts(omega);
+        Self { omega, quarter, remainder, value, doubt: Self::none() }.differentiated()
+    }
+
+    /// K with the digits of the type, of which there are enough.
+    #[inline]
+    fn of_many_digits(omega: F) -> Self {
         let (quarter, rest) = nearest_quarter(omega);
         let remainder = F::pi() * rest / (F::int(2) * omega);
-        let p = Self { omega, quarter, remainder, value: phase_function(omega, quarter, remainder) };
-        Self { value: p.value.differentiated_as(|| p.slope().constant() * omega), ..p }
+        let value = Pair::exact(phase_function(omega, quarter, remainder));
+        Self { omega, quarter, remainder, value, doubt: Self::none() }
+    }
+
+    /// The doubt of a K that is as good as it gets: no comparison finds that less is at stake.
+    #[inline]
+    fn none() -> F {
+        F::int(1) / F::int(0)
+    }
+
+    /// The same with K as good as pairs give it.
+    #[inline]
+    pub(crate) fn refined(&self) -> Self {
+        if self.doubt == Self::none() { *self } else { Self::refined_at(self.omega) }
+    }
+
+    /// What the error of [`PhaseFunction::pair`] is proportional to, of the order of w²; infinite where no better K is to be had.
+    #[inline]
+    pub(crate) const fn doubt(&self) -> F {
+        self.doubt
     }
 
     /// Frequency ratio Ω.
@@ -129,7 +226,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `tan w`, from K.
     fn remainder_tangent(&self) -> F {
-        let (omega, k) = (self.omega, self.value);
+        let (omega, k) = (self.omega, self.value.value());
         if is_beside_one(omega) {
             F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
@@ -141,25 +238,52 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
-    pub(crate) fn lobe_phase(&self) -> F {
-        let w = self.remainder;
+    pub(crate) fn lobe_phase(&self) -> Pair<F> {
+        let w = if F::PRECISION > f64::MANTISSA_DIGITS {
+            Pair::exact(self.remainder)
+        } else {
+            reduced(self.omega).1
+        };
         if self.quarter & 1 == 1 {
-            w + F::pi() / F::int(2)
-        } else if w < F::int(0) {
-            w + F::pi()
+            Pair::pi() * F::ratio(1, 2) + w
+        } else if w.hi < F::int(0) {
+            Pair::pi() + w
         } else {
             w
         }
+    }
+
+    /// `|sin β| = sin γ`, away from Ω = 1, from `tan w = ΩK/(1 − Ω²)` or its negative reciprocal.
+    pub(crate) fn sine_magnitude(&self) -> Pair<F> {
+        let (k, q) = (self.value * self.omega, self.one_minus_square());
+        let (numerator, other) = if self.quarter & 1 == 0 { (k, q) } else { (q, k) };
+        let tangent = (numerator / other).abs();
+        let secant = (tangent.square() + Pair::exact(F::int(1))).sqrt();
+        if self.quarter & 1 == 0 { tangent / secant } else { Pair::exact(F::int(1)) / secant }
     }
 
     /// The phase function `K(Ω) = (1 − Ω²) T/Ω`, finite for every float Ω.
     ///
     /// Beside Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
     ///
-    /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 4 ulp.
+    /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
     #[inline]
-    pub const fn value(&self) -> F {
+    pub fn value(&self) -> F {
+        self.refined().value.value()
+    }
+
+    /// K(Ω) as a pair. From Ω = 1/2 on its errors are those of a few roundings and count as [`PhaseFunction::doubt`] says; that of
+    /// [`PhaseFunction::refined`] is within half a unit in the last place of K, and falls with (Ω − 1)² beside Ω = 1. At more bits
+    /// than f64 has, K alone.
+    #[inline]
+    pub(crate) const fn pair(&self) -> Pair<F> {
         self.value
+    }
+
+    /// `1 − Ω²` as a pair.
+    #[inline]
+    pub(crate) fn one_minus_square(&self) -> Pair<F> {
+        one_minus_square_pair(self.omega)
     }
 }
 
@@ -171,6 +295,52 @@ fn phase_function<F: Float>(omega: F, quarter: u8, w: F) -> F {
     } else {
         phase_function_of_tangent(omega, tangent(quarter, w))
     }
+}
+
+/// K(Ω) from the angle `β = q π/2 + w` to more digits than the type has: with E = w cot w,
+///
+/// ```text
+/// K = −(2/π)(1 + Ω) E  beside Ω = 1,   (1 − Ω²) w/(Ω E)  for even q,   −(1 − Ω²) E/(Ω w)  for odd q.
+/// ```
+#[inline]
+fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
+    let cotangent = cotangent::y_cot_y(w);
+    if is_beside_one(omega) {
+        return Pair::sum(F::int(1), omega) * cotangent * (Pair::exact(F::int(-2)) / Pair::pi());
+    }
+    let square = one_minus_square_pair(omega);
+    if quarter & 1 == 0 { square * w / (cotangent * omega) } else { -(square * cotangent) / (w * omega) }
+}
+
+/// q mod 4, w and K by the quotient of pairs; not a whole [`PhaseFunction`], so that the common path keeps its own in registers.
+#[inline(never)]
+fn refined_parts<F: Float>(omega: F) -> (u8, F, Pair<F>) {
+    let (quarter, w) = reduced(omega);
+    (quarter, w.hi, compensated(omega, quarter, w).normalised())
+}
+
+/// `(q mod 4, w)` of the angle `β = q π/2 + w`, `w = (π/2) (1 − qΩ)/Ω`, where 1 − qΩ is exact.
+#[inline]
+fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
+    let (quarter, rest) = nearest_quarter(omega);
+    (quarter, (Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2))).normalised())
+}
+
+/// `1 − Ω²`, exactly but for the rounding of the rest.
+#[inline]
+pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
+    let square = Pair::product(omega, omega);
+    let Pair { hi, lo } = Pair::sum(F::int(1), -square.hi);
+    Pair::new(hi, lo - square.lo)
+}
+
+/// [`one_minus_square_pair`], halved, for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
+#[inline]
+pub(crate) fn one_minus_square_halved<F: Float>(omega: F) -> Pair<F> {
+    let (high, low) = omega.halves();
+    let (most, rest) = (F::int(1) - high * high, low * (omega + high));
+    let (hi, _) = (most - rest).halves();
+    Pair::new(hi, (most - hi) - rest)
 }
 
 /// `tan(q π/2 + w)`.
@@ -186,49 +356,9 @@ fn is_beside_one<F: Float>(omega: F) -> bool {
     omega < F::int(2) && F::int(3) * omega >= F::int(2)
 }
 
-/// `(q mod 4, 1 − qΩ)` with `q = round(1/Ω)`.
-///
-/// The first branches are exact by Sterbenz's lemma. In the last, a quotient too large for the
-/// significand is reduced again: `q = fl(1/Ω)` leaves a remainder `1 − qΩ` that one fused operation
-/// gives exactly, so each pass takes [`Float::PRECISION`] bits off the quotient, and the bound on Ω
-/// bounds the passes by `RATIO_EXPONENT / PRECISION + 2`.
-#[inline]
-fn nearest_quarter<F: Float>(omega: F) -> (u8, F) {
-    let one = F::int(1);
-    if omega >= F::int(2) {
-        (0, one)
-    } else if F::int(3) * omega >= F::int(2) {
-        (1, one - omega)
-    } else if F::int(5) * omega >= F::int(2) {
-        (2, one - F::int(2) * omega)
-    } else {
-        reduce_small(omega)
-    }
-}
-
-#[inline(never)]
-fn reduce_small<F: Float>(omega: F) -> (u8, F) {
-    let mut quarter = 0;
-    let mut rest = F::int(1);
-    loop {
-        let q = (rest / omega).round();
-        quarter = (quarter + modulo_four(q)) & 3;
-        rest = (-q).mul_add(omega, rest);
-        if rest.abs() * F::int(2) <= omega {
-            return (quarter, rest);
-        }
-    }
-}
-
-/// `q mod 4` of an integer q of either sign.
-fn modulo_four<F: Float>(q: F) -> u8 {
-    let residue = q - F::int(4) * (q / F::int(4)).floor();
-    (1..4).filter(|&n| residue >= F::int(n)).count() as u8
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{PhaseFunction, modulo_four, nearest_quarter, one_minus_square, y_cot_y};
+    use super::{PhaseFunction, one_minus_square, y_cot_y};
     use crate::float::Float;
 
     fn at(omega: f64) -> PhaseFunction<f64> {
@@ -274,30 +404,12 @@ mod tests {
     }
 
     #[test]
-    fn reduction_is_exact_for_huge_quotients() {
-        // 1/Ω = 2²⁰⁰ is a multiple of 4; 3·2⁻²⁰⁰ has 1/Ω = 2²⁰⁰/3, whose fraction is 1/3.
-        assert_eq!(nearest_quarter(2f64.powi(-200)), (0, 0.0));
-        let omega = 3.0 * 2f64.powi(-200);
-        let (quarter, rest) = nearest_quarter(omega);
-        // 2²⁰⁰ ≡ 4 (mod 12): 1/Ω = 4j + 4/3, so q ≡ 1 and the fraction is +1/3.
-        assert_eq!(quarter, 1);
-        assert_eq!(rest * 3.0, omega);
-    }
-
-    #[test]
-    fn residues() {
-        for (q, r) in [(0.0, 0), (1.0, 1), (6.0, 2), (-1.0, 3), (-4.0, 0), (7.0, 3), (2f64.powi(80), 0)] {
-            assert_eq!(modulo_four(q), r, "{q}");
-        }
-    }
-
-    #[test]
     fn sine_and_cosine_agree_with_the_plain_angle() {
         for omega in [0.07, 0.11, 0.13, 0.21, 0.26, 0.31, 0.36, 0.45, 0.55, 0.8, 1.3, 1.9, 2.5, 40.0] {
             let (s, c) = at(omega).sin_cos();
             let (sp, cp) = (std::f64::consts::FRAC_PI_2 / omega).sin_cos();
             assert!((s - sp).abs() < 1e-14 && (c - cp).abs() < 1e-14, "{omega}");
-            let lobe = at(omega).lobe_phase();
+            let lobe = at(omega).lobe_phase().value();
             assert!((lobe.sin() - s.abs()).abs() < 1e-14 && (0.0..std::f64::consts::PI).contains(&lobe));
             assert!((lobe.tan() / at(omega).tangent() - 1.0).abs() < 1e-13, "{omega}");
         }

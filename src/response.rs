@@ -1,8 +1,8 @@
 //! The whole answer at one (Ω, α): the regime, and what exists there.
 
 use crate::float::{AtPrecision, Float};
-use crate::nonsticking::{Border, Cycle, best_force_ratio, best_loop_size};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at};
+use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use crate::regime::{Regime, regime_of};
 
@@ -45,8 +45,8 @@ impl<F: Float> Response<F> {
             border,
             cycle,
             loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
-            best_force_ratio: best_force_ratio(p.value()),
-            best_loop_size: best_loop_size(p.value(), one_minus_square(ratios.omega())),
+            best_force_ratio: best_force_ratio_at(&p),
+            best_loop_size: best_loop_size_at(&p),
         }
     }
 

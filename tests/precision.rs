@@ -200,7 +200,7 @@ fn the_maximum_velocity_is_the_greatest() {
 }
 
 /// Without guard bits: no output loses more units in the last place than this over the ordinary points. The
-/// contraction turns like a square root at its double root, the border's phase like 1/γ beside Ω = 1/(2n).
+/// contraction turns like a square root at its double root.
 const PLAIN: [(&str, f64); 13] = [
     ("max_displacement", 20.0),
     ("displacement_phase", 3.0),
@@ -209,7 +209,7 @@ const PLAIN: [(&str, f64); 13] = [
     ("deviation", 8.0),
     ("min_force_ratio", 8.0),
     ("min_force_ratio_turning_point", 4.0),
-    ("border_phase", 300.0),
+    ("border_phase", 3.0),
     ("loop_size_stiffness", 20.0),
     ("loop_size_inertia", 20.0),
     ("best_force_ratio", 8.0),

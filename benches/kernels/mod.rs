@@ -1,16 +1,15 @@
 //! The library's side of the comparison, one function a kernel.
 
+use stickslip::PhaseFunction;
 use stickslip::Ratios;
-use stickslip::nonsticking::{Cycle, loop_size_stiffness, max_displacement, turning_point_border};
-use stickslip::phase_function::{PhaseFunction, one_minus_square};
+use stickslip::nonsticking::{Cycle, Reversal, turning_point_border_at};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
 pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     let Ok(p) = PhaseFunction::new(omega) else { return [f64::NAN; 3] };
-    let k = p.value();
-    let delta = max_displacement(k, alpha, one_minus_square(omega));
-    [delta, turning_point_border(k, omega), loop_size_stiffness(delta, alpha)]
+    let reversal = Reversal::new(&p, alpha);
+    [reversal.max_displacement(), turning_point_border_at(&p), reversal.loop_size_stiffness()]
 }
 
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction} of a checked [`Cycle`].

@@ -176,6 +176,11 @@ impl<const N: usize> Float for Dual<N> {
     const RATIO_EXPONENT: i32 = <f64 as Float>::RATIO_EXPONENT;
 
     #[inline]
+    fn pi_rest() -> (Self, Self) {
+        let (second, third) = <f64 as Float>::pi_rest();
+        (Self::of(second), Self::of(third))
+    }
+    #[inline]
     fn epsilon() -> Self {
         Self::of(f64::EPSILON)
     }
@@ -190,6 +195,17 @@ impl<const N: usize> Float for Dual<N> {
     #[inline]
     fn from_f64(x: f64) -> Self {
         Self::of(x)
+    }
+    #[inline]
+    fn product_less(self, other: Self, near: Self) -> Self {
+        let rest = self.value().product_less(other.value(), near.value());
+        let product = self.combined(0.0, other.value(), other, self.value());
+        product.combined(rest, 1.0, near, -1.0)
+    }
+    #[inline]
+    fn halves(self) -> (Self, Self) {
+        let (high, low) = self.value().halves();
+        (Self(DualSVec64::new(high, self.0.eps)), Self::of(low))
     }
     #[inline]
     fn floor(self) -> Self {

@@ -3,7 +3,8 @@
 use super::{Float, Real};
 
 macro_rules! primitive {
-    ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal) => {
+    ($float:ident, $bits:ty, low_half: $low:literal, ratio_exponent: $ratio_exponent:literal,
+     pi_rest: $second:literal $third:literal) => {
         impl Real for $float {
             #[inline]
             fn int(n: i32) -> Self {
@@ -56,6 +57,10 @@ macro_rules! primitive {
             const RATIO_EXPONENT: i32 = $ratio_exponent;
 
             #[inline]
+            fn pi_rest() -> (Self, Self) {
+                (<$float>::from_bits($second), <$float>::from_bits($third))
+            }
+            #[inline]
             fn epsilon() -> Self {
                 $float::EPSILON
             }
@@ -73,6 +78,20 @@ macro_rules! primitive {
             fn from_f64(x: f64) -> Self {
                 x as $float
             }
+            /// Without the instruction, the fused operation is a call into the library, which costs more than the halves.
+            #[inline]
+            fn product_less(self, other: Self, near: Self) -> Self {
+                if cfg!(target_feature = "fma") {
+                    return self.mul_add(other, -near);
+                }
+                let ((a, a_low), (b, b_low)) = (self.halves(), other.halves());
+                ((a * b - near) + a * b_low) + a_low * other
+            }
+            #[inline]
+            fn halves(self) -> (Self, Self) {
+                let high = <$float>::from_bits(self.to_bits() & !$low);
+                (high, self - high)
+            }
             #[inline]
             fn floor(self) -> Self {
                 self.floor()
@@ -89,8 +108,8 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32, u32, ratio_exponent: 30);
-primitive!(f64, u64, ratio_exponent: 250);
+primitive!(f32, u32, low_half: 0xfff, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced);
+primitive!(f64, u64, low_half: 0x7ff_ffff, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc);
 
 #[cfg(test)]
 mod tests {

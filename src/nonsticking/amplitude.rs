@@ -24,7 +24,7 @@ pub(crate) fn max_velocity_from_displacement<F: Float>(p: &PhaseFunction<F>, max
     let (omega, k) = (p.omega(), p.value());
     let alpha = force_ratio_from_displacement(k, max_displacement, one_minus_square(omega));
     let fastest = velocity::fastest(&HalfCycle::new(p, max_displacement), k, alpha);
-    (fastest.velocity / omega, (omega * fastest.psi).cos())
+    (fastest.velocity, (omega * fastest.psi).cos())
 }
 
 #[cfg(test)]

@@ -36,15 +36,18 @@ pub mod lobe;
 mod range;
 mod shortfall;
 mod slope;
+mod stationary;
 
 use crate::error::Error;
-use crate::float::{AtPrecision, Float, Real};
-use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::root;
+use crate::float::{Float, Real, pair::Pair};
+use crate::phase_function::{
+    PhaseFunction, one_minus_square, one_minus_square_halved, one_minus_square_pair,
+};
 pub use lobe::{Lobe, Minimum};
 pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
+use stationary::inner_maximum;
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
@@ -80,54 +83,39 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
     phase_function.hypot(one_minus_square(omega) / omega.square())
 }
 
+/// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
+///
+/// Dimensionless. In pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares, which stay
+/// within the range of the type. Accuracy at f64: 2 ulp.
+#[inline(always)]
+pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
+    let (omega, k) = (p.omega(), p.pair());
+    if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(3) < F::int(2) {
+        return turning_point_border_below(omega, k);
+    }
+    // K² with what its rounding lacks, the largest of the errors.
+    let value = k.value();
+    let lacking = value * ((k.hi - value) + k.lo);
+    let width = one_minus_square_halved(omega).value() / (omega * omega);
+    ((lacking + lacking) + (value * value + width * width)).sqrt()
+}
+
+/// [`turning_point_border_at`] for Ω < 2/3, where b = 1/Ω² − 1 is the larger: `b + b [√(1 + (K/b)²) − 1]`.
+#[inline(never)]
+fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
+    if F::PRECISION > f64::MANTISSA_DIGITS || omega < F::ratio(1, 2) {
+        return k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega));
+    }
+    let width = one_minus_square_halved(omega).halved_quotient(Pair::loose_square(omega).halved());
+    let ratio = (k.hi / width.value()).square();
+    let one = F::int(1);
+    width.hi + (width.lo + width.value() * (ratio / (one + (one + ratio).sqrt())))
+}
+
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
 #[inline]
 pub fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
     alpha >= turning_point_border(phase_function, omega)
-}
-
-/// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
-#[inline]
-fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
-    let (sin_tau, cos_tau) = tau.sin_cos();
-    (lobe_phase.sin() * cos_tau + eta.sin()) / (cos_beta.abs() * sin_tau)
-}
-
-/// `(g, g′)` at η: the stationarity condition of the module's head and its derivative.
-///
-/// Beside Ω = 1/(2n) all of g's terms are small and their sum is of the third order. There, with ζ = γ + η,
-/// `g = sin η (cos Ωζ − cos ζ) − cos η (sin Ωζ/Ω − sin ζ)`, whose brackets are known to full relative accuracy.
-#[inline]
-fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
-    let (one, zeta) = (F::int(1), lobe_phase + eta);
-    let (sin_tau, cos_tau) = (omega * zeta).sin_cos();
-    let (sin_eta, cos_eta) = eta.sin_cos();
-    let inverse = one / omega;
-    let g = if zeta * F::int(64) < one {
-        let half = zeta / F::int(2);
-        let cosines = F::int(2) * ((one + omega) * half).sin() * ((one - omega) * half).sin();
-        sin_eta * cosines - cos_eta * sine_excess(omega, zeta)
-    } else {
-        cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin()
-    };
-    (g, (inverse - omega) * sin_tau * sin_eta)
-}
-
-/// `sin Ωζ/Ω − sin ζ` by its series `Σ (−1)ʲ (Ω²ʲ − 1) ζ²ʲ⁺¹/(2j+1)!`, for small ζ.
-#[cold]
-fn sine_excess<F: Float>(omega: F, zeta: F) -> F {
-    let (mut power, mut odd, mut sum) = (F::int(1), zeta, F::int(0));
-    // Each term is below 2⁻¹² of the one before.
-    for j in 1..=8 + F::PRECISION as i32 / 12 {
-        power = power * omega.square();
-        odd = -(odd * zeta.square() / F::int(2 * j * (2 * j + 1)));
-        let term = odd * (power - F::int(1));
-        sum = sum + term;
-        if term.abs() <= F::epsilon() * sum.abs() {
-            break;
-        }
-    }
-    sum
 }
 
 /// The least force ratio at a frequency ratio: exact, and by eq. 61.
@@ -162,7 +150,7 @@ impl<F: Float> Border<F> {
     #[inline]
     pub fn at(p: &PhaseFunction<F>) -> Self {
         let omega = p.omega();
-        let turning_point = turning_point_border(p.value(), omega);
+        let turning_point = turning_point_border_at(p);
         let limit = F::int(1) / omega.square();
         let at_turning_point = Self {
             min_force_ratio: turning_point,
@@ -173,14 +161,14 @@ impl<F: Float> Border<F> {
         if omega >= F::ratio(1, 2) {
             return at_turning_point;
         }
-        let (supremum, phase) = inner_maximum(omega);
+        let Some(inner) = inner_maximum(omega) else { return at_turning_point };
+        let supremum = (inner.width / p.one_minus_square()).value();
         // Where T > 0, so that τ* lies in the first quarter, it exceeds the limit even if rounding hides by how much.
-        if supremum > limit || (phase > F::int(0) && phase * F::int(2) < F::pi()) {
-            let min_force_ratio = p.value().hypot(one_minus_square(omega) * supremum);
+        if supremum > limit || inner.phase * F::int(2) < F::pi() {
             Self {
-                min_force_ratio: turning_point.or_larger(min_force_ratio),
+                min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
-                phase,
+                phase: inner.phase,
                 least_displacement: limit.or_larger(supremum),
             }
         } else {
@@ -188,9 +176,15 @@ impl<F: Float> Border<F> {
         }
     }
 
+    /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
+    #[inline]
+    pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
+        if p.omega() >= F::ratio(1, 2) { turning_point_border_at(p) } else { Self::at(p).min_force_ratio }
+    }
+
     /// The exact border α_min(Ω): at and above it the steady motion does not stick.
     ///
-    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 1e-14.
+    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.
     pub const fn min_force_ratio(&self) -> F {
         self.min_force_ratio
     }
@@ -214,59 +208,6 @@ impl<F: Float> Border<F> {
     /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
     pub const fn least_displacement(&self) -> F {
         self.least_displacement
-    }
-}
-
-/// The stationary value `|f(ζ*)|` below Ω = 1/2 and the phase τ* in (0, π) where f has it; (0, 0) where T = 0.
-///
-/// Takes Ω alone and reduces it again, so that the path above 1/2 keeps everything in registers.
-#[inline(never)]
-fn inner_maximum<F: Float>(omega: F) -> (F, F) {
-    let (p, zero) = (PhaseFunction::of_valid(omega), F::int(0));
-    let tangent = p.tangent();
-    if tangent == zero {
-        return (zero, zero);
-    }
-    let gamma = p.lobe_phase();
-    let (_, cos_beta) = p.sin_cos();
-    let eta = stationary_point(omega, gamma);
-    // τ lies in (0, π/2] and cos β is not zero.
-    let tau = omega * (gamma + eta);
-    let phase = if tangent > zero { tau } else { F::pi() - tau };
-    let supremum = stationary_value(gamma, cos_beta, tau, eta) / omega;
-    // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
-    (supremum.differentiated_as(|| slope::inner_change(&p).constant() * (omega / omega.constant())), phase)
-}
-
-/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
-///
-/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
-fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
-    let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
-        // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
-        gamma / F::int(2)
-    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
-        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
-        let g = |eta| stationarity(omega, gamma, eta).0;
-        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
-    } else {
-        F::narrowed(Start { omega, gamma })
-    };
-    let condition = |eta| stationarity(omega, gamma, eta);
-    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
-}
-
-/// The stationary point at a lower precision.
-struct Start<F> {
-    omega: F,
-    gamma: F,
-}
-
-impl<F: Float> AtPrecision<F> for Start<F> {
-    type Output = F;
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
-        back(stationary_point(there(self.omega), there(self.gamma)))
     }
 }
 

@@ -56,20 +56,29 @@ pub fn cos_displacement_phase<R: Real>(phase_function: R, alpha: R) -> R {
 /// NaN where α < |K|. Source: Hong & Liu 2001, eq. 40, 41, 43. Accuracy at f64: 4 ulp away from α = |K|.
 #[inline]
 pub fn displacement_phase<F: Float>(phase_function: F, alpha: F, omega: F) -> F {
+    phase_of_sine(squared_sine(phase_function, alpha).sqrt(), phase_function, alpha, omega)
+}
+
+/// [`displacement_phase`] where `sine = α |sin ω_d t₂| = √(α² − K²)` is known.
+#[inline]
+pub(crate) fn phase_of_sine<F: Float>(sine: F, phase_function: F, alpha: F, omega: F) -> F {
     if F::PRECISION > f64::MANTISSA_DIGITS {
-        return corrected_phase(phase_function, alpha, omega);
+        return corrected_phase(sine, phase_function, alpha, omega);
     }
-    let sine = squared_sine(phase_function, alpha).sqrt();
-    if omega < F::int(1) { sine.atan2(phase_function) } else { F::pi() + sine.atan2(-phase_function) }
+    if omega < F::int(1) {
+        sine.atan2(phase_function)
+    } else {
+        F::pi() + (sine.atan2(-phase_function) + F::pi_rest().0)
+    }
 }
 
 /// [`displacement_phase`] from its value θ at a lower precision: `t₂ − θ = d + d³/6 + O(d⁵)`,
 /// `d = sin t₂ cos θ − cos t₂ sin θ`. One pair of sine and cosine, where the inverse function costs twice that.
 #[cold]
-fn corrected_phase<F: Float>(phase_function: F, alpha: F, omega: F) -> F {
-    let sine = (squared_sine(phase_function, alpha).sqrt() / alpha).with_sign_of(F::int(1) - omega);
+fn corrected_phase<F: Float>(sine: F, phase_function: F, alpha: F, omega: F) -> F {
+    let start = F::narrowed(PhaseStart { sine, phase_function, alpha, below_one: omega < F::int(1) });
+    let sine = (sine / alpha).with_sign_of(F::int(1) - omega);
     let cosine = cos_displacement_phase(phase_function, alpha);
-    let start = F::narrowed(PhaseStart { phase_function, alpha, below_one: omega < F::int(1) });
     let (s, c) = start.sin_cos();
     let d = sine * c - cosine * s;
     start + (d + d.square() * d / F::int(6))
@@ -77,6 +86,7 @@ fn corrected_phase<F: Float>(phase_function: F, alpha: F, omega: F) -> F {
 
 /// The phase of the maximum displacement at a lower precision.
 struct PhaseStart<F> {
+    sine: F,
     phase_function: F,
     alpha: F,
     below_one: bool,
@@ -88,6 +98,6 @@ impl<F: Float> AtPrecision<F> for PhaseStart<F> {
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         // Ω matters by its side of 1 alone, which rounding must not change.
         let side = if self.below_one { G::ratio(1, 2) } else { G::int(2) };
-        back(displacement_phase(there(self.phase_function), there(self.alpha), side))
+        back(phase_of_sine(there(self.sine), there(self.phase_function), there(self.alpha), side))
     }
 }

@@ -1,6 +1,7 @@
 //! Size of the dissipation loop, and the force ratio that makes it largest (eq. 63–67).
 
-use crate::float::Real;
+use crate::float::{Float, Real, pair::Pair};
+use crate::phase_function::PhaseFunction;
 
 /// Energy dissipated in a cycle, `s = 4 r_y Δ₀` (eq. 63): the area of the friction loop.
 ///
@@ -44,4 +45,20 @@ pub fn best_force_ratio<R: Real>(phase_function: R) -> R {
 #[inline]
 pub fn best_loop_size<R: Real>(phase_function: R, one_minus_square: R) -> R {
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
+}
+
+/// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
+#[inline]
+pub(crate) fn best_force_ratio_at<F: Float>(p: &PhaseFunction<F>) -> F {
+    (Pair::exact(F::int(2)).sqrt() * p.refined().pair().abs()).value()
+}
+
+/// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
+#[inline]
+pub(crate) fn best_loop_size_at<F: Float>(p: &PhaseFunction<F>) -> F {
+    let product = p.refined().pair() * p.one_minus_square();
+    if product.hi == F::int(0) {
+        return F::int(4) / product.hi.abs();
+    }
+    (Pair::exact(F::int(4)) / product.abs()).value()
 }

@@ -23,10 +23,14 @@
 //!
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
+mod centre;
+
+use super::Reversal;
 use super::half_cycle::{HalfCycle, Jet};
 use crate::float::{AtPrecision, Float, Real};
 use crate::phase_function::PhaseFunction;
 use crate::root;
+use centre::from_centre;
 
 /// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
 ///
@@ -89,13 +93,13 @@ pub fn max_velocity_from_phase<R: Real>(
 pub(crate) struct Fastest<F> {
     /// Its centred time ψ.
     pub(crate) psi: F,
-    /// `V₀/(Bω_n)`.
+    /// `V₀/(Bω_d)`.
     pub(crate) velocity: F,
 }
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
-/// Third-order Householder steps, each of which quadruples the good digits, from ψ = 0; where they do not
+/// Third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]); where they do not
 /// settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
@@ -103,11 +107,32 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
         return fastest_and_displacement(half, k, alpha).0;
     }
     if half.omega() >= F::ratio(1, 2)
-        && let Some(found) = from_centre(half)
+        && let Some((found, _)) = from_centre(half)
     {
         return found.differentiated(half);
     }
     from_afar(half.omega(), half.max_displacement(), k, alpha).differentiated(half)
+}
+
+/// [`fastest`] at no more digits than f64 has, and the deviation Δ₁/B there.
+#[inline]
+pub(crate) fn fastest_and_deviation<F: Float>(
+    half: &HalfCycle<F>,
+    reversal: &Reversal<F>,
+    alpha: F,
+) -> (Fastest<F>, F) {
+    let (omega, k) = (half.omega(), reversal.phase_function.value());
+    if omega < F::ratio(1, 2) {
+        let found = from_afar(omega, half.max_displacement(), k, alpha).differentiated(half);
+        return (found, reversal.deviation(omega, found.psi));
+    }
+    let (found, (s, c)) = from_centre(half).unwrap_or_else(|| {
+        let found = from_afar(omega, half.max_displacement(), k, alpha);
+        (found, found.psi.sin_cos())
+    });
+    let found = found.differentiated(half);
+    let at = (s.differentiated_as(|| found.psi.sin()), c.differentiated_as(|| found.psi.cos()));
+    (found, super::deviation::of_fastest(half, reversal.phase_function, at))
 }
 
 impl<F: Float> Fastest<F> {
@@ -156,35 +181,12 @@ impl<F: Float> AtPrecision<F> for Start<F> {
         }
         // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
         // pole of K.
-        let centred = if half.omega() >= G::ratio(1, 2) { from_centre(&half) } else { None };
+        let centred =
+            if half.omega() >= G::ratio(1, 2) { from_centre(&half).map(|(found, _)| found) } else { None };
         let bracketed =
             || polish(&half, G::from_f64(from_bracket(&half.map(G::to_f64), k.to_f64(), alpha.to_f64()))).0;
         back(centred.unwrap_or_else(bracketed).psi)
     }
-}
-
-/// Four Householder steps from ψ = 0, for Ω ≥ 1/2; `None` where they do not settle in |ψ| ≤ π/2.
-///
-/// There a stationary point is the maximum: for Ω > 1 it is the only one, and for 1/2 ≤ Ω < 1 the fast wave
-/// rises towards ψ_p = −π/2 throughout |ψ| < π/2, so that the slow one must fall: ψ_p ≤ ψ ≤ ψ_c.
-#[inline]
-fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<Fastest<F>> {
-    let mut psi = F::int(0);
-    for _ in 0..4 {
-        let jet = half.velocity(psi);
-        let step = householder(&jet);
-        psi = psi + step;
-        // Said so that NaN is outside, too.
-        let inside = psi.abs() * F::int(2) <= F::pi();
-        if !inside {
-            return None;
-        }
-        if is_final(half, step) {
-            let found = arrive(&jet, psi, step);
-            return (jet.second < F::int(0)).then_some(found);
-        }
-    }
-    None
 }
 
 /// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final; with the
@@ -200,7 +202,7 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
         }
         psi = psi + step;
         if is_final(half, step) {
-            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), &jet, step));
+            return (arrive(&jet, psi, step), slide(half.displacement_of(&angles), half.omega(), &jet, step));
         }
         angles = half.angles(psi);
         jet = half.velocity_of(&angles);
@@ -208,11 +210,11 @@ fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     (Fastest { psi, velocity: jet.value }, half.displacement_of(&angles))
 }
 
-/// The displacement a step from `x`, dx/dψ = −v, by Taylor's formula to the fourth order.
-fn slide<F: Float>(x: F, jet: &Jet<F>, step: F) -> F {
+/// The displacement a step from `x`, dx/dψ = −Ωv, by Taylor's formula to the fourth order.
+fn slide<F: Float>(x: F, omega: F, jet: &Jet<F>, step: F) -> F {
     let third = jet.second + jet.third * step / F::int(4);
     let second = jet.first + third * step / F::int(3);
-    x - step * (jet.value + second * step / F::int(2))
+    x - omega * step * (jet.value + second * step / F::int(2))
 }
 
 /// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
@@ -295,7 +297,7 @@ mod tests {
             prop_assume!((omega - 1.0).abs() > 1e-3);
             let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
             let (half, k) = half(omega, alpha);
-            if let Some(quick) = from_centre(&half) {
+            if let Some((quick, _)) = from_centre(&half) {
                 let safe = from_bracket(&half, k, alpha);
                 prop_assert!((quick.psi - safe).abs() < 1e-8, "{} {safe}", quick.psi);
             }

@@ -61,6 +61,14 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     // with one domain an input is either valid in all of them or in none.
     const RATIO_EXPONENT: i32 = <f64 as Float>::RATIO_EXPONENT;
 
+    fn pi_rest() -> (Self, Self) {
+        // At three times the bits: each difference is exact.
+        let mut rest = rug::Float::with_val(3 * Self::BITS + 64, rug::float::Constant::Pi);
+        rest -= Self::pi().to_rug();
+        let second = Self::from_rug(&rest);
+        rest -= second.to_rug();
+        (second, Self::from_rug(&rest))
+    }
     #[inline]
     fn epsilon() -> Self {
         // LIMBS ≤ 2²⁰ by the assertion on BITS, so that this does not wrap.

@@ -4,7 +4,7 @@
 //! of S (proved in [`super::lobe`]).
 
 use super::lobe::Lobe;
-use super::{stationary_point, stationary_value};
+use super::stationary::{stationary_point, stationary_value};
 use crate::float::Float;
 use crate::root;
 

@@ -19,9 +19,10 @@
 //! pole, where the two values of S cross, the slope jumps: [`Border::slope`] gives that of the side whose S is the
 //! larger one as rounded.
 
-use super::{Border, stationary_point, stationary_value};
+use super::Border;
+use super::stationary::{fall_of_cosine, stationary_point, stationary_value};
 use crate::float::Float;
-use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
+use crate::phase_function::{PhaseFunction, one_minus_square};
 
 impl<F: Float> Border<F> {
     /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
@@ -61,10 +62,10 @@ impl<F: Float> Border<F> {
 
 /// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.
 pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
-    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase(), p.tangent());
+    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase().value(), p.tangent());
     let (_, cos_beta) = p.sin_cos();
     let cosine = cos_beta.abs();
-    let eta = sharpened(omega, gamma, stationary_point(omega, gamma));
+    let eta = stationary_point(omega, gamma);
     let zeta = gamma + eta;
     let tau = omega * zeta;
     let value = stationary_value(gamma, cos_beta, tau, eta) / omega;
@@ -72,28 +73,6 @@ pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
     let fall = fall_of_cosine(tau, zeta);
     let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
     -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine))
-}
-
-/// `cos τ − cos ζ` as a product: both angles are small beside Ω = 1/(2n).
-fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
-    let half = F::ratio(1, 2);
-    F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin()
-}
-
-/// The stationary point after one more step of Newton's method, with a `g` that keeps its digits where ζ is small.
-///
-/// S is stationary at η, S′ is not: it needs η to full relative accuracy, which g as a difference of terms of order γ
-/// denies by a factor 1/γ². With γ = ζ − η, `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`.
-fn sharpened<F: Float>(omega: F, gamma: F, eta: F) -> F {
-    let zeta = gamma + eta;
-    if zeta > F::int(1) {
-        return eta;
-    }
-    let tau = omega * zeta;
-    let (sin_eta, cos_eta) = eta.sin_cos();
-    let defect = arc_less_sine(zeta) - arc_less_sine(tau) / omega;
-    let g = sin_eta * fall_of_cosine(tau, zeta) - cos_eta * defect;
-    eta - g / ((F::int(1) / omega - omega) * tau.sin() * sin_eta)
 }
 
 #[cfg(test)]

@@ -1,0 +1,126 @@
+//! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
+
+use super::slope::inner_change;
+use crate::float::{AtPrecision, Float, Real, pair::Pair};
+use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
+use crate::root;
+
+/// The stationary value as a width of the cycle, and where it is.
+pub(super) struct Inner<F> {
+    /// `(1 − Ω²) S`.
+    pub(super) width: Pair<F>,
+    /// The phase τ* in (0, π).
+    pub(super) phase: F,
+}
+
+impl<F: Float> Inner<F> {
+    /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
+    pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
+        let (k, width) = (p.pair(), self.width);
+        if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
+            return k.hypot(width);
+        }
+        let down = F::exp2i(-F::RATIO_EXPONENT);
+        (k * down).hypot(width * down) / down
+    }
+}
+
+/// The stationary value below Ω = 1/2; `None` where T = 0.
+///
+/// With sin γ = |sin β| and K: `(1 − Ω²) S = |K| [sin γ cos τ + sin η]/(sin γ sin τ)`, in which K and sin γ are pairs. S is
+/// stationary in η but not in τ and γ: τ = Ω(γ + η) is a pair, too, and what is left are the roundings of sin η, sin τ, cos τ.
+///
+/// Takes Ω alone and reduces it again, so that the path above 1/2 keeps everything in registers.
+#[inline(never)]
+pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
+    let p = PhaseFunction::of_valid(omega);
+    let tangent = p.tangent();
+    if tangent == F::int(0) {
+        return None;
+    }
+    let gamma = p.lobe_phase();
+    let eta = stationary_point(omega, gamma.value());
+    // τ lies in (0, π/2] and cos β is not zero.
+    let tau = (gamma + Pair::exact(eta)) * omega;
+    let (s, c) = tau.hi.sin_cos();
+    let (sin_tau, cos_tau) = (Pair::new(s, c * tau.lo), Pair::new(c, -(s * tau.lo)));
+    let sin_gamma = p.sine_magnitude();
+    let width =
+        p.refined().pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
+    let tau = tau.value();
+    // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
+    let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
+    let width = Pair::new(hi, width.lo.constant());
+    Some(Inner { width, phase: if tangent > F::int(0) { tau } else { F::pi() - tau } })
+}
+
+/// The derivative of `(1 − Ω²) S` by Ω.
+fn change_of_width<F: Float>(p: &PhaseFunction<F>, width: F) -> F {
+    let (omega, q) = (p.omega().constant(), one_minus_square(p.omega()).constant());
+    q * inner_change(p).constant() / omega - F::int(2) * omega * width / q
+}
+
+/// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
+#[inline]
+pub(super) fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
+    let (sin_tau, cos_tau) = tau.sin_cos();
+    (lobe_phase.sin() * cos_tau + eta.sin()) / (cos_beta.abs() * sin_tau)
+}
+
+/// `(g, g′)` at η: the stationarity condition of the border's head and its derivative.
+///
+/// For small ζ = γ + η all of g's terms are small and their sum is of the third order. With γ = ζ − η,
+/// `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`, whose parts are known to full relative accuracy.
+#[inline]
+fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
+    let zeta = lobe_phase + eta;
+    let tau = omega * zeta;
+    let (sin_tau, cos_tau) = tau.sin_cos();
+    let (sin_eta, cos_eta) = eta.sin_cos();
+    let inverse = F::int(1) / omega;
+    let g = if zeta < F::int(1) {
+        let defect = arc_less_sine(zeta) - arc_less_sine(tau) * inverse;
+        sin_eta * fall_of_cosine(tau, zeta) - cos_eta * defect
+    } else {
+        cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin()
+    };
+    (g, (inverse - omega) * sin_tau * sin_eta)
+}
+
+/// `cos τ − cos ζ` as a product: both angles are small beside Ω = 1/(2n).
+pub(super) fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
+    let half = F::ratio(1, 2);
+    F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin()
+}
+
+/// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
+///
+/// g is increasing, so every zero in the bracket is the one; Newton only polishes.
+pub(super) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
+    let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
+        // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
+        gamma / F::int(2)
+    } else if F::PRECISION <= f64::MANTISSA_DIGITS {
+        let (omega, gamma) = (omega.to_f64(), gamma.to_f64());
+        let g = |eta| stationarity(omega, gamma, eta).0;
+        F::from_f64(root::bracketed(0.0, core::f64::consts::PI, g))
+    } else {
+        F::narrowed(Start { omega, gamma })
+    };
+    let condition = |eta| stationarity(omega, gamma, eta);
+    root::newton(start, F::int(0), F::pi(), condition).implicit_root(condition)
+}
+
+/// The stationary point at a lower precision.
+struct Start<F> {
+    omega: F,
+    gamma: F,
+}
+
+impl<F: Float> AtPrecision<F> for Start<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(stationary_point(there(self.omega), there(self.gamma)))
+    }
+}

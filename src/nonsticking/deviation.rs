@@ -1,0 +1,62 @@
+//! The deviation Δ₁/B from the condition at the maximum velocity, for Ω ≥ 1/2.
+//!
+//! There the acceleration is zero, so that `cos Ωψ` and `sin Ωψ` drop out of the displacement:
+//!
+//! ```text
+//! Δ₁/B = R cos ψ − 1 = (R − 1) − R (1 − cos ψ),   R = (1 − 1/Ω²)/cos β = −K/(Ω sin β) > 0.
+//! ```
+//!
+//! Its derivative by ψ is R sin ψ, a small part of the velocity that the displacement itself changes with. The second form
+//! has its rounding errors in R − 1 alone, which depends on Ω only: beside Ω = 1 it is the difference of a pair; from Ω = 2 on,
+//! where all of it is of the order v = 1/Ω²,
+//!
+//! ```text
+//! R − 1 = v [(π²/8) C − 1]/cos β,   C = (1 − cos β)/(β²/2) = 1 − 2β²/4! + 2β⁴/6! − ….
+//! ```
+
+use super::half_cycle::HalfCycle;
+use crate::float::{Float, pair::Pair};
+
+/// Δ₁/B of a half cycle with Ω ≥ 1/2; `phase_function` is K(Ω), and (sin ψ, cos ψ) are given.
+#[inline]
+pub(super) fn of_fastest<F: Float>(half: &HalfCycle<F>, phase_function: Pair<F>, (s, c): (F, F)) -> F {
+    let (omega, one) = (half.omega(), F::int(1));
+    let (sin_beta, cos_beta) = half.sin_cos_beta();
+    let fall = s * s / (one + c);
+    if half.is_beside_one() {
+        let product = Pair::exact_halved(omega).times_halved(Pair::exact_halved(sin_beta));
+        let r = -phase_function.halved().halved_quotient(product.halved());
+        return (r.hi - one) + (r.lo - r.value() * fall);
+    }
+    let v = one / (omega * omega);
+    let r = (one - v) / cos_beta;
+    if omega < one {
+        return r * c - one;
+    }
+    let half_pi = F::pi() * F::ratio(1, 2);
+    let Pair { hi, lo } = (Pair::pi() * F::ratio(1, 2)).square() * F::ratio(1, 2);
+    let bend = cosine_bend(half_pi * half_pi * v);
+    v * ((hi * bend - one) + lo * bend) / cos_beta - r * fall
+}
+
+/// `(1 − cos β)/(β²/2)` from β² ≤ (π/4)²: seven terms of its series after the first.
+#[inline]
+fn cosine_bend<F: Float>(square: F) -> F {
+    let one = F::int(1);
+    (1..=7).rev().fold(one, |sum, k| one - square * F::ratio(1, (2 * k + 1) * (2 * k + 2)) * sum)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::cosine_bend;
+
+    #[test]
+    fn the_series_is_the_cosine() {
+        for i in 1..=785 {
+            let beta = f64::from(i) / 1000.0;
+            let sine = (beta / 2.0).sin();
+            let exact = (sine / (beta / 2.0)).powi(2);
+            assert!((cosine_bend(beta * beta) - exact).abs() <= 2.0 * f64::EPSILON, "{beta}");
+        }
+    }
+}

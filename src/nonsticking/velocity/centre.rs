@@ -1,0 +1,72 @@
+//! The greatest velocity for Ω ≥ 1/2, from the centre of the half cycle.
+//!
+//! The derivatives of v at ψ = 0 take no circular functions: v(0) = Δ₀/B, v′(0) is a quotient, and the others follow from
+//! `v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β`. One of Householder's third-order steps from there, and another on Taylor's
+//! polynomial of v′ with eight derivatives, come within 4e-5 of the root (in the angle of the faster wave, which is below
+//! 1.05), so that one evaluation and one more step are enough.
+
+use super::{Fastest, arrive, householder, is_final};
+use crate::float::Float;
+use crate::nonsticking::half_cycle::{HalfCycle, Jet};
+
+/// The greatest velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
+///
+/// There a stationary point is the maximum: for Ω > 1 it is the only one, and for 1/2 ≤ Ω < 1 the fast wave
+/// rises towards ψ_p = −π/2 throughout |ψ| < π/2, so that the slow one must fall: ψ_p ≤ ψ ≤ ψ_c.
+#[inline]
+pub(super) fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<(Fastest<F>, (F, F))> {
+    let mut psi = start(half);
+    for _ in 0..4 {
+        let angles = half.angles(psi);
+        let jet = half.velocity_of(&angles);
+        let step = householder(&jet);
+        psi = psi + step;
+        // Said so that NaN is outside, too.
+        let inside = psi.abs() * F::int(2) <= F::pi();
+        if !inside {
+            return None;
+        }
+        if is_final(half, step) {
+            let found = (arrive(&jet, psi, step), turned(angles.psi(), step));
+            return (jet.second < F::int(0)).then_some(found);
+        }
+    }
+    None
+}
+
+/// The root of v′ to about 1e-5.
+#[inline]
+fn start<F: Float>(half: &HalfCycle<F>) -> F {
+    let derivatives = half.derivatives_at_centre();
+    let [_, first, second, third, fourth, ..] = derivatives;
+    let psi = householder(&Jet { value: half.max_displacement(), first, second, third, fourth });
+    // Far above Ω = 1 the derivatives grow like powers of Ω, without bound, and the first step is good enough.
+    if half.omega() > F::int(1024) { psi } else { psi + householder(&expanded(&derivatives, psi)) }
+}
+
+/// v′ … v⁗ at ψ by Taylor's polynomials; the velocity itself is left out.
+#[inline]
+fn expanded<F: Float>(derivatives: &[F; 9], psi: F) -> Jet<F> {
+    // Horner's scheme over the derivatives from the n-th on.
+    let polynomial = |n: usize| {
+        let terms = derivatives.iter().skip(n).enumerate().rev();
+        let sum = terms.fold(None, |sum: Option<F>, (k, &term)| {
+            Some(sum.map_or(term, |sum| term + psi * F::ratio(1, (k + 1) as i32) * sum))
+        });
+        sum.unwrap_or(psi)
+    };
+    Jet {
+        value: derivatives[0],
+        first: polynomial(1),
+        second: polynomial(2),
+        third: polynomial(3),
+        fourth: polynomial(4),
+    }
+}
+
+/// (sin, cos) a final step on.
+#[inline]
+fn turned<F: Float>((s, c): (F, F), step: F) -> (F, F) {
+    let (half, third) = (step * F::ratio(1, 2), step * F::ratio(1, 3));
+    (s + step * (c - half * (s + third * c)), c - step * (s + half * (c - third * s)))
+}
