@@ -1,7 +1,7 @@
 //! {Δ₀, α_min, A₁} from K, for Ω ≥ 1/2, and which points the loops may answer.
 
 use super::block::select;
-use crate::phase_function::one_minus_square;
+use super::circular::held;
 
 /// The bounds of Ω within which nothing over- or underflows.
 const LEAST_OMEGA: f64 = 0.5;
@@ -14,10 +14,17 @@ const CLEAR_OF_PHASE_FUNCTION: f64 = 1.0 / 16.0;
 const CLEAR_OF_BORDER: f64 = 1.0 / (1u64 << 46) as f64;
 
 /// Whether Ω is within the range of the loops; at Ω = 1 there is no Δ₀.
-#[expect(clippy::manual_range_contains, reason = "one condition, where `contains` is two branches")]
 #[inline(always)]
 pub(crate) fn has_loops(omega: f64) -> bool {
-    (omega >= LEAST_OMEGA) & (omega <= GREATEST_OMEGA) & (omega != 1.0)
+    is_between(omega, LEAST_OMEGA, GREATEST_OMEGA) & (omega != 1.0)
+}
+
+/// Whether 0 < least ≤ x ≤ greatest: for positive numbers as for their bits, moved to where the greatest is the last integer.
+#[inline(always)]
+fn is_between(x: f64, least: f64, greatest: f64) -> bool {
+    let to_the_end = i64::MAX.wrapping_sub_unsigned(greatest.to_bits());
+    x.to_bits().cast_signed().wrapping_add(to_the_end)
+        >= least.to_bits().cast_signed().wrapping_add(to_the_end)
 }
 
 /// Δ₀ and what goes with it.
@@ -28,46 +35,62 @@ pub(crate) struct Amplitude {
     pub(crate) border: f64,
     /// A₁; NaN where there is no cycle.
     pub(crate) size: f64,
-    /// `α |sin ω_d t₂| = √(α² − K²)`.
+    /// `α |sin ω_d t₂| = √(α² − K²)`; NaN where there is no cycle.
     pub(crate) sine: f64,
 }
 
-/// What the border consists of: `α_min² = force² + K²`.
+/// `1 − Ω²`, rounded once.
 #[inline(always)]
-pub(crate) fn border_force(omega: f64, inverse: f64) -> f64 {
-    one_minus_square(omega) * (inverse * inverse)
+pub(crate) fn one_minus_square(omega: f64) -> f64 {
+    (-omega).mul_add(omega, 1.0)
 }
 
-/// At K, `distance` = |1 − Ω²|, `force` = (1 − Ω²) S with S the least Δ₀, the border, and whether Ω is one for loops.
-#[inline(always)]
-pub(crate) fn amplitude(
-    alpha: f64,
-    k: f64,
-    distance: f64,
-    force: f64,
-    border: f64,
-    in_range: bool,
-) -> Amplitude {
-    let nan = f64::NAN;
-    let alpha_square = alpha * alpha;
-    let sine_square = (alpha - k) * (alpha + k);
-    let sine = sine_square.sqrt();
-    // α² − α_min²
-    let excess = (-force).mul_add(force, sine_square);
-    let slides = excess >= 0.0;
-    let displacement = sine / distance;
-    let size = 8.0 * displacement / alpha_square;
-    // Comparisons written so that NaN is redone, too.
-    let clear = sine_square > CLEAR_OF_PHASE_FUNCTION * alpha_square;
-    let ordinary = in_range
-        & (alpha > 0.0)
-        & (alpha <= GREATEST_ALPHA)
-        & (excess.abs() > CLEAR_OF_BORDER * alpha_square)
-        & (clear | !slides);
-    Amplitude {
-        displacement: select(slides, displacement, nan),
-        border: select(ordinary, border, nan),
-        size: select(slides, size, nan),
-        sine,
+/// What the amplitude is compared with.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Amplifier {
+    clear_of_border: f64,
+    clear_of_phase_function: f64,
+    eight: f64,
+}
+
+impl Amplifier {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        held(Self {
+            clear_of_border: CLEAR_OF_BORDER,
+            clear_of_phase_function: CLEAR_OF_PHASE_FUNCTION,
+            eight: 8.0,
+        })
+    }
+
+    /// At K, `distance` = |1 − Ω²|, `force` = (1 − Ω²) S with S the least Δ₀, of which the border consists: `α_min² = force² + K²`; the
+    /// border, and whether Ω is one for loops.
+    #[inline(always)]
+    pub(crate) fn at(
+        &self,
+        alpha: f64,
+        k: f64,
+        distance: f64,
+        force: f64,
+        border: f64,
+        in_range: bool,
+    ) -> Amplitude {
+        let nan = f64::NAN;
+        let alpha_square = alpha * alpha;
+        let sine_square = (alpha - k) * (alpha + k);
+        // α² − α_min²
+        let excess = (-force).mul_add(force, sine_square);
+        let rounding = self.clear_of_border * alpha_square;
+        let (slides, sticks) = (excess > rounding, excess < -rounding);
+        let sine = select(slides, sine_square.sqrt(), nan);
+        // One quotient for two.
+        let shared = 1.0 / (distance * alpha_square);
+        let displacement = sine * (alpha_square * shared);
+        let size = sine * (self.eight * shared);
+        // Comparisons written so that NaN is redone, too.
+        let clear = sine_square > self.clear_of_phase_function * alpha_square;
+        let ordinary =
+            in_range & is_between(alpha, f64::MIN_POSITIVE, GREATEST_ALPHA) & ((slides & clear) | sticks);
+        Amplitude { displacement, border: select(ordinary, border, nan), size, sine }
     }
 }

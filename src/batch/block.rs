@@ -3,6 +3,9 @@
 /// Points in a block.
 pub(crate) const POINTS: usize = 128;
 
+/// The most points that one call of a single loop runs through: few enough to stay in the first cache until they are looked at.
+pub(crate) const STRETCH: usize = 8 * POINTS;
+
 /// One quantity at the points of a block.
 pub(crate) type Block = [f64; POINTS];
 

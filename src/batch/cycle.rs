@@ -52,7 +52,6 @@ pub(crate) fn all_over_alpha(
     let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
     each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
     each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
-    blank(displacement, phase2);
 }
 
 /// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
@@ -69,15 +68,6 @@ pub(crate) fn all_low_over_alpha(
     let given = [omega, &*displacement, inverse, sin_beta, cos_beta, &*theta, &*phase2, &*mark];
     each(&LowArrival::new(), given, [velocity, phase1, border, deviation]);
     each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
-    blank(displacement, phase2);
-}
-
-/// Where there is no Δ₀, there is no phase of it.
-#[inline(always)]
-fn blank(displacement: &Block, phase: &mut Block) {
-    for (phase, displacement) in phase.iter_mut().zip(displacement) {
-        *phase = select(displacement.is_nan(), f64::NAN, *phase);
-    }
 }
 
 /// The contraction λ and the loop size A₂.

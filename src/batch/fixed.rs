@@ -1,6 +1,6 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
-use super::amplitude::{amplitude, has_loops};
+use super::amplitude::{Amplifier, has_loops};
 use super::block::{AtPoint, Block, POINTS, each, each_straight};
 use super::careful;
 use super::cycle::{all_low_over_alpha, all_over_alpha};
@@ -100,11 +100,14 @@ struct PointAt {
     border: f64,
 }
 
-impl AtPoint<1, 3> for PointAt {
+#[derive(Clone, Copy)]
+struct Row(PointAt, Amplifier);
+
+impl AtPoint<1, 3> for Row {
     #[inline(always)]
     fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
-        let Self { phase_function, distance, force, border, .. } = *self;
-        let found = amplitude(alpha, phase_function, distance, force, border, distance > 0.0);
+        let PointAt { phase_function, distance, force, border, .. } = self.0;
+        let found = self.1.at(alpha, phase_function, distance, force, border, distance > 0.0);
         [found.displacement, found.border, found.size]
     }
 }
@@ -118,17 +121,16 @@ impl Kernel<3> for FixedTripleKernel<'_> {
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
         // A copy, which the outputs cannot overlap.
-        let point = self.0.point;
-        each(&point, [alpha], out);
+        each(&Row(self.0.point, Amplifier::new()), [alpha], out);
     }
 
     const IS_STRAIGHT: bool = true;
 
     #[inline(always)]
-    fn pass_straight(&self, _: &Block, alpha: &Block, [a, b, c]: &mut [&mut [f64]; 3]) {
-        let point = self.0.point;
-        if let (Some(a), Some(b), Some(c)) = (a.first_chunk_mut(), b.first_chunk_mut(), c.first_chunk_mut()) {
-            each_straight(&point, [alpha], a, b, c);
+    fn pass_straight(&self, _: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
+        let row = Row(self.0.point, Amplifier::new());
+        for (((alpha, a), b), c) in alpha.iter().zip(a).zip(b).zip(c) {
+            each_straight(&row, [alpha], a, b, c);
         }
     }
 

@@ -50,9 +50,12 @@ impl PhaseFunction {
     /// `(K, 1/Ω)`.
     #[inline(always)]
     pub(crate) fn at(&self, omega: f64) -> (f64, f64) {
-        let inverse = 1.0 / omega;
+        // One quotient for two.
+        let thrice = omega.mul_add(3.0, -1.0);
+        let shared = 1.0 / (omega * thrice);
+        let inverse = thrice * shared;
         let from_one = 1.0 - inverse;
-        let quotient = omega.mul_add(2.0, -1.0) / omega.mul_add(3.0, -1.0);
+        let quotient = omega.mul_add(2.0, -1.0) * (omega * shared);
         (quotient * polynomial(&self.0, from_one * from_one), inverse)
     }
 }

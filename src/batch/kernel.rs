@@ -1,6 +1,6 @@
 //! How slices are cut into blocks, and what the loops left is done.
 
-use super::block::{Block, POINTS, pad};
+use super::block::{Block, POINTS, STRETCH, pad};
 use super::level::{Level, Loops};
 use super::places::Places;
 use crate::regime::Regime;
@@ -20,9 +20,9 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     /// Whether there is [`Kernel::pass_straight`].
     const IS_STRAIGHT: bool = false;
 
-    /// [`Kernel::pass`] for outputs of one loop, which need no blocks in between.
+    /// [`Kernel::pass`] for outputs of one loop, which need no blocks in between: over as many blocks as there are.
     #[inline(always)]
-    fn pass_straight(&self, _omega: &Block, _alpha: &Block, _out: &mut [&mut [f64]; N]) {}
+    fn pass_straight(&self, _omega: &[Block], _alpha: &[Block], _out: [&mut [Block]; N]) {}
 
     /// The outputs over a block of points with [`Kernel::has_low`]; `#[inline(always)]`, as all it calls.
     #[inline(always)]
@@ -46,8 +46,7 @@ pub(crate) trait Kernel<const N: usize>: Sync {
 
 /// Whether a mark says that its point is left. As integers, of which vectors are made.
 #[inline(always)]
-fn is_any_left(marks: Option<&[f64]>) -> bool {
-    let marks: &Block = marks.and_then(<[f64]>::first_chunk).unwrap_or(&[f64::NAN; POINTS]);
+fn is_any_left(marks: &Block) -> bool {
     marks.iter().fold(0, |any, mark| any | u64::from(mark.is_nan())) != 0
 }
 
@@ -65,14 +64,14 @@ impl<K: Kernel<N>, const N: usize> Loops for Pass<'_, K, N> {
     fn run(self) -> bool {
         let Scratch { work, answer } = self.scratch;
         self.kernel.pass(self.omega, self.alpha, work, answer.each_mut());
-        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
+        answer.get(K::MARK).is_none_or(is_any_left)
     }
 }
 
 struct PassStraight<'a, 'b, K, const N: usize> {
     kernel: &'a K,
-    omega: &'a Block,
-    alpha: &'a Block,
+    omega: &'a [Block],
+    alpha: &'a [Block],
     out: &'a mut [&'b mut [f64]; N],
 }
 
@@ -81,8 +80,10 @@ impl<K: Kernel<N>, const N: usize> Loops for PassStraight<'_, '_, K, N> {
 
     #[inline(always)]
     fn run(self) -> bool {
-        self.kernel.pass_straight(self.omega, self.alpha, self.out);
-        is_any_left(self.out.get(K::MARK).map(|column| &**column))
+        let mut out = self.out.each_mut().map(|column| column.as_chunks_mut().0);
+        self.kernel.pass_straight(self.omega, self.alpha, out.each_mut().map(|blocks| &mut **blocks));
+        let marks = out.get(K::MARK).map(|blocks| blocks.iter());
+        marks.is_none_or(|blocks| blocks.fold(false, |any, block| any | is_any_left(block)))
     }
 }
 
@@ -95,7 +96,7 @@ impl<K: Kernel<N>, const N: usize> Loops for PassLow<'_, K, N> {
     fn run(self) -> bool {
         let Pass { kernel, omega, alpha, scratch: Scratch { work, answer } } = self.0;
         kernel.pass_low(omega, alpha, work, answer.each_mut());
-        is_any_left(answer.get(K::MARK).map(|block| block.as_slice()))
+        answer.get(K::MARK).is_none_or(is_any_left)
     }
 }
 
@@ -106,6 +107,10 @@ struct Scratch<const N: usize> {
 }
 
 impl<const N: usize> Scratch<N> {
+    const fn new() -> Self {
+        Self { work: [[0.0; POINTS]; 9], answer: [[0.0; POINTS]; N] }
+    }
+
     /// The answers where they belong.
     fn put(&self, columns: &mut [&mut [f64]; N]) {
         for (column, block) in columns.iter_mut().zip(&self.answer) {
@@ -124,11 +129,10 @@ struct Out<'a, const N: usize> {
 }
 
 impl<const N: usize> Out<'_, N> {
-    /// The outputs of the points from `start` on, at most a block of them.
-    fn block(&mut self, start: usize) -> [&mut [f64]; N] {
+    /// The outputs of `n` points from `start` on.
+    fn part(&mut self, start: usize, n: usize) -> [&mut [f64]; N] {
         self.columns.each_mut().map(|column| {
             let rest = column.get_mut(start..).unwrap_or_default();
-            let n = rest.len().min(POINTS);
             rest.get_mut(..n).unwrap_or_default()
         })
     }
@@ -172,11 +176,15 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
     regimes: &mut [Option<Regime>],
 ) {
     let mut out = Out { columns: out, regimes };
-    let mut scratch = Scratch { work: [[0.0; POINTS]; 9], answer: [[0.0; POINTS]; N] };
-    let (mut low, mut rooms) = (Places::default(), ([0.0; POINTS], [0.0; POINTS]));
-    for (block, (omegas, alphas)) in omega.chunks(POINTS).zip(alpha.chunks(POINTS)).enumerate() {
-        let start = block * POINTS;
-        let mut columns = out.block(start);
+    // Loops that are straight have no use for it but at the end.
+    let (mut scratch, mut rooms) = (None, (None, None));
+    let mut low = Places::default();
+    let mut start = 0;
+    while let left @ 1.. = omega.len().saturating_sub(start) {
+        let is_straight = K::IS_STRAIGHT && left >= POINTS && level != Level::Scalar;
+        let n = if is_straight { (left - left % POINTS).min(STRETCH) } else { left.min(POINTS) };
+        let [omegas, alphas] = [omega, alpha].map(|from| from.get(start..start + n).unwrap_or_default());
+        let mut columns = out.part(start, n);
         let mut set_aside = |i, omega| {
             let is_low = kernel.has_low(kernel.omega(omega));
             if is_low {
@@ -187,26 +195,35 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
         if level == Level::Scalar {
             columns.iter_mut().for_each(|column| column.fill(f64::NAN));
             redo(kernel, omegas, alphas, &mut columns, |_, _| false);
-        } else if K::IS_STRAIGHT
-            && let (Some(omega), Some(alpha)) = (omegas.first_chunk(), alphas.first_chunk())
-        {
+        } else if is_straight {
+            let (omega, alpha) = (omegas.as_chunks().0, alphas.as_chunks().0);
             if level.run(PassStraight { kernel, omega, alpha, out: &mut columns }) {
                 redo(kernel, omegas, alphas, &mut columns, set_aside);
             }
         } else {
+            let scratch = scratch.get_or_insert_with(Scratch::new);
             let (omega, alpha) = (whole(omegas, &mut rooms.0), whole(alphas, &mut rooms.1));
-            let is_any_left = level.run(Pass { kernel, omega, alpha, scratch: &mut scratch });
+            let is_any_left = level.run(Pass { kernel, omega, alpha, scratch });
             scratch.put(&mut columns);
             if is_any_left {
                 redo(kernel, omegas, alphas, &mut columns, &mut set_aside);
             }
         }
-        if low.is_full() {
-            low_points(kernel, level, omega, alpha, &mut scratch, &mut low, &mut out);
+        start += n;
+        while low.is_full() {
+            low_points(
+                kernel,
+                level,
+                omega,
+                alpha,
+                scratch.get_or_insert_with(Scratch::new),
+                &mut low,
+                &mut out,
+            );
         }
     }
     while !low.is_empty() {
-        low_points(kernel, level, omega, alpha, &mut scratch, &mut low, &mut out);
+        low_points(kernel, level, omega, alpha, scratch.get_or_insert_with(Scratch::new), &mut low, &mut out);
     }
     let borders = out.columns.get(K::MARK).into_iter().flat_map(|column| column.iter());
     for (((slot, &omega), &alpha), &border) in out.regimes.iter_mut().zip(omega).zip(alpha).zip(borders) {
@@ -224,12 +241,12 @@ fn low_points<K: Kernel<N>, const N: usize>(
     low: &mut Places,
     out: &mut Out<'_, N>,
 ) {
-    let (places, count) = low.pop();
-    let places = places.get(..count).unwrap_or_default();
+    let places = low.pop();
+    let count = places.len();
     let last = places.last().copied().unwrap_or_default();
     let gather = |from: &[f64]| {
         let mut block = [from.get(last).copied().unwrap_or_default(); POINTS];
-        for (slot, &place) in block.iter_mut().zip(places) {
+        for (slot, &place) in block.iter_mut().zip(&places) {
             *slot = from.get(place).copied().unwrap_or_default();
         }
         block
@@ -241,18 +258,16 @@ fn low_points<K: Kernel<N>, const N: usize>(
         let mut answer = scratch.answer.each_mut().map(<[f64; POINTS]>::as_mut_slice);
         redo(kernel, omega, alpha, &mut answer, |_, _| false);
     }
-    out.scatter(places, &scratch.answer);
+    out.scatter(&places, &scratch.answer);
 }
 
 /// The first block of `points`; where there is less, `room` with it.
-fn whole<'a>(points: &'a [f64], room: &'a mut Block) -> &'a Block {
-    match points.first_chunk() {
-        Some(block) => block,
-        None => {
-            pad(points, room);
-            room
-        }
-    }
+fn whole<'a>(points: &'a [f64], room: &'a mut Option<Block>) -> &'a Block {
+    points.first_chunk().unwrap_or_else(|| {
+        let room = room.get_or_insert([0.0; POINTS]);
+        pad(points, room);
+        room
+    })
 }
 
 /// Does the points whose mark says so, but for those that are `set_aside`, by their place in the block and Ω.

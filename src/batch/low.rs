@@ -10,12 +10,11 @@
 //! the two waves. With Ωd for sin Ωd that is `θ = e − d = arg(1 + ρ exp(ie))`, off by 0.34 at most; one Householder step leaves 2e-4, and
 //! [`Moment`] has the rest of the way.
 
-use super::amplitude::amplitude;
+use super::amplitude::{Amplifier, one_minus_square};
 use super::arrival::{Fastest, Moment};
 use super::block::{AtPoint, select};
 use super::circular::{ARCTANGENT, Arctangent, SinCos, TO_HALF_PI, held};
 use super::velocity::turned;
-use crate::phase_function::one_minus_square;
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The bounds of Ω: below, nothing was tried.
@@ -99,12 +98,12 @@ impl LowParts {
 
 /// Displacement `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, (1 − Ω²) S]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
-pub(crate) struct LowDisplacement(Arctangent);
+pub(crate) struct LowDisplacement(Arctangent, Amplifier);
 
 impl LowDisplacement {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(held(ARCTANGENT))
+        Self(held(ARCTANGENT), Amplifier::new())
     }
 }
 
@@ -113,7 +112,7 @@ impl AtPoint<4, 4> for LowDisplacement {
     fn at(&self, [omega, alpha, k, force]: [f64; 4]) -> [f64; 4] {
         let border = force.mul_add(force, k * k).sqrt();
         let in_range = has_low_loops(omega) & (border > 0.0);
-        let found = amplitude(alpha, k, one_minus_square(omega), force, border, in_range);
+        let found = self.1.at(alpha, k, one_minus_square(omega), force, border, in_range);
         let angle = self.0.first_quadrant_angle(found.sine, k.abs(), alpha);
         [found.displacement, found.border, found.size, select(k > 0.0, angle, PI - angle)]
     }

@@ -1,6 +1,6 @@
 //! {Δ₀, α_min, A₁, V₀, ω_d t₁}: the two peaks of the motion, of displacement and velocity.
 
-use super::amplitude::{amplitude, border_force, has_loops};
+use super::amplitude::{Amplifier, has_loops, one_minus_square};
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
 use super::circular::{ARCTANGENT, Arctangent, held};
@@ -8,7 +8,6 @@ use super::frequency::{Frequency, Parts};
 use super::kernel::{Kernel, Work};
 use super::low::{LowDisplacement, LowParts, LowPeak, LowStart, has_low_loops};
 use super::velocity::{Circular, Waves, turned};
-use crate::phase_function::one_minus_square;
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// {Δ₀, α_min, A₁, V₀, ω_d t₁}.
@@ -72,22 +71,22 @@ pub(crate) fn low_over_alpha(
 
 /// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, 1/Ω]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
-pub(crate) struct Displacement(Arctangent);
+pub(crate) struct Displacement(Arctangent, Amplifier);
 
 impl Displacement {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(held(ARCTANGENT))
+        Self(held(ARCTANGENT), Amplifier::new())
     }
 }
 
 impl AtPoint<4, 4> for Displacement {
     #[inline(always)]
     fn at(&self, [omega, alpha, k, inverse]: [f64; 4]) -> [f64; 4] {
-        let force = border_force(omega, inverse);
+        let distance = one_minus_square(omega);
+        let force = distance * (inverse * inverse);
         let border = force.mul_add(force, k * k).sqrt();
-        let distance = one_minus_square(omega).abs();
-        let found = amplitude(alpha, k, distance, force, border, has_loops(omega));
+        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
         // For Ω ≥ 1/2, K ≤ 0.
         let angle = self.0.first_quadrant_angle(found.sine, -k, alpha);
         [found.displacement, found.border, found.size, PI + select(omega < 1.0, -angle, angle)]

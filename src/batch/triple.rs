@@ -1,12 +1,11 @@
 //! {Δ₀, α_min, A₁} of a block.
 
-use super::amplitude::{amplitude, border_force, has_loops};
+use super::amplitude::{Amplifier, has_loops, one_minus_square};
 use super::block::{AtPoint, Block, each, each_straight};
 use super::careful;
 use super::frequency::PhaseFunction;
 use super::kernel::{Kernel, Work};
 use super::low::{LowDisplacement, LowParts, has_low_loops};
-use crate::phase_function::one_minus_square;
 
 /// {Δ₀, α_min, A₁}.
 pub(crate) struct TripleKernel;
@@ -16,15 +15,16 @@ impl Kernel<3> for TripleKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
-        each(&Point(PhaseFunction::new()), [omega, alpha], out);
+        each(&Point::new(), [omega, alpha], out);
     }
 
     const IS_STRAIGHT: bool = true;
 
     #[inline(always)]
-    fn pass_straight(&self, omega: &Block, alpha: &Block, [a, b, c]: &mut [&mut [f64]; 3]) {
-        if let (Some(a), Some(b), Some(c)) = (a.first_chunk_mut(), b.first_chunk_mut(), c.first_chunk_mut()) {
-            each_straight(&Point(PhaseFunction::new()), [omega, alpha], a, b, c);
+    fn pass_straight(&self, omega: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
+        let point = Point::new();
+        for ((((omega, alpha), a), b), c) in omega.iter().zip(alpha).zip(a).zip(b).zip(c) {
+            each_straight(&point, [omega, alpha], a, b, c);
         }
     }
 
@@ -46,16 +46,23 @@ impl Kernel<3> for TripleKernel {
 }
 
 /// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
-struct Point(PhaseFunction);
+struct Point(PhaseFunction, Amplifier);
+
+impl Point {
+    #[inline(always)]
+    fn new() -> Self {
+        Self(PhaseFunction::new(), Amplifier::new())
+    }
+}
 
 impl AtPoint<2, 3> for Point {
     #[inline(always)]
     fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
         let (k, inverse) = self.0.at(omega);
-        let force = border_force(omega, inverse);
+        let distance = one_minus_square(omega);
+        let force = distance * (inverse * inverse);
         let border = force.mul_add(force, k * k).sqrt();
-        let distance = one_minus_square(omega).abs();
-        let found = amplitude(alpha, k, distance, force, border, has_loops(omega));
+        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
         [found.displacement, found.border, found.size]
     }
 }
