@@ -269,10 +269,10 @@ fn worst(
 
 /// Bounds of the batch's errors in the units of [`worst`], against 256 bits.
 #[cfg(feature = "mp")]
-const BOUNDS: [f64; 9] = [2.5, 1.5, 3.5, 3.0, 4.0, 4.0, 2.0, 3.0, 3.0];
+const BOUNDS: [f64; 9] = [2.5, 1.5, 3.5, 2.5, 2.5, 3.5, 2.0, 2.5, 3.0];
 
-/// How far the batch and one point's own code may be apart: Δ₁ by what the latter loses just below Ω = 2.
-const APART: [f64; 9] = [4.0, 2.0, 4.0, 4.0, 12.0, 4.0, 2.0, 4.0, 4.0];
+/// How far the batch and one point's own code may be apart.
+const APART: [f64; 9] = [2.5, 2.0, 4.0, 3.0, 2.0, 4.0, 2.0, 2.5, 3.0];
 
 fn within(worst: [(f64, usize); 9], bounds: [f64; 9], omega: &[f64], alpha: &[f64]) {
     for (column, (&(error, i), bound)) in worst.iter().zip(bounds).enumerate() {

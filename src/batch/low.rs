@@ -11,7 +11,7 @@
 //! [`Moment`] has the rest of the way.
 
 use super::amplitude::{Amplifier, one_minus_square};
-use super::arrival::{Fastest, Moment};
+use super::arrival::{Fastest, Moment, Reciprocals};
 use super::block::{AtPoint, select};
 use super::circular::{ARCTANGENT, Arctangent, SinCos, TO_HALF_PI, held};
 use super::velocity::turned;
@@ -193,7 +193,7 @@ impl LowWaves {
             square: omega * omega,
             slower: 1.0,
         }
-        .fastest();
+        .fastest(&circular.2);
         let there = (-side).mul_add(found.psi, theta);
         let is_inside = (there >= 0.0) & (there <= width) & (theta.abs() <= FRAC_PI_2);
         (Fastest { is_found: found.is_found & is_inside, ..found }, omega.mul_add(found.psi, angle))
@@ -202,7 +202,7 @@ impl LowWaves {
 
 /// The circular functions and their inverse.
 #[derive(Clone, Copy)]
-pub(crate) struct LowCircular(SinCos<8, 8>, Arctangent);
+pub(crate) struct LowCircular(SinCos<8, 8>, Arctangent, Reciprocals);
 
 /// θ near the greatest velocity.
 #[derive(Clone, Copy)]
@@ -211,7 +211,7 @@ pub(crate) struct LowStart(LowCircular);
 impl LowStart {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(LowCircular(held(TO_HALF_PI), held(ARCTANGENT)))
+        Self(LowCircular(held(TO_HALF_PI), held(ARCTANGENT), Reciprocals::new()))
     }
 }
 
@@ -233,7 +233,7 @@ pub(crate) struct LowArrival(LowCircular);
 impl LowArrival {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(LowCircular(held(TO_HALF_PI), ARCTANGENT))
+        Self(LowCircular(held(TO_HALF_PI), ARCTANGENT, Reciprocals::new()))
     }
 }
 

@@ -14,7 +14,7 @@
 //! `Ω²(Δ₀/B) T = κ + u + (Ft²/2) T² [1 − (3 + t²) T²/12 + …]`, t = 1/Ω. Two of Newton's steps with one quotient: off by 2e-8 in the angle of
 //! the faster wave for most points, by 0.03 for the worst (Ω just above 1/2, beside the border).
 
-use super::arrival::{Fastest, Moment};
+use super::arrival::{Fastest, Moment, Reciprocals};
 use super::block::select;
 use super::circular::{SinCos, TO_ONE, TO_QUARTER, held};
 use super::frequency::Frequency;
@@ -29,12 +29,13 @@ const GREATEST_HALF_DIFFERENCE: f64 = 0.28125;
 pub(crate) struct Circular {
     psi: SinCos<7, 6>,
     half_difference: SinCos<5, 4>,
+    reciprocals: Reciprocals,
 }
 
 impl Circular {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self { psi: held(TO_ONE), half_difference: held(TO_QUARTER) }
+        Self { psi: held(TO_ONE), half_difference: held(TO_QUARTER), reciprocals: Reciprocals::new() }
     }
 }
 
@@ -99,7 +100,7 @@ impl Waves {
             square: omega * omega,
             slower: select(omega > 1.0, inverse, 1.0),
         }
-        .fastest();
+        .fastest(&circular.reciprocals);
         let in_range = (psi.abs() <= GREATEST_PSI) & (half_difference.abs() <= GREATEST_HALF_DIFFERENCE);
         Fastest { is_found: found.is_found & in_range, ..found }
     }
