@@ -1,5 +1,7 @@
 //! What the loops leave: the library's own answer at one point.
 
+use crate::nonsticking::{Border, Reversal};
+use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use crate::response::Response;
 
@@ -25,10 +27,17 @@ pub(crate) fn all(omega: f64, alpha: f64) -> [f64; 9] {
     }
 }
 
-/// {Δ₀, α_min, A₁}.
+/// {Δ₀, α_min, A₁}: without what the whole answer has besides.
 pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
-    let [displacement, _, _, _, _, border, _, size, _] = all(omega, alpha);
-    [displacement, border, size]
+    let nan = f64::NAN;
+    let Ok(ratios) = Ratios::new(omega, alpha) else { return [nan; 3] };
+    let p = PhaseFunction::of_valid(ratios.omega());
+    let border = Border::least_force_ratio(&p);
+    if alpha < border || omega == 1.0 {
+        return [nan, border, nan];
+    }
+    let reversal = Reversal::new(&p, alpha).of_sliding(omega);
+    [reversal.max_displacement(), border, reversal.loop_size_stiffness()]
 }
 
 /// {Δ₀, α_min, A₁, V₀, ω_d t₁}.
