@@ -91,6 +91,9 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
+    /// Whether [`Real::mul_add`] is one instruction: then the cheapest way to the rest of a product, otherwise [`Float::halves`] are.
+    const IS_FUSED: bool = false;
+
     /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once.
     fn pi_rest() -> (Self, Self);
     /// The distance from 1 to the next larger number.
@@ -120,6 +123,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     #[inline]
     fn product_less(self, other: Self, near: Self) -> Self {
         self.mul_add(other, -near)
+    }
+    /// `self · factor + addend`: rounded once where that is one instruction, elsewhere twice.
+    #[inline]
+    fn times_plus(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
     }
     /// `(high, low)` with `high + low = self` exactly and the product of two such high parts exact; of a type that has no use for
     /// it, `(self, 0)`.

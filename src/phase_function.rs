@@ -337,6 +337,9 @@ pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
 /// [`one_minus_square_pair`], halved, for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
 #[inline]
 pub(crate) fn one_minus_square_halved<F: Float>(omega: F) -> Pair<F> {
+    if F::IS_FUSED {
+        return one_minus_square_pair(omega);
+    }
     let (high, low) = omega.halves();
     let (most, rest) = (F::int(1) - high * high, low * (omega + high));
     let (hi, _) = (most - rest).halves();

@@ -82,7 +82,7 @@ fn start(omega: f64, delta: f64, (sb, cb): (f64, f64)) -> f64 {
 fn deviation(omega: f64, k: Two, (sb, cb): (f64, f64), (s, c): (f64, f64)) -> f64 {
     let fall = s * s / (1.0 + c);
     if beside_one(omega) {
-        let r = half_quotient(halved(k), halved(half_product(half(omega), half(sb))));
+        let r = half_quotient(halved(k), halved(half_product(halved((omega, 0.0)), halved((sb, 0.0)))));
         let r = (-r.0, -r.1);
         return (r.0 - 1.0) + (r.1 - sum_of(r) * fall);
     }

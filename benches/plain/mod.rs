@@ -7,7 +7,10 @@ mod cycle;
 mod pairs;
 
 pub(crate) use cycle::cycle;
-use pairs::{Two, half, half_product, half_quotient, half_root, halved, ordered_sum, over, sum_of};
+use pairs::{
+    FUSED, Two, half, half_product, half_quotient, half_ratio, half_root, half_square, halved, ordered_sum,
+    over, sum_of, times_plus,
+};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// K as a pair, w, q and what the error of K is proportional to.
@@ -15,8 +18,8 @@ type Phase = (Two, f64, u8, f64);
 
 #[inline(always)]
 fn tail(z: f64) -> f64 {
-    let numerator = ((858.0 - z) * z - 96_525.0) * z + 2_297_295.0;
-    let denominator = ((12_870.0 - 44.0 * z) * z - 810_810.0) * z + 11_486_475.0;
+    let numerator = times_plus(times_plus(858.0 - z, z, -96_525.0), z, 2_297_295.0);
+    let denominator = times_plus(times_plus(times_plus(-44.0, z, 12_870.0), z, -810_810.0), z, 11_486_475.0);
     z * numerator / denominator
 }
 
@@ -32,11 +35,8 @@ fn phase_function(omega: f64) -> Option<Phase> {
         return Some((k, half_pi.0 / omega + half_pi.1 / omega, 0, excess));
     }
     if 3.0 * omega >= 2.0 {
-        let rest = 1.0 - omega;
-        let (r, _) = half(rest / omega);
-        let (high, low) = half(omega);
-        let r = (r, ((rest - r * high) - r * low) / omega);
-        let square = FRAC_PI_2 * FRAC_PI_2 * (r.0 * r.0 + r.1 * (sum_of(r) + r.0));
+        let r = half_ratio(1.0 - omega, omega);
+        let square = FRAC_PI_2 * FRAC_PI_2 * sum_of(half_square(r));
         if square < 2f64.powi(-17) {
             return None;
         }
@@ -75,17 +75,35 @@ fn minus_two_over_pi() -> Two {
 /// 1 − Ω², halved
 #[inline(always)]
 fn one_minus_square(omega: f64) -> Two {
+    if FUSED {
+        let square = omega * omega;
+        let rest = omega.mul_add(omega, -square);
+        let hi = 1.0 - square;
+        let part = hi - 1.0;
+        return (hi, ((1.0 - (hi - part)) + (-square - part)) - rest);
+    }
     let (high, low) = half(omega);
     let (most, rest) = (1.0 - high * high, low * (omega + high));
     let (hi, _) = half(most - rest);
     (hi, (most - hi) - rest)
 }
 
+/// x²
+#[inline(always)]
+fn square(x: f64) -> Two {
+    if FUSED {
+        let hi = x * x;
+        return (hi, x.mul_add(x, -hi));
+    }
+    let (high, low) = half(x);
+    (high * high, low * (x + high))
+}
+
 /// (√(α² − K²), Δ₀ with the sign of 1 − Ω); `None` where K is not good enough.
 #[inline(always)]
 fn reversal(omega: f64, alpha: f64, k: Two, doubt: f64) -> Option<(Two, Two)> {
     let (minus, plus) = (ordered_sum(alpha, -k.0), ordered_sum(alpha, k.0));
-    let counts_little = k.0 * k.0 * doubt * 10.0 < minus.0 * plus.0;
+    let counts_little = k.0 * k.0 * doubt * 4.0 < minus.0 * plus.0;
     if !counts_little {
         return None;
     }
@@ -98,16 +116,13 @@ fn reversal(omega: f64, alpha: f64, k: Two, doubt: f64) -> Option<(Two, Two)> {
 #[inline(always)]
 fn turning_point(omega: f64, k: Two) -> f64 {
     if omega * 3.0 < 2.0 {
-        let (high, low) = half(omega);
-        let width = half_quotient(one_minus_square(omega), halved((high * high, low * (omega + high))));
+        let width = half_quotient(one_minus_square(omega), halved(square(omega)));
         let ratio = k.0 / sum_of(width);
         let ratio = ratio * ratio;
         return width.0 + (width.1 + sum_of(width) * (ratio / (1.0 + (1.0 + ratio).sqrt())));
     }
-    let value = sum_of(k);
-    let lacking = value * ((k.0 - value) + k.1);
     let width = sum_of(one_minus_square(omega)) / (omega * omega);
-    ((lacking + lacking) + (value * value + width * width)).sqrt()
+    times_plus(k.1, k.0 + sum_of(k), times_plus(k.0, k.0, width * width)).sqrt()
 }
 
 #[inline(always)]
@@ -127,7 +142,5 @@ pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     let Some((_, delta)) = reversal(omega, alpha, k, doubt) else {
         return crate::kernels::triple(omega, alpha);
     };
-    let (high, low) = half(alpha);
-    let square = (high * high, low * (alpha + high));
-    [sum_of(delta).abs(), turning_point(omega, k), 8.0 * over(delta, square).abs()]
+    [sum_of(delta).abs(), turning_point(omega, k), 8.0 * over(delta, square(alpha)).abs()]
 }

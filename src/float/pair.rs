@@ -13,7 +13,7 @@
 //!
 //! Where the type has no fused operation, the cheapest arithmetic is that of *halved* numbers: a hi of half the digits, so that products
 //! of two are exact, and a lo of the order `2⁻ᵖᐟ²` of it ([`Pair::halved`], [`Pair::times_halved`] and so on); it has 3/2 of the
-//! digits, too.
+//! digits, too. Where there is a fused operation, the same functions are those of whole pairs.
 //!
 //! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
 
@@ -113,13 +113,16 @@ impl<F: Float> Pair<F> {
     #[must_use]
     pub fn square(self) -> Self {
         let hi = self.hi * self.hi;
-        Self { hi, lo: self.hi.product_less(self.hi, hi) + (self.hi + self.hi) * self.lo }
+        Self { hi, lo: (self.hi + self.hi).times_plus(self.lo, self.hi.product_less(self.hi, hi)) }
     }
 
     /// The quotient, within one unit in the last place of the type.
     #[inline]
     #[must_use]
     pub fn over(self, other: Self) -> F {
+        if F::IS_FUSED {
+            return (self / other).value();
+        }
         let divisor = other.value();
         let rest = (other.hi - divisor) + other.lo;
         let quotient = self.value() / divisor;
@@ -130,6 +133,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn halved_square(self) -> Self {
+        if F::IS_FUSED {
+            return self.square();
+        }
         Self { hi: self.hi * self.hi, lo: self.lo * (self.value() + self.hi) }
     }
 
@@ -137,6 +143,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn loose_square(x: F) -> Self {
+        if F::IS_FUSED {
+            return Self::product(x, x);
+        }
         let (hi, lo) = x.halves();
         Self { hi: hi * hi, lo: lo * (x + hi) }
     }
@@ -145,6 +154,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn exact_halved(x: F) -> Self {
+        if F::IS_FUSED {
+            return Self::exact(x);
+        }
         let (hi, lo) = x.halves();
         Self { hi, lo }
     }
@@ -153,6 +165,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn halved(self) -> Self {
+        if F::IS_FUSED {
+            return self;
+        }
         let (hi, low) = self.hi.halves();
         Self { hi, lo: low + self.lo }
     }
@@ -161,6 +176,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn times_halved(self, other: Self) -> Self {
+        if F::IS_FUSED {
+            return self * other;
+        }
         Self { hi: self.hi * other.hi, lo: self.hi * other.lo + self.lo * other.value() }
     }
 
@@ -168,6 +186,10 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn halved_sqrt(self) -> Self {
+        if F::IS_FUSED {
+            let hi = self.hi.sqrt();
+            return Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) };
+        }
         let root = self.value().sqrt();
         let (hi, _) = root.halves();
         Self { hi, lo: ((self.hi - hi * hi) + self.lo) / (root + hi) }
@@ -177,6 +199,10 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn halved_ratio(a: F, b: F) -> Self {
+        if F::IS_FUSED {
+            let hi = a / b;
+            return Self { hi, lo: -(hi.product_less(b, a) / b) };
+        }
         let (hi, _) = (a / b).halves();
         let (high, low) = b.halves();
         Self { hi, lo: ((a - hi * high) - hi * low) / b }
@@ -186,6 +212,9 @@ impl<F: Float> Pair<F> {
     #[inline]
     #[must_use]
     pub fn halved_quotient(self, other: Self) -> Self {
+        if F::IS_FUSED {
+            return self / other;
+        }
         let divisor = other.value();
         let (hi, _) = (self.value() / divisor).halves();
         Self { hi, lo: ((self.hi - hi * other.hi) + (self.lo - hi * other.lo)) / divisor }
@@ -238,7 +267,8 @@ impl<F: Float> Mul for Pair<F> {
     #[inline]
     fn mul(self, other: Self) -> Self {
         let hi = self.hi * other.hi;
-        Self { hi, lo: self.hi.product_less(other.hi, hi) + (self.hi * other.lo + self.lo * other.hi) }
+        let cross = self.hi.times_plus(other.lo, self.lo * other.hi);
+        Self { hi, lo: self.hi.product_less(other.hi, hi) + cross }
     }
 }
 
@@ -247,7 +277,7 @@ impl<F: Float> Mul<F> for Pair<F> {
     #[inline]
     fn mul(self, other: F) -> Self {
         let hi = self.hi * other;
-        Self { hi, lo: self.hi.product_less(other, hi) + self.lo * other }
+        Self { hi, lo: self.lo.times_plus(other, self.hi.product_less(other, hi)) }
     }
 }
 
@@ -256,7 +286,7 @@ impl<F: Float> Div for Pair<F> {
     #[inline]
     fn div(self, other: Self) -> Self {
         let hi = self.hi / other.hi;
-        let rest = (self.lo - hi * other.lo) - hi.product_less(other.hi, self.hi);
+        let rest = (-hi).times_plus(other.lo, self.lo) - hi.product_less(other.hi, self.hi);
         Self { hi, lo: rest / other.hi }
     }
 }

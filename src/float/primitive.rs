@@ -55,6 +55,7 @@ macro_rules! primitive {
         impl Float for $float {
             const PRECISION: u32 = $float::MANTISSA_DIGITS;
             const RATIO_EXPONENT: i32 = $ratio_exponent;
+            const IS_FUSED: bool = cfg!(target_feature = "fma");
 
             #[inline]
             fn pi_rest() -> (Self, Self) {
@@ -81,11 +82,15 @@ macro_rules! primitive {
             /// Without the instruction, the fused operation is a call into the library, which costs more than the halves.
             #[inline]
             fn product_less(self, other: Self, near: Self) -> Self {
-                if cfg!(target_feature = "fma") {
+                if Self::IS_FUSED {
                     return self.mul_add(other, -near);
                 }
                 let ((a, a_low), (b, b_low)) = (self.halves(), other.halves());
                 ((a * b - near) + a * b_low) + a_low * other
+            }
+            #[inline]
+            fn times_plus(self, factor: Self, addend: Self) -> Self {
+                if Self::IS_FUSED { self.mul_add(factor, addend) } else { self * factor + addend }
             }
             #[inline]
             fn halves(self) -> (Self, Self) {

@@ -93,11 +93,9 @@ pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
     if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(3) < F::int(2) {
         return turning_point_border_below(omega, k);
     }
-    // K² with what its rounding lacks, the largest of the errors.
-    let value = k.value();
-    let lacking = value * ((k.hi - value) + k.lo);
+    // K² = hi² + lo (hi + K): what its rounding lacks is the largest of the errors.
     let width = one_minus_square_halved(omega).value() / (omega * omega);
-    ((lacking + lacking) + (value * value + width * width)).sqrt()
+    k.lo.times_plus(k.hi + k.value(), k.hi.times_plus(k.hi, width * width)).sqrt()
 }
 
 /// [`turning_point_border_at`] for Ω < 2/3, where b = 1/Ω² − 1 is the larger: `b + b [√(1 + (K/b)²) − 1]`.

@@ -32,7 +32,7 @@ pub struct Reversal<F> {
 }
 
 /// K is good enough where its doubt counts less than a tenth: then it takes its part of two units in the last place.
-const CONDITION: i32 = 10;
+const CONDITION: i32 = 4;
 
 impl<F: Float> Reversal<F> {
     /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1. An α below |K| by

@@ -48,8 +48,9 @@ fn tail<F: Float>(z: F) -> F {
         return tail_by_levels(z);
     }
     let n = F::int;
-    let numerator = ((n(858) - z) * z - n(96_525)) * z + n(2_297_295);
-    let denominator = ((n(12_870) - n(44) * z) * z - n(810_810)) * z + n(11_486_475);
+    let numerator = (n(858) - z).times_plus(z, -n(96_525)).times_plus(z, n(2_297_295));
+    let denominator =
+        (-n(44)).times_plus(z, n(12_870)).times_plus(z, -n(810_810)).times_plus(z, n(11_486_475));
     z * numerator / denominator
 }
 
