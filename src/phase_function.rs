@@ -313,6 +313,7 @@ fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
 }
 
 /// q mod 4, w and K by the quotient of pairs; not a whole [`PhaseFunction`], so that the common path keeps its own in registers.
+#[cold]
 #[inline(never)]
 fn refined_parts<F: Float>(omega: F) -> (u8, F, Pair<F>) {
     let (quarter, w) = reduced(omega);

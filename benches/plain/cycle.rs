@@ -129,6 +129,9 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         return crate::kernels::cycle(omega, alpha);
     };
     let delta = sum_of(displacement).abs();
+    if delta * omega * omega < 1.0 {
+        return crate::kernels::cycle(omega, alpha);
+    }
     let height = sum_of(sine);
     let t2 = if omega < 1.0 { height.atan2(sum_of(k)) } else { PI + (height.atan2(-sum_of(k)) + PI_REST) };
     let (ws, wc) = w.sin_cos();

@@ -99,6 +99,7 @@ pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
 }
 
 /// [`turning_point_border_at`] for Ω < 2/3, where b = 1/Ω² − 1 is the larger: `b + b [√(1 + (K/b)²) − 1]`.
+#[cold]
 #[inline(never)]
 fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
     if F::PRECISION > f64::MANTISSA_DIGITS || omega < F::ratio(1, 2) {

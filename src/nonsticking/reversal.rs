@@ -40,7 +40,8 @@ impl<F: Float> Reversal<F> {
     // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {
-        let k = p.pair();
+        // Before the branch, so that it is shared with the border.
+        let (k, width) = (p.pair(), one_minus_square_halved(p.omega()));
         let (minus, plus) = (Pair::ordered_sum(alpha, -k.hi), Pair::ordered_sum(alpha, k.hi));
         // κ = K²/(α² − K²) is the condition number of Δ₀ by K.
         let counts_little = k.hi * k.hi * p.doubt() * F::int(CONDITION) < minus.hi * plus.hi;
@@ -50,7 +51,6 @@ impl<F: Float> Reversal<F> {
         }
         let (minus, plus) = (Pair::new(minus.hi, minus.lo - k.lo), Pair::new(plus.hi, plus.lo + k.lo));
         let sine = minus.halved().times_halved(plus.halved()).halved_sqrt();
-        let width = one_minus_square_halved(p.omega());
         Self { alpha, phase_function: k, sine, displacement: sine.halved_quotient(width) }
     }
 
@@ -63,6 +63,7 @@ impl<F: Float> Reversal<F> {
     }
 
     #[cold]
+    #[inline(never)]
     fn on_the_border(self, omega: F) -> Self {
         let square = Pair::exact(omega).square();
         let (width, least) = (one_minus_square_pair(omega), Pair::exact(F::int(1)) / square);
@@ -112,6 +113,7 @@ impl<F: Float> Reversal<F> {
 }
 
 /// K, `√(α² − K²)` and Δ₀/B, with the sign of 1 − Ω, where α is so close to |K| that the error of K counts, and where it has none.
+#[cold]
 #[inline(never)]
 fn refined<F: Float>(omega: F, k: Pair<F>, doubt: F, alpha: F) -> (Pair<F>, Pair<F>, Pair<F>) {
     let k = if doubt.is_finite() { PhaseFunction::refined_at(omega).pair() } else { k };
