@@ -1,17 +1,17 @@
-//! Every output at f64 within its allowance of the one ulp table (`tests/ulps`), against 128 bits.
+//! Every output at f64 and at f32 within its allowance of the one ulp table (`tests/ulps`), against 128 bits and f64.
 
 mod ulps;
 
 use ulps::OUTPUTS;
 use ulps::points::{ALPHAS, OMEGAS};
+use ulps::reference::Narrow;
 use ulps::worst::{Survey, hex};
 
-#[test]
-fn no_error_exceeds_its_allowance_and_no_allowance_is_stale() {
-    let survey = Survey::of(20, 200).merge(&Survey::of(21, 200));
+fn no_error_exceeds_its_allowance_and_no_allowance_is_stale<F: Narrow>() {
+    let survey = Survey::of::<F>(20, 200).merge(&Survey::of::<F>(21, 200));
     assert!(survey.points > 20_000);
     for (output, worst) in OUTPUTS.iter().zip(survey.worst) {
-        let (omega, alpha) = (OMEGAS[worst.measures.0].0, ALPHAS[worst.measures.1].0);
+        let (omega, alpha) = (OMEGAS[worst.measures.0], ALPHAS[worst.measures.1]);
         let place = format!("at Ω = {} ({omega}), α = {} ({alpha})", hex(worst.omega), hex(worst.alpha));
         assert!(worst.error <= output.allowed, "{}: {} ulp {place}", output.symbol, worst.error);
         // So many points come within a third of the worst there is, or the allowance is too generous.
@@ -22,6 +22,16 @@ fn no_error_exceeds_its_allowance_and_no_allowance_is_stale() {
             worst.error
         );
     }
+}
+
+#[test]
+fn double_precision() {
+    no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f64>();
+}
+
+#[test]
+fn single_precision() {
+    no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f32>();
 }
 
 #[test]

@@ -27,12 +27,14 @@ fn householder([first, second, third, fourth]: Slopes) -> f64 {
     newton * (1.0 + curvature / 2.0) / (1.0 + curvature + bend)
 }
 
-/// (sin x, cos x) of a small x.
+/// (sin m/(1 − Ω), cos m) of m = (1 − Ω)ψ/2.
 #[inline(always)]
-fn sin_cos_small(x: f64) -> (f64, f64) {
-    let z = x * x;
+fn half_difference(omega: f64, half: f64) -> (f64, f64) {
+    let m = (1.0 - omega) * half;
+    let z = m * m;
     if z > 9.0 / 64.0 {
-        return x.sin_cos();
+        let (s, c) = m.sin_cos();
+        return (s / (1.0 - omega), c);
     }
     let mut s = 1.0 - z * (1.0 / 156.0);
     s = 1.0 - z * (1.0 / 110.0) * s;
@@ -44,16 +46,14 @@ fn sin_cos_small(x: f64) -> (f64, f64) {
     c = 1.0 - z * (1.0 / 56.0) * c;
     c = 1.0 - z * (1.0 / 30.0) * c;
     c = 1.0 - z * (1.0 / 12.0) * c;
-    (x - x * (z * (1.0 / 6.0) * s), 1.0 - z * 0.5 * c)
+    (half * (1.0 - z * (1.0 / 6.0) * s), 1.0 - z * 0.5 * c)
 }
 
 /// The start of the iteration for the maximum velocity, from the derivatives at the centre.
 #[inline(always)]
-fn start(omega: f64, delta: f64, (sb, cb): (f64, f64)) -> f64 {
-    let scale = omega * cb;
-    let first =
-        if beside_one(omega) { (1.0 - omega) / scale + cb / (1.0 + sb) } else { (1.0 - omega * sb) / scale };
-    let forcing = -((1.0 - omega) * (1.0 + omega) / scale);
+fn start(omega: f64, delta: f64, (sb, cb): (f64, f64), offset: f64) -> f64 {
+    let first = if beside_one(omega) { offset + cb / (1.0 + sb) } else { (1.0 - omega * sb) / (omega * cb) };
+    let forcing = -(offset * (1.0 + omega));
     let square = omega * omega;
     let mut d = [delta, first, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     d[2] = -(square * d[0]);
@@ -129,7 +129,7 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         return crate::kernels::cycle(omega, alpha);
     };
     let delta = sum_of(displacement).abs();
-    if delta * omega * omega < 1.0 {
+    if delta * omega * omega < 1.0 - 4.0 * f64::EPSILON {
         return crate::kernels::cycle(omega, alpha);
     }
     let height = sum_of(sine);
@@ -140,20 +140,20 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         1 => (wc, -ws),
         _ => (-ws, -wc),
     };
-    let mut psi = start(omega, delta, (sb, cb));
+    let offset = if beside_one(omega) { w / (FRAC_PI_2 * cb) } else { (1.0 - omega) / (omega * cb) };
+    let mut psi = start(omega, delta, (sb, cb), offset);
     for _ in 0..4 {
         let (s, c, so, co, h, h1);
         if beside_one(omega) {
             let half = psi / 2.0;
             let (sp, cp) = ((1.0 + omega) * half).sin_cos();
-            let (sm, cm) = sin_cos_small((1.0 - omega) * half);
+            let (slope, cm) = half_difference(omega, half);
+            let sm = (1.0 - omega) * slope;
             (s, c) = (sp * cm + cp * sm, cp * cm - sp * sm);
             (so, co) = (sp * cm - cp * sm, cp * cm + sp * sm);
-            let scale = omega * cb;
             let tangent = cb / (1.0 + sb);
-            let slope = (1.0 - omega) / scale + tangent;
-            let double = 2.0 * sm / scale;
-            (h, h1) = (double * cp + tangent * so / omega, slope * co - double * sp);
+            let double = 2.0 * slope * offset;
+            (h, h1) = (double * cp + tangent * so / omega, (offset + tangent) * co - double * sp);
         } else {
             (s, c) = psi.sin_cos();
             (so, co) = (omega * psi).sin_cos();
@@ -163,7 +163,7 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
         let omega2 = omega * omega;
         let value = delta * co + h;
         let first = h1 - omega * delta * so;
-        let forcing = -((1.0 - omega) * (1.0 + omega) / (omega * cb));
+        let forcing = -(offset * (1.0 + omega));
         let second = forcing * s - omega2 * value;
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;

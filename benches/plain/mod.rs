@@ -103,7 +103,7 @@ fn square(x: f64) -> Two {
 #[inline(always)]
 fn reversal(omega: f64, alpha: f64, k: Two, doubt: f64) -> Option<(Two, Two)> {
     let (minus, plus) = (ordered_sum(alpha, -k.0), ordered_sum(alpha, k.0));
-    let counts_little = k.0 * k.0 * doubt * 4.0 < minus.0 * plus.0;
+    let counts_little = k.0 * k.0 * doubt * 6.0 < minus.0 * plus.0;
     if !counts_little {
         return None;
     }
@@ -115,14 +115,17 @@ fn reversal(omega: f64, alpha: f64, k: Two, doubt: f64) -> Option<(Two, Two)> {
 /// eq. 61
 #[inline(always)]
 fn turning_point(omega: f64, k: Two) -> f64 {
-    if omega * 3.0 < 2.0 {
+    let root = |width: f64| times_plus(k.1, k.0 + sum_of(k), times_plus(k.0, k.0, width * width)).sqrt();
+    if omega * 5.0 < 4.0 {
         let width = half_quotient(one_minus_square(omega), halved(square(omega)));
+        if omega * 3.0 >= 2.0 {
+            return root(sum_of(width));
+        }
         let ratio = k.0 / sum_of(width);
         let ratio = ratio * ratio;
         return width.0 + (width.1 + sum_of(width) * (ratio / (1.0 + (1.0 + ratio).sqrt())));
     }
-    let width = sum_of(one_minus_square(omega)) / (omega * omega);
-    times_plus(k.1, k.0 + sum_of(k), times_plus(k.0, k.0, width * width)).sqrt()
+    root(sum_of(one_minus_square(omega)) / (omega * omega))
 }
 
 #[inline(always)]

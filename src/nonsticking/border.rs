@@ -85,20 +85,24 @@ pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
 
 /// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
 ///
-/// Dimensionless. In pairs for Ω < 2/3, where 1/Ω² − 1 is the larger term; above, the root of the sum of the squares, which stay
-/// within the range of the type. Accuracy at f64: 2 ulp.
+/// Dimensionless. With 1/Ω² − 1 as a pair for Ω < 4/5, where it is not the smaller term by far; above, the root of the sum of the squares
+/// as they are, which stay within the range of the type. Accuracy at f64: 2 ulp.
 #[inline(always)]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
     let (omega, k) = (p.omega(), p.pair());
-    if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(3) < F::int(2) {
+    if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(5) < F::int(4) {
         return turning_point_border_below(omega, k);
     }
-    // K² = hi² + lo (hi + K): what its rounding lacks is the largest of the errors.
-    let width = one_minus_square_halved(omega).value() / (omega * omega);
+    root_of_squares(k, one_minus_square_halved(omega).value() / (omega * omega))
+}
+
+/// `√(K² + b²)`; K² = hi² + lo (hi + K), of which the second term would be the largest of the errors.
+#[inline]
+fn root_of_squares<F: Float>(k: Pair<F>, width: F) -> F {
     k.lo.times_plus(k.hi + k.value(), k.hi.times_plus(k.hi, width * width)).sqrt()
 }
 
-/// [`turning_point_border_at`] for Ω < 2/3, where b = 1/Ω² − 1 is the larger: `b + b [√(1 + (K/b)²) − 1]`.
+/// [`turning_point_border_at`] for Ω < 4/5; where b = 1/Ω² − 1 is the larger term, `b + b [√(1 + (K/b)²) − 1]`.
 #[cold]
 #[inline(never)]
 fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
@@ -106,6 +110,9 @@ fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
         return k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega));
     }
     let width = one_minus_square_halved(omega).halved_quotient(Pair::loose_square(omega).halved());
+    if omega * F::int(3) >= F::int(2) {
+        return root_of_squares(k, width.value());
+    }
     let ratio = (k.hi / width.value()).square();
     let one = F::int(1);
     width.hi + (width.lo + width.value() * (ratio / (one + (one + ratio).sqrt())))

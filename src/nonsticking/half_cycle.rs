@@ -23,6 +23,8 @@ pub(crate) struct HalfCycle<F> {
     max_displacement: F,
     sin_beta: F,
     cos_beta: F,
+    /// `(1 − Ω)/(Ω cos β)`, which is −2/π at Ω = 1.
+    offset: F,
     beside_one: bool,
 }
 
@@ -41,7 +43,8 @@ pub(crate) struct Angles<F> {
     psi: (F, F),
     omega_psi: (F, F),
     half_sum: (F, F),
-    sin_half_difference: F,
+    /// `sin m/(1 − Ω)`.
+    half_difference_slope: F,
 }
 
 impl<F: Float> Angles<F> {
@@ -57,14 +60,15 @@ impl<F: Float> HalfCycle<F> {
     #[inline]
     pub(crate) fn new(p: &PhaseFunction<F>, max_displacement: F) -> Self {
         let (sin_beta, cos_beta) = p.sin_cos();
-        Self {
-            omega: p.omega(),
-            one_minus_omega: F::int(1) - p.omega(),
-            max_displacement,
-            sin_beta,
-            cos_beta,
-            beside_one: p.is_beside_one(),
-        }
+        let (omega, beside_one) = (p.omega(), p.is_beside_one());
+        let one_minus_omega = F::int(1) - omega;
+        // (1 − Ω)/Ω = 2w/π, and w/sin w hardly feels an error of w.
+        let offset = if beside_one {
+            p.remainder() / (F::pi() * F::ratio(1, 2) * cos_beta)
+        } else {
+            one_minus_omega / (omega * cos_beta)
+        };
+        Self { omega, one_minus_omega, max_displacement, sin_beta, cos_beta, offset, beside_one }
     }
 
     /// `(sin β, cos β)`, β = π/2Ω.
@@ -82,6 +86,7 @@ impl<F: Float> HalfCycle<F> {
             max_displacement: to(self.max_displacement),
             sin_beta: to(self.sin_beta),
             cos_beta: to(self.cos_beta),
+            offset: to(self.offset),
             beside_one: self.beside_one,
         }
     }
@@ -138,17 +143,31 @@ impl<F: Float> HalfCycle<F> {
                 psi: psi.sin_cos(),
                 omega_psi: (self.omega * psi).sin_cos(),
                 half_sum: (F::int(0), F::int(1)),
-                sin_half_difference: F::int(0),
+                half_difference_slope: F::int(0),
             };
         }
         let half = psi / F::int(2);
         let (sp, cp) = ((F::int(1) + self.omega) * half).sin_cos();
-        let (sm, cm) = sin_cos_small(self.one_minus_omega * half);
+        let (slope, cm) = self.half_difference(half);
+        let sm = self.one_minus_omega * slope;
         Angles {
             psi: (sp * cm + cp * sm, cp * cm - sp * sm),
             omega_psi: (sp * cm - cp * sm, cp * cm + sp * sm),
             half_sum: (sp, cp),
-            sin_half_difference: sm,
+            half_difference_slope: slope,
+        }
+    }
+
+    /// `(sin m/(1 − Ω), cos m)` of `m = (1 − Ω)ψ/2`, given ψ/2.
+    #[inline]
+    fn half_difference(&self, half: F) -> (F, F) {
+        let m = self.one_minus_omega * half;
+        match sinc_cos_small(m) {
+            Some((sinc, c)) => (half * sinc, c),
+            None => {
+                let (s, c) = m.sin_cos();
+                (s / self.one_minus_omega, c)
+            }
         }
     }
 
@@ -167,24 +186,22 @@ impl<F: Float> HalfCycle<F> {
     /// [`HalfCycle::velocity`] at angles that are known.
     #[inline]
     pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
-        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), sin_half_difference: sm } =
-            angles;
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), half_difference_slope } = angles;
         let (omega, delta, cb) = (self.omega, self.max_displacement, self.cos_beta);
         // H/Ω and its derivative
-        let scale = omega * cb;
         let (h, h1) = if self.beside_one {
             let tangent = self.tan_half_offset();
-            let slope = self.one_minus_omega / scale + tangent;
-            let double = F::int(2) * sm / scale;
-            (double * cp + tangent * so / omega, slope * co - double * sp)
+            let double = F::int(2) * half_difference_slope * self.offset;
+            (double * cp + tangent * so / omega, (self.offset + tangent) * co - double * sp)
         } else {
+            let scale = omega * cb;
             ((s - self.sin_beta * so) / scale, (c - omega * self.sin_beta * co) / scale)
         };
         let omega2 = omega.square();
         let value = delta * co + h;
         let first = h1 - omega * delta * so;
         // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
-        let forcing = -(self.one_minus_omega * (F::int(1) + omega) / scale);
+        let forcing = -(self.offset * (F::int(1) + omega));
         let second = forcing * s - omega2 * value;
         let third = forcing * c - omega2 * first;
         let fourth = -(forcing * s) - omega2 * second;
@@ -195,14 +212,13 @@ impl<F: Float> HalfCycle<F> {
     #[inline]
     pub(crate) fn derivatives_at_centre(&self) -> [F; 9] {
         let (omega, one) = (self.omega, F::int(1));
-        let scale = omega * self.cos_beta;
         let first = if self.beside_one {
-            self.one_minus_omega / scale + self.tan_half_offset()
+            self.offset + self.tan_half_offset()
         } else {
-            (one - omega * self.sin_beta) / scale
+            (one - omega * self.sin_beta) / (omega * self.cos_beta)
         };
         // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
-        let forcing = -(self.one_minus_omega * (one + omega) / scale);
+        let forcing = -(self.offset * (one + omega));
         let omega2 = omega.square();
         let swing = |v: F| -(omega2 * v);
         let (value, second) = (self.max_displacement, swing(self.max_displacement));
@@ -220,11 +236,11 @@ impl<F: Float> HalfCycle<F> {
     /// [`HalfCycle::displacement`] at angles that are known.
     #[inline]
     pub(crate) fn displacement_of(&self, angles: &Angles<F>) -> F {
-        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), sin_half_difference: sm } = angles;
+        let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), half_difference_slope } = angles;
         let (one, sb, cb) = (F::int(1), self.sin_beta, self.cos_beta);
         let j_less_one = if self.beside_one {
-            let slope = (self.tan_half_offset() - self.one_minus_omega / cb) / self.omega;
-            co * slope - F::int(2) * sp * sm / cb - one
+            let slope = self.tan_half_offset() / self.omega - self.offset;
+            co * slope - F::int(2) * sp * (half_difference_slope * self.offset * self.omega) - one
         } else if self.omega > one {
             ((sb - s) * (sb + s) / (c + cb) - sb / self.omega * co) / cb
         } else {
@@ -234,12 +250,12 @@ impl<F: Float> HalfCycle<F> {
     }
 }
 
-/// (sin x, cos x): by their series for |x| ≤ 3/8 at no more digits than f64 has, in a third of the time.
+/// (sin x/x, cos x) by their series for |x| ≤ 3/8 at no more digits than f64 has.
 #[inline]
-fn sin_cos_small<F: Float>(x: F) -> (F, F) {
+fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
     let square = x * x;
     if F::PRECISION > f64::MANTISSA_DIGITS || square > F::ratio(9, 64) {
-        return x.sin_cos();
+        return None;
     }
     let series = |first: i32, last: i32| {
         (first..=last)
@@ -247,7 +263,7 @@ fn sin_cos_small<F: Float>(x: F) -> (F, F) {
             .step_by(2)
             .fold(F::int(1), |sum, k| F::int(1) - square * F::ratio(1, k * (k + 1)) * sum)
     };
-    (x - x * (square * F::ratio(1, 6) * series(4, 12)), F::int(1) - square * F::ratio(1, 2) * series(3, 11))
+    Some((series(2, 12), F::int(1) - square * F::ratio(1, 2) * series(3, 11)))
 }
 
 #[cfg(test)]

@@ -31,8 +31,8 @@ pub struct Reversal<F> {
     displacement: Pair<F>,
 }
 
-/// K is good enough where its doubt counts less than a tenth: then it takes its part of two units in the last place.
-const CONDITION: i32 = 4;
+/// K is good enough where its doubt counts less than a sixth: then it takes its part of two units in the last place.
+const CONDITION: i32 = 6;
 
 impl<F: Float> Reversal<F> {
     /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω = 1. An α below |K| by
@@ -59,7 +59,8 @@ impl<F: Float> Reversal<F> {
     /// α − |K| can be all rounding of α on the border, and fall short of that or be negative.
     #[inline]
     pub(crate) fn of_sliding(self, omega: F) -> Self {
-        if self.max_displacement() * omega * omega >= F::int(1) { self } else { self.on_the_border(omega) }
+        let least = F::int(1) - F::int(4) * F::epsilon();
+        if self.max_displacement() * omega * omega >= least { self } else { self.on_the_border(omega) }
     }
 
     #[cold]

@@ -42,16 +42,16 @@ const fn output(
 
 /// Every output, in the order of [`reference::answers`].
 pub(crate) const OUTPUTS: [Output; COUNT] = [
-    output("max_displacement", "Δ₀", Unit::Own, Some(2.0), 1.0),
-    output("displacement_phase", "ω_d t₂", Unit::Phase, Some(2.0), 1.4),
+    output("max_displacement", "Δ₀", Unit::Own, Some(2.0), 1.5),
+    output("displacement_phase", "ω_d t₂", Unit::Phase, Some(2.0), 1.9),
     output("max_velocity", "V₀", Unit::Own, Some(4.0), 4.0),
     output("velocity_phase", "ω_d t₁", Unit::Phase, Some(4.0), 4.0),
     output("deviation", "Δ₁", Unit::Velocity, Some(4.0), 4.0),
     output("min_force_ratio", "α_min", Unit::Own, Some(2.0), 2.0),
     output("min_force_ratio_turning_point", "eq. 61", Unit::Own, Some(2.0), 2.0),
-    output("border_phase", "τ*", Unit::Phase, None, 3.0),
-    output("loop_size_stiffness", "A₁", Unit::Own, Some(2.0), 1.8),
-    output("loop_size_inertia", "A₂", Unit::Own, Some(2.0), 1.8),
+    output("border_phase", "τ*", Unit::Phase, None, 3.3),
+    output("loop_size_stiffness", "A₁", Unit::Own, Some(2.0), 2.0),
+    output("loop_size_inertia", "A₂", Unit::Own, Some(2.0), 2.0),
     output("best_force_ratio", "α*", Unit::Own, Some(2.0), 1.0),
     output("best_loop_size", "A₁max", Unit::Own, Some(2.0), 1.0),
     output("contraction", "max |λ|", Unit::Own, None, f64::INFINITY),

@@ -1,6 +1,6 @@
 //! Where to look: (Ω, α) random in several measures, and chosen where the formulae have the least to go on.
 
-use super::reference::border_from_above;
+use super::reference::{Narrow, border_from_above};
 use stickslip::{Border, PhaseFunction};
 
 /// SplitMix64.
@@ -22,73 +22,102 @@ impl Random {
     fn integer(&mut self, low: i64, high: i64) -> i64 {
         low + (self.bits() % (high - low + 1) as u64) as i64
     }
-    /// 2⁻ᵏ u, k in 0..=52 and u in [−1, 1).
-    fn tiny(&mut self) -> f64 {
-        self.between(-1.0, 1.0) * 2f64.powi(-(self.integer(0, 52) as i32))
+    /// 2⁻ᵏ u, k below the digits of the number and u in [−1, 1).
+    fn tiny<F: Narrow>(&mut self) -> f64 {
+        self.between(-1.0, 1.0) * 2f64.powi(-(self.integer(0, i64::from(F::PRECISION) - 1) as i32))
     }
 }
 
 const LEAST: f64 = 1e-3;
 const GREATEST: f64 = 1e3;
 
-/// `x` moved by so many floats.
-fn floats_on(x: f64, steps: i64) -> f64 {
-    f64::from_bits(x.to_bits().wrapping_add_signed(steps))
+type Omega<F> = fn(&mut Random) -> F;
+type Alpha<F> = fn(&mut Random, F, F) -> F;
+
+/// The measures of Ω, and of α.
+pub(crate) const OMEGAS: [&str; 9] = [
+    "uniform in (0, 4)",
+    "log-uniform",
+    "random bits",
+    "uniform in 1/Ω up to 30",
+    "uniform in (1/2, 2)",
+    "beside 1",
+    "the floats beside 1",
+    "beside 1/n",
+    "the floats beside 1/n",
+];
+pub(crate) const ALPHAS: [&str; 6] = [
+    "the border",
+    "the floats above the border",
+    "above the border by 2⁻ᵏ",
+    "up to 4 times the border",
+    "up to 10⁴ times the border",
+    "the double multiplier",
+];
+
+/// An integer up to 1000, log-uniform.
+fn subharmonic(r: &mut Random) -> f64 {
+    r.between(0.0, 1000f64.ln()).exp().floor()
 }
 
-type Omega = fn(&mut Random) -> f64;
-type Alpha = fn(&mut Random, f64, f64) -> f64;
+const fn omegas<F: Narrow>() -> [Omega<F>; 9] {
+    [
+        |r| F::from_f64(r.between(LEAST, 4.0)),
+        |r| F::from_f64(r.between(LEAST.ln(), GREATEST.ln()).exp()),
+        |r| {
+            F::of_bits_between(F::from_f64(LEAST), F::from_f64(GREATEST), |least, greatest| {
+                r.integer(least, greatest)
+            })
+        },
+        |r| F::from_f64(1.0 / r.between(0.25, 30.0)),
+        |r| F::from_f64(r.between(0.5, 2.0)),
+        |r| F::from_f64(1.0 + r.tiny::<F>() / 2.0),
+        |r| {
+            let steps = r.integer(1, 40);
+            F::int(1).stepped(if r.bits() & 1 == 0 { steps } else { -steps })
+        },
+        |r| {
+            let n = subharmonic(r);
+            F::from_f64((1.0 + r.tiny::<F>() / (2.0 * n)) / n)
+        },
+        |r| {
+            let n = subharmonic(r);
+            (F::int(1) / F::from_f64(n)).stepped(r.integer(-4, 4))
+        },
+    ]
+}
 
-/// The measures of Ω.
-pub(crate) const OMEGAS: [(&str, Omega); 9] = [
-    ("uniform in (0, 4)", |r| r.between(LEAST, 4.0)),
-    ("log-uniform", |r| r.between(LEAST.ln(), GREATEST.ln()).exp()),
-    ("random bits", |r| f64::from_bits(r.integer(LEAST.to_bits() as i64, GREATEST.to_bits() as i64) as u64)),
-    ("uniform in 1/Ω up to 30", |r| 1.0 / r.between(0.25, 30.0)),
-    ("uniform in (1/2, 2)", |r| r.between(0.5, 2.0)),
-    ("beside 1", |r| 1.0 + r.tiny() / 2.0),
-    ("the floats beside 1", |r| {
-        let steps = r.integer(1, 40);
-        if r.bits() & 1 == 0 { floats_on(1.0, steps) } else { floats_on(1.0, -steps) }
-    }),
-    ("beside 1/n", |r| {
-        let n = (r.between(0.0, 1000f64.ln()).exp()).floor();
-        (1.0 + r.tiny() / (2.0 * n)) / n
-    }),
-    ("the floats beside 1/n", |r| {
-        let n = (r.between(0.0, 1000f64.ln()).exp()).floor();
-        let steps = r.integer(-4, 4);
-        floats_on(1.0 / n, steps)
-    }),
-];
+/// Each is given Ω and the border, rounded up.
+const fn alphas<F: Narrow>() -> [Alpha<F>; 6] {
+    [
+        |_, _, border| border,
+        |r, _, border| border.stepped(r.integer(0, 20)),
+        |r, _, border| border * F::from_f64(1.0 + r.tiny::<F>().abs()),
+        |r, _, border| border * F::from_f64(r.between(1.0, 4.0)),
+        |r, _, border| border * F::from_f64(r.between(0.0, 1e4f64.ln()).exp()),
+        |r, omega, border| {
+            // Ω²(Δ₀/B) |sin(π/Ω)| = 1
+            PhaseFunction::new(omega).map_or(border, |p| {
+                let (one, (s, c)) = (F::int(1), p.sin_cos());
+                let delta = one / (omega * omega * (F::int(2) * s * c).abs());
+                let alpha = p.value().hypot((one - omega) * (one + omega) * delta);
+                let greatest = F::exp2i(F::RATIO_EXPONENT - 1);
+                let alpha = alpha.stepped(r.integer(-8, 8));
+                if alpha >= border && alpha <= greatest { alpha } else { border }
+            })
+        },
+    ]
+}
 
-/// The measures of α; each is given Ω and the border, rounded up.
-pub(crate) const ALPHAS: [(&str, Alpha); 6] = [
-    ("the border", |_, _, border| border),
-    ("the floats above the border", |r, _, border| floats_on(border, r.integer(0, 20))),
-    ("above the border by 2⁻ᵏ", |r, _, border| border * (1.0 + r.tiny().abs())),
-    ("up to 4 times the border", |r, _, border| border * r.between(1.0, 4.0)),
-    ("up to 10⁴ times the border", |r, _, border| border * r.between(0.0, 1e4f64.ln()).exp()),
-    ("the double multiplier", |r, omega, border| {
-        // Ω²(Δ₀/B) |sin(π/Ω)| = 1
-        PhaseFunction::new(omega).map_or(border, |p| {
-            let (s, c) = p.sin_cos();
-            let delta = 1.0 / (omega * omega * (2.0 * s * c).abs());
-            let alpha = p.value().hypot((1.0 - omega) * (1.0 + omega) * delta);
-            floats_on(alpha, r.integer(-8, 8)).clamp(border, 1e60)
-        })
-    }),
-];
-
-/// A point of the given measures on which f64 and the reference agree that the body does not stick.
-pub(crate) fn point(random: &mut Random, omega: usize, alpha: usize) -> Option<(f64, f64)> {
-    let omega = OMEGAS[omega].1(random).clamp(LEAST, GREATEST);
-    if omega == 1.0 {
+/// A point of the given measures on which the number and its reference agree that the body does not stick.
+pub(crate) fn point<F: Narrow>(random: &mut Random, omega: usize, alpha: usize) -> Option<(F, F)> {
+    let omega = omegas::<F>()[omega](random);
+    if omega == F::int(1) || omega < F::from_f64(LEAST) || omega > F::from_f64(GREATEST) {
         return None;
     }
     let border = border_from_above(omega)?;
     let own = Border::new(omega).ok()?.min_force_ratio();
-    // Within its error f64 may put the border above the true one, and name such an α sticking.
-    let least = if own > border && own < floats_on(border, 64) { own } else { border };
-    Some((omega, ALPHAS[alpha].1(random, omega, border).max(least)))
+    // Within its error the number may put the border above the true one, and name such an α sticking.
+    let least = if own > border && own < border.stepped(64) { own } else { border };
+    Some((omega, alphas::<F>()[alpha](random, omega, border).or_larger(least)))
 }

@@ -1,12 +1,52 @@
-//! The outputs at f64, the same at 128 bits, and the distance between them.
+//! The outputs at f64 and at f32, the same at 128 bits and at f64, and the distance between them.
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Float, PhaseFunction, Ratios, Response};
+use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Real, Response};
 
-/// The number of the reference. Its own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times the
-/// digits), so that more than a hundred bits are right.
-pub(crate) type Wide = Mp<2>;
+/// A number whose errors are looked for.
+pub(crate) trait Narrow: Float {
+    /// The number of the reference.
+    type Wide: Float;
+    fn widened(self) -> Self::Wide;
+    fn nearest(wide: Self::Wide) -> Self;
+    /// The number so many steps further on.
+    fn stepped(self, steps: i64) -> Self;
+    /// Of two positive numbers, one at random.
+    fn of_bits_between(least: Self, greatest: Self, integer: impl FnOnce(i64, i64) -> i64) -> Self;
+    /// The exponent of the binade of |x|.
+    fn exponent(x: Self::Wide) -> i32;
+}
+
+macro_rules! narrow {
+    ($float:ident, $wide:ty, $bits:ident) => {
+        impl Narrow for $float {
+            type Wide = $wide;
+
+            fn widened(self) -> $wide {
+                self.into()
+            }
+            fn nearest(wide: $wide) -> Self {
+                wide.to_f64() as $float
+            }
+            fn stepped(self, steps: i64) -> Self {
+                Self::from_bits((self.to_bits() as i64 + steps) as $bits)
+            }
+            fn of_bits_between(least: Self, greatest: Self, integer: impl FnOnce(i64, i64) -> i64) -> Self {
+                Self::from_bits(integer(least.to_bits() as i64, greatest.to_bits() as i64) as $bits)
+            }
+            fn exponent(x: $wide) -> i32 {
+                (x.abs().to_f64().to_bits() >> 52) as i32 - 1023
+            }
+        }
+    };
+}
+
+// The reference's own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times the digits), so that more than a
+// hundred bits of it are right.
+narrow!(f64, Mp<2>, u64);
+// Good to a few units in its last place, 2⁻²⁹ of those of f32.
+narrow!(f32, f64, u32);
 
 /// Every output at (Ω, α) in the order of [`OUTPUTS`]; `None` where there is no cycle.
 pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]> {
@@ -30,26 +70,24 @@ pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]
     ])
 }
 
-/// The least f64 that is not below the border.
-pub(crate) fn border_from_above(omega: f64) -> Option<f64> {
-    let border = Border::new(Wide::from(omega)).ok()?.min_force_ratio();
-    let nearest = border.to_f64();
-    Some(if Wide::from(nearest) < border { nearest.next_up() } else { nearest })
+/// The least number that is not below the border.
+pub(crate) fn border_from_above<F: Narrow>(omega: F) -> Option<F> {
+    let border = Border::new(omega.widened()).ok()?.min_force_ratio();
+    let nearest = F::nearest(border);
+    Some(if nearest.widened() < border { nearest.stepped(1) } else { nearest })
 }
 
-/// Size of one unit in the last place of an f64 as large as `x`.
-fn ulp(x: Wide) -> Wide {
-    let x = x.abs().to_f64();
+/// Size of one unit in the last place of a narrow number as large as `x`.
+fn ulp<F: Narrow>(x: F::Wide) -> F::Wide {
     // A power of two rounded up from below counts for the coarser binade: at most a factor of two, on one float.
-    let exponent = (x.to_bits() >> 52) as i32 - 1023;
-    Wide::exp2i(exponent.max(-960) - 52)
+    F::Wide::exp2i(F::exponent(x).max(-960) + 1 - F::PRECISION as i32)
 }
 
 /// The error of each output at (Ω, α), in its unit; `None` where there is no cycle at either precision.
-pub(crate) fn errors(omega: f64, alpha: f64) -> Option<[f64; COUNT]> {
+pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     let narrow = answers(omega, alpha)?;
-    let wide = answers(Wide::from(omega), Wide::from(alpha))?;
-    let speed = wide[2]?;
+    let wide = answers(omega.widened(), alpha.widened())?;
+    let (zero, one, speed) = (F::Wide::int(0), F::Wide::int(1), wide[2]?);
     let mut errors = [0.0; COUNT];
     for (((error, output), narrow), wide) in errors.iter_mut().zip(OUTPUTS).zip(narrow).zip(wide) {
         let (Some(narrow), Some(wide)) = (narrow, wide) else {
@@ -57,19 +95,37 @@ pub(crate) fn errors(omega: f64, alpha: f64) -> Option<[f64; COUNT]> {
             *error = if narrow.is_some() == wide.is_some() { 0.0 } else { f64::INFINITY };
             continue;
         };
-        let mut difference = (Wide::from(narrow) - wide).abs();
+        let mut difference = (narrow.widened() - wide).abs();
         let unit = match output.unit {
             Unit::Own => wide.abs(),
             Unit::Phase => {
-                let around = (Wide::pi() * Wide::of_int(2) - difference).abs();
+                let around = (F::Wide::pi() * F::Wide::int(2) - difference).abs();
                 if around < difference {
                     difference = around;
                 }
-                wide.abs().or_larger(Wide::of_int(1))
+                wide.abs().or_larger(one)
             }
             Unit::Velocity => wide.abs().or_larger(speed),
         };
-        *error = if wide.is_zero() && difference.is_zero() { 0.0 } else { (difference / ulp(unit)).to_f64() };
+        let is_exact_zero = wide == zero && difference == zero;
+        *error = if is_exact_zero { 0.0 } else { (difference / ulp::<F>(unit)).to_f64() };
+    }
+    if is_other_maximum(omega, alpha, narrow[3]?, wide[3]?, speed) {
+        for (error, _) in
+            errors.iter_mut().zip(OUTPUTS).filter(|(_, o)| ["velocity_phase", "deviation"].contains(&o.name))
+        {
+            *error = 0.0;
+        }
     }
     Some(errors)
+}
+
+/// Whether `phase` is that of the other of two maxima of the velocity that are equal but for rounding: below Ω = 1/2 there are
+/// such points, on either side of which another maximum is the greatest.
+fn is_other_maximum<F: Narrow>(omega: F, alpha: F, phase: F, right: F::Wide, speed: F::Wide) -> bool {
+    let is_elsewhere = (phase.widened() - right).abs() > F::Wide::ratio(1, 100);
+    is_elsewhere
+        && Ratios::new(omega.widened(), alpha.widened()).and_then(Cycle::new).is_ok_and(|cycle| {
+            (cycle.velocity_at(phase.widened()) - speed).abs() <= ulp::<F>(speed) * F::Wide::int(8)
+        })
 }

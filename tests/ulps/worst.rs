@@ -2,7 +2,7 @@
 
 use super::COUNT;
 use super::points::{ALPHAS, OMEGAS, Random, point};
-use super::reference::errors;
+use super::reference::{Narrow, errors};
 
 /// The worst error of one output.
 #[derive(Debug, Clone, Copy)]
@@ -29,20 +29,21 @@ impl Survey {
     }
 
     /// `count` points of each pair of measures.
-    pub(crate) fn of(seed: u64, count: u64) -> Self {
+    pub(crate) fn of<F: Narrow>(seed: u64, count: u64) -> Self {
         let mut survey = Self::empty();
         let mut random = Random(seed);
         for _ in 0..count {
             for measures in (0..OMEGAS.len()).flat_map(|o| (0..ALPHAS.len()).map(move |a| (o, a))) {
-                survey.add(&mut random, measures);
+                survey.add::<F>(&mut random, measures);
             }
         }
         survey
     }
 
-    fn add(&mut self, random: &mut Random, measures: (usize, usize)) {
-        let Some((omega, alpha)) = point(random, measures.0, measures.1) else { return };
+    fn add<F: Narrow>(&mut self, random: &mut Random, measures: (usize, usize)) {
+        let Some((omega, alpha)) = point::<F>(random, measures.0, measures.1) else { return };
         let Some(errors) = errors(omega, alpha) else { return };
+        let (omega, alpha) = (omega.to_f64(), alpha.to_f64());
         self.points += 1;
         for (worst, error) in self.worst.iter_mut().zip(errors) {
             if is_worse(error, worst.error) {
