@@ -183,10 +183,10 @@ mod tests {
         for n in 1..5 {
             for times in [1.02, 1.3, 4.0] {
                 let (equation, amplitude, room) = family(n, times);
-                for i in 0..20 {
+                for i in 0..8 {
                     let part = |step: f64| 2.0 * (f64::from(i) * step).fract() - 1.0;
                     let start = at_maximum(amplitude + room * part(0.618_034), 0.3 * room * part(0.754_878));
-                    let (there, sticks) = followed(equation, start, 1500);
+                    let (there, sticks) = followed(equation, start, 600);
                     if sticks {
                         continue;
                     }
