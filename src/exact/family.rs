@@ -195,7 +195,7 @@ mod tests {
                     };
                     let c = (found.max_displacement() + found.min_displacement()) / 2.0;
                     let at = format!("n = {n}, {times} times, start {i}: {found:?}");
-                    let off = found.distance().0 + 1e-9 * amplitude;
+                    let off = found.distance().0 + 1e-12 * amplitude;
                     assert!((found.max_displacement() - c - amplitude).abs() <= off, "{at}");
                     assert!(
                         c.abs() <= room + off && (c - (there.x - amplitude)).abs() <= off,
@@ -206,6 +206,39 @@ mod tests {
                 }
             }
         }
+    }
+
+    /// A member stays what it is, to within the distance that is named.
+    #[test]
+    fn a_member_is_its_own_limit() {
+        for n in 1..5 {
+            for times in [1.3, 4.0, 50.0] {
+                let (equation, amplitude, room) = family(n, times);
+                for i in -9..=9 {
+                    let c = room * f64::from(i) / 10.0;
+                    let start = at_maximum(amplitude + c, 0.0);
+                    let LongRun::Family(found) = limit(equation, start, 400) else { panic!("n = {n}, {i}") };
+                    let (max, min) = (found.max_displacement(), found.min_displacement());
+                    let off = found.distance().0;
+                    assert!(
+                        (max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off,
+                        "{found:?}"
+                    );
+                    assert!(
+                        off > 0.0 && off < 1e-12 * amplitude && found.periods() < 60.0,
+                        "{n} {i} {found:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// Where friction is below the rounding of the motion nothing tells how far the limit is.
+    #[test]
+    fn friction_that_cannot_be_seen_settles_nothing() {
+        let (equation, amplitude, _) = family(1, 1e40);
+        let found = limit(equation, at_maximum(amplitude * 1.1, 0.0), 100);
+        assert!(matches!(found, LongRun::NotConverged { .. }), "{found:?}");
     }
 
     /// From outside it creeps to the edge.
