@@ -140,7 +140,7 @@ fn finish<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::{is_one, member, nearest_edge};
+    use super::{is_near, is_one, member, nearest_edge};
     use crate::exact::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::long_run::LongRun;
@@ -176,6 +176,25 @@ mod tests {
             y = Point { phase: y.phase, ..cycle.end };
         }
         (y, sticks)
+    }
+
+    #[test]
+    fn a_family_is_at_the_even_parts_of_one_above_the_border() {
+        let is = |omega: f64, times: f64| {
+            let least = Border::new(omega).unwrap().min_force_ratio();
+            is_one(Ratios::new(omega, least * times).unwrap())
+        };
+        assert!([0.5, 0.25, 1.0 / 6.0, 1e-3].into_iter().all(|omega| is(omega, 1.001) && !is(omega, 0.999)));
+        assert!([0.51, 1.0 / 3.0, 1.0, 2.0, 0.5 + 1e-9].into_iter().all(|omega| !is(omega, 1.5)));
+    }
+
+    #[test]
+    fn near_is_within_eight_times_the_reach() {
+        // 8 · 12 (1 + 1/4)/(1 − 1/4) = 160
+        let equation = Equation::new(Ratios::new(0.5, 12.0).unwrap());
+        let near = |x, w| is_near(&equation, &at_maximum(x, w));
+        assert!(near(159.0, 0.0) && near(-80.0, 79.0) && near(0.0, -159.0));
+        assert!(!near(161.0, 0.0) && !near(-80.0, 81.0) && !near(0.0, -161.0));
     }
 
     #[test]
