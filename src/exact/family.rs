@@ -243,6 +243,8 @@ mod tests {
                         (max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off,
                         "{found:?}"
                     );
+                    let [(one, zero), (other, _)] = found.multipliers();
+                    assert!((one, zero) == (1.0, 0.0) && other.abs() < 0.999, "{found:?}");
                     assert!(
                         off > 0.0 && off < 1e-12 * amplitude && found.periods() < 60.0,
                         "{n} {i} {found:?}"
