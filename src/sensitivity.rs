@@ -137,3 +137,57 @@ impl<const N: usize> Sensitivities<N> {
         self.outputs.iter().copied()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{ALPHA, AMPLITUDE, FRICTION_BOUND, OMEGA, STIFFNESS, Sensitivities, Sensitivity};
+    use crate::{Border, Cycle, Drive, Oscillator, Output, Ratios, Regime};
+
+    #[test]
+    fn percents_changes_and_deviations() {
+        let s = Sensitivity { value: 8.0, by: [2.0, -3.0] };
+        assert_eq!((s.elasticity(0, 10.0), s.elasticity(1, 4.0)), (2.5, -1.5));
+        assert!(s.elasticity(2, 1.0).is_nan());
+        assert_eq!(s.change([0.5, 0.25]), 0.25);
+        // Legs 6 and 2.5 of a right triangle.
+        assert_eq!(s.deviation([3.0, -2.5 / 3.0]), 6.5);
+    }
+
+    #[test]
+    fn by_ratios_is_the_slope_of_a_short_way() {
+        let at = |omega, alpha| Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement();
+        let found = Sensitivities::by_ratios(Ratios::new(0.7, 2.0).unwrap());
+        let delta = found.of(Output::MaxDisplacement).unwrap();
+        assert_eq!((delta.value, found.regime()), (at(0.7, 2.0), Regime::NonSticking));
+        let h = 1e-6;
+        let by_omega = (at(0.7 + h, 2.0) - at(0.7 - h, 2.0)) / (2.0 * h);
+        let by_alpha = (at(0.7, 2.0 + h) - at(0.7, 2.0 - h)) / (2.0 * h);
+        assert!(
+            (delta.by[OMEGA] / by_omega - 1.0).abs() < 1e-8
+                && (delta.by[ALPHA] / by_alpha - 1.0).abs() < 1e-8
+        );
+        let border = found.of(Output::MinForceRatio).unwrap();
+        assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio());
+        let all: Vec<_> = found.iter().collect();
+        assert!(all.len() > 10 && all.contains(&(Output::MaxDisplacement, delta)));
+        let sticking = Sensitivities::by_ratios(Ratios::new(0.7, 1.1).unwrap());
+        assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.iter().count() < all.len());
+    }
+
+    /// A force and a friction bound that both grow by a share make lengths grow by it.
+    #[test]
+    fn by_parameters_is_in_their_units() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let found = Sensitivities::by_parameters(&body, &Drive::force(9.0, 1.5).unwrap()).unwrap();
+        let delta = found.of(Output::MaxDisplacement).unwrap();
+        let cycle = Cycle::new(Ratios::new(0.75, 3.0).unwrap()).unwrap();
+        assert!((delta.value / (cycle.max_displacement() * 3.0 / 8.0) - 1.0).abs() < 1e-14);
+        let grown = delta.elasticity(FRICTION_BOUND, 3.0) + delta.elasticity(AMPLITUDE, 9.0);
+        assert!((grown - 1.0).abs() < 1e-13, "{grown}");
+        // A base that moves pushes more on a stiffer body.
+        let based =
+            Sensitivities::by_parameters(&body, &Drive::base_motion(9.0 / 8.0, 1.5).unwrap()).unwrap();
+        let more = based.of(Output::MaxDisplacement).unwrap().by[STIFFNESS] - delta.by[STIFFNESS];
+        assert!((more / (delta.by[AMPLITUDE] * 9.0 / 8.0) - 1.0).abs() < 1e-12, "{more}");
+    }
+}

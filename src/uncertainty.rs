@@ -188,3 +188,42 @@ impl Sticking {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Interval, Known, Range, Sticking};
+    use crate::{Error, Place, Ratios};
+
+    #[test]
+    fn intervals() {
+        let ends = |found: Result<Interval<f64>, Error>| found.map(|i| (i.low(), i.high()));
+        assert_eq!(ends(Interval::between(1.0, 3.0)), Ok((1.0, 3.0)));
+        assert_eq!(ends(Interval::between(1.0, 1.0)), Ok((1.0, 1.0)));
+        assert_eq!(ends(Interval::relative(4.0, 0.25)), Ok((3.0, 5.0)));
+        assert_eq!(ends(Interval::absolute(4.0, 0.5)), Ok((3.5, 4.5)));
+        let text = |found: Result<Interval<f64>, Error>| found.unwrap_err().to_string();
+        assert_eq!(text(Interval::between(3.0, 1.0)), "interval: 3 must be ≤ 1");
+        assert_eq!(text(Interval::absolute(4.0, -0.5)), "interval: 4.5 must be ≤ 3.5");
+        assert!(Interval::between(f64::NAN, 1.0).is_err() && Interval::relative(4.0, 1.5).is_err());
+        let wide = Interval::between(1.0, 3.0).unwrap();
+        assert!(Interval::exactly(2.0).is_exact() && !wide.is_exact());
+        assert_eq!([0.0, 0.25, 1.0].map(|share| wide.at(share)), [1.0, 1.5, 3.0]);
+    }
+
+    #[test]
+    fn what_is_known() {
+        let range = |known| Range { low: 1.0, high: 2.0, known };
+        assert!(range(Known::Guaranteed { sharp: false }).is_guaranteed());
+        assert!(!range(Known::Sampled { points: 3, existing: 3 }).is_guaranteed());
+        for (omega, alpha, sticking) in [
+            (0.7, 0.9, Sticking::Always),
+            (0.7, 1.2, Sticking::Always),
+            (0.7, 2.0, Sticking::Never),
+            (0.5, 9.0, Sticking::Never),
+            (1.0, 2.0, Sticking::Never),
+        ] {
+            let place = Place::new(Ratios::new(omega, alpha).unwrap());
+            assert_eq!(Sticking::of(&place.verdict()), sticking, "{omega} {alpha}");
+        }
+    }
+}

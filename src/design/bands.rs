@@ -158,9 +158,6 @@ pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result
                 omega: written(minimum.omega),
             });
         }
-        if alpha < minimum.force_ratio {
-            return Ok(None);
-        }
         minimum.omega
     };
     if !slides(best) {

@@ -3,14 +3,15 @@
 //! The rising half of the cycle begins at its least displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide of natural length
 //! `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular function, and the free one,
 //! `π/Ω = 2β`, is the cycle's. The slide passes the section, the fastest point y at θ₁, on its way; half a turn from there goes on to
-//! the velocity zero at `π/Ω + h` and back on the mirrored slide. What the latter misses −y by is free vibration,
+//! the velocity zero and back on the mirrored slide. What the latter misses −y by is free vibration,
 //!
 //! ```text
-//! H(y) − y = −R (δx, −w′₊ h),     δx = x(π/Ω + h) − Δ₀
+//! H(y) − y = −R (δx, w w′₊/w′₋),     δx = x(π/Ω) − Δ₀,  w = w(π/Ω)
 //! ```
 //!
-//! with w′₊ the acceleration after the reversal and R the rotation from θ₂ − π to θ₁: the residual that `shooting` judges, with the
-//! bound on the distance that comes of it.
+//! with w′₋ and w′₊ the accelerations before and after the reversal and R the rotation from θ₂ − π to θ₁: the residual that `shooting`
+//! judges, with the bound on the distance that comes of it. Its sign does not matter to either. The velocity zero is a rounding away from
+//! π/Ω, because friction reverses with the velocity: `w′₋ = w′₊ − 2 < −2`.
 //!
 //! # Why no velocity zero is missed
 //!
@@ -45,42 +46,27 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     if slide.acceleration <= force_rounding(equation.alpha, slide.x) {
         return None;
     }
-    let length = F::pi() / omega;
     let arrival = slide.after_half_turn(cycle.sin_cos_beta());
-    // The velocity zero: what a step of Newton's leaves is of the order of its square.
-    let h = -arrival.w / arrival.acceleration;
-    let left = h.square() * arrival.jerk.abs();
-    let final_step = left <= F::epsilon() / F::int(4) * length * -arrival.acceleration;
-    if !final_step {
-        return None;
-    }
-    let greatest = Extreme {
-        value: arrival.x + h * arrival.w / two,
-        phase: least.later_by_half_turns(1).advanced(omega * h),
-    };
+    let reversal = -slide.acceleration / arrival.acceleration;
+    let greatest = Extreme { value: arrival.x, phase: least.later_by_half_turns(1) };
 
     let fastest = origin.advanced(cycle.velocity_phase());
     // Both phases are reduced to one turn of their own.
-    let (fastest, lag) = match fastest.since(least) {
-        lag if lag > F::pi() => (fastest.later_by_half_turns(-2), lag - two * F::pi()),
-        lag => (fastest, lag),
-    };
+    let lag = fastest.since(least);
+    let lag = if lag > F::pi() { lag - two * F::pi() } else { lag };
     let middle = slide.motion(lag / omega);
     let still = middle.acceleration.square() <= F::epsilon() * middle.w.square() && middle.w > zero;
-    if !(still && slide.turns_first_at(length + h)) {
+    if !(still && slide.turns_first_at(F::pi() / omega)) {
         return None;
     }
 
     let y = Point { phase: fastest, x: middle.x, w: middle.w };
     let (s, c) = middle.rotation;
-    let (dx, dw) = (greatest.value + slide.x, slide.acceleration * h);
-    let residual = Residual::new(&equation, &y, (-(c * dx + s * dw), s * dx - c * dw));
+    let (dx, dw) = (arrival.x + slide.x, arrival.w * reversal);
+    let residual = Residual::new(&equation, &y, (c * dx + s * dw, c * dw - s * dx));
     let rest =
         (arrival.rotation.0 * c - arrival.rotation.1 * s, arrival.rotation.1 * c + arrival.rotation.0 * s);
-    let monodromy = Matrix::identity()
-        .after_slide(rest)
-        .after_zero(-slide.acceleration / arrival.acceleration)
-        .after_slide(middle.rotation);
+    let monodromy = Matrix::identity().after_slide(rest).after_zero(reversal).after_slide(middle.rotation);
     let inverse = monodromy.inverse_of_one_plus();
     if !(residual.is_rounding(1) && is_known(&y, inverse, &residual)) {
         return None;
@@ -93,7 +79,7 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
             greatest,
             max_v,
             two * slide.work_of_drive(&arrival),
-            two * (greatest.value - slide.x),
+            two * (arrival.x - slide.x),
         ),
         multipliers: monodromy.squared_eigenvalues(),
         distance: inverse.absolute().times(residual.bounds()),
@@ -111,29 +97,37 @@ impl<F: Float> Slide<F> {
     /// Whether the velocity of a forward slide from rest has its first zero at `end`, a zero to within rounding, half a turn later.
     #[inline]
     fn turns_first_at(&self, end: F) -> bool {
-        let omega = self.equation.omega;
-        let boundary = (F::pi() / F::int(2) - self.start.angle()) / omega;
-        let (pi, backward) = (F::pi(), end - boundary <= F::pi());
-        if self.start.is_even() && backward {
-            if boundary <= pi {
-                return true;
-            }
-            let m = self.motion(boundary);
-            if m.w > F::int(0) && boundary - m.w.atan2(m.acceleration) <= pi {
-                return true;
-            }
+        self.does_not_turn_before(end)
+            || self
+                .velocity_zero(end)
+                .is_some_and(|zero| !zero.grazes && (zero.phi - end).square() <= F::epsilon() * end.square())
+    }
+
+    /// Whether the signs of the drive's power alone show that there is no velocity zero before that at `end`.
+    #[inline]
+    fn does_not_turn_before(&self, end: F) -> bool {
+        let (pi, omega) = (F::pi(), self.equation.omega);
+        let boundary = (pi / F::int(2) - self.start.angle()) / omega;
+        if !self.start.is_even() || end - boundary > pi {
+            return false;
         }
-        self.velocity_zero(end)
-            .is_some_and(|zero| !zero.grazes && (zero.phi - end).square() <= F::epsilon() * end.square())
+        if boundary <= pi {
+            return true;
+        }
+        let m = self.motion(boundary);
+        m.w > F::int(0) && boundary - m.w.atan2(m.acceleration) <= pi
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::confirmed;
+    use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::long_run::{LongRun, fastest_point};
-    use crate::exact::shooting::Budget;
+    use crate::exact::shooting::{Budget, Residual};
+    use crate::exact::slide::{Direction, Slide};
+    use crate::exact::walk::walk;
     use crate::nonsticking::Cycle;
     use crate::phase_function::PhaseFunction;
     use crate::{Border, Ratios};
@@ -170,6 +164,7 @@ mod tests {
             close(here.max_velocity(), there.max_velocity(), units);
             close(here.min_velocity(), there.min_velocity(), units);
             close(here.energy_out(), there.energy_out(), 4.0 * units);
+            close(here.energy_in(), there.energy_in(), 4.0 * units * (1.0 + equation.alpha));
             for (a, b) in [
                 (here.max_displacement_phase(), there.max_displacement_phase()),
                 (here.min_displacement_phase(), there.min_displacement_phase()),
@@ -187,13 +182,119 @@ mod tests {
         assert!(found * 10 > all * 9, "{found} of {all}");
     }
 
+    /// Of the cycle of a slightly other force and phase what is confirmed comes back to where it began, by a walk.
+    #[test]
+    fn what_is_confirmed_comes_back() {
+        let (mut found, mut all) = (0, 0);
+        let mut random = {
+            let mut state = 7u64;
+            move || {
+                state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+                (state >> 11) as f64 / (1u64 << 53) as f64
+            }
+        };
+        for i in 0..20_000 {
+            let omega = 0.13 * 1.0002f64.powi(i);
+            let (equation, cycle) = cycle(omega, 1.0 + 0.003 * f64::from(1 + i % 97));
+            let mut off = || (2.0 * random() - 1.0) * 2f64.powf(-52.0 + 14.0 * random());
+            let (a, b) = (off(), off());
+            let ratios = Ratios::new(omega, equation.alpha * (1.0 + a)).unwrap();
+            let other = Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios);
+            let phase = other.displacement_phase();
+            let other = other.map(|x| if x == phase { x + b } else { x });
+            all += 1;
+            let Some(here) = confirmed(equation, &other) else { continue };
+            found += 1;
+            let (_, hint) = fastest_point(equation, &cycle);
+            let back = walk(equation, here.start, 1, hint, Vec::new()).end;
+            let left =
+                Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
+            assert!(left.is_rounding(4), "Ω = {omega}, {a:e}, {b:e}: {left:?}");
+        }
+        assert!(found > all / 20 && found < all / 2, "{found} of {all}");
+    }
+
+    /// Nor is one whose velocity is not the greatest where it says.
+    #[test]
+    fn the_fastest_point_has_to_be_one() {
+        for i in 0..300 {
+            let omega = 0.13 * 1.013f64.powi(i);
+            let (equation, cycle) = cycle(omega, 1.3);
+            let moved = |by: f64| {
+                let other = |x| if x == cycle.velocity_phase() { x + by } else { x };
+                confirmed(equation, &cycle.map(other)).is_some()
+            };
+            assert!(!moved(1e-2) && !moved(-1e-2) && !moved(1e-4) && !moved(3.1), "Ω = {omega}");
+        }
+    }
+
+    #[test]
+    fn a_great_force_is_confirmed_too() {
+        let mut found = 0;
+        for i in 0..200 {
+            let (equation, cycle) = cycle(0.51 * 1.01f64.powi(i), 2f64.powi(i % 20));
+            found += i32::from(confirmed(equation, &cycle).is_some());
+        }
+        assert!(found > 160, "{found}");
+    }
+
+    /// Most cycles need no search for velocity zeros.
+    #[test]
+    fn the_signs_alone_mostly_do() {
+        let (mut found, mut all) = (0, 0);
+        for i in 0..4000 {
+            let omega = 0.51 * 1.001f64.powi(i);
+            let (equation, cycle) = cycle(omega, 1.0 + 0.003 * f64::from(1 + i % 97));
+            let least =
+                DrivePhase::of_half_turn(0, 0.0).advanced(cycle.displacement_phase()).later_by_half_turns(-1);
+            let slide = Slide::new(equation, least, -cycle.max_displacement(), 0.0, Direction::Forward);
+            all += 1;
+            found += i32::from(slide.does_not_turn_before(std::f64::consts::PI / omega));
+        }
+        assert!(found * 100 > all * 95, "{found} of {all}");
+    }
+
+    /// Slides of any phase that are at rest again after half a turn: the signs never hide a velocity zero on the way.
+    #[test]
+    fn the_signs_hide_no_velocity_zero() {
+        let (mut shown, mut turning) = (0, 0);
+        for i in 0..40_000 {
+            let part = |step: f64| (f64::from(i) * step).fract();
+            let (omega, alpha) = (2f64.powf(-4.0 + 5.0 * part(0.618_034)), 1.0 + 20.0 * part(0.754_878));
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let start = DrivePhase::new(std::f64::consts::TAU * part(0.569_841)).unwrap();
+            let end = std::f64::consts::PI / omega;
+            // The velocity is linear in the place that the slide begins at.
+            let from = |x| Slide::new(equation, start, x, 0.0, Direction::Forward);
+            let (zero, one) = (from(0.0).motion(end).w, from(1.0).motion(end).w);
+            let slide = from(zero / (zero - one));
+            if !(slide.acceleration > 1e-6 && slide.x.abs() < 1e3) {
+                continue;
+            }
+            let least =
+                (1..200).map(|n| slide.motion(end * f64::from(n) / 200.0).w).fold(f64::INFINITY, f64::min);
+            let shows = slide.does_not_turn_before(end);
+            assert!(!shows || least > -1e-9, "Ω = {omega}, α = {alpha}: {least} of {slide:?}");
+            shown += i32::from(shows);
+            turning += i32::from(least < -1e-9);
+        }
+        assert!(shown > 2000 && turning > 4000, "{shown} {turning}");
+    }
+
     #[test]
     fn below_the_border_nothing_is_confirmed() {
-        for i in 0..3000 {
-            let omega = 0.13 * 1.0013f64.powi(i);
-            let times = 1.0 - 1e-6 * f64::from(1 + i % 97);
-            let (equation, cycle) = cycle(omega, times);
-            assert_eq!(confirmed(equation, &cycle), None, "Ω = {omega}, {times} times the border");
+        for i in 0..6000 {
+            let omega = 0.021 * 1.0013f64.powi(i);
+            let border = Border::new(omega).unwrap().min_force_ratio();
+            // From the border down to where there is no cycle at all, or nearly so.
+            let below = [1e-6, 1e-3, 0.3, 0.9][i as usize % 4] * f64::from(1 + i % 97) / 97.0;
+            let least = PhaseFunction::new(omega).unwrap().value().abs() * (1.0 + 1e-9);
+            let alpha = border * (1.0 - below);
+            if alpha < least {
+                continue;
+            }
+            let (equation, cycle) = cycle(omega, 1.0 - below);
+            assert_eq!(confirmed(equation, &cycle), None, "Ω = {omega}, 1 − {below} times the border");
         }
     }
 }

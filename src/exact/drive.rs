@@ -164,7 +164,8 @@ mod tests {
         assert!(DrivePhase::in_cycle(most, 0.3f64).is_ok() && DrivePhase::in_cycle(-most, 0.3f64).is_ok());
         for cycles in [most + 1, -most - 1, i64::MAX, i64::MIN] {
             let message = DrivePhase::in_cycle(cycles, 4.0f64).unwrap_err().to_string();
-            assert!(message.starts_with(&format!("whole cycles = {cycles} must be ")), "{message}");
+            let domain = "≥ -2251799813685248 and ≤ 2251799813685248";
+            assert!(message.starts_with(&format!("whole cycles = {cycles} must be {domain}")), "{message}");
         }
     }
 
@@ -176,6 +177,24 @@ mod tests {
             let p = phase(theta);
             assert!((p.cycles() as f64 * TAU + p.reduced() - theta).abs() < 3e-14);
             assert!((0.0..TAU).contains(&p.reduced()), "{theta}");
+        }
+    }
+
+    /// Whatever is added, the angle stays within its half turn, at the ends of the half turns too.
+    #[test]
+    fn the_angle_is_within_its_half_turn() {
+        let ends = (-7..=7).flat_map(|n| {
+            let end = f64::from(n) * (PI / 2.0);
+            [end.next_down(), end, end.next_up()]
+        });
+        for theta in ends.chain((-900..900).map(|n| f64::from(n) * 0.017)) {
+            for start in [0.0, 1.2, -1.5, 2.5] {
+                let later = phase(start).advanced(theta);
+                assert!((-PI / 2.0..PI / 2.0).contains(&later.angle()), "{start} {theta}: {later:?}");
+                let sum = later.half_turns() as f64 * PI + later.angle();
+                assert!((sum - start - theta).abs() < 1e-14, "{start} {theta}: {later:?}");
+                assert!((later.since(phase(start)) - theta).abs() < 1e-14);
+            }
         }
     }
 

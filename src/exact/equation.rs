@@ -107,3 +107,59 @@ pub(crate) struct Waves<F> {
     pub(crate) s: F,
     pub(crate) d: F,
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Equation;
+    use crate::Ratios;
+    use std::f64::consts::PI;
+
+    fn equation(omega: f64) -> Equation<f64> {
+        Equation::new(Ratios::new(omega, 2.0).unwrap())
+    }
+
+    /// Each form keeps the small ones of sin Ωφ, sin φ and S where it is the one that is used.
+    #[test]
+    fn waves_are_those_of_the_textbook() {
+        for omega in [1e-6, 1e-3, 0.3, 0.49, 0.6, 1.7, 2.1, 30.0, 1e3] {
+            for i in 1..60 {
+                let phi = f64::from(i) * 0.05;
+                let waves = equation(omega).waves(phi);
+                let ((s, c), (sd, cd)) = (phi.sin_cos(), (omega * phi).sin_cos());
+                let bound = |of: f64| 8.0 * f64::EPSILON * (1.0 + phi * omega.max(1.0)) * of;
+                let close = |a: f64, b: f64, of: f64| {
+                    assert!((a - b).abs() <= bound(of), "Ω = {omega}, φ = {phi}: {a:e} for {b:e}");
+                };
+                close(waves.drive.0, sd, omega.min(1.0));
+                close(waves.drive.1, cd, 1.0);
+                assert!(
+                    (waves.free.0 - s).abs() <= 1e-15 && (waves.free.1 - c).abs() <= 1e-15,
+                    "Ω = {omega}"
+                );
+                let product = (1.0 - omega) * (1.0 + omega);
+                close(waves.c, (cd - c) / product, 1.0 / product.abs());
+                close(waves.s, (sd - omega * s) / product, omega.min(1.0) / product.abs());
+                close(waves.d, (s - omega * sd) / product, omega.max(1.0) / product.abs());
+            }
+        }
+    }
+
+    #[test]
+    fn half_a_turn_is_a_time_like_any_other() {
+        for omega in [0.13, 0.4, 0.7, 1.3, 4.0] {
+            let (there, waves) =
+                (equation(omega).half_turn((PI / 2.0 / omega).sin_cos()), equation(omega).waves(PI / omega));
+            for (a, b) in [
+                (there.free.0, waves.free.0),
+                (there.free.1, waves.free.1),
+                (there.drive.0, waves.drive.0),
+                (there.drive.1, waves.drive.1),
+                (there.c, waves.c),
+                (there.s, waves.s),
+                (there.d, waves.d),
+            ] {
+                assert!((a - b).abs() < 1e-13, "Ω = {omega}: {a} for {b}");
+            }
+        }
+    }
+}

@@ -123,10 +123,15 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     let quarter = F::pi() / F::int(2);
     let mut half_turn = F::int(0);
     let mut helping = search.helping;
+    // From rest there is no zero within the rounding of a phase: what is seen there is rounding, and a slide would follow on itself.
+    let instant = if from_zero { F::int(4) * F::epsilon() / search.omega } else { phi };
+    if from_zero && search.limit.is_some_and(|limit| limit <= instant) {
+        return Verdict::Clear(None);
+    }
     // The bound of the module's head, with room for windows that rounding cuts in two.
     for _ in 0..MOST_STRETCHES {
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
-        if boundary <= phi {
+        if boundary <= phi || boundary <= instant {
             half_turn = half_turn + F::int(1);
             helping = !helping;
             continue;

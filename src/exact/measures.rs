@@ -182,3 +182,58 @@ impl<F: Float> Slide<F> {
         (bracket(end) - bracket(&self.motion_at_start())) / divisor
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Extreme, Tally};
+    use crate::Ratios;
+    use crate::exact::drive::DrivePhase;
+    use crate::exact::equation::Equation;
+    use crate::exact::slide::{Direction, Slide};
+    use crate::exact::walk::Point;
+
+    fn phase(theta: f64) -> DrivePhase<f64> {
+        DrivePhase::new(theta).unwrap()
+    }
+
+    /// Both forms are ∫ α sin θ dx: the sum over short steps.
+    #[test]
+    fn the_work_of_the_drive_is_force_along_the_way() {
+        for omega in [0.3, 0.995, 1.0, 1.003, 2.2] {
+            for direction in [Direction::Forward, Direction::Backward] {
+                let equation = Equation::new(Ratios::new(omega, 2.0).unwrap());
+                let slide = Slide::new(equation, phase(0.4), -0.7, 0.9, direction);
+                let steps = 4000;
+                let at = |n: i32| slide.motion(1.7 * f64::from(n) / f64::from(steps));
+                let sum: f64 =
+                    (0..steps).map(|n| (at(n).force + at(n + 1).force) / 2.0 * (at(n + 1).x - at(n).x)).sum();
+                let work = slide.work_of_drive(&at(steps));
+                assert!((work - sum).abs() < 1e-6, "Ω = {omega}: {work} for {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn error_measures_of_a_lopsided_cycle() {
+        let start = Point { phase: phase(0.0), x: 0.0, w: 0.0 };
+        let extreme = |value, theta| Extreme { value, phase: phase(theta) };
+        let tally = Tally {
+            max_x: extreme(4.0, 1.0),
+            min_x: extreme(-3.0, 1.0 + 1.5 * std::f64::consts::PI),
+            max_v: extreme(2.0, 5.0),
+            min_v: extreme(-2.5, 5.0 - std::f64::consts::PI),
+            ..Tally::of(&start, 0.5, &[])
+        };
+        let errors = tally.errors();
+        assert_eq!((errors.error_1, errors.error_3), (0.25, 0.25));
+        assert!((errors.error_2 - 0.25).abs() < 1e-15 && errors.error_4.abs() < 1e-15, "{errors:?}");
+    }
+
+    #[test]
+    fn a_tally_begins_at_the_start() {
+        let tally = Tally::of(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5, &[]);
+        let (x, v) = (Extreme { value: 1.5, phase: phase(0.3) }, Extreme { value: 4.0, phase: phase(0.3) });
+        assert_eq!((tally.max_x, tally.min_x, tally.max_v, tally.min_v), (x, x, v, v));
+        assert_eq!((tally.sticks, tally.zeros, tally.work_in, tally.work_out), (0, 0, 0.0, 0.0));
+    }
+}

@@ -40,8 +40,8 @@ pub(crate) struct Walk<F> {
 
 /// The walk of `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
 ///
-/// A motion has at most about `1 + 1/Ω` velocity zeros in half a turn, with a few slides and stops at each. From a trial point so far
-/// out that no time passes between its zeros there is no motion to follow: a walk of eight times as many parts ends, nowhere (NaN).
+/// A motion has at most about `1 + 1/Ω` velocity zeros in half a turn, with a few slides and stops at each. A walk of eight times as
+/// many parts would be no motion: it ends, nowhere (NaN). None is known.
 pub(crate) fn walk<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
@@ -104,7 +104,7 @@ pub(crate) fn walk<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Point, walk};
+    use super::{Part, Point, walk};
     use crate::Ratios;
     use crate::exact::DrivePhase;
     use crate::exact::equation::Equation;
@@ -129,6 +129,38 @@ mod tests {
             let ((a, c), (b, d)) = (difference(right, left), difference(up, down));
             for (got, expected) in [(m.a, a), (m.b, b), (m.c, c), (m.d, d)] {
                 assert!((got - expected).abs() < 1e-6, "Ω = {omega}: {m:?} {a} {b} {c} {d}");
+            }
+        }
+    }
+    /// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for ever.
+    #[test]
+    fn a_turn_at_the_end_ends_it() {
+        // Found in random starts, and next to a member of a family; then at quarter turns of the body, at rest on arrival.
+        let found = (
+            Ratios::new(2.0, 1.677_050_983_124_842_1).unwrap(),
+            DrivePhase::of_half_turn(9, 1.570_796_326_794_887_7),
+            3.022_314_549_036_573e23,
+            1.437_112_669_326_197_2e39,
+        );
+        let family = (
+            Ratios::new(0.5, 12.0).unwrap(),
+            DrivePhase::of_half_turn(1, -std::f64::consts::FRAC_PI_2),
+            14.624_326_256_136_987,
+            -1e-15,
+        );
+        for (ratios, phase, x, w) in [found, family] {
+            for by in -40..=40 {
+                let w = w * (1.0 + f64::from(by) * f64::EPSILON);
+                for half_turns in 1..=4 {
+                    let walk =
+                        walk(Equation::new(ratios), Point { phase, x, w }, half_turns, 1.0, Vec::new());
+                    assert!(
+                        walk.end.x.is_finite() && walk.end.w.is_finite(),
+                        "{ratios:?} {x:e} {w:e}: {walk:?}"
+                    );
+                    assert!(walk.parts.len() < 16, "{walk:?}");
+                    assert!(matches!(walk.parts.last(), Some(Part::Onward(..) | Part::Stick(..))));
+                }
             }
         }
     }

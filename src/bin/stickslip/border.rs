@@ -32,16 +32,14 @@ impl<W: Write> Task for Run<'_, W> {
         }
         let point = input::border_point::<F>(&args.machine)?;
         let answer = at(point.omega).map_err(|e| Failure::Input(format!("--omega: {e}")))?;
+        let record = Record::of_border(&answer);
+        let record = match point.physical {
+            Some(scales) => record.with_border_scales(scales).finite()?,
+            None => record,
+        };
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::border(&answer, point.physical, &args.output.units, out)?),
-            Format::Json => {
-                let record = Record::of_border(&answer);
-                match point.physical {
-                    Some(scales) => record.with_border_scales(scales),
-                    None => record,
-                }
-                .write_pretty(out)
-            }
+            Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
     }

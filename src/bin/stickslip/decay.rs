@@ -39,7 +39,7 @@ impl<W: Write> Task for Run<'_, W> {
             };
             Failure::Input(format!("{argument}: {e}"))
         })?;
-        let record = record(&decay, scales.as_ref());
+        let record = record(&decay, scales.as_ref()).finite()?;
         match args.format {
             Format::Json => record.write_pretty(out),
             Format::Text => {

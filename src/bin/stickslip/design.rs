@@ -57,6 +57,7 @@ impl<W: Write> Task for Run<'_, W> {
             Question::Dissipation(_) => asked.dissipation(),
             Question::Stiffness(_) => asked.stiffness(),
         }?;
+        answer.rows.iter().flatten().try_for_each(|(name, cell)| cell.finite(name))?;
         match args.format {
             Format::Text => {
                 writeln!(out, "{}", answer.sentence)?;

@@ -1,7 +1,7 @@
 //! Answers as records: one list of names and values, written as JSON or CSV.
 
 use crate::bits::Value;
-use crate::failure::Outcome;
+use crate::failure::{Failure, Outcome};
 use crate::input::{BorderScales, Machine};
 use crate::note;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -21,6 +21,21 @@ pub(crate) enum Cell<F> {
 }
 
 impl<F: Value> Cell<F> {
+    /// A failure under that name where a number is infinite.
+    pub(crate) fn finite(&self, name: &str) -> Outcome {
+        let one = |x: F| {
+            let text = format!("{name} = {x} must be finite: it is beyond the largest number in these units");
+            if x.is_finite() { Ok(()) } else { Err(Failure::Input(text)) }
+        };
+        match self {
+            Self::Number(number) => number.map_or(Ok(()), one),
+            Self::Pairs(pairs) => {
+                pairs.iter().flatten().try_for_each(|&(re, im)| one(re).and_then(|()| one(im)))
+            }
+            Self::Text(_) | Self::Count(_) => Ok(()),
+        }
+    }
+
     /// As a reader wants it: seven digits at f64, a dash for what does not exist.
     pub(crate) fn text(&self) -> String {
         let dash = || "–".to_owned();
@@ -162,6 +177,12 @@ impl<F: Value> Record<F> {
             Cell::Text(_) | Cell::Count(_) | Cell::Pairs(_) => None,
         };
         self.fields.iter().filter_map(rescale).collect()
+    }
+
+    /// The record, where each of its numbers is one. Units that are too small make infinity of a motion, which JSON does not have.
+    pub(crate) fn finite(self) -> Result<Self, Failure> {
+        self.fields.iter().chain(&self.physical).try_for_each(|&(name, cell)| cell.finite(name))?;
+        Ok(self)
     }
 
     /// One line of JSON.

@@ -30,16 +30,14 @@ impl<W: Write> Task for Run<'_, W> {
         }
         let point = input::point::<F>(&args.machine, &args.force)?;
         let response = Response::guarded(point.ratios);
+        let record = Record::of_response(&response);
+        let record = match &point.machine {
+            Some(machine) => record.with_machine(machine).finite()?,
+            None => record,
+        };
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
-            Format::Json => {
-                let record = Record::of_response(&response);
-                match &point.machine {
-                    Some(machine) => record.with_machine(machine),
-                    None => record,
-                }
-                .write_pretty(out)
-            }
+            Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
     }

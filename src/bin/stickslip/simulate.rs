@@ -80,7 +80,7 @@ fn stream<F: Value, T>(
 ) -> Outcome {
     for item in items {
         let Some(record) = record(item) else { break };
-        sink.write(&record)?;
+        sink.write(&record.finite()?)?;
         interrupt::check()?;
     }
     Ok(())

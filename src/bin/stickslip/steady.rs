@@ -43,16 +43,14 @@ impl<W: Write> Task for Run<'_, W> {
         let start = input::start(&args.start, &point)?;
         let limit = LongRun::within(point.ratios, start, args.max_periods)
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+        let record = record(point.ratios, &limit);
+        let record = match &point.machine {
+            Some(machine) => with_machine(record, machine).finite()?,
+            None => record,
+        };
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note(&point, &limit, &args.output.units, out)?),
-            Format::Json => {
-                let record = record(point.ratios, &limit);
-                match &point.machine {
-                    Some(machine) => with_machine(record, machine),
-                    None => record,
-                }
-                .write_pretty(out)
-            }
+            Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
     }

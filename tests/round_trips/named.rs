@@ -1,0 +1,224 @@
+//! Answers as names and values, from the library and from the text that the command writes.
+
+use serde_json::Value;
+use std::fmt::{Debug, LowerExp};
+use std::str::FromStr;
+use stickslip::exact::{Direction, End, Kind, LongRun, Phase, SteadyState};
+use stickslip::{Drive, Float, Oscillator, Ratios, Response, Scales};
+
+/// A value: of numbers the digits of `{:e}`, which no two of a type share, the sign of zero included.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Cell {
+    Text(String),
+    Number(String),
+    /// What does not exist there.
+    Absent,
+}
+
+impl Cell {
+    pub(crate) fn of<F: LowerExp>(number: F) -> Self {
+        Self::Number(format!("{number:e}"))
+    }
+
+    fn or_absent<F: LowerExp>(number: Option<F>) -> Self {
+        number.map_or(Self::Absent, Self::of)
+    }
+
+    fn text(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+pub(crate) type Named = Vec<(String, Cell)>;
+
+/// What text says as a number, or as a name under one of the columns of names.
+fn read<F: FromStr + LowerExp>(name: &str, text: &str) -> (String, Cell)
+where
+    F::Err: Debug,
+{
+    let cell = match name {
+        "regime" | "limit" | "kind" | "ends_by" => Cell::text(text),
+        _ if text.is_empty() => Cell::Absent,
+        _ => Cell::of(text.parse::<F>().unwrap()),
+    };
+    (name.to_owned(), cell)
+}
+
+/// The rows of CSV.
+pub(crate) fn of_csv<F: FromStr<Err: Debug> + LowerExp>(text: &str) -> Vec<Named> {
+    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let header = reader.headers().unwrap().clone();
+    let row = |row: csv::StringRecord| header.iter().zip(&row).map(|(n, t)| read::<F>(n, t)).collect();
+    reader.records().map(|found| row(found.unwrap())).collect()
+}
+
+/// An object of JSON.
+pub(crate) fn of_json<F: FromStr<Err: Debug> + LowerExp>(object: &Value) -> Named {
+    let value = |name: &str, value: &Value| match value {
+        Value::Null => (name.to_owned(), Cell::Absent),
+        // As any reader of JSON has it, as f64.
+        Value::Number(number) => (name.to_owned(), Cell::of(number.as_f64().unwrap())),
+        Value::String(text) => read::<F>(name, text),
+        other => panic!("{name}: {other}"),
+    };
+    let parts = ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("multipliers_{part}"));
+    let fields = |(name, found): (&String, &Value)| match (name.as_str(), found) {
+        ("multipliers", Value::Null) => parts.clone().map(|part| (part, Cell::Absent)).to_vec(),
+        ("multipliers", pairs) => {
+            let numbers = pairs.as_array().unwrap().iter().flat_map(|pair| pair.as_array().unwrap());
+            parts.iter().zip(numbers).map(|(part, number)| value(part, number)).collect()
+        }
+        (name, found) => vec![value(name, found)],
+    };
+    sorted(object.as_object().unwrap().iter().flat_map(fields).collect())
+}
+
+/// In the order of the names: an object of JSON has none.
+pub(crate) fn sorted(mut named: Named) -> Named {
+    named.sort_by(|(a, _), (b, _)| a.cmp(b));
+    named
+}
+
+fn named<const N: usize>(fields: [(&str, Cell); N]) -> Named {
+    fields.map(|(name, cell)| (name.to_owned(), cell)).to_vec()
+}
+
+pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named {
+    let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
+    named([
+        ("omega", Cell::of(ratios.omega())),
+        ("alpha", Cell::of(ratios.alpha())),
+        ("regime", Cell::text(response.regime().name())),
+        ("max_displacement", Cell::or_absent(cycle.map(|c| c.max_displacement()))),
+        ("displacement_phase", Cell::or_absent(cycle.map(|c| c.displacement_phase()))),
+        ("max_velocity", Cell::or_absent(cycle.map(|c| c.max_velocity()))),
+        ("velocity_phase", Cell::or_absent(cycle.map(|c| c.velocity_phase()))),
+        ("deviation", Cell::or_absent(cycle.map(|c| c.deviation()))),
+        ("min_force_ratio", Cell::of(border.min_force_ratio())),
+        ("min_force_ratio_turning_point", Cell::of(border.turning_point())),
+        ("loop_size_stiffness", Cell::or_absent(response.loop_size_stiffness())),
+        ("loop_size_inertia", Cell::or_absent(response.loop_size_inertia())),
+        ("best_force_ratio", Cell::of(response.best_force_ratio())),
+        ("best_loop_size", Cell::or_absent(response.best_loop_size())),
+        ("contraction", Cell::or_absent(cycle.map(|c| c.contraction()))),
+    ])
+}
+
+pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
+    let border = response.border();
+    named([
+        ("omega", Cell::of(response.ratios().omega())),
+        ("min_force_ratio", Cell::of(border.min_force_ratio())),
+        ("min_force_ratio_turning_point", Cell::of(border.turning_point())),
+        ("border_phase", Cell::of(border.phase())),
+        ("least_displacement", Cell::of(border.least_displacement())),
+        ("best_force_ratio", Cell::of(response.best_force_ratio())),
+    ])
+}
+
+pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
+    let steady = limit.steady_state();
+    let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
+    let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
+    let moving = steady.map_or("undecided", |s| match s.sticks_per_cycle() {
+        0 => "non-sticking",
+        _ => "sticking",
+    });
+    let (regime, kind, periods, rest) = match limit {
+        LongRun::Periodic(s) => (moving, "periodic", Some(s.periods()), None),
+        LongRun::Family(s) => (moving, "family", Some(s.periods()), None),
+        LongRun::Rest(rest) => ("stuck", "rest", Some(rest.periods), Some(rest.position)),
+        LongRun::Unbounded { .. } => ("unbounded", "none", None, None),
+        LongRun::NotConverged { periods, .. } => ("undecided", "not-converged", Some(*periods), None),
+    };
+    named([
+        ("omega", Cell::of(ratios.omega())),
+        ("alpha", Cell::of(ratios.alpha())),
+        ("regime", Cell::text(regime)),
+        ("limit", Cell::text(kind)),
+        ("max_displacement", number(|s| s.max_displacement())),
+        ("max_displacement_phase", number(|s| s.max_displacement_phase())),
+        ("min_displacement", number(|s| s.min_displacement())),
+        ("min_displacement_phase", number(|s| s.min_displacement_phase())),
+        ("max_velocity", number(|s| s.max_velocity())),
+        ("max_velocity_phase", number(|s| s.max_velocity_phase())),
+        ("min_velocity", number(|s| s.min_velocity())),
+        ("min_velocity_phase", number(|s| s.min_velocity_phase())),
+        ("sticks_per_cycle", Cell::or_absent(steady.map(|s| s.sticks_per_cycle()))),
+        ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle()))),
+        ("stick_fraction", number(|s| s.stick_fraction())),
+        ("error_1", number(|s| s.errors().error_1)),
+        ("error_2", number(|s| s.errors().error_2)),
+        ("error_3", number(|s| s.errors().error_3)),
+        ("error_4", number(|s| s.errors().error_4)),
+        ("energy_in", number(|s| s.energy_in())),
+        ("energy_out", number(|s| s.energy_out())),
+        ("multipliers_1_re", Cell::or_absent(multiplier(0).map(|(re, _)| re))),
+        ("multipliers_1_im", Cell::or_absent(multiplier(0).map(|(_, im)| im))),
+        ("multipliers_2_re", Cell::or_absent(multiplier(1).map(|(re, _)| re))),
+        ("multipliers_2_im", Cell::or_absent(multiplier(1).map(|(_, im)| im))),
+        ("distance", number(|s| s.distance().0)),
+        ("rest_position", Cell::or_absent(rest)),
+        ("periods", Cell::or_absent(periods)),
+    ])
+}
+
+pub(crate) fn of_phase(phase: &Phase<f64>) -> Named {
+    let (start, end) = (phase.start(), phase.end());
+    let kind = match phase.kind() {
+        Kind::Slide(Direction::Forward) => "slide-forward",
+        Kind::Slide(Direction::Backward) => "slide-backward",
+        Kind::Stick => "stick",
+    };
+    let ends_by = match phase.ends_by() {
+        End::Reversal => "reversal",
+        End::Stop => "stop",
+        End::Grazing => "grazing",
+        End::Release => "release",
+        End::Never => "never",
+    };
+    named([
+        ("kind", Cell::text(kind)),
+        ("ends_by", Cell::text(ends_by)),
+        ("start_cycle", Cell::of(start.phase.cycles())),
+        ("start_phase", Cell::of(start.phase.reduced())),
+        ("end_cycle", Cell::or_absent(end.map(|e| e.phase.cycles()))),
+        ("end_phase", Cell::or_absent(end.map(|e| e.phase.reduced()))),
+        ("duration", Cell::or_absent(phase.duration())),
+        ("start_x", Cell::of(start.x)),
+        ("start_v", Cell::of(start.v)),
+        ("end_x", Cell::or_absent(end.map(|e| e.x))),
+    ])
+}
+
+/// A response in the units of a machine. What overflows there is infinite here.
+pub(crate) fn of_machine(
+    response: &Response<f64>,
+    body: &Oscillator<f64>,
+    drive: &Drive<f64>,
+    scales: &Scales<f64>,
+) -> Vec<(&'static str, Option<f64>)> {
+    let (border, cycle) = (response.border(), response.cycle());
+    let scaled = |value: Option<f64>, unit: f64| value.map(|v| v * unit);
+    vec![
+        ("omega", Some(drive.angular_frequency())),
+        ("alpha", Some(drive.force_amplitude(body))),
+        ("max_displacement", scaled(cycle.map(|c| c.max_displacement()), scales.length)),
+        ("displacement_phase", scaled(cycle.map(|c| c.displacement_phase()), scales.time)),
+        ("max_velocity", scaled(cycle.map(|c| c.max_velocity()), scales.velocity)),
+        ("velocity_phase", scaled(cycle.map(|c| c.velocity_phase()), scales.time)),
+        ("deviation", scaled(cycle.map(|c| c.deviation()), scales.length)),
+        ("min_force_ratio", scaled(Some(border.min_force_ratio()), scales.force)),
+        ("min_force_ratio_turning_point", scaled(Some(border.turning_point()), scales.force)),
+        ("loop_size_stiffness", scaled(response.loop_size_stiffness(), scales.energy_stiffness)),
+        ("loop_size_inertia", scaled(response.loop_size_inertia(), scales.energy_inertia)),
+        ("best_force_ratio", scaled(Some(response.best_force_ratio()), scales.force)),
+        ("best_loop_size", scaled(response.best_loop_size(), scales.energy_stiffness)),
+        ("contraction", cycle.map(|c| c.contraction())),
+    ]
+}
+
+/// As cells.
+pub(crate) fn cells(values: &[(&'static str, Option<f64>)]) -> Named {
+    values.iter().map(|&(name, value)| (name.to_owned(), Cell::or_absent(value))).collect()
+}
