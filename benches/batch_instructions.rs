@@ -1,5 +1,5 @@
 //! One batch over many points and nothing else, to be run under an instruction counter: `batch_instructions KERNEL N` runs
-//! KERNEL over 12,800 points N times. The counter's processor decides the instructions: AVX2 under valgrind.
+//! KERNEL over 128,000 points N times. The counter's processor decides the instructions: AVX2 under valgrind.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -12,7 +12,7 @@ mod points;
 use columns::Columns;
 use stickslip::batch::{Batch, FixedOmega};
 
-const POINTS: usize = 12_800;
+const POINTS: usize = 128_000;
 
 fn main() {
     let mut args = std::env::args().skip(1).filter(|a| a != "--bench");

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# Instructions a call of each kernel (a point, for batches), callees included, counted by valgrind's callgrind. Needs valgrind. One
-# line a kernel. With --check: compared with benches/instructions.txt, and an error where one is more than 3 % above it.
+# Instructions a call of each kernel (a point, for batches), callees included, counted by valgrind's callgrind: one line a kernel, after
+# a line of the conditions. Needs valgrind. The closed forms a second time for x86-64-v3, which has fused operations (-fused).
+# With --check: compared with benches/instructions.txt, and an error where one is more than 3 % off. Where the compiler or the
+# libraries are others than that was written with, nothing is compared.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program() {
@@ -11,15 +13,28 @@ count() { # FUNCTION PROGRAM KERNEL N: instructions inside FUNCTION
     valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$1" "$2" "$3" "$4" 2>&1 |
         sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
 }
+rounds() { # KERNEL N: instructions of the whole program
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$batch" "$1" "$2" 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+}
+conditions() {
+    echo "# $(rustc --version | cut -d ' ' -f 1,2), $(uname -m), glibc $(getconf GNU_LIBC_VERSION | cut -d ' ' -f 2), $(valgrind --version)"
+}
 report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
 
-all() {
+closed_forms() { # SUFFIX
     closed=$(program instructions)
     "$closed" >&2
     for kernel in triple cycle; do
-        report "$kernel-generic" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
-        report "$kernel-plain" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
+        report "$kernel-generic$1" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
+        report "$kernel-plain$1" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
     done
+}
+
+fused() { RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=target/fused closed_forms -fused; }
+
+all() {
+    closed_forms ""
+    fused
     exact=$(program exact_instructions)
     for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
         case $kernel in
@@ -31,13 +46,19 @@ all() {
     batch=$(program batch_instructions)
     for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
         # The difference of two numbers of rounds, so that start-up does not count.
-        once=$(count "*" "$batch" "$kernel" 1)
-        report "$kernel" $(($(count "*" "$batch" "$kernel" 5) - once)) $((4 * 12800))
+        once=$(rounds "$kernel" 1)
+        report "$kernel" $(($(rounds "$kernel" 3) - once)) $((2 * 128000))
     done
 }
 
 if [ "${1:-}" != --check ]; then
+    conditions
     all
+    exit
+fi
+kept=$(head -n 1 benches/instructions.txt)
+if [ "$(conditions)" != "$kept" ]; then
+    echo "not compared: counted with ${kept#\# }, here is $(conditions | cut -c 3-)"
     exit
 fi
 all | awk '

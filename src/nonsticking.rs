@@ -42,7 +42,7 @@ pub use reversal::{Reversal, max_displacement_at};
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::{Error, written};
-use crate::float::Float;
+use crate::float::{Float, pair::Pair};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use half_cycle::HalfCycle;
@@ -91,8 +91,8 @@ impl<F: Float> Cycle<F> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let reversal = Reversal::new(p, alpha).of_sliding(omega);
         let k = reversal.phase_function.value();
-        let max_displacement = reversal.max_displacement();
-        let half = HalfCycle::new(p, max_displacement);
+        let Pair { hi: max_displacement, lo: rest } = reversal.max_displacement_pair();
+        let half = HalfCycle::new(p, max_displacement).with_rest(rest);
         let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
         let (fastest, deviation) = if F::PRECISION > f64::MANTISSA_DIGITS {
             velocity::fastest_and_displacement(&half, k, alpha)

@@ -1,6 +1,6 @@
 //! One cycle: the velocity, its phase, the deviation and the contraction beside what [`super::triple`] has.
 
-use super::pairs::{Two, half, half_product, half_quotient, halved, sum_of};
+use super::pairs::{Two, half_product, half_quotient, halved, ordered_sum, product_less, sum_of, times_plus};
 use super::{PI_REST, RANGE, in_range, phase_function, reversal, turning_point};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -104,12 +104,7 @@ fn deviation(omega: f64, k: Two, (sb, cb): (f64, f64), (s, c): (f64, f64)) -> f6
 #[inline(always)]
 fn eighth_of_pi_square() -> Two {
     let hi = FRAC_PI_2 * FRAC_PI_2;
-    let (a, a_low) = half(FRAC_PI_2);
-    let rest = if cfg!(target_feature = "fma") {
-        FRAC_PI_2.mul_add(FRAC_PI_2, -hi)
-    } else {
-        ((a * a - hi) + a * a_low) + a_low * FRAC_PI_2
-    };
+    let rest = product_less(FRAC_PI_2, FRAC_PI_2, hi);
     (hi * 0.5, (rest + PI * (PI_REST / 2.0)) * 0.5)
 }
 
@@ -128,7 +123,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     let Some((sine, displacement)) = reversal(omega, alpha, k, doubt) else {
         return crate::kernels::cycle(omega, alpha);
     };
-    let delta = sum_of(displacement).abs();
+    let (delta, rest) = ordered_sum(displacement.0, displacement.1);
+    let (delta, rest) = if delta < 0.0 { (-delta, -rest) } else { (delta, rest) };
     if delta * omega * omega < 1.0 - 4.0 * f64::EPSILON {
         return crate::kernels::cycle(omega, alpha);
     }
@@ -161,7 +157,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             (h, h1) = ((s - sb * so) / scale, (c - omega * sb * co) / scale);
         }
         let omega2 = omega * omega;
-        let value = delta * co + h;
+        let swing = delta * co;
+        let value = swing + (h + times_plus(rest, co, product_less(delta, co, swing)));
         let first = h1 - omega * delta * so;
         let forcing = -(offset * (1.0 + omega));
         let second = forcing * s - omega2 * value;

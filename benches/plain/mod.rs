@@ -9,7 +9,7 @@ mod pairs;
 pub(crate) use cycle::cycle;
 use pairs::{
     FUSED, Two, half, half_product, half_quotient, half_ratio, half_root, half_square, halved, ordered_sum,
-    over, sum_of, times_plus,
+    over, product_less, sum_of, times_plus,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -63,12 +63,7 @@ const PI_REST: f64 = f64::from_bits(0x3ca1_a626_3314_5c07);
 #[inline(always)]
 fn minus_two_over_pi() -> Two {
     let hi = -2.0 / PI;
-    let ((a, a_low), (b, b_low)) = (half(hi), half(PI));
-    let near = if cfg!(target_feature = "fma") {
-        hi.mul_add(PI, 2.0)
-    } else {
-        ((a * b + 2.0) + a * b_low) + a_low * PI
-    };
+    let near = product_less(hi, PI, -2.0);
     halved((hi, ((0.0 - hi * PI_REST) - near) / PI))
 }
 

@@ -24,6 +24,16 @@ pub(super) fn half(x: f64) -> Two {
 /// Whether the fused product is an instruction: then no number needs to be halved.
 pub(super) const FUSED: bool = cfg!(target_feature = "fma");
 
+/// a b − near
+#[inline(always)]
+pub(super) fn product_less(a: f64, b: f64, near: f64) -> f64 {
+    if FUSED {
+        return a.mul_add(b, -near);
+    }
+    let ((high, low), (other, other_low)) = (half(a), half(b));
+    ((high * other - near) + high * other_low) + low * b
+}
+
 /// a b + c
 #[inline(always)]
 pub(super) fn times_plus(a: f64, b: f64, c: f64) -> f64 {

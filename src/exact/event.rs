@@ -124,14 +124,14 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     let mut half_turn = F::int(0);
     let mut helping = search.helping;
     // From rest there is no zero within the rounding of a phase: what is seen there is rounding, and a slide would follow on itself.
-    let instant = if from_zero { F::int(4) * F::epsilon() / search.omega } else { phi };
-    if from_zero && search.limit.is_some_and(|limit| limit <= instant) {
+    let mut passed = if from_zero { F::int(4) * F::epsilon() / search.omega } else { phi };
+    if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
     // The bound of the module's head, with room for windows that rounding cuts in two.
     for _ in 0..MOST_STRETCHES {
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
-        if boundary <= phi || boundary <= instant {
+        if boundary <= passed {
             half_turn = half_turn + F::int(1);
             helping = !helping;
             continue;
@@ -147,7 +147,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
                 if modulo_two(skipped - half_turn) {
                     helping = !helping;
                 }
-                (half_turn, phi, jet, from_zero) = (skipped, ends, None, false);
+                (half_turn, phi, passed, jet, from_zero) = (skipped, ends, ends, None, false);
                 if search.limit.is_some_and(|l| l <= phi) {
                     return Verdict::Clear(None);
                 }
@@ -170,7 +170,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             Verdict::Clear(end) if !last => jet = end.map(|(jet, _)| jet),
             answer @ (Verdict::Zero(_) | Verdict::Clear(_)) => return answer,
         }
-        phi = to;
+        (phi, passed) = (to, to);
         from_zero = false;
     }
     Verdict::Clear(None)

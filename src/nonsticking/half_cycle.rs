@@ -21,6 +21,8 @@ pub(crate) struct HalfCycle<F> {
     omega: F,
     one_minus_omega: F,
     max_displacement: F,
+    /// What the rounded Δ₀/B lacks, where that is known.
+    displacement_rest: F,
     sin_beta: F,
     cos_beta: F,
     /// `(1 − Ω)/(Ω cos β)`, which is −2/π at Ω = 1.
@@ -68,7 +70,23 @@ impl<F: Float> HalfCycle<F> {
         } else {
             one_minus_omega / (omega * cos_beta)
         };
-        Self { omega, one_minus_omega, max_displacement, sin_beta, cos_beta, offset, beside_one }
+        let displacement_rest = F::int(0);
+        Self {
+            omega,
+            one_minus_omega,
+            max_displacement,
+            displacement_rest,
+            sin_beta,
+            cos_beta,
+            offset,
+            beside_one,
+        }
+    }
+
+    /// The same with what the rounded Δ₀/B lacks.
+    #[inline]
+    pub(crate) fn with_rest(self, displacement_rest: F) -> Self {
+        Self { displacement_rest, ..self }
     }
 
     /// `(sin β, cos β)`, β = π/2Ω.
@@ -84,6 +102,7 @@ impl<F: Float> HalfCycle<F> {
             omega: to(self.omega),
             one_minus_omega: to(self.one_minus_omega),
             max_displacement: to(self.max_displacement),
+            displacement_rest: to(self.displacement_rest),
             sin_beta: to(self.sin_beta),
             cos_beta: to(self.cos_beta),
             offset: to(self.offset),
@@ -198,7 +217,13 @@ impl<F: Float> HalfCycle<F> {
             ((s - self.sin_beta * so) / scale, (c - omega * self.sin_beta * co) / scale)
         };
         let omega2 = omega.square();
-        let value = delta * co + h;
+        // Three terms of either sign: the product is the largest.
+        let swing = delta * co;
+        let value = if F::PRECISION > f64::MANTISSA_DIGITS {
+            swing + h
+        } else {
+            swing + (h + self.displacement_rest.times_plus(co, delta.product_less(co, swing)))
+        };
         let first = h1 - omega * delta * so;
         // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
         let forcing = -(self.offset * (F::int(1) + omega));

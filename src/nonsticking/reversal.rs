@@ -78,6 +78,12 @@ impl<F: Float> Reversal<F> {
         self.displacement.value().abs()
     }
 
+    /// Maximum displacement Δ₀/B rounded, and what that lacks.
+    #[inline]
+    pub(crate) fn max_displacement_pair(&self) -> Pair<F> {
+        self.displacement.normalised().abs()
+    }
+
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     #[inline]
     pub fn loop_size_stiffness(&self) -> F {

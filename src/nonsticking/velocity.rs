@@ -253,14 +253,25 @@ fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
     let crest = FRAC_PI_2.with_sign_of(half.cos_beta());
     let crest = crest + TAU * ((centre - crest) / TAU).round();
     let end = if half.is_below_one() { crest } else { FRAC_PI_2 / omega };
-    root::bracketed(centre.min(end), centre.max(end), |psi| half.velocity(psi).first)
+    let slope = |psi: f64| half.velocity(psi).first;
+    // Half a turn from the crest ψ_c is a minimum between two equal maxima, where v′ has no sign but by rounding: the half of the
+    // bracket with the maximum is told by v′ a quarter turn from the crest.
+    let quarter = end + FRAC_PI_2.with_sign_of(centre - end);
+    let start =
+        if half.is_below_one() && (end - centre).abs() > FRAC_PI_2 && slope(quarter) * (end - centre) > 0.0 {
+            quarter
+        } else {
+            centre
+        };
+    root::bracketed(start.min(end), start.max(end), slope)
 }
 
 #[cfg(test)]
 mod tests {
     use super::{fastest, from_bracket, from_centre};
-    use crate::nonsticking::{Border, half_cycle::HalfCycle, max_displacement};
+    use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement};
     use crate::phase_function::{PhaseFunction, one_minus_square};
+    use crate::ratios::Ratios;
     use proptest::prelude::*;
 
     fn half(omega: f64, alpha: f64) -> (HalfCycle<f64>, f64) {
@@ -302,5 +313,12 @@ mod tests {
                 prop_assert!((quick.psi - safe).abs() < 1e-8, "{} {safe}", quick.psi);
             }
         }
+    }
+
+    /// Half way between two crests of the faster wave to within rounding: at f32 the minimum there was taken for the maximum.
+    #[test]
+    fn not_the_minimum_between_two_equal_maxima() {
+        let cycle = Cycle::new(Ratios::new(0.186_831_79f32, 28.893_51).unwrap()).unwrap();
+        assert!((cycle.max_velocity() - 35.545_4).abs() < 1e-4, "{}", cycle.max_velocity());
     }
 }
