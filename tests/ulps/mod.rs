@@ -54,7 +54,7 @@ pub(crate) const OUTPUTS: [Output; COUNT] = [
     output("loop_size_inertia", "A₂", Unit::Own, Some(2.0), 2.0),
     output("best_force_ratio", "α*", Unit::Own, Some(2.0), 1.0),
     output("best_loop_size", "A₁max", Unit::Own, Some(2.0), 1.0),
-    output("contraction", "max |λ|", Unit::Own, None, f64::INFINITY),
+    output("contraction", "λ", Unit::Own, None, f64::INFINITY),
     output("phase_function", "K", Unit::Own, None, 1.0),
 ];
 
