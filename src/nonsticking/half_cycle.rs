@@ -293,7 +293,7 @@ fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
 
 #[cfg(test)]
 mod tests {
-    use super::HalfCycle;
+    use super::{HalfCycle, sinc_cos_small};
     use crate::phase_function::PhaseFunction;
 
     /// A Δ₀/B that a cycle at Ω can have; the forms hold for any.
@@ -343,5 +343,28 @@ mod tests {
                 assert!((smooth.displacement(psi) - plain.displacement(psi)).abs() < 1e-13, "{omega}");
             }
         }
+    }
+
+    /// x/B at ψ = 0 is `tan β [tan(β/2) − 1/Ω]`, of the order 1/Ω².
+    #[test]
+    fn far_above_one_the_displacement_keeps_its_digits() {
+        for omega in [30.0, 1e4, 1e7] {
+            let beta = std::f64::consts::FRAC_PI_2 / omega;
+            let (found, exact) =
+                (half(omega).displacement(0.0), beta.tan() * ((beta / 2.0).tan() - omega.recip()));
+            assert!((found / exact - 1.0).abs() < 16.0 * f64::EPSILON, "{omega}: {found} {exact}");
+        }
+    }
+
+    #[test]
+    fn the_series_of_small_angles() {
+        assert_eq!(sinc_cos_small(0.0), Some((1.0, 1.0)));
+        for i in 1..=375 {
+            let x = f64::from(i) / 1000.0;
+            let (sinc, cos) = sinc_cos_small(x).unwrap();
+            assert!((sinc - x.sin() / x).abs() <= 2.0 * f64::EPSILON, "{x}: {sinc}");
+            assert!((cos - x.cos()).abs() <= 2.0 * f64::EPSILON, "{x}: {cos}");
+        }
+        assert_eq!(sinc_cos_small(0.376), None);
     }
 }
