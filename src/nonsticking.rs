@@ -6,7 +6,7 @@
 //! | [`den_hartog`] | 50–56 | Den Hartog's own half cycle |
 //! | [`max_displacement`], [`Reversal`], [`displacement_phase`] | 40–44 | Δ₀ and ω_d t₂ |
 //! | [`force_ratio_from_displacement`] | 44 | the force for a given Δ₀ |
-//! | [`max_velocity_from_phase`], [`deviation`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
+//! | [`max_velocity_from_phase`], [`deviation()`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
 //! | [`border`] | 57–62 | the least force ratio without sticking |
 //! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
 //! | [`stability`] | beyond the paper | multipliers, contraction |
@@ -23,6 +23,7 @@ mod displacement;
 mod dissipation;
 mod half_cycle;
 pub mod matching;
+mod phase;
 pub mod printed;
 mod reversal;
 pub mod stability;
@@ -46,6 +47,7 @@ use crate::float::{Float, pair::Pair};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use half_cycle::HalfCycle;
+use phase::reduce;
 
 /// The steady non-sticking motion at one (Ω, α), with all its outputs.
 ///
@@ -257,47 +259,14 @@ fn no_cycle<F: Float>(ratios: Ratios<F>, least: F) -> Error {
     }
 }
 
-/// `phase` modulo 2π, in `[0, 2π)`.
-///
-/// More than one period away, by the sine and cosine, whose own reduction is exact however large the phase.
-#[inline]
-fn reduce<F: Float>(phase: F) -> F {
-    let (zero, period) = (F::int(0), F::int(2) * F::pi());
-    if phase >= zero && phase < period {
-        return phase;
-    }
-    let reduced = if phase >= -period && phase < zero { phase + period } else { principal(phase) };
-    // Rounding can carry a tiny negative phase to the period itself.
-    if reduced >= period { zero } else { reduced }
-}
-
-/// The angle of `phase` in `[0, 2π]`.
-#[cold]
-fn principal<F: Float>(phase: F) -> F {
-    let (s, c) = phase.sin_cos();
-    let angle = s.atan2(c);
-    if angle < F::int(0) { angle + F::int(2) * F::pi() } else { angle }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Cycle, reduce};
+    use super::Cycle;
     use crate::{Error, Ratios};
     use std::f64::consts::TAU;
 
     fn cycle(omega: f64, alpha: f64) -> Result<Cycle<f64>, Error> {
         Ratios::new(omega, alpha).and_then(Cycle::new)
-    }
-
-    #[test]
-    fn phases_are_reduced_to_one_period() {
-        assert_eq!(reduce(1.0), 1.0);
-        assert_eq!(reduce(-1e-300), 0.0);
-        assert!((reduce(-1.0) - (TAU - 1.0)).abs() < 1e-15);
-        assert!((reduce(1.0 + 3.0 * TAU) - 1.0).abs() < 1e-14);
-        assert!(reduce(f64::NAN).is_nan());
-        // 1e300 modulo 2π, from 2π at 330 digits.
-        assert!((reduce(1e300_f64) - 4.099_312_823_027_354).abs() < 1e-15);
     }
 
     #[test]

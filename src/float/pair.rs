@@ -17,8 +17,10 @@
 //!
 //! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
 
+mod halved;
+mod operators;
+
 use super::Float;
-use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The number `hi + lo`: |lo| is a few units in the last place of hi at most, or `2⁻ᵖᐟ²` of it in a halved number.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -129,97 +131,6 @@ impl<F: Float> Pair<F> {
         (self.hi + (self.lo - quotient * rest)) / divisor
     }
 
-    /// The square of a halved number; its lo of the order `2⁻ᵖᐟ²` of it.
-    #[inline]
-    #[must_use]
-    pub fn halved_square(self) -> Self {
-        if F::IS_FUSED {
-            return self.square();
-        }
-        Self { hi: self.hi * self.hi, lo: self.lo * (self.value() + self.hi) }
-    }
-
-    /// `x²`, its lo of the order `2⁻ᵖᐟ²` of it.
-    #[inline]
-    #[must_use]
-    pub fn loose_square(x: F) -> Self {
-        if F::IS_FUSED {
-            return Self::product(x, x);
-        }
-        let (hi, lo) = x.halves();
-        Self { hi: hi * hi, lo: lo * (x + hi) }
-    }
-
-    /// `x` exactly, halved.
-    #[inline]
-    #[must_use]
-    pub fn exact_halved(x: F) -> Self {
-        if F::IS_FUSED {
-            return Self::exact(x);
-        }
-        let (hi, lo) = x.halves();
-        Self { hi, lo }
-    }
-
-    /// The same number with a hi of half the digits ([`Float::halves`]).
-    #[inline]
-    #[must_use]
-    pub fn halved(self) -> Self {
-        if F::IS_FUSED {
-            return self;
-        }
-        let (hi, low) = self.hi.halves();
-        Self { hi, lo: low + self.lo }
-    }
-
-    /// The product of two halved numbers, the product of the leading parts being exact; not halved itself.
-    #[inline]
-    #[must_use]
-    pub fn times_halved(self, other: Self) -> Self {
-        if F::IS_FUSED {
-            return self * other;
-        }
-        Self { hi: self.hi * other.hi, lo: self.hi * other.lo + self.lo * other.value() }
-    }
-
-    /// The square root of a number > 0, halved.
-    #[inline]
-    #[must_use]
-    pub fn halved_sqrt(self) -> Self {
-        if F::IS_FUSED {
-            let hi = self.hi.sqrt();
-            return Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) };
-        }
-        let root = self.value().sqrt();
-        let (hi, _) = root.halves();
-        Self { hi, lo: ((self.hi - hi * hi) + self.lo) / (root + hi) }
-    }
-
-    /// The quotient of two numbers, halved.
-    #[inline]
-    #[must_use]
-    pub fn halved_ratio(a: F, b: F) -> Self {
-        if F::IS_FUSED {
-            let hi = a / b;
-            return Self { hi, lo: -(hi.product_less(b, a) / b) };
-        }
-        let (hi, _) = (a / b).halves();
-        let (high, low) = b.halves();
-        Self { hi, lo: ((a - hi * high) - hi * low) / b }
-    }
-
-    /// The quotient of two halved numbers, halved.
-    #[inline]
-    #[must_use]
-    pub fn halved_quotient(self, other: Self) -> Self {
-        if F::IS_FUSED {
-            return self / other;
-        }
-        let divisor = other.value();
-        let (hi, _) = (self.value() / divisor).halves();
-        Self { hi, lo: ((self.hi - hi * other.hi) + (self.lo - hi * other.lo)) / divisor }
-    }
-
     /// `√[(hi + lo)² + other²]`, rounded once, for squares within the range of the type.
     #[inline]
     #[must_use]
@@ -232,71 +143,6 @@ impl<F: Float> Pair<F> {
     #[must_use]
     pub fn abs(self) -> Self {
         if self.hi < F::int(0) { -self } else { self }
-    }
-}
-
-impl<F: Float> Neg for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn neg(self) -> Self {
-        Self { hi: -self.hi, lo: -self.lo }
-    }
-}
-
-/// Accurate to the pair where the two do not cancel.
-impl<F: Float> Add for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn add(self, other: Self) -> Self {
-        let sum = Self::sum(self.hi, other.hi);
-        Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
-    }
-}
-
-/// As the sum.
-impl<F: Float> Sub for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl<F: Float> Mul for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: Self) -> Self {
-        let hi = self.hi * other.hi;
-        let cross = self.hi.times_plus(other.lo, self.lo * other.hi);
-        Self { hi, lo: self.hi.product_less(other.hi, hi) + cross }
-    }
-}
-
-impl<F: Float> Mul<F> for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn mul(self, other: F) -> Self {
-        let hi = self.hi * other;
-        Self { hi, lo: self.lo.times_plus(other, self.hi.product_less(other, hi)) }
-    }
-}
-
-impl<F: Float> Div for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn div(self, other: Self) -> Self {
-        let hi = self.hi / other.hi;
-        let rest = (-hi).times_plus(other.lo, self.lo) - hi.product_less(other.hi, self.hi);
-        Self { hi, lo: rest / other.hi }
-    }
-}
-
-impl<F: Float> Div<F> for Pair<F> {
-    type Output = Self;
-    #[inline]
-    fn div(self, other: F) -> Self {
-        let hi = self.hi / other;
-        Self { hi, lo: (self.lo - hi.product_less(other, self.hi)) / other }
     }
 }
 

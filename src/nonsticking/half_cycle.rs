@@ -12,8 +12,11 @@
 //! are known to full relative accuracy. Far above it ψ is tiny and J − 1 of the order 1/Ω²: there
 //! `cos ψ − cos β = (sin β − sin ψ)(sin β + sin ψ)/(cos ψ + cos β)`.
 
+mod angles;
+
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
+pub(crate) use angles::Angles;
 
 /// One half cycle: Ω, Δ₀/B and the circular functions of β.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,23 +41,6 @@ pub(crate) struct Jet<F> {
     pub(crate) second: F,
     pub(crate) third: F,
     pub(crate) fourth: F,
-}
-
-/// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
-pub(crate) struct Angles<F> {
-    psi: (F, F),
-    omega_psi: (F, F),
-    half_sum: (F, F),
-    /// `sin m/(1 − Ω)`.
-    half_difference_slope: F,
-}
-
-impl<F: Float> Angles<F> {
-    /// (sin ψ, cos ψ).
-    #[inline]
-    pub(crate) fn psi(&self) -> (F, F) {
-        self.psi
-    }
 }
 
 impl<F: Float> HalfCycle<F> {
@@ -154,42 +140,6 @@ impl<F: Float> HalfCycle<F> {
         self.cos_beta
     }
 
-    /// The half sum and half difference give the angles themselves, but only where neither outgrows the other.
-    #[inline]
-    pub(crate) fn angles(&self, psi: F) -> Angles<F> {
-        if !self.beside_one {
-            return Angles {
-                psi: psi.sin_cos(),
-                omega_psi: (self.omega * psi).sin_cos(),
-                half_sum: (F::int(0), F::int(1)),
-                half_difference_slope: F::int(0),
-            };
-        }
-        let half = psi / F::int(2);
-        let (sp, cp) = ((F::int(1) + self.omega) * half).sin_cos();
-        let (slope, cm) = self.half_difference(half);
-        let sm = self.one_minus_omega * slope;
-        Angles {
-            psi: (sp * cm + cp * sm, cp * cm - sp * sm),
-            omega_psi: (sp * cm - cp * sm, cp * cm + sp * sm),
-            half_sum: (sp, cp),
-            half_difference_slope: slope,
-        }
-    }
-
-    /// `(sin m/(1 − Ω), cos m)` of `m = (1 − Ω)ψ/2`, given ψ/2.
-    #[inline]
-    fn half_difference(&self, half: F) -> (F, F) {
-        let m = self.one_minus_omega * half;
-        match sinc_cos_small(m) {
-            Some((sinc, c)) => (half * sinc, c),
-            None => {
-                let (s, c) = m.sin_cos();
-                (s / self.one_minus_omega, c)
-            }
-        }
-    }
-
     /// `(1 − sin β)/cos β = tan(π/4 − β/2)`, without cancellation where sin β > 0.
     #[inline]
     fn tan_half_offset(&self) -> F {
@@ -275,25 +225,9 @@ impl<F: Float> HalfCycle<F> {
     }
 }
 
-/// (sin x/x, cos x) by their series for |x| ≤ 3/8 at no more digits than f64 has.
-#[inline]
-fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
-    let square = x * x;
-    if F::PRECISION > f64::MANTISSA_DIGITS || square > F::ratio(9, 64) {
-        return None;
-    }
-    let series = |first: i32, last: i32| {
-        (first..=last)
-            .rev()
-            .step_by(2)
-            .fold(F::int(1), |sum, k| F::int(1) - square * F::ratio(1, k * (k + 1)) * sum)
-    };
-    Some((series(2, 12), F::int(1) - square * F::ratio(1, 2) * series(3, 11)))
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{HalfCycle, sinc_cos_small};
+    use super::HalfCycle;
     use crate::phase_function::PhaseFunction;
 
     /// A Δ₀/B that a cycle at Ω can have; the forms hold for any.
@@ -354,17 +288,5 @@ mod tests {
                 (half(omega).displacement(0.0), beta.tan() * ((beta / 2.0).tan() - omega.recip()));
             assert!((found / exact - 1.0).abs() < 16.0 * f64::EPSILON, "{omega}: {found} {exact}");
         }
-    }
-
-    #[test]
-    fn the_series_of_small_angles() {
-        assert_eq!(sinc_cos_small(0.0), Some((1.0, 1.0)));
-        for i in 1..=375 {
-            let x = f64::from(i) / 1000.0;
-            let (sinc, cos) = sinc_cos_small(x).unwrap();
-            assert!((sinc - x.sin() / x).abs() <= 2.0 * f64::EPSILON, "{x}: {sinc}");
-            assert!((cos - x.cos()).abs() <= 2.0 * f64::EPSILON, "{x}: {cos}");
-        }
-        assert_eq!(sinc_cos_small(0.376), None);
     }
 }

@@ -1,6 +1,7 @@
 //! The derivative dK/dΩ of the phase function.
 
-use super::{PhaseFunction, one_minus_square, y_cot_y};
+use super::value::y_cot_y;
+use super::{PhaseFunction, one_minus_square};
 use crate::float::Float;
 
 impl<F: Float> PhaseFunction<F> {
