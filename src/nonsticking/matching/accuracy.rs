@@ -8,13 +8,7 @@ use nalgebra::{DMatrix, RealField};
 /// The largest term of eq. 21–25.
 pub(super) fn largest_term<F: Float>(given: &Given<F>, u: &Unknowns<F>) -> F {
     let a = given.amplitude.abs();
-    let terms = [
-        a * given.omega,
-        a * given.omega.square(),
-        given.rho(u).abs(),
-        given.offset(u).abs(),
-        u.max_displacement,
-    ];
+    let terms = [a * given.omega.square(), given.rho(u).abs(), given.offset(u).abs(), u.max_displacement];
     terms.into_iter().fold(a, F::or_larger)
 }
 
