@@ -259,6 +259,17 @@ mod tests {
         }
     }
 
+    /// The tolerance is one of the bound: the place is refined beyond it.
+    #[test]
+    fn a_coarse_search_ends_at_the_same_place() {
+        for omega in [0.13, 0.22, 0.3] {
+            let at = |tolerance: f64| most_dissipating_force_ratio_of_all(omega, tolerance).unwrap();
+            let (coarse, fine) = (at(1e-2), at(1e-5));
+            assert_eq!(fine.optimum, Optimum::Sticking);
+            assert!((coarse.force_ratio / fine.force_ratio - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
+        }
+    }
+
     #[test]
     fn the_slow_limit_and_which_one_it_is() {
         let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 1e-3).unwrap();
