@@ -9,12 +9,11 @@ program() {
     cargo bench --features batch --bench "$1" --no-run --message-format json 2>/dev/null |
         sed -n "s/.*\"executable\":\"\([^\"]*$1-[^\"]*\)\".*/\1/p" | tail -n 1
 }
-count() { # FUNCTION PROGRAM KERNEL N: instructions inside FUNCTION
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$1" "$2" "$3" "$4" 2>&1 |
-        sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+collected() { # [OPTION] PROGRAM KERNEL N: instructions of the whole program
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
 }
-rounds() { # KERNEL N: instructions of the whole program
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$batch" "$1" "$2" 2>&1 | sed -n 's/.*Collected : \([0-9]*\).*/\1/p'
+count() { # FUNCTION PROGRAM KERNEL N: instructions inside FUNCTION
+    collected --toggle-collect="$1" "${@:2}"
 }
 conditions() {
     echo "# $(rustc --version | cut -d ' ' -f 1,2), $(uname -m), glibc $(getconf GNU_LIBC_VERSION | cut -d ' ' -f 2), $(valgrind --version)"
@@ -46,8 +45,8 @@ all() {
     batch=$(program batch_instructions)
     for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
         # The difference of two numbers of rounds, so that start-up does not count.
-        once=$(rounds "$kernel" 1)
-        report "$kernel" $(($(rounds "$kernel" 3) - once)) $((2 * 128000))
+        once=$(collected "$batch" "$kernel" 1)
+        report "$kernel" $(($(collected "$batch" "$kernel" 3) - once)) $((2 * 128000))
     done
 }
 

@@ -45,12 +45,18 @@ impl Regime {
 
 /// The regime at (Ω, α), given the border at Ω.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
-    let (one, alpha) = (F::int(1), ratios.alpha());
+    regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio())
+}
+
+/// The regime at (Ω, α) where the least force ratio without sticking is `least`.
+#[inline]
+pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, least: F) -> Regime {
+    let one = F::int(1);
     if alpha <= one {
         Regime::Stuck
-    } else if alpha < border.min_force_ratio() {
+    } else if alpha < least {
         Regime::Sticking
-    } else if ratios.omega() == one {
+    } else if omega == one {
         Regime::Unbounded
     } else {
         Regime::NonSticking

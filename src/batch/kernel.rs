@@ -3,7 +3,7 @@
 use super::block::{Block, POINTS, STRETCH, pad};
 use super::level::{Level, Loops};
 use super::places::Places;
-use crate::regime::Regime;
+use crate::regime::{Regime, regime_above};
 
 /// Blocks for what passes from one loop to the next: made once for all the blocks of a run.
 pub(crate) type Work = [Block; 9];
@@ -149,22 +149,6 @@ impl<const N: usize> Out<'_, N> {
     }
 }
 
-/// The regime at a point whose border is known; `None` where that is NaN.
-#[inline]
-fn regime(omega: f64, alpha: f64, border: f64) -> Option<Regime> {
-    if border.is_nan() {
-        None
-    } else if alpha <= 1.0 {
-        Some(Regime::Stuck)
-    } else if alpha < border {
-        Some(Regime::Sticking)
-    } else if omega == 1.0 {
-        Some(Regime::Unbounded)
-    } else {
-        Some(Regime::NonSticking)
-    }
-}
-
 /// Runs a kernel over slices of equal length; the regimes, where they are wanted, into a slice of that length, or an
 /// empty one.
 pub(crate) fn run<K: Kernel<N>, const N: usize>(
@@ -227,7 +211,8 @@ pub(crate) fn run<K: Kernel<N>, const N: usize>(
     }
     let borders = out.columns.get(K::MARK).into_iter().flat_map(|column| column.iter());
     for (((slot, &omega), &alpha), &border) in out.regimes.iter_mut().zip(omega).zip(alpha).zip(borders) {
-        *slot = regime(kernel.omega(omega), alpha, border);
+        // Where the border is NaN there is no regime.
+        *slot = (!border.is_nan()).then(|| regime_above(kernel.omega(omega), alpha, border));
     }
 }
 

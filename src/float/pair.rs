@@ -107,6 +107,12 @@ impl<F: Float> Pair<F> {
         if hi == F::int(0) {
             return Self::exact(hi);
         }
+        self.refined_root(hi)
+    }
+
+    /// The root with what its rounded value > 0 lacks.
+    #[inline]
+    fn refined_root(self, hi: F) -> Self {
         Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) }
     }
 

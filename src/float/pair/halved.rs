@@ -63,8 +63,7 @@ impl<F: Float> Pair<F> {
     #[must_use]
     pub fn halved_sqrt(self) -> Self {
         if F::IS_FUSED {
-            let hi = self.hi.sqrt();
-            return Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) };
+            return self.refined_root(self.hi.sqrt());
         }
         let root = self.value().sqrt();
         let (hi, _) = root.halves();
