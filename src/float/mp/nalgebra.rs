@@ -137,7 +137,7 @@ impl<const LIMBS: usize> ComplexField for Mp<LIMBS> {
         self.square()
     }
     fn argument(self) -> Self {
-        if self.is_sign_negative() { Self::pi() } else { Self::ZERO }
+        if self >= Self::ZERO { Self::ZERO } else { Self::pi() }
     }
     fn norm1(self) -> Self {
         self.abs()

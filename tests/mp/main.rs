@@ -2,11 +2,17 @@
 //! both signs, infinities, NaN, and the ends of the exponent range.
 
 #[macro_use]
-#[path = "invariants/multiple.rs"]
+#[path = "../invariants/multiple.rs"]
 mod multiple;
+#[macro_use]
+mod widths;
+#[cfg(feature = "matching")]
+mod field;
+mod text;
+mod traits;
 
 use multiple::{END, Recipe, binary, same, ternary, text, unary};
-use num_traits::{FloatConst, FromPrimitive, Num, One, Signed, ToPrimitive, Zero};
+use num_traits::{FloatConst, FromPrimitive, One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
 use rug::ops::AssignRound;
 use rug::{Assign, Float, Integer, Rational};
@@ -31,15 +37,6 @@ fn recipe() -> impl Strategy<Value = Recipe> {
 /// Words all zero and all one make long carries and ties.
 fn words() -> impl Strategy<Value = u64> {
     prop_oneof![2 => any::<u64>(), 1 => Just(0), 1 => Just(u64::MAX), 1 => Just(1u64 << 63)]
-}
-
-macro_rules! at_widths {
-    ($function:ident($($argument:expr),*)) => {{
-        $function::<1>($($argument),*);
-        $function::<2>($($argument),*);
-        $function::<4>($($argument),*);
-        $function::<16>($($argument),*);
-    }};
 }
 
 proptest! {
@@ -149,64 +146,6 @@ fn sums_and_products() {
 }
 
 #[test]
-fn text_as_people_write_it() {
-    let x = |text: &str| text.parse::<Mp<2>>();
-    for (text, value) in
-        [("1.5", 1.5), ("-2e-3", -0.002), ("0", 0.0), (".25", 0.25), ("1E3", 1000.0), ("+7", 7.0)]
-    {
-        assert!((x(text).unwrap().to_f64() - value).abs() <= 1e-18, "{text}");
-    }
-    assert!(x("nan").unwrap().is_nan());
-    assert_eq!(x("-inf").unwrap(), -Mp::INFINITY);
-    for text in ["", "1.5.2", "one", "1e", "--1", "0x10"] {
-        let error = x(text).unwrap_err();
-        assert_eq!(error.text, text);
-        assert!(error.to_string().contains(&format!("`{text}`")));
-    }
-    assert_eq!(Mp::<1>::from_str_radix("-ff", 16).unwrap().to_f64(), -255.0);
-    assert!(Mp::<1>::from_str_radix("1", 1).is_err() && Mp::<1>::from_str_radix("1", 37).is_err());
-    // Below the least and above the greatest.
-    assert_eq!(x("1e-999999999999").unwrap().exponent(), None);
-    assert_eq!(x("1e999999999999").unwrap(), Mp::INFINITY);
-}
-
-#[test]
-fn text_as_f64_writes_it() {
-    for value in
-        [0.0, -0.0, 1.0, 0.5, -1.5, 1024.0, 1e20, 0.001953125, f64::INFINITY, f64::NEG_INFINITY, f64::NAN]
-    {
-        let x = Mp::<1>::from(value);
-        assert_eq!(x.to_string(), value.to_string());
-        assert_eq!(format!("{x:e}"), format!("{value:e}"));
-        assert_eq!(format!("{x:.3}"), format!("{value:.3}"));
-        assert_eq!(format!("{x:.0}"), format!("{value:.0}"));
-        assert_eq!(format!("{x:.2e}"), format!("{value:.2e}"));
-        if value.is_nan() {
-            continue;
-        }
-        assert_eq!(format!("{x:12.3}|{x:<12.1}|{x:+.1}"), format!("{value:>12.3}|{value:<12.1}|{value:+.1}"));
-    }
-    for value in [9.996, 0.0996, 0.5, 1.5, 0.05, 0.004, 999.9, 1e-9] {
-        let x = Mp::<1>::from(value);
-        for places in 0..6 {
-            assert_eq!(format!("{x:.places$}"), format!("{value:.places$}"));
-            assert_eq!(format!("{x:.places$e}"), format!("{value:.places$e}"));
-        }
-    }
-    // No digit more than it takes.
-    for text in ["0.1", "0.7", "123.456", "9.999999999999999e-12", "1e-400"] {
-        assert_eq!(text.parse::<Mp<1>>().unwrap().to_string(), text);
-        assert_eq!(text.parse::<Mp<16>>().unwrap().to_string(), text);
-    }
-    assert_eq!(Mp::<1>::of_int(10).powi(30).to_string(), "1e30");
-    assert_eq!(Mp::<1>::of_int(10).powi(20).to_string(), "100000000000000000000");
-    // Just below a power of ten that it reads back as.
-    assert_eq!(format!("{:.1}", Mp::<1>::of_int(10).powi(30)), "1000000000000000000024696061952.0");
-    assert_eq!(format!("{:.1}", Mp::<1>::of_int(10).powi(29)), "99999999999999999997315645440.0");
-    assert_eq!(format!("{}", Mp::<1>::of_f64(2f64.powi(-30))), "9.313225746154785156e-10");
-}
-
-#[test]
 fn signs_and_casts() {
     let negative_zero = Mp::<1>::of_f64(-0.0);
     assert!(negative_zero == Mp::ZERO && negative_zero.is_sign_negative());
@@ -272,93 +211,4 @@ fn the_least_sufficient_width_is_chosen() {
     let message = |bits| with_precision(bits, Precision).unwrap_err().to_string();
     assert_eq!(message(0), "precision = 0 bits must be ≥ 1 and ≤ 8192");
     assert_eq!(message(8193), "precision = 8193 bits must be ≥ 1 and ≤ 8192");
-}
-
-#[cfg(feature = "serde")]
-mod serialised {
-    use super::{Mp, Recipe, recipe, same};
-    use proptest::prelude::*;
-
-    fn round_trip<const L: usize>(recipe: &Recipe) {
-        let theirs = recipe.cook(64 * L as u32);
-        let json = serde_json::to_string(&Mp::<L>::from_rug(&theirs)).unwrap();
-        assert!(json.starts_with('"') && json.ends_with('"'));
-        let back: Mp<L> = serde_json::from_str(&json).unwrap();
-        assert!(same(back, &theirs), "{json}");
-    }
-
-    proptest! {
-        #[test]
-        fn json_reads_back(x in recipe()) {
-            at_widths!(round_trip(&x));
-        }
-    }
-
-    #[test]
-    fn only_text_is_a_number() {
-        assert!(serde_json::from_str::<Mp<1>>("1.5").unwrap_err().to_string().contains("decimal number"));
-        assert!(serde_json::from_str::<Mp<1>>("\"x\"").unwrap_err().to_string().contains("`x`"));
-    }
-}
-
-#[cfg(feature = "matching")]
-mod matrices {
-    use super::Mp;
-    use nalgebra::{ComplexField, RealField, SMatrix, SVector};
-
-    type Number = Mp<4>;
-
-    #[test]
-    fn a_hilbert_system_at_256_bits() {
-        let matrix = SMatrix::<Number, 5, 5>::from_fn(|i, j| Number::of_int(1) / Number::from(i + j + 1));
-        let right = SVector::<Number, 5>::from_fn(|i, _| Number::from(i) - Number::of_int(2));
-        let solution = matrix.lu().solve(&right).unwrap();
-        let residual = (matrix * solution - right).amax();
-        assert!(residual < Number::of_int(1).scale2(-256 + 14), "{residual:e}");
-        // At f64 the same residual is some 200 bits larger: the solve did use the precision.
-        assert!(solution.amax() > Number::of_int(1000));
-        // det = 1/266 716 800 000
-        let determinant = matrix.determinant() * Number::from(266_716_800_000u64);
-        assert!((determinant - Number::of_int(1)).abs() < Number::of_int(1).scale2(-256 + 24));
-    }
-
-    #[test]
-    fn eigenvalues_and_singular_values() {
-        let matrix = SMatrix::<Number, 2, 2>::new(2.into(), 1.into(), 1.into(), 2.into());
-        let eigen = matrix.symmetric_eigen().eigenvalues;
-        let near = |x: Number, n: i32| (x - Number::of_int(n)).abs() < Number::of_int(1).scale2(-250);
-        assert!(near(eigen.amin(), 1) && near(eigen.amax(), 3));
-        assert!(near(matrix.svd(true, true).singular_values.amax(), 3));
-    }
-
-    #[test]
-    fn field_functions_are_the_numbers_own() {
-        let x = Number::of_f64(0.375);
-        macro_rules! same {
-            ($($name:ident)*) => {$(
-                assert_eq!(ComplexField::$name(x), x.$name(), stringify!($name));
-            )*};
-        }
-        same!(floor ceil round trunc fract abs sqrt cbrt sin cos tan asin acos atan sinh cosh tanh asinh atanh exp
-            exp2 exp_m1 ln log2 log10 ln_1p sin_cos);
-        assert_eq!(ComplexField::acosh(Number::of_int(2)), Number::of_int(2).acosh());
-        assert_eq!(ComplexField::log(Number::of_int(8), Number::of_int(2)), Number::of_int(3));
-        assert_eq!((x.argument(), (-x).argument()), (Number::ZERO, Number::pi()));
-        assert_eq!((-x).modulus(), x);
-        assert_eq!((-x).modulus_squared(), x * x);
-        assert_eq!((-x).try_sqrt(), None);
-        assert_eq!((-x).to_exp(), (x, Number::of_int(-1)));
-        assert_eq!(RealField::copysign(x, Number::of_f64(-0.0)), -x);
-        assert_eq!((RealField::max(x, Number::NAN), RealField::min(Number::NAN, x)), (x, x));
-        assert_eq!((RealField::max(x, -x), RealField::min(x, -x)), (x, -x));
-        assert_eq!(RealField::clamp(x, Number::of_int(1), Number::of_int(2)), Number::of_int(1));
-        assert_eq!(<Number as RealField>::two_pi(), Number::pi() + Number::pi());
-        assert_eq!(<Number as RealField>::max_value(), Some(Number::largest()));
-        let step = x.ulp();
-        assert!(approx::ulps_eq!(x, x + step + step, epsilon = Number::ZERO, max_ulps = 2));
-        assert!(!approx::ulps_eq!(x, x + step * Number::of_int(3), epsilon = Number::ZERO, max_ulps = 2));
-        assert!(approx::relative_eq!(x, x + step, epsilon = Number::ZERO));
-        assert!(!approx::relative_eq!(x, x + step * Number::of_int(9), epsilon = Number::ZERO));
-        assert!(approx::abs_diff_eq!(Number::INFINITY, Number::INFINITY));
-    }
 }
