@@ -289,4 +289,22 @@ mod tests {
             assert!((found / exact - 1.0).abs() < 16.0 * f64::EPSILON, "{omega}: {found} {exact}");
         }
     }
+
+    /// Closer to 1 than the start of an iteration has numbers for: (1 − Ω)/cos β stays what it is.
+    #[cfg(feature = "mp")]
+    #[test]
+    fn brought_into_range_the_motion_keeps_its_shape() {
+        use crate::float::{Float, mp::Mp};
+        type Wide = Mp<8>;
+        for away in [-300, -260, -240, -10] {
+            let omega = Wide::of_int(1) - Wide::exp2i(away);
+            let h = HalfCycle::new(&PhaseFunction::new(omega).unwrap(), Wide::exp2i(260));
+            let near = h.in_range();
+            assert_eq!(near == h, away >= -250, "{away}");
+            let shape = |h: &HalfCycle<Wide>| h.one_minus_omega / h.cos_beta;
+            assert!((shape(&near) / shape(&h) - Wide::of_int(1)).abs() <= Wide::epsilon() * Wide::of_int(4));
+            assert!(near.one_minus_omega >= Wide::exp2i(-250));
+            assert_eq!(near.max_displacement, Wide::exp2i(if away < -250 { 250 } else { 260 }));
+        }
+    }
 }

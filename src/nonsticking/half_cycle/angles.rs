@@ -88,5 +88,9 @@ mod tests {
             assert!((cos - x.cos()).abs() <= 2.0 * f64::EPSILON, "{x}: {cos}");
         }
         assert_eq!(sinc_cos_small(0.376), None);
+        assert!(sinc_cos_small(0.1f32).is_some());
+        // More digits than the series has.
+        #[cfg(feature = "mp")]
+        assert_eq!(sinc_cos_small(crate::float::mp::Mp::<1>::of_f64(0.1)), None);
     }
 }
