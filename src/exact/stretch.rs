@@ -92,8 +92,9 @@ fn bracketed<F: Float, M: Copy>(
             return crossing(zero);
         }
         if !below {
-            // Nothing is known beyond `low` but the end to look at.
-            phi = if jet.first < zero && next > low && next < end { next } else { end };
+            // Nothing is known beyond `low` but the end to look at, at the latest after as many steps as the type has digits.
+            let inside = next > low && next < end && steps <= F::PRECISION;
+            phi = if jet.first < zero && inside { next } else { end };
             continue;
         }
         let inside = next > low && next < high;
