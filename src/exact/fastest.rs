@@ -158,12 +158,21 @@ mod tests {
             let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
             for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().take(12) {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
-                let fastest = slide.fastest(zero.phi, &slide.motion_at(zero));
-                assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * fastest.w.abs().max(1.0));
-                let n = 20_000;
-                for i in 0..=n {
-                    let w = slide.motion(zero.phi * f64::from(i) / f64::from(n)).w;
-                    assert!(w.abs() <= fastest.w.abs() + 1e-13, "Ω = {omega}: {w} {fastest:?} in {phase:?}");
+                // The whole slide, and cut short of its end.
+                for share in [1.0, 0.83, 0.61, 0.37, 0.12] {
+                    let end = zero.phi * share;
+                    let last = if share == 1.0 { slide.motion_at(zero) } else { slide.motion(end) };
+                    let fastest = slide.fastest(end, &last);
+                    let size = fastest.w.abs().max(1.0);
+                    assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * size);
+                    let n = 8_000;
+                    for i in 0..=n {
+                        let w = slide.motion(end * f64::from(i) / f64::from(n)).w;
+                        assert!(
+                            w.abs() <= fastest.w.abs() + 1e-13,
+                            "Ω = {omega}: {w} {fastest:?} in {phase:?}"
+                        );
+                    }
                 }
             }
         }

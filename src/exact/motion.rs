@@ -50,3 +50,40 @@ impl<F: Float> Motion<F> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::exact::drive::DrivePhase;
+    use crate::exact::equation::Equation;
+    use crate::exact::slide::{Direction, Slide};
+
+    /// Each of a jet is the slope of the one before it.
+    #[test]
+    fn jets_are_slopes() {
+        for omega in [0.3, 1.0, 2.3] {
+            let equation = Equation::new(Ratios::new(omega, 1.7).unwrap());
+            let slide = Slide::new(equation, DrivePhase::new(0.4).unwrap(), -0.3, 0.8, Direction::Forward);
+            for phi in [0.2, 0.7, 1.9] {
+                for sign in [1.0, -1.0] {
+                    let d = 1e-4;
+                    let [before, at, after] = [phi - d, phi, phi + d].map(|phi| slide.motion(phi));
+                    let slope = |f: f64, g: f64| (g - f) / (2.0 * d);
+                    let is = |jet: f64, slope: f64| {
+                        assert!((jet - slope).abs() < 1e-6, "{omega} {phi}: {jet} {slope}")
+                    };
+                    let [a, v, b] = [before, at, after].map(|m| m.velocity_jet(omega, sign));
+                    is(v.value, sign * slope(before.x, after.x));
+                    is(v.first, slope(a.value, b.value));
+                    is(v.second, slope(a.first, b.first));
+                    is(v.third, slope(a.second, b.second));
+                    let [a, f, b] = [before, at, after].map(|m| m.acceleration_jet(omega, sign));
+                    is(f.value, v.first);
+                    is(f.first, slope(a.value, b.value));
+                    is(f.second, slope(a.first, b.first));
+                    is(f.third, slope(a.second, b.second));
+                }
+            }
+        }
+    }
+}

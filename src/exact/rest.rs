@@ -58,3 +58,33 @@ pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget:
     let periods = last.phase.since(start.phase) / turn;
     LongRun::NotConverged { state: last, residual: last.x.abs() - edge, periods }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Budget, LongRun, come_to_rest};
+    use crate::Ratios;
+    use crate::exact::trajectory::{Body, End, Phase};
+    use crate::exact::{State, Trajectory};
+    use std::f64::consts::TAU;
+
+    /// Slides and periods are those of the motion itself, whether it came to rest or was left on its way.
+    #[test]
+    fn it_is_the_motion_that_is_counted() {
+        let ratios = Ratios::new(0.37, 0.8).unwrap();
+        let start = State::new(0.3, 60.0, -2.0).unwrap();
+        let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(200).collect();
+        let is_slide = |phase: &&Phase<f64>| matches!(phase.body, Body::Slide(..));
+        let at_rest = phases.iter().position(|phase| phase.end == End::Never).unwrap();
+        let slides = phases[..at_rest].iter().filter(is_slide).count();
+        assert!(slides > 20 && slides < at_rest, "{slides} {at_rest}");
+        let since = |state: State<f64>| state.phase.since(start.phase) / TAU;
+        let within = |most| come_to_rest(ratios, start, &mut Budget { half_turns: 0, most });
+        let LongRun::Rest(rest) = within(1000) else { panic!("no rest") };
+        assert_eq!((rest.slides, rest.position), (Some(slides as u64), phases[at_rest].start().x));
+        assert!((rest.periods - since(phases[at_rest].start())).abs() < 1e-12, "{rest:?}");
+        let LongRun::NotConverged { state, residual, periods } = within(9) else { panic!("at rest") };
+        let tenth = phases.iter().filter(is_slide).nth(9).unwrap().end().unwrap();
+        assert_eq!((state, residual), (tenth, tenth.x.abs() - (1.0 - 0.8)));
+        assert!(periods > 1.0 && (periods - since(state)).abs() < 1e-12, "{periods}");
+    }
+}
