@@ -224,6 +224,19 @@ mod tests {
         Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, Direction::of(w))
     }
 
+    /// The sizes that rounding is measured by, at (Ω, α) = (3, 2).
+    #[test]
+    fn scales_are_the_sizes_of_the_terms() {
+        let s = slide(3.0, 2.0, 0.4, -0.7, -0.9);
+        let acceleration: f64 = 2.0 * 0.4f64.sin() + 0.7 + 1.0;
+        // 4 Ωα/(1 + Ω²) = 2.4
+        assert!((s.velocity_scale() - (acceleration + 0.9 + 2.4)).abs() < 1e-14, "{}", s.velocity_scale());
+        let expected = [0.9, acceleration, 6.0 * 0.4f64.cos(), 18.0 * 0.4f64.sin()];
+        for (found, expected) in s.short_velocity_scale().into_iter().zip(expected) {
+            assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+        }
+    }
+
     #[test]
     fn against_forty_digits() {
         // The textbook solution at 40 digits, rounded: (Ω, φ, x, w, w′) for α = 2.3, θ_i = 0.4, x_i = −0.7, w_i = 0.9.

@@ -100,7 +100,7 @@ fn release<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::Stick;
+    use super::{Stick, force_rounding};
     use crate::Ratios;
     use crate::exact::equation::Equation;
     use crate::exact::{Direction, DrivePhase};
@@ -109,6 +109,15 @@ mod tests {
     fn stick(alpha: f64, theta: f64, x: f64) -> Stick<f64> {
         let equation = Equation::new(Ratios::new(0.7, alpha).unwrap());
         Stick::new(equation, DrivePhase::new(theta).unwrap(), x)
+    }
+
+    #[test]
+    fn rounding_is_that_of_three_terms() {
+        // 4 ε (α + |x| + 1)
+        assert_eq!(
+            (force_rounding(3.0, -2.0), force_rounding(3.0, 2.0)),
+            (24.0 * f64::EPSILON, 24.0 * f64::EPSILON)
+        );
     }
 
     #[test]
