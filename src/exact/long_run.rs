@@ -166,3 +166,30 @@ fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
     let phase = slide.start.advanced(slide.equation.omega * phi);
     Point { phase, x: motion.x, w: motion.w }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::LongRun;
+    use crate::exact::State;
+    use crate::{Border, Ratios};
+
+    /// The periods walked over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
+    #[test]
+    fn the_way_to_the_limit_is_short() {
+        let (mut periods, mut most) = (0.0, 0.0f64);
+        for i in 0..400u32 {
+            let spread = |step: f64| (f64::from(i) * step).fract();
+            let omega = 10f64.powf(2.0 * spread(0.618_034) - 1.3);
+            let alpha = 1.05 + 2.0 * spread(0.754_878) * Border::new(omega).unwrap().min_force_ratio();
+            let ratios = Ratios::new(omega, alpha).unwrap();
+            let far = State::new(7.0 * spread(0.569_840), 3.0 * alpha, -2.0 * alpha / omega).unwrap();
+            for start in [State::rest(), far] {
+                let limit = LongRun::from_start(ratios, start).unwrap();
+                let Some(steady) = limit.steady_state() else { panic!("{omega} {alpha} {limit:?}") };
+                (periods, most) = (periods + steady.periods(), most.max(steady.periods()));
+            }
+        }
+        // 4.33 a start.
+        assert!(periods <= 3475.0 && most <= 41.0, "{periods} {most}");
+    }
+}

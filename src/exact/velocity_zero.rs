@@ -204,8 +204,10 @@ mod tests {
         let spread = |i: u32, j: u32| {
             (f64::from(i) * 0.618_033_988_749_895 + f64::from(j) * 0.414_213_562_373_095).fract()
         };
-        let (mut most, mut sum, mut slides) = (0, 0, 0);
-        for i in 0..40_000 {
+        let slides = 40_000;
+        // Evaluations, the most and in all: with half a period of the drive for a hint, and with one that is right to a percent.
+        let (mut most, mut sum, mut sum_hinted) = (0, 0, 0);
+        for i in 0..slides {
             let omega = 10f64.powf(6.0 * spread(i, 0) - 3.0);
             let alpha = 1.0 + 10f64.powf(4.0 * spread(i, i / 7) - 2.0);
             let theta = 7.0 * spread(i / 3, i);
@@ -214,23 +216,28 @@ mod tests {
             let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
             let start = DrivePhase::new(theta).unwrap();
             let slide = Slide::new(equation, start, x, w, Direction::Forward);
-            let evaluations = Cell::new(0);
-            let verdict = next_zero(
-                &slide.velocity_search(PI / omega, None),
-                slide.motion_at_start().velocity_jet(omega, 1.0),
-                |phi| {
-                    evaluations.set(evaluations.get() + 1);
-                    let m = slide.motion(phi);
-                    (m.velocity_jet(omega, 1.0), m)
-                },
-            );
-            assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
-            most = most.max(evaluations.get());
-            sum += evaluations.get();
-            slides += 1;
+            let found = |hint: f64| {
+                let evaluations = Cell::new(0);
+                let verdict = next_zero(
+                    &slide.velocity_search(hint, None),
+                    slide.motion_at_start().velocity_jet(omega, 1.0),
+                    |phi| {
+                        evaluations.set(evaluations.get() + 1);
+                        let m = slide.motion(phi);
+                        (m.velocity_jet(omega, 1.0), m)
+                    },
+                );
+                let Verdict::Zero(zero) = verdict else { panic!("Ω = {omega}: {slide:?}") };
+                (zero.at + zero.step, evaluations.get())
+            };
+            let (zero, evaluations) = found(PI / omega);
+            let hinted = found(zero * 1.01).1;
+            most = most.max(evaluations).max(hinted);
+            (sum, sum_hinted) = (sum + evaluations, sum_hinted + hinted);
         }
-        assert!(most <= 24, "{most}");
-        assert!(sum <= 6 * slides, "{sum} of {slides}");
+        // 3.74 and 2.35 a slide: a guess, a hint or a jump that is of no use costs more.
+        assert!(most <= 13, "{most}");
+        assert!(sum <= 150_000 && sum_hinted <= 94_200, "{sum} {sum_hinted}");
     }
 
     #[test]
