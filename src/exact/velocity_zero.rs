@@ -159,7 +159,7 @@ mod tests {
     use super::VelocityZero;
     use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
-    use crate::exact::event::{Verdict, next_zero};
+    use crate::exact::event::{Found, Verdict, next_zero};
     use crate::exact::slide::{Direction, Slide};
     use crate::nonsticking::{displacement_phase, max_displacement};
     use crate::phase_function::{PhaseFunction, one_minus_square};
@@ -196,6 +196,29 @@ mod tests {
                 assert!((end.phi - touch).abs() < 1e-6, "Ω = {omega}: {touch} {end:?}");
             }
         }
+    }
+
+    /// The last step is that of the motion, to the order of the terms left out.
+    #[test]
+    fn a_short_step_on_is_the_motion() {
+        let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
+        let slide = Slide::new(equation, DrivePhase::new(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
+        for (at, step) in [(0.4, 2e-3), (1.3, -2e-3), (2.1, 1e-3)] {
+            let found = Found { at, step, motion: slide.motion(at), grazes: false };
+            let (zero, exact) = (slide.arrival(&found), slide.motion(at + step));
+            let is = |a: f64, b: f64| assert!((a - b).abs() < 4e-11, "{at}: {a} {b}");
+            is(zero.phi, at + step);
+            is(zero.phase.since(slide.start), 0.7 * (at + step));
+            is(zero.x, exact.x);
+            is(zero.acceleration, exact.acceleration);
+            assert!((zero.jerk - exact.jerk).abs() < 1e-5);
+            is(zero.rotation.0, exact.rotation.0);
+            is(zero.rotation.1, exact.rotation.1);
+        }
+        let noise = 4.0 * f64::EPSILON;
+        let search = slide.velocity_search(1.0, None);
+        assert_eq!(search.noise, noise * slide.velocity_scale());
+        assert_eq!(search.short_noise, Some(slide.short_velocity_scale().map(|term| noise * term)));
     }
 
     #[test]
