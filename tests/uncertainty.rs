@@ -70,9 +70,10 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
     let mut random = Random(62);
     for _ in 0..200 {
         let omega = random.scale(0.1, 10.0);
-        let alpha = Border::new(omega).unwrap().min_force_ratio() * random.scale(2.0, 8.0);
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * random.scale(1.1, 8.0);
         let omega = Interval::relative(omega, 0.002).unwrap();
-        let whole = RatioBox::new(omega, Interval::relative(alpha, 0.1).unwrap()).unwrap();
+        let width = random.scale(0.005, 0.1);
+        let whole = RatioBox::new(omega, Interval::relative(alpha, width).unwrap()).unwrap();
         if whole.sticks().unwrap() != Sticking::Never {
             continue;
         }
