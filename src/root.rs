@@ -160,6 +160,12 @@ mod tests {
             let root = newton(2f64.sqrt() + off, 1.0, 2.0, |x| (x * x - 2.0, 2.0 * x));
             assert!((root - 2f64.sqrt()).abs() <= f64::EPSILON, "{off:e}: {:e}", root - 2f64.sqrt());
         }
+        // Of any size.
+        for size in [2f64.powi(-100), 1e-3, 1e4, 2f64.powi(100)] {
+            let (exact, two) = (2f64.sqrt() * size, 2.0 * size * size);
+            let root = newton(exact * (1.0 + 1e-7), size, 2.0 * size, |x| (x * x - two, 2.0 * x));
+            assert!((root / exact - 1.0).abs() <= f64::EPSILON, "{size:e}: {:e}", root / exact - 1.0);
+        }
     }
 
     #[test]

@@ -216,7 +216,7 @@ fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Identity, Standing, above_border, verify};
+    use super::{Case, Identity, Standing, Tally, above_border, verify};
 
     #[test]
     fn all_hold_and_the_misprints_fail() {
@@ -239,8 +239,27 @@ mod tests {
                 Some(a * s + b * cosine - 2.0)
             },
         };
-        let case = Case::new(above_border(0.7, 1.5).unwrap());
-        assert!(wrong.relative_residual(&case).unwrap() > 1e-3);
+        let cycle = above_border(0.7, 1.5).unwrap();
+        let residual = wrong.relative_residual(&Case::new(cycle)).unwrap();
+        assert!(residual > 1e-3);
+        // Nothing said of no point passes, nor does a wrong one, or a wrong one among right ones; as a misprint it is refuted.
+        let passed = |standing, residuals: &[f64]| {
+            let mut tally = Tally { points: 0, worst: None };
+            residuals.iter().for_each(|&residual| tally.add(standing, residual, &cycle));
+            let verdict = tally.verdict(&Identity { standing, ..wrong });
+            assert_eq!(verdict.points, residuals.len());
+            verdict.passed
+        };
+        assert!(!passed(Standing::Holds, &[]) && !passed(Standing::Refuted, &[]));
+        assert!(passed(Standing::Holds, &[0.0, 1e-16]) && !passed(Standing::Refuted, &[0.0, 1e-16]));
+        assert!(
+            !passed(Standing::Holds, &[0.0, residual, 1e-16]) && !passed(Standing::Refuted, &[residual, 0.0])
+        );
+        assert!(
+            !passed(Standing::Holds, &[0.0, f64::NAN, 0.0])
+                && !passed(Standing::Refuted, &[1.0, f64::NAN, 1.0])
+        );
+        assert!(passed(Standing::Refuted, &[residual, 1.0]));
     }
 
     #[test]

@@ -156,6 +156,69 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
     assert!(guaranteed > 50_000 && never > 100 && always > 50, "{guaranteed} {never} {always}");
 }
 
+/// A box of one machine holds its ratios, rounding and all, and knows what it knows of the margin.
+#[test]
+fn one_machine_is_in_its_own_box() {
+    let mut random = Random(64);
+    for _ in 0..2000 {
+        let mut one = || Interval::exactly(random.scale(0.01, 100.0));
+        let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
+        for is_base in [false, true] {
+            let machine = if is_base {
+                MachineBox::base_motion(m, k, r, a, w)
+            } else {
+                MachineBox::force(m, k, r, a, w)
+            };
+            let machine = machine.unwrap();
+            let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
+            let drive = if is_base { Drive::base_motion } else { Drive::force }(a.low(), w.low()).unwrap();
+            let (whole, ratios) = (machine.ratios().unwrap(), drive.ratios(&body).unwrap());
+            let holds =
+                |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;
+            assert!(
+                holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()),
+                "{machine:?}"
+            );
+            let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
+            assert_eq!(margin.known, Known::Guaranteed { sharp: false });
+        }
+    }
+}
+
+/// Where the stiffness is known least, what is guaranteed by many pieces is nearly taken.
+#[test]
+fn guaranteed_ranges_of_machines_are_close() {
+    let mut random = Random(65);
+    let mut seen = 0;
+    for _ in 0..60 {
+        let exactly = |x: f64| Interval::exactly(x);
+        let (k, w) = (random.scale(0.1, 10.0), random.scale(0.3, 4.0));
+        let stiffness = Interval::relative(k, 0.15).unwrap();
+        let least = Border::new(w / stiffness.low().sqrt()).unwrap().min_force_ratio();
+        let p0 = least * random.scale(1.5, 6.0);
+        let machine =
+            MachineBox::force(exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w)).unwrap();
+        for output in [Output::MaxDisplacement, Output::LoopSizeStiffness, Output::LoopSizeInertia] {
+            let Some(range) = machine.range(output, 4000).unwrap().filter(Range::is_guaranteed) else {
+                continue;
+            };
+            seen += 1;
+            let (mut low, mut high) = (f64::INFINITY, 0.0);
+            for i in 0..=400 {
+                let k = stiffness.low() + (stiffness.high() - stiffness.low()) * f64::from(i) / 400.0;
+                let (body, drive) = (Oscillator::new(1.0, k, 1.0).unwrap(), Drive::force(p0, w).unwrap());
+                let scales = Scales::new(&body, &drive).unwrap();
+                let response = Response::new(drive.ratios(&body).unwrap());
+                let value = output.of(&response).unwrap() * output.unit(&scales);
+                (low, high) = (f64::min(low, value), f64::max(high, value));
+            }
+            let slack = 0.03 * (high - low);
+            assert!(range.low >= low - slack && range.high <= high + slack, "{range:?} {low} {high}");
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
 #[test]
 fn what_is_wrong_is_named() {
     assert!(matches!(Interval::between(2.0, 1.0), Err(Error::EmptyInterval { .. })));
@@ -210,9 +273,12 @@ mod monte_carlo {
         assert!(
             found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
         );
+        assert!([-0.1, f64::NAN].iter().all(|&share| found.quantile(Output::Margin, share).is_none()));
         let mean = found.mean(Output::Margin).unwrap();
         let exact = greatest / 6.0 * (10f64 / 4.0).ln();
         assert!((mean.value - exact).abs() < 4.0 * mean.standard_error, "{mean:?} {exact}");
+        let variance = greatest * greatest * (1.0 / 4.0 - 1.0 / 10.0) / 6.0 - exact * exact;
+        assert!((mean.standard_error / (variance / 4e4).sqrt() - 1.0).abs() < 0.02, "{mean:?} {variance}");
     }
 
     #[test]
