@@ -103,6 +103,11 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
                 "{output:?} {fine:?} {low} {high} {whole:?}"
             );
         }
+        // V₀ is known for sure at one frequency.
+        let at_one = RatioBox::new(Interval::exactly(omega.low()), whole.alpha()).unwrap();
+        let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
+        assert_eq!(fastest.known, Known::Guaranteed { sharp: true });
+        assert!(!whole.range(Output::MaxVelocity, 100).unwrap().unwrap().is_guaranteed());
         let sampled = whole.range(Output::Contraction, 100).unwrap().unwrap();
         assert!(matches!(sampled.known, Known::Sampled { points: 105, existing: 105 }), "{sampled:?}");
         let more = whole.range(Output::Contraction, 1000).unwrap().unwrap();

@@ -6,7 +6,7 @@ use crate::float::Float;
 
 /// The least and the greatest value of a function of N shares in [0, 1]; `None` where it exists at no point.
 ///
-/// All 2ᴺ corners, the middle, and `points` more: `frac(i √p)` with a prime p for each share, a sequence that fills the box
+/// All 2ᴺ corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each share, a sequence that fills the box
 /// evenly and is the same in every run.
 pub(super) fn range<F: Float, const N: usize>(
     points: u32,
@@ -45,4 +45,29 @@ pub(super) fn range<F: Float, const N: usize>(
 
 fn fraction<F: Float>(x: F) -> F {
     x - x.floor()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Known, range};
+
+    #[test]
+    fn corners_the_middle_and_points_between() {
+        let mut seen: Vec<[f64; 2]> = Vec::new();
+        let found = range(50, |shares: [f64; 2]| {
+            seen.push(shares);
+            Ok((shares[0] < 0.9).then_some(shares[0] - shares[1]))
+        });
+        let found = found.unwrap().unwrap();
+        let values = || seen.iter().filter(|s| s[0] < 0.9).map(|s| s[0] - s[1]);
+        assert_eq!((found.low, found.high), (-1.0, values().fold(0.0, f64::max)));
+        assert_eq!(seen[..5], [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0], [0.5, 0.5]]);
+        for (i, shares) in seen[5..].iter().enumerate() {
+            for (share, prime) in shares.iter().zip([2.0f64, 3.0]) {
+                assert!((share - (0.5 + (i + 1) as f64 * prime.sqrt()).fract()).abs() < 1e-12, "{i}");
+            }
+        }
+        assert_eq!(found.known, Known::Sampled { points: 55, existing: values().count() as u32 });
+        assert_eq!(range(9, |_: [f64; 1]| Ok(None)), Ok(None));
+    }
 }
