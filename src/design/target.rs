@@ -153,6 +153,8 @@ mod tests {
         assert!((force - 6.0).abs() < 1e-14);
         let force = force_for_velocity(&body, 1.4, cycle.max_velocity() * 0.375 * 1.4).unwrap();
         assert!((force - 6.0).abs() < 1e-14);
+        let error = force_for_displacement(&body, 1.4, 0.5).unwrap_err().to_string();
+        assert!(error.starts_with("maximum displacement Δ₀ = 0.5 must be ≥ 0.76"), "{error}");
         let error = force_for_velocity(&body, 1.4, 0.5).unwrap_err().to_string();
         assert!(error.starts_with("maximum velocity V₀ = 0.5 must be ≥ 1.2777"), "{error}");
     }
