@@ -8,6 +8,7 @@ mod multiple;
 mod widths;
 #[cfg(feature = "matching")]
 mod field;
+mod formulae;
 mod text;
 mod traits;
 
