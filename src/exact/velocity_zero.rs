@@ -218,6 +218,13 @@ mod tests {
         let noise = 4.0 * f64::EPSILON;
         let search = slide.velocity_search(1.0, None);
         assert_eq!(search.noise, noise * slide.velocity_scale());
+        assert!(!search.from_zero);
+        for (w, direction) in
+            [(0.0, Direction::Forward), (0.0, Direction::Backward), (-1e-9, Direction::Forward)]
+        {
+            let slide = Slide::new(equation, slide.start, -0.4, w, direction);
+            assert!(slide.velocity_search(1.0, None).from_zero, "{w} {direction:?}");
+        }
         assert_eq!(search.short_noise, Some(slide.short_velocity_scale().map(|term| noise * term)));
     }
 
