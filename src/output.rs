@@ -136,3 +136,20 @@ impl Output {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::Output;
+
+    #[test]
+    fn each_has_a_name_of_its_own() {
+        let mut names = Output::ALL.map(Output::name);
+        assert!(names.iter().all(|name| name.chars().all(|c| c.is_ascii_lowercase() || c == '_')));
+        assert_eq!(
+            (names[0], names[5], names[9]),
+            ("max_displacement", "loop_size_stiffness", "min_force_ratio")
+        );
+        names.sort_unstable();
+        assert!(names.windows(2).all(|pair| pair[0] != pair[1]), "{names:?}");
+    }
+}

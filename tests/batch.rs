@@ -179,13 +179,13 @@ fn the_loops_answer(low: f64, high: f64, alone_at_most: usize) {
 
 #[test]
 fn below_one_half_the_loops_answer() {
-    the_loops_answer(0.1, 0.5, 50);
+    the_loops_answer(0.1, 0.5, 10);
 }
 
 #[test]
 fn from_one_half_on_the_loops_answer() {
-    the_loops_answer(0.5, 3.0, 100);
-    the_loops_answer(3.0, 1000.0, 100);
+    the_loops_answer(0.5, 3.0, 10);
+    the_loops_answer(3.0, 1000.0, 10);
 }
 
 #[test]
