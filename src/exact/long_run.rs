@@ -30,7 +30,8 @@ pub enum LongRun<F> {
         /// Growth of the maximum displacement in a cycle, in the limit.
         growth: F,
     },
-    /// No limit within the budget: where the motion is, and how far half a cycle still takes it.
+    /// No limit within the budget: where the motion is, and how far half a cycle still takes it. So too at Ω = 1/(2n) where friction is
+    /// so small beside the motion that the type cannot tell how fast it settles.
     NotConverged {
         /// The state reached.
         state: State<F>,
