@@ -20,6 +20,8 @@ fn the_text_answer_begins_with_the_regime() {
         let text = stdout(&format!("response {args}"));
         assert!(text.starts_with(regime), "{text}");
         assert!(text.contains("least without sticking"), "{text}");
+        // Said where it is so: 1/3 < Ω < 1/2.
+        assert_eq!(text.contains("(eq. 61 asks for"), args.contains("0.4"), "{text}");
     }
     let text = stdout(&format!("response {PAPER} --omega 0.8 --alpha 2.5 --units kN,m"));
     for line in ["= 0.01013936 m", "= 0.06460706 m/s", "= 6.116908 kN", "0.2027873 kN·m", "3084.251 kN/m"] {

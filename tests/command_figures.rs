@@ -107,6 +107,28 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
     }
 }
 
+/// Small ones, by names, by equal steps and by equal ratios; `STICKSLIP_WRITE=1` writes them.
+#[test]
+fn the_kept_maps_are_what_is_drawn() {
+    for (name, arguments) in [
+        ("map-regime", "regime --omega 0.3:1.2:6 --alpha 0.6:4.6:5"),
+        ("map-margin", "margin --omega 0.6:1.4:6 --alpha 1:2:4"),
+        ("map-max_displacement", "max_displacement --omega 0.2:3:6 --alpha 30:60:4"),
+        ("map-stops", "stops --omega 0.1:0.4:4 --alpha 2:6:4"),
+    ] {
+        let (drawn, kept) = (
+            place(&format!("kept-{name}.svg")),
+            format!("{}/tests/data/{name}.svg", env!("CARGO_MANIFEST_DIR")),
+        );
+        stdout(&format!("map {arguments} --out {}", drawn.display()));
+        let drawing = std::fs::read_to_string(drawn).unwrap();
+        if std::env::var_os("STICKSLIP_WRITE").is_some() {
+            std::fs::write(&kept, &drawing).unwrap();
+        }
+        assert!(std::fs::read_to_string(&kept).unwrap() == drawing, "{kept} is not what is drawn");
+    }
+}
+
 #[test]
 fn bad_input_is_one_line_with_argument_value_and_inequality() {
     for (arguments, parts) in [

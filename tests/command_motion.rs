@@ -79,11 +79,28 @@ fn steady_names_what_has_no_single_limit() {
 fn steady_in_physical_units_and_for_many_points() {
     let answer = json("steady --mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6 --format json");
     // k = m (ω_d/Ω)² = 1250, B = 5/1250
-    let ratio = |name: &str| answer["physical"][name].as_f64().unwrap() / answer[name].as_f64().unwrap();
-    assert!((ratio("max_displacement") / 0.004 - 1.0).abs() < 1e-12);
-    assert!((ratio("max_velocity") / 0.008 - 1.0).abs() < 1e-12);
-    assert!((ratio("max_displacement_phase") / 0.5 - 1.0).abs() < 1e-12);
-    assert!((ratio("energy_out") / 0.02 - 1.0).abs() < 1e-12);
+    let physical = answer["physical"].as_object().unwrap();
+    for (name, value) in physical {
+        let unit = match name.as_str() {
+            "max_displacement" | "min_displacement" | "distance" | "rest_position" => 0.004,
+            "max_velocity" | "min_velocity" => 0.008,
+            "energy_in" | "energy_out" => 0.02,
+            // 2π/ω_d
+            "periods" => std::f64::consts::PI,
+            _ if name.ends_with("_phase") => 0.5,
+            _ => panic!("{name}"),
+        };
+        let Some(number) = answer[name].as_f64() else {
+            assert!(value.is_null() && name == "rest_position", "{name}");
+            continue;
+        };
+        let expected = number * unit;
+        assert!(
+            (value.as_f64().unwrap() - expected).abs() <= 1e-12 * expected.abs(),
+            "{name}: {value} {expected}"
+        );
+    }
+    assert_eq!(physical.len(), 13, "{physical:?}");
     let csv = stickslip("steady --points - --format csv")
         .write_stdin("omega,alpha\n0.4,6\n0.7,0.5\n1,2\n")
         .assert()
@@ -116,6 +133,35 @@ fn simulate_gives_the_phases_one_a_row() {
     let first: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
     assert_eq!(first["kind"], "stick");
     assert_eq!(stdout("simulate --omega 0.4 --alpha 6 --cycles 2").lines().count(), rows.len());
+}
+
+#[test]
+fn phases_in_physical_units() {
+    // ω_d = 2, B = 0.004
+    let machine = "--mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6";
+    let csv = stdout(&format!("simulate {machine} --cycles 2 --x0 0.01 --format csv"));
+    let mut rows = csv::Reader::from_reader(csv.as_bytes());
+    let mut count = 0;
+    for row in rows.deserialize::<std::collections::HashMap<String, String>>() {
+        let row = row.unwrap();
+        let number = |name: &str| row[name].parse::<f64>().unwrap();
+        let is = |name: &str, expected: f64| {
+            assert!(
+                (number(name) - expected).abs() <= 1e-13 * (1.0 + expected.abs()),
+                "{name}: {row:?} {expected}"
+            );
+        };
+        for end in ["start", "end"] {
+            let theta =
+                number(&format!("{end}_cycle")) * std::f64::consts::TAU + number(&format!("{end}_phase"));
+            is(&format!("{end}_time"), theta / 2.0);
+            is(&format!("{end}_displacement"), number(&format!("{end}_x")) * 0.004);
+        }
+        is("start_velocity", number("start_v") * 0.008);
+        is("duration", (number("end_time") - number("start_time")) * 2.0);
+        count += 1;
+    }
+    assert!(count > 4, "{csv}");
 }
 
 #[test]
