@@ -326,6 +326,10 @@ fn bits_give_all_the_digits_of_the_reference() {
     }
     // Some are short because they are whole numbers.
     assert!(long > 150, "{long} answers with all digits");
+    // The note has them, too.
+    let answer = json("response --omega 0.7 --alpha 2 --bits 256 --format json");
+    let note = stdout("response --omega 0.7 --alpha 2 --bits 256");
+    assert!(note.contains(answer["max_displacement"].as_str().unwrap()), "{note}");
     assert!(stdout("verify --bits 192").contains("256 bits"));
     let csv = stdout("response --points tests/data/points.csv --format csv --bits 128");
     assert_eq!(csv.lines().count(), 18);

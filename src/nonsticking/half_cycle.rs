@@ -290,6 +290,21 @@ mod tests {
         }
     }
 
+    /// Δ₀ beyond its rounded value swings with it.
+    #[test]
+    fn the_rest_of_the_displacement_counts() {
+        for omega in [0.3, 0.8, 1.4, 3.0] {
+            let (plain, more) = (half(omega), half(omega).with_rest(0.25));
+            for psi in [-0.4, 0.0, 0.3] {
+                let due = 0.25 * (omega * psi).cos();
+                assert!(
+                    (more.velocity(psi).value - plain.velocity(psi).value - due).abs() < 1e-13,
+                    "{omega} {psi}"
+                );
+            }
+        }
+    }
+
     /// Closer to 1 than the start of an iteration has numbers for: (1 − Ω)/cos β stays what it is.
     #[cfg(feature = "mp")]
     #[test]

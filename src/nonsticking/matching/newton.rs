@@ -298,3 +298,17 @@ fn iterate<F: Float + RealField, const N: usize>(
     let (step, residual) = (Float::to_f64(last), Float::to_f64(residual));
     Err(MatchingError::NoConvergence { iterations: most_iterations::<F>(), step, residual })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::positive;
+
+    #[test]
+    fn what_is_not_above_zero_is_no_cycle() {
+        assert!(positive("Δ₀/B", f64::MIN_POSITIVE).is_ok());
+        for value in [0.0, -0.25, f64::NAN] {
+            let error = positive("Δ₀/B", value).unwrap_err().to_string();
+            assert!(error.contains("Δ₀/B") && error.contains(&crate::error::written(value)), "{error}");
+        }
+    }
+}
