@@ -170,9 +170,31 @@ fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::LongRun;
+    use super::{LongRun, fastest_point};
     use crate::exact::State;
+    use crate::exact::equation::Equation;
+    use crate::exact::slide::{Direction, Slide};
+    use crate::nonsticking::Cycle;
     use crate::{Border, Ratios};
+
+    /// From the fastest point of a cycle the body comes to its maximum displacement in the time named.
+    #[test]
+    fn from_the_fastest_point_to_the_farthest() {
+        for (omega, alpha) in
+            [(0.3f64, 13.0f64), (0.4, 9.0), (0.7, 2.0), (1.0 + 1e-6, 2.0), (1.3, 3.0), (5.0, 2.0)]
+        {
+            let ratios = Ratios::new(omega, alpha).unwrap();
+            let (equation, cycle) = (Equation::new(ratios), Cycle::new(ratios).unwrap());
+            let (point, time) = fastest_point(equation, &cycle);
+            let slide = Slide::new(equation, point.phase, point.x, point.w, Direction::Forward);
+            let at = slide.motion(time);
+            let size = cycle.max_displacement();
+            assert!(
+                time > 0.0 && at.w.abs() < 1e-12 * size && (at.x - size).abs() < 1e-12 * size,
+                "{omega}: {at:?}"
+            );
+        }
+    }
 
     /// The periods walked over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
     #[test]

@@ -70,3 +70,45 @@ fn turned<F: Float>((s, c): (F, F), step: F) -> (F, F) {
     let (half, third) = (step * F::ratio(1, 2), step * F::ratio(1, 3));
     (s + step * (c - half * (s + third * c)), c - step * (s + half * (c - third * s)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{expanded, start, turned};
+    use crate::nonsticking::half_cycle::HalfCycle;
+    use crate::phase_function::PhaseFunction;
+
+    /// Near the centre the polynomials are the motion, and the start is as near the root as the head of the module says.
+    #[test]
+    fn taylors_polynomials_are_the_motion() {
+        for omega in [0.6f64, 0.9, 1.3, 1.9] {
+            let half = HalfCycle::new(&PhaseFunction::new(omega).unwrap(), 2.5 / omega);
+            let (psi, derivatives) = (0.06, half.derivatives_at_centre());
+            let (found, exact) = (expanded(&derivatives, psi), half.velocity(psi));
+            for (found, exact, left_out) in [
+                (found.first, exact.first, 1e-11),
+                (found.second, exact.second, 1e-9),
+                (found.third, exact.third, 1e-7),
+                (found.fourth, exact.fourth, 2e-5),
+            ] {
+                assert!(
+                    (found - exact).abs() < left_out * (1.0 + 1.0 / omega).powi(8),
+                    "{omega}: {found} {exact}"
+                );
+            }
+            let psi = start(&half);
+            let at = half.velocity(psi);
+            assert!((at.first / at.second).abs() * omega.max(1.0) < 4e-5, "{omega}: {psi} {at:?}");
+        }
+    }
+
+    #[test]
+    fn a_short_turn() {
+        for x in [-1.4f64, -0.3, 0.0, 0.7, 1.5] {
+            for step in [1e-4f64, -6e-5] {
+                let (s, c) = turned(x.sin_cos(), step);
+                let (sine, cosine) = (x + step).sin_cos();
+                assert!((s - sine).abs() < 4e-16 && (c - cosine).abs() < 4e-16, "{x} {step}");
+            }
+        }
+    }
+}
