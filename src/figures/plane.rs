@@ -52,3 +52,21 @@ impl Plane {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Plane, Scale};
+
+    #[test]
+    fn points_are_those_with_a_value() {
+        let plane = Plane {
+            label: String::new(),
+            x: vec![1.0, 2.0],
+            y: vec![3.0, 4.0],
+            values: vec![0.5, f64::NAN, 0.25, f64::INFINITY],
+            scale: Scale::Shades { low: 0.0, high: 1.0, logarithmic: false },
+        };
+        let points: Vec<_> = plane.points().collect();
+        assert_eq!(points, [(1.0, 3.0, 0.5), (1.0, 4.0, 0.25), (2.0, 4.0, f64::INFINITY)]);
+    }
+}
