@@ -139,3 +139,47 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
 
 /// What can go wrong in drawing.
 type Error = plotters::drawing::DrawingAreaErrorKind<std::io::Error>;
+
+#[cfg(test)]
+mod tests {
+    use super::keys;
+    use crate::figures::{Axis, Figure, Panel, Plane, Scale};
+
+    /// A panel whose plane has this label, over shades up to `high`.
+    fn panel(label: &str, high: f64) -> Panel {
+        let plane = Plane {
+            label: label.to_owned(),
+            x: vec![1.0, 2.0],
+            y: vec![1.0, 2.0],
+            values: vec![0.0, 0.5, 0.25, high],
+            scale: Scale::Shades { low: 0.0, high, logarithmic: false },
+        };
+        let axis = |name| Axis::linear(name, 1.0, 2.0);
+        Panel { title: String::new(), x: axis("x"), y: axis("y"), plane: Some(plane), series: Vec::new() }
+    }
+
+    /// The heights at which the drawing has a text.
+    fn heights(drawing: &str, text: &str) -> Vec<i32> {
+        let elements = drawing.split("<text ").skip(1);
+        let with_it =
+            elements.filter(|e| e.split('<').next().unwrap().trim_end().ends_with(&format!(">\n{text}")));
+        with_it.map(|e| e.split("y=\"").nth(1).unwrap().split('"').next().unwrap().parse().unwrap()).collect()
+    }
+
+    #[test]
+    fn a_key_for_each_meaning_one_below_the_other() {
+        let figure = Figure {
+            name: "two".to_owned(),
+            title: String::new(),
+            caption: String::new(),
+            panels: vec![panel("warm", 1.0), panel("warm", 1.0), panel("cold", 1.0), panel("cold", 2.0)],
+        };
+        let labels: Vec<_> = keys(&figure).iter().map(|plane| plane.label.as_str()).collect();
+        assert_eq!(labels, ["warm", "cold", "cold"]);
+        let drawing = figure.svg().unwrap();
+        let (warm, cold) = (heights(&drawing, "warm"), heights(&drawing, "cold"));
+        assert!(warm.len() == 1 && cold.len() == 2, "{warm:?} {cold:?}");
+        // Each has its shades, of 60 pixels at least, between it and the next.
+        assert!(cold[0] > warm[0] + 600 && cold[1] > cold[0] + 600, "{warm:?} {cold:?}");
+    }
+}
