@@ -266,8 +266,8 @@ mod tests {
             (sum, sum_hinted) = (sum + evaluations, sum_hinted + hinted);
         }
         // 3.74 and 2.35 a slide: a guess, a hint or a jump that is of no use costs more.
-        assert!(most <= 13, "{most}");
-        assert!(sum <= 150_000 && sum_hinted <= 94_200, "{sum} {sum_hinted}");
+        assert!(most <= 14, "{most}");
+        assert!(sum <= 150_300 && sum_hinted <= 94_400, "{sum} {sum_hinted}");
     }
 
     #[test]
