@@ -128,7 +128,7 @@ impl<F: Float> Response<F> {
 #[cfg(test)]
 mod tests {
     use super::Response;
-    use crate::{Ratios, Regime, regime};
+    use crate::{Cycle, Ratios, Regime, regime};
 
     #[test]
     fn each_regime_has_its_place() {
@@ -148,6 +148,10 @@ mod tests {
             let response = Response::new(Ratios::new(omega, alpha).unwrap());
             assert_eq!(response.regime(), expected);
             assert_eq!(response.cycle().is_some(), expected == Regime::NonSticking);
+            // Loop sizes are those of the cycle, and exist with it.
+            let of_cycle = |f: fn(&Cycle<f64>) -> f64| response.cycle().map(f);
+            assert_eq!(response.loop_size_stiffness(), of_cycle(Cycle::loop_size_stiffness));
+            assert_eq!(response.loop_size_inertia(), of_cycle(Cycle::loop_size_inertia));
         }
     }
 

@@ -208,6 +208,26 @@ mod tests {
         }
     }
 
+    /// Ranges that end a little inside of a band, so that a band below may have the larger loop.
+    #[test]
+    fn the_best_need_not_be_in_the_highest_band() {
+        let mut lower = 0;
+        for i in 0..40 {
+            let alpha = 12.5 * 1.07f64.powi(i);
+            for band in bands(alpha, 0.03, 0.9).unwrap().skip(1) {
+                let low = band.unwrap().low;
+                for share in [1e-9, 1e-4, 1e-2] {
+                    let high = low * (1.0 + share);
+                    let best = most_dissipating_frequency_ratio(alpha, 0.03, high).unwrap();
+                    let of_last = most_dissipating_frequency_ratio(alpha, low, high).unwrap();
+                    assert!(best.loop_size >= of_last.loop_size, "{alpha} {high}: {best:?} {of_last:?}");
+                    lower += u32::from(best.omega < low && best.loop_size > of_last.loop_size);
+                }
+            }
+        }
+        assert!(lower > 10, "{lower}");
+    }
+
     #[test]
     fn inside_to_fifteen_digits() {
         // The zero of dA₂/dΩ at 50 digits.
