@@ -80,6 +80,15 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
             && energy(friction * 0.99) < number(&best["energy"])
     );
     assert_eq!(json("design dissipation --omega 0.6")["optimum"], "border");
+    for (question, why) in [
+        ("dissipation --omega 1.5", "where more and less are both worse."),
+        ("dissipation --omega 0.6", "on the border of sticking."),
+        ("dissipation --omega 0.6 --sticking", "where it sticks, by the exact motion."),
+        ("stiffness --alpha 1.5 --from 0.6 --to 0.7", "at the end of the range."),
+    ] {
+        let note = stdout(&format!("design {question}"));
+        assert!(note.lines().next().unwrap().ends_with(why), "{note}");
+    }
     let of_all = json("design dissipation --omega 0.6 --sticking");
     let steady = json(&format!("steady --omega 0.6 --alpha {}", of_all["force_ratio"]));
     let alpha = number(&of_all["force_ratio"]);
