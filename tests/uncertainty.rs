@@ -278,6 +278,13 @@ mod monte_carlo {
         assert!(
             found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
         );
+        // Linear between the values in order.
+        let values = found.values(Output::Margin);
+        for (i, part) in [(0usize, 0.25), (1234, 0.5), (39_998, 0.75)] {
+            let share = (i as f64 + part) / (values.len() - 1) as f64;
+            let due = values[i] * (1.0 - part) + values[i + 1] * part;
+            assert!((found.quantile(Output::Margin, share).unwrap() - due).abs() < 1e-9 * due, "{i}");
+        }
         assert!([-0.1, f64::NAN].iter().all(|&share| found.quantile(Output::Margin, share).is_none()));
         let mean = found.mean(Output::Margin).unwrap();
         let exact = greatest / 6.0 * (10f64 / 4.0).ln();
