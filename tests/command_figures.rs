@@ -2,8 +2,10 @@
 #![cfg(feature = "cli")]
 
 mod command_line;
+mod kept;
 
 use command_line::{refused, stdout};
+use kept::kept;
 use std::path::PathBuf;
 
 /// A path for a file or a folder of one test.
@@ -116,16 +118,10 @@ fn the_kept_maps_are_what_is_drawn() {
         ("map-max_displacement", "max_displacement --omega 0.2:3:6 --alpha 30:60:4"),
         ("map-stops", "stops --omega 0.1:0.4:4 --alpha 2:6:4"),
     ] {
-        let (drawn, kept) = (
-            place(&format!("kept-{name}.svg")),
-            format!("{}/tests/data/{name}.svg", env!("CARGO_MANIFEST_DIR")),
-        );
+        let drawn = place(&format!("kept-{name}.svg"));
         stdout(&format!("map {arguments} --out {}", drawn.display()));
         let drawing = std::fs::read_to_string(drawn).unwrap();
-        if std::env::var_os("STICKSLIP_WRITE").is_some() {
-            std::fs::write(&kept, &drawing).unwrap();
-        }
-        assert!(std::fs::read_to_string(&kept).unwrap() == drawing, "{kept} is not what is drawn");
+        assert!(kept(&format!("tests/data/{name}.svg"), &drawing) == drawing, "{name} is not what is drawn");
     }
 }
 

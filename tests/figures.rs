@@ -2,11 +2,12 @@
 //!
 //! `STICKSLIP_WRITE=1 cargo test --all-features --test figures` writes them.
 
+mod kept;
+
+use kept::kept;
 use std::fmt::Write;
 use stickslip::figures::{Figure, NAMES, Series, Style, figure};
 use stickslip::{Border, Cycle, Ratios};
-
-const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs");
 
 fn all() -> impl Iterator<Item = Figure> {
     NAMES.into_iter().map(|name| figure(name).unwrap())
@@ -48,13 +49,9 @@ fn is_complete(figure: &Figure) -> bool {
 #[test]
 fn the_kept_pictures_are_what_the_library_draws() {
     for figure in all().filter(is_complete) {
-        let file = format!("{FOLDER}/figures/{}.svg", figure.name);
+        let file = format!("docs/figures/{}.svg", figure.name);
         let drawn = figure.svg().unwrap();
-        if std::env::var_os("STICKSLIP_WRITE").is_some() {
-            std::fs::create_dir_all(format!("{FOLDER}/figures")).unwrap();
-            std::fs::write(&file, &drawn).unwrap();
-        }
-        let kept = std::fs::read_to_string(&file).unwrap();
+        let kept = kept(&file, &drawn);
         if figure.name == "3" {
             // Its settled errors are rounding, which any change of an operation's order moves, and the axis with them:
             // `tests/figure_3.rs` has its numbers.
@@ -72,11 +69,8 @@ fn the_kept_pictures_are_what_the_library_draws() {
 
 #[test]
 fn the_page_shows_every_figure_with_its_caption() {
-    let file = format!("{FOLDER}/figures.md");
-    if std::env::var_os("STICKSLIP_WRITE").is_some() {
-        std::fs::write(&file, page()).unwrap();
-    }
-    assert_eq!(std::fs::read_to_string(file).unwrap(), page());
+    let page = page();
+    assert_eq!(kept("docs/figures.md", &page), page);
 }
 
 #[test]

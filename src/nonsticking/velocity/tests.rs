@@ -1,0 +1,55 @@
+//! Nothing in the half cycle is faster, and each start leads to the same place.
+
+use super::{fastest, from_bracket, from_centre};
+use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement};
+use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::ratios::Ratios;
+use proptest::prelude::*;
+
+fn half(omega: f64, alpha: f64) -> (HalfCycle<f64>, f64) {
+    let p = PhaseFunction::new(omega).unwrap();
+    let k = p.value();
+    (HalfCycle::new(&p, max_displacement(k, alpha, one_minus_square(omega))), k)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4000))]
+
+    /// The proof in the module's head, against a scan of the whole half cycle.
+    #[test]
+    fn nothing_in_the_half_cycle_is_faster(
+        omega in prop_oneof![0.05f64..3.0, (0.0f64..40.0).prop_map(|e| 10f64.powf(e))],
+        over in 1.0001f64..4.0,
+    ) {
+        prop_assume!((omega - 1.0).abs() > 1e-6);
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let (half, k) = half(omega, alpha);
+        let best = fastest(&half, k, alpha);
+        let beta = std::f64::consts::FRAC_PI_2 / omega;
+        prop_assert!(best.psi.abs() <= beta);
+        let n = 4000;
+        for i in 0..=n {
+            let psi = beta * (f64::from(2 * i) / f64::from(n) - 1.0);
+            let v = half.velocity(psi).value;
+            prop_assert!(v <= best.velocity * (1.0 + 1e-13), "{} at {psi}: {v}", best.velocity);
+        }
+    }
+
+    #[test]
+    fn both_starts_find_the_same_root(omega in 0.5f64..3.0, over in 1.0001f64..4.0) {
+        prop_assume!((omega - 1.0).abs() > 1e-3);
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let (half, k) = half(omega, alpha);
+        if let Some((quick, _)) = from_centre(&half) {
+            let safe = from_bracket(&half, k, alpha);
+            prop_assert!((quick.psi - safe).abs() < 1e-8, "{} {safe}", quick.psi);
+        }
+    }
+}
+
+/// Half way between two crests of the faster wave to within rounding: at f32 the minimum there was taken for the maximum.
+#[test]
+fn not_the_minimum_between_two_equal_maxima() {
+    let cycle = Cycle::new(Ratios::new(0.186_831_79f32, 28.893_51).unwrap()).unwrap();
+    assert!((cycle.max_velocity() - 35.545_4).abs() < 1e-4, "{}", cycle.max_velocity());
+}
