@@ -13,10 +13,26 @@ pub enum Quantity {
     Stiffness,
     /// Friction bound r_y, the greatest force friction can carry.
     FrictionBound,
+    /// Friction r₊ against motion with x′ > 0.
+    ForwardFriction,
+    /// Friction r₋ against motion with x′ < 0.
+    BackwardFriction,
+    /// Damping constant c.
+    Damping,
+    /// Damping ratio ζ = c/(2√(k m)).
+    DampingRatio,
+    /// Constant force p̄.
+    MeanForce,
+    /// Displacement about which the motion is symmetric, (p̄ − (r₊ − r₋)/2)/k.
+    MeanDisplacement,
     /// Amplitude p₀ of the driving force.
     ForceAmplitude,
     /// Amplitude u_g0 of the base motion.
     BaseAmplitude,
+    /// Velocity amplitude of the base motion.
+    BaseVelocity,
+    /// Acceleration amplitude of the base motion.
+    BaseAcceleration,
     /// Angular frequency ω_d of the drive.
     AngularFrequency,
     /// Frequency ratio Ω = ω_d/ω_n.
@@ -71,8 +87,16 @@ impl Quantity {
             Self::Mass => "mass m",
             Self::Stiffness => "stiffness k",
             Self::FrictionBound => "friction bound r_y",
+            Self::ForwardFriction => "forward friction r₊",
+            Self::BackwardFriction => "backward friction r₋",
+            Self::Damping => "damping constant c",
+            Self::DampingRatio => "damping ratio ζ",
+            Self::MeanForce => "mean force p̄",
+            Self::MeanDisplacement => "mean displacement (p̄ − (r₊ − r₋)/2)/k",
             Self::ForceAmplitude => "force amplitude p₀",
             Self::BaseAmplitude => "base amplitude u_g0",
+            Self::BaseVelocity => "base velocity amplitude",
+            Self::BaseAcceleration => "base acceleration amplitude",
             Self::AngularFrequency => "angular frequency ω_d",
             Self::FrequencyRatio => "frequency ratio Ω",
             Self::ForceRatio => "force ratio α",
@@ -124,6 +148,22 @@ pub enum Error {
         quantity: Quantity,
         /// Its value.
         value: String,
+    },
+    /// Negative where only zero or a positive number makes sense.
+    #[error("{quantity} = {value} must be ≥ 0")]
+    Negative {
+        /// What it is.
+        quantity: Quantity,
+        /// Its value.
+        value: String,
+    },
+    /// A damper in a question whose answer is known without one only.
+    #[error(
+        "damping ratio ζ = {damping_ratio} must be 0 here: this calculation does not include viscous damping"
+    )]
+    Damped {
+        /// Damping ratio ζ.
+        damping_ratio: String,
     },
     /// So small or so large that a result could under- or overflow.
     #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
@@ -211,6 +251,14 @@ pub enum Error {
         /// What was asked for.
         quantity: Quantity,
     },
+    /// A drive whose force changes with the frequency, in a question over a range of frequencies.
+    #[error(
+        "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the frequency"
+    )]
+    ForceOfFrequency {
+        /// What shakes the body.
+        drive: &'static str,
+    },
     /// A base motion, whose force k u_g0 changes with the stiffness that is asked for.
     #[error("drive = base motion must be a force: that of a base motion changes with the stiffness")]
     BaseMotion,
@@ -241,9 +289,12 @@ impl Error {
         match self {
             Self::NotFinite { quantity, .. }
             | Self::NotPositive { quantity, .. }
+            | Self::Negative { quantity, .. }
             | Self::OutOfRange { quantity, .. }
             | Self::EmptyRange { quantity, .. } => Some(*quantity),
+            Self::Damped { .. } => Some(Quantity::DampingRatio),
             Self::TargetSticks { .. }
+            | Self::ForceOfFrequency { .. }
             | Self::AtResonance { .. }
             | Self::Sticks { .. }
             | Self::SticksThroughout { .. }

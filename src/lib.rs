@@ -68,7 +68,8 @@
 //! | symbol | in code | meaning | unit |
 //! |---|---|---|---|
 //! | m, k, r_y | [`Oscillator`] | mass, stiffness, friction bound | |
-//! | p₀, u_g0, ω_d | [`Drive`] | force amplitude, base amplitude, angular frequency | |
+//! | c, r₊, r₋ | [`Oscillator`] | damping constant, friction by direction | |
+//! | p₀, u_g0, ω_d, p̄ | [`Drive`] | force amplitude, base amplitude, angular frequency, mean force | |
 //! | ω_n | [`Oscillator::natural_frequency`] | √(k/m) | |
 //! | B | [`Oscillator::friction_displacement`] | r_y/k | length |
 //! | Ω, α | [`Ratios`] | ω_d/ω_n, p₀/r_y | 1 |
@@ -165,7 +166,7 @@ pub mod verify;
 pub use error::{Error, Quantity};
 pub use float::{Float, Real};
 pub use nonsticking::{Border, Cycle};
-pub use oscillator::{Drive, Oscillator, Scales};
+pub use oscillator::{Drive, Excitation, Oscillator, Scales};
 pub use output::Output;
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;

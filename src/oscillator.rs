@@ -1,21 +1,37 @@
-//! The machine in physical units: the body on its spring and friction surface, and its drive (eq. 1).
+//! The machine in physical units: the body on its spring, damper and friction surface (eq. 1), its drive, and
+//! the scales of the answers.
+
+mod drive;
+mod scales;
+
+pub use drive::{Drive, Excitation};
+pub use scales::Scales;
 
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::ratios::{Ratios, frequency_ratio, positive};
+use crate::ratios::{frequency_ratio, non_negative, positive};
 
-/// A body of mass m on a spring of stiffness k and a surface whose friction carries at most r_y.
+/// A body of mass m on a spring of stiffness k, a viscous damper c and a surface whose friction carries at
+/// most r_y.
 ///
-/// Any consistent system of units; all three are finite and > 0.
+/// Any consistent system of units. m, k and r_y are finite and > 0; c is finite and ≥ 0, and 0 unless it is
+/// given ([`Oscillator::with_damping`]).
+///
+/// **Friction that differs by direction** ([`Oscillator::with_directional_friction`]): r₊ against motion with
+/// x′ > 0 and r₋ against motion with x′ < 0 are the bound `r_y = (r₊ + r₋)/2` and a constant force `−(r₊ −
+/// r₋)/2`. A constant force only shifts the motion, stops included: [`Scales::mean_displacement`] says by how
+/// much, and all else is as with r_y in both directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oscillator<F> {
     mass: F,
     stiffness: F,
     friction_bound: F,
+    damping: F,
+    friction_offset: F,
 }
 
 impl<F: Float> Oscillator<F> {
-    /// An oscillator from mass m, stiffness k and friction bound r_y.
+    /// An oscillator from mass m, stiffness k and friction bound r_y, without a damper.
     ///
     /// # Errors
     /// Where one of them is not finite or not > 0.
@@ -24,6 +40,8 @@ impl<F: Float> Oscillator<F> {
             mass: positive(Quantity::Mass, mass)?,
             stiffness: positive(Quantity::Stiffness, stiffness)?,
             friction_bound: positive(Quantity::FrictionBound, friction_bound)?,
+            damping: F::int(0),
+            friction_offset: F::int(0),
         })
     }
 
@@ -38,6 +56,39 @@ impl<F: Float> Oscillator<F> {
         Self::new(mass, mass * natural_frequency.square(), friction_bound)
     }
 
+    /// The same with a viscous damper: the force −c x′ on the body.
+    ///
+    /// # Errors
+    /// Where c is not finite or < 0.
+    pub fn with_damping(self, damping: F) -> Result<Self, Error> {
+        Ok(Self { damping: non_negative(Quantity::Damping, damping)?, ..self })
+    }
+
+    /// The same with a damper of damping ratio ζ: `c = 2ζ √(k m)`.
+    ///
+    /// # Errors
+    /// Where ζ or c is not finite or < 0.
+    pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
+        let ratio = non_negative(Quantity::DampingRatio, damping_ratio)?;
+        self.with_damping(ratio * self.critical_damping())
+    }
+
+    /// The same with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
+    /// with x′ < 0.
+    ///
+    /// # Errors
+    /// Where one of them is not finite or not > 0, or their sum overflows.
+    pub fn with_directional_friction(self, forward: F, backward: F) -> Result<Self, Error> {
+        let forward = positive(Quantity::ForwardFriction, forward)?;
+        let backward = positive(Quantity::BackwardFriction, backward)?;
+        let half = F::ratio(1, 2);
+        Ok(Self {
+            friction_bound: positive(Quantity::FrictionBound, forward * half + backward * half)?,
+            friction_offset: (forward - backward) * half,
+            ..self
+        })
+    }
+
     /// Mass m.
     pub const fn mass(&self) -> F {
         self.mass
@@ -48,12 +99,37 @@ impl<F: Float> Oscillator<F> {
         self.stiffness
     }
 
-    /// Friction bound r_y.
+    /// Friction bound r_y; the mean of both directions, `(r₊ + r₋)/2`, where they differ.
     pub const fn friction_bound(&self) -> F {
         self.friction_bound
     }
 
-    /// Natural angular frequency `ω_n = √(k/m)` (eq. 7).
+    /// Half the difference of friction by direction, `(r₊ − r₋)/2`: 0 unless it was given by direction.
+    pub const fn friction_offset(&self) -> F {
+        self.friction_offset
+    }
+
+    /// Damping constant c.
+    pub const fn damping(&self) -> F {
+        self.damping
+    }
+
+    /// Damping ratio `ζ = c/(2√(k m))`.
+    pub fn damping_ratio(&self) -> F {
+        if self.damping == F::int(0) { self.damping } else { self.damping / self.critical_damping() }
+    }
+
+    /// `2√(k m)`, the damping constant at which free vibration ceases.
+    fn critical_damping(&self) -> F {
+        F::int(2) * (self.stiffness.sqrt() * self.mass.sqrt())
+    }
+
+    /// The same body, where it has no damper: for what is not known with one.
+    pub(crate) fn undamped(&self) -> Result<&Self, Error> {
+        crate::ratios::without_damping(self.damping_ratio()).map(|()| self)
+    }
+
+    /// Natural angular frequency `ω_n = √(k/m)` (eq. 7), without damper and friction.
     pub fn natural_frequency(&self) -> F {
         (self.stiffness / self.mass).sqrt()
     }
@@ -65,146 +141,9 @@ impl<F: Float> Oscillator<F> {
     }
 }
 
-/// What shakes the body.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Excitation<F> {
-    Force(F),
-    BaseMotion(F),
-}
-
-/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion `u_g0 sin ω_d t` of the foot of its spring.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Drive<F> {
-    excitation: Excitation<F>,
-    angular_frequency: F,
-}
-
-impl<F: Float> Drive<F> {
-    /// A force `p₀ sin ω_d t`.
-    ///
-    /// # Errors
-    /// Where p₀ or ω_d is not finite or not > 0.
-    pub fn force(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
-        Ok(Self {
-            excitation: Excitation::Force(positive(Quantity::ForceAmplitude, amplitude)?),
-            angular_frequency: positive(Quantity::AngularFrequency, angular_frequency)?,
-        })
-    }
-
-    /// A motion `u_g0 sin ω_d t` of the foot of the spring over a surface that stays: the same equation with `p₀ = k u_g0`, x being
-    /// the displacement over the surface. A base that carries the surface along is the force `p₀ = m ω_d² u_g0`, with x relative to
-    /// the base ([`Drive::force`]; `docs/errata.md`, 7).
-    ///
-    /// # Errors
-    /// Where u_g0 or ω_d is not finite or not > 0.
-    pub fn base_motion(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
-        Ok(Self {
-            excitation: Excitation::BaseMotion(positive(Quantity::BaseAmplitude, amplitude)?),
-            angular_frequency: positive(Quantity::AngularFrequency, angular_frequency)?,
-        })
-    }
-
-    /// The force `p₀ = α r_y` at the angular frequency ω_d.
-    ///
-    /// # Errors
-    /// Where α or ω_d is not finite or not > 0, or p₀ over- or underflows.
-    pub fn with_force_ratio(
-        oscillator: &Oscillator<F>,
-        alpha: F,
-        angular_frequency: F,
-    ) -> Result<Self, Error> {
-        let alpha = positive(Quantity::ForceRatio, alpha)?;
-        Self::force(alpha * oscillator.friction_bound(), angular_frequency)
-    }
-
-    /// The force that gives `oscillator` the ratios (Ω, α): `p₀ = α r_y`, `ω_d = Ω ω_n`.
-    ///
-    /// # Errors
-    /// Where p₀ or ω_d over- or underflows.
-    pub fn from_ratios(oscillator: &Oscillator<F>, ratios: &Ratios<F>) -> Result<Self, Error> {
-        let angular_frequency = ratios.omega() * oscillator.natural_frequency();
-        Self::with_force_ratio(oscillator, ratios.alpha(), angular_frequency)
-    }
-
-    /// Angular frequency ω_d.
-    pub const fn angular_frequency(&self) -> F {
-        self.angular_frequency
-    }
-
-    /// The amplitude it was given by: p₀ of a force, u_g0 of a base motion.
-    pub const fn amplitude(&self) -> F {
-        match self.excitation {
-            Excitation::Force(amplitude) | Excitation::BaseMotion(amplitude) => amplitude,
-        }
-    }
-
-    /// Whether it is the base that moves, so that the force on the body changes with its stiffness.
-    pub const fn is_base_motion(&self) -> bool {
-        matches!(self.excitation, Excitation::BaseMotion(_))
-    }
-
-    /// Amplitude of the force on the body of `oscillator`: p₀, or `k u_g0` under base motion.
-    pub fn force_amplitude(&self, oscillator: &Oscillator<F>) -> F {
-        match self.excitation {
-            Excitation::Force(p0) => p0,
-            Excitation::BaseMotion(ug0) => oscillator.stiffness() * ug0,
-        }
-    }
-
-    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8).
-    ///
-    /// # Errors
-    /// Where a ratio leaves the domain of [`Ratios`].
-    pub fn ratios(&self, oscillator: &Oscillator<F>) -> Result<Ratios<F>, Error> {
-        Ratios::new(
-            self.angular_frequency / oscillator.natural_frequency(),
-            self.force_amplitude(oscillator) / oscillator.friction_bound(),
-        )
-    }
-}
-
-/// The physical size of the dimensionless answers of one oscillator under one drive.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Scales<F> {
-    /// Length: `B = r_y/k` (eq. 6).
-    pub length: F,
-    /// Velocity: `B ω_d` (as in eq. 49).
-    pub velocity: F,
-    /// Time for one radian of phase: `1/ω_d`.
-    pub time: F,
-    /// Force: r_y.
-    pub force: F,
-    /// Energy for one unit of A₁: `p₀²/(2k)`, the lossless static elastic energy (eq. 64).
-    pub energy_stiffness: F,
-    /// Energy for one unit of A₂: `p₀²/(2 m ω_d²)` (eq. 67).
-    pub energy_inertia: F,
-}
-
-impl<F: Float> Scales<F> {
-    /// The scales of `oscillator` under `drive`.
-    ///
-    /// # Errors
-    /// Where one of them over- or underflows, so that answers could not be stated in these units.
-    pub fn new(oscillator: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
-        let length = positive(Quantity::FrictionDisplacement, oscillator.friction_displacement())?;
-        let frequency = drive.angular_frequency();
-        let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(oscillator))?;
-        let inertia = positive(Quantity::PseudoStiffness, oscillator.mass() * frequency.square())?;
-        let half = F::ratio(1, 2);
-        Ok(Self {
-            length,
-            velocity: positive(Quantity::VelocityScale, length * frequency)?,
-            time: positive(Quantity::TimeScale, F::int(1) / frequency)?,
-            force: oscillator.friction_bound(),
-            energy_stiffness: positive(Quantity::StaticEnergy, half * p0 * (p0 / oscillator.stiffness()))?,
-            energy_inertia: positive(Quantity::PseudoStaticEnergy, half * p0 * (p0 / inertia))?,
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Drive, Oscillator, Scales};
+    use super::{Drive, Excitation, Oscillator, Scales};
     use crate::error::Error;
     use crate::ratios::Ratios;
 
@@ -259,5 +198,53 @@ mod tests {
         let tiny = Oscillator::new(1.0, 1e300, 1e-300).unwrap();
         let message = Scales::new(&tiny, &Drive::force(1.0, 1.0).unwrap()).unwrap_err().to_string();
         assert!(message.starts_with("friction displacement B"), "{message}");
+    }
+
+    #[test]
+    fn a_mean_force_and_one_sided_friction_are_a_shift() {
+        // k = 8, r₊ = 5, r₋ = 3: r_y = 4, offset 1. p̄ = 9: the mean position is (9 − 1)/8 = 1.
+        let body = Oscillator::new(2.0, 8.0, 1.0).unwrap().with_directional_friction(5.0, 3.0).unwrap();
+        let drive = Drive::force(12.0, 4.0).unwrap().with_mean_force(9.0).unwrap();
+        assert_eq!((body.friction_bound(), body.friction_offset()), (4.0, 1.0));
+        let scales = Scales::new(&body, &drive).unwrap();
+        assert_eq!((scales.mean_displacement, scales.length), (1.0, 0.5));
+        assert_eq!(drive.ratios(&body), Ratios::new(2.0, 3.0));
+        assert!(body.with_directional_friction(5.0, 0.0).is_err());
+        assert!(drive.with_mean_force(f64::NAN).is_err());
+    }
+
+    #[test]
+    fn damping_by_constant_and_by_ratio() {
+        // 2√(k m) = 8.
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        close(body.with_damping(0.4).unwrap().damping_ratio(), 0.05);
+        close(body.with_damping_ratio(0.05).unwrap().damping(), 0.4);
+        assert_eq!(body.damping_ratio(), 0.0);
+        let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
+        assert_eq!(text(body.with_damping_ratio(-0.5)), "damping ratio ζ = -0.5 must be ≥ 0");
+        assert_eq!(text(body.with_damping(f64::NAN)), "damping constant c = NaN must be finite");
+    }
+
+    #[test]
+    fn each_base_motion_is_a_force_of_its_own() {
+        // m = 2, k = 8, c = 3, ω_d = 4, u = 1.5: k u = 12, √(k² + c²ω²) u = √208 · 1.5, m ω² u = 48.
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap().with_damping(3.0).unwrap();
+        let p0 =
+            |excitation, amplitude| Drive::new(excitation, amplitude, 4.0).unwrap().force_amplitude(&body);
+        close(p0(Excitation::FootMotion, 1.5), 12.0);
+        close(p0(Excitation::DampedFootMotion, 1.5), 208f64.sqrt() * 1.5);
+        for (excitation, amplitude) in [
+            (Excitation::SurfaceMotion, 1.5),
+            (Excitation::SurfaceVelocity, 6.0),
+            (Excitation::SurfaceAcceleration, 24.0),
+        ] {
+            close(p0(excitation, amplitude), 48.0);
+        }
+        let foot = Drive::new(Excitation::DampedFootMotion, 1.5, 4.0).unwrap();
+        close(foot.phase_lead(&body), 1.5f64.atan());
+        assert_eq!(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().phase_lead(&body), 0.0);
+        // A surface that moves shakes by inertia: the same force whatever the stiffness.
+        let stiffer = Oscillator::new(2.0, 80.0, 4.0).unwrap();
+        close(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().force_amplitude(&stiffer), 48.0);
     }
 }

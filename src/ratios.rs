@@ -1,20 +1,22 @@
-//! The two dimensionless numbers that decide everything (eq. 8, 9).
+//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9) and the damping ratio ζ.
 
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 
-/// Frequency ratio Ω = ω_d/ω_n (eq. 9) and force ratio α = p₀/r_y (eq. 8), validated.
+/// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8) and damping ratio ζ = c/(2√(k m)), validated.
 ///
 /// | ratio | domain |
 /// |---|---|
 /// | Ω | `2⁻ᵉ ≤ Ω ≤ 2ᵉ`, e = [`Float::RATIO_EXPONENT`] (250 for `f64`, 30 for `f32`) |
 /// | α | `0 < α ≤ 2ᵉ` |
+/// | ζ | 0, or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`; 0 unless it is given |
 ///
 /// Inside that domain no closed form over- or underflows; outside, construction says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ratios<F> {
     omega: F,
     alpha: F,
+    damping_ratio: F,
 }
 
 impl<F: Float> Ratios<F> {
@@ -24,13 +26,23 @@ impl<F: Float> Ratios<F> {
     /// [`Error`] with the value and the inequality it breaks.
     #[inline]
     pub fn new(omega: F, alpha: F) -> Result<Self, Error> {
-        Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)? })
+        Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)?, damping_ratio: F::int(0) })
+    }
+
+    /// The same with viscous damping of the ratio ζ.
+    ///
+    /// # Errors
+    /// Where ζ is outside its domain; [`Error::Damped`] for any ζ > 0, as long as no part of this crate computes with it.
+    pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
+        let damping_ratio = valid_damping_ratio(damping_ratio)?;
+        without_damping(damping_ratio)?;
+        Ok(Self { damping_ratio, ..self })
     }
 
     /// Ratios that are known to be in the domain.
     #[cfg(feature = "dual")]
-    pub(crate) const fn of_valid(omega: F, alpha: F) -> Self {
-        Self { omega, alpha }
+    pub(crate) const fn of_valid(omega: F, alpha: F, damping_ratio: F) -> Self {
+        Self { omega, alpha, damping_ratio }
     }
 
     /// Frequency ratio Ω = ω_d/ω_n (eq. 9).
@@ -43,12 +55,28 @@ impl<F: Float> Ratios<F> {
         self.alpha
     }
 
-    /// Both ratios in another number type, which has to hold them.
-    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
-        Ratios { omega: to(self.omega), alpha: to(self.alpha) }
+    /// Damping ratio ζ = c/(2√(k m)): 0 without a damper, 1 where free vibration ceases.
+    pub const fn damping_ratio(&self) -> F {
+        self.damping_ratio
     }
 
-    /// Amplitude of the frictionless response in units of B: `A/B = α/(1 − Ω²)` (eq. 5, 6). Negative
+    /// Whether there is a damper, ζ > 0.
+    #[inline]
+    pub fn is_damped(&self) -> bool {
+        self.damping_ratio > F::int(0)
+    }
+
+    /// The same ratios, where there is no damper: for what is not known with one.
+    pub(crate) fn undamped(self) -> Result<Self, Error> {
+        without_damping(self.damping_ratio).map(|()| self)
+    }
+
+    /// The ratios in another number type, which has to hold them.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
+        Ratios { omega: to(self.omega), alpha: to(self.alpha), damping_ratio: to(self.damping_ratio) }
+    }
+
+    /// Amplitude of the frictionless response without damping in units of B: `A/B = α/(1 − Ω²)` (eq. 5, 6). Negative
     /// above the natural frequency; infinite at Ω = 1.
     pub fn forced_amplitude(&self) -> F {
         self.alpha / ((F::int(1) - self.omega) * (F::int(1) + self.omega))
@@ -63,6 +91,29 @@ pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
 /// `x`, where it is finite and above zero.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }
+}
+
+/// `x`, where it is finite and not below zero.
+pub(crate) fn non_negative<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
+    if x < F::int(0) { Err(Error::Negative { quantity, value: written(x) }) } else { finite(quantity, x) }
+}
+
+/// Refuses damping, for what is not known with it.
+pub(crate) fn without_damping<F: Float>(damping_ratio: F) -> Result<(), Error> {
+    if damping_ratio == F::int(0) {
+        Ok(())
+    } else {
+        Err(Error::Damped { damping_ratio: written(damping_ratio) })
+    }
+}
+
+/// ζ, where it is 0 or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`.
+pub(crate) fn valid_damping_ratio<F: Float>(damping_ratio: F) -> Result<F, Error> {
+    let zeta = non_negative(Quantity::DampingRatio, damping_ratio)?;
+    if zeta == F::int(0) {
+        return Ok(zeta);
+    }
+    within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(F::RATIO_EXPONENT))
 }
 
 /// `x`, where it is within `[least, greatest]`, `least` > 0.
@@ -137,6 +188,19 @@ mod tests {
         assert_eq!(message(1.5, -0.0), "force ratio α = -0 must be > 0");
         assert_eq!(message(f64::NAN, 2.0), "frequency ratio Ω = NaN must be finite");
         assert_eq!(message(1.5, f64::INFINITY), "force ratio α = inf must be finite");
+    }
+
+    #[test]
+    fn damping_is_zero_or_of_ordinary_size() {
+        let with = |zeta| Ratios::new(1.5, 2.0).unwrap().with_damping_ratio(zeta);
+        assert_eq!(Ratios::new(1.5, 2.0).unwrap().damping_ratio(), 0.0);
+        assert!(!with(0.0).unwrap().is_damped());
+        let message = |zeta| with(zeta).unwrap_err().to_string();
+        assert_eq!(message(-0.5), "damping ratio ζ = -0.5 must be ≥ 0");
+        assert_eq!(message(f64::NAN), "damping ratio ζ = NaN must be finite");
+        assert!(matches!(with(1e-80), Err(Error::OutOfRange { quantity: Quantity::DampingRatio, .. })));
+        assert!(matches!(with(0.1), Err(Error::Damped { .. })));
+        assert!(with(0.0).unwrap().undamped().is_ok());
     }
 
     #[test]

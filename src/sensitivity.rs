@@ -79,14 +79,15 @@ pub struct Sensitivities<const N: usize> {
 impl Sensitivities<2> {
     /// The dimensionless outputs and their derivatives by Ω and α, [`OMEGA`] and [`ALPHA`].
     ///
-    /// In units of B = r_y/k, Bω_d and radians, held constant. Accuracy: that of the outputs, a few units in the last place of the
+    /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few units in the last place of the
     /// larger of p ∂y/∂p and y, away from the corners named above; measured against differences at 512 bits, 5e-14 of that. Less for the
     /// contraction beside Ω = 1, ε/|1 − Ω|, and for τ* beside 1/(2n), 1e-11.
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
+        let zeta = Dual::of(ratios.damping_ratio());
         // Valid as they were.
-        Self::of_response(&Response::new(Ratios::of_valid(omega, alpha)), |_| Dual::of(1.0))
+        Self::of_response(&Response::new(Ratios::of_valid(omega, alpha, zeta)), |_| Dual::of(1.0))
     }
 }
 
@@ -94,7 +95,7 @@ impl Sensitivities<5> {
     /// The outputs in physical units ([`Output::unit`]) and their derivatives by m, k, r_y, the amplitude and ω_d: [`MASS`],
     /// [`STIFFNESS`], [`FRICTION_BOUND`], [`AMPLITUDE`], [`ANGULAR_FREQUENCY`].
     ///
-    /// Everything else being constant; under base motion a change of stiffness changes the force, too. Both loop sizes are the
+    /// Everything else being constant, the damping constant c too; under base motion a change of stiffness changes the force, too. Both loop sizes are the
     /// energy of a cycle, `4 r_y Δ₀`, by two ways.
     ///
     /// # Errors
@@ -104,8 +105,8 @@ impl Sensitivities<5> {
         let frequency = drive.angular_frequency();
         let [m, k, r, a, w] =
             Dual::parameters([body.mass(), body.stiffness(), body.friction_bound(), amplitude, frequency]);
-        let body = Oscillator::new(m, k, r)?;
-        let drive = if drive.is_base_motion() { Drive::base_motion(a, w)? } else { Drive::force(a, w)? };
+        let body = Oscillator::new(m, k, r)?.with_damping(Dual::of(body.damping()))?;
+        let drive = Drive::new(drive.excitation(), a, w)?;
         let scales = Scales::new(&body, &drive)?;
         Ok(Self::of_response(&Response::new(drive.ratios(&body)?), |output| output.unit(&scales)))
     }

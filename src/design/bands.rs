@@ -97,13 +97,17 @@ pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
 /// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as [`bands`].
 ///
 /// # Errors
-/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y.
+/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions, [`Error::Damped`] for a body
+/// with a damper.
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     low: F,
     high: F,
 ) -> Result<Bands<F>, Error> {
+    if !drive.is_same_at_any_frequency() {
+        return Err(Error::ForceOfFrequency { drive: drive.excitation().name() });
+    }
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let found = bands(alpha, frequency_ratio_of(body, low)?, frequency_ratio_of(body, high)?)?;

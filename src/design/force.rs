@@ -35,10 +35,10 @@ pub(super) fn border_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) ->
     Border::new(frequency_ratio_of(body, angular_frequency)?)
 }
 
-/// Ω of `body` at ω_d, validated by a drive of ratio 1.
+/// Ω of `body`, which has no damper, at ω_d, validated by a drive of ratio 1.
 pub(super) fn frequency_ratio_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
     let drive = Drive::force(body.friction_bound(), angular_frequency)?;
-    Ok(drive.ratios(body)?.omega())
+    Ok(drive.ratios(body)?.undamped()?.omega())
 }
 
 #[cfg(test)]

@@ -134,7 +134,7 @@ pub struct BestStiffness<F> {
 /// physical units: `k = m ω_d²/Ω²`.
 ///
 /// # Errors
-/// As there; [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; and where a stiffness is not
+/// As there; [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; [`Error::Damped`] for a body with a damper; and where a stiffness is not
 /// finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
@@ -146,6 +146,7 @@ pub fn most_dissipating_stiffness<F: Float>(
         return Err(Error::BaseMotion);
     }
     let frequency = drive.angular_frequency();
+    body.undamped()?;
     let inertia = positive(Quantity::PseudoStiffness, body.mass() * frequency.square())?;
     let (soft, hard) = (positive(Quantity::Stiffness, low)?, positive(Quantity::Stiffness, high)?);
     if soft > hard {

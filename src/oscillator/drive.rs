@@ -1,0 +1,207 @@
+//! What shakes the body: a force, or a motion of what it stands on.
+
+use super::Oscillator;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::ratios::{Ratios, finite, positive};
+
+/// What is given of a harmonic drive, and what shakes the body.
+///
+/// Two motions of the base must not be confused. Where only the **foot** of the spring moves, the surface
+/// under the body stays, x is the displacement over the surface, and the force is that of the spring. Where
+/// the base carries the **surface** along, as under an isolator or in an earthquake, x is the displacement
+/// relative to the base, and the force is inertia.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum Excitation {
+    /// A force `p₀ sin ω_d t` on the body.
+    Force,
+    /// A motion `u₀ sin ω_d t` of the foot of the spring over a surface that stays: `p₀ = k u₀`.
+    FootMotion,
+    /// The same with the damper standing on the moving foot, too: `p₀ = √(k² + c²ω_d²) u₀`, ahead of the
+    /// motion by [`Drive::phase_lead`].
+    DampedFootMotion,
+    /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
+    /// `p₀ = m ω_d² u₀`.
+    SurfaceMotion,
+    /// The same, given by its velocity amplitude `ω_d u₀`: `p₀ = m ω_d · (ω_d u₀)`.
+    SurfaceVelocity,
+    /// The same, given by its acceleration amplitude `ω_d² u₀`: `p₀ = m · (ω_d² u₀)`.
+    SurfaceAcceleration,
+}
+
+impl Excitation {
+    /// What its amplitude is.
+    const fn quantity(self) -> Quantity {
+        match self {
+            Self::Force => Quantity::ForceAmplitude,
+            Self::FootMotion | Self::DampedFootMotion | Self::SurfaceMotion => Quantity::BaseAmplitude,
+            Self::SurfaceVelocity => Quantity::BaseVelocity,
+            Self::SurfaceAcceleration => Quantity::BaseAcceleration,
+        }
+    }
+
+    /// What shakes the body, in words.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Force => "force on the body",
+            Self::FootMotion => "motion of the spring's foot over a fixed surface",
+            Self::DampedFootMotion => "motion of the foot of spring and damper over a fixed surface",
+            Self::SurfaceMotion => "motion of the base with its surface",
+            Self::SurfaceVelocity => "motion of the base with its surface, by velocity",
+            Self::SurfaceAcceleration => "motion of the base with its surface, by acceleration",
+        }
+    }
+}
+
+/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]); with a
+/// constant force p̄ if there is one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive<F> {
+    excitation: Excitation,
+    amplitude: F,
+    angular_frequency: F,
+    mean_force: F,
+}
+
+impl<F: Float> Drive<F> {
+    /// A drive of the given kind and amplitude at the angular frequency ω_d.
+    ///
+    /// # Errors
+    /// Where the amplitude or ω_d is not finite or not > 0.
+    pub fn new(excitation: Excitation, amplitude: F, angular_frequency: F) -> Result<Self, Error> {
+        Ok(Self {
+            excitation,
+            amplitude: positive(excitation.quantity(), amplitude)?,
+            angular_frequency: positive(Quantity::AngularFrequency, angular_frequency)?,
+            mean_force: F::int(0),
+        })
+    }
+
+    /// A force `p₀ sin ω_d t`.
+    ///
+    /// # Errors
+    /// Where p₀ or ω_d is not finite or not > 0.
+    pub fn force(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
+        Self::new(Excitation::Force, amplitude, angular_frequency)
+    }
+
+    /// A motion `u_g0 sin ω_d t` of the foot of the spring over a surface that stays
+    /// ([`Excitation::FootMotion`]): `p₀ = k u_g0`.
+    ///
+    /// The paper's base motion. For a base that carries the surface along: [`Excitation::SurfaceMotion`]
+    /// (`docs/errata.md`, 7).
+    ///
+    /// # Errors
+    /// Where u_g0 or ω_d is not finite or not > 0.
+    pub fn base_motion(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
+        Self::new(Excitation::FootMotion, amplitude, angular_frequency)
+    }
+
+    /// The force `p₀ = α r_y` at the angular frequency ω_d.
+    ///
+    /// # Errors
+    /// Where α or ω_d is not finite or not > 0, or p₀ over- or underflows.
+    pub fn with_force_ratio(
+        oscillator: &Oscillator<F>,
+        alpha: F,
+        angular_frequency: F,
+    ) -> Result<Self, Error> {
+        let alpha = positive(Quantity::ForceRatio, alpha)?;
+        Self::force(alpha * oscillator.friction_bound(), angular_frequency)
+    }
+
+    /// The force that gives `oscillator` the ratios (Ω, α): `p₀ = α r_y`, `ω_d = Ω ω_n`.
+    ///
+    /// Damping is the oscillator's own: ζ of `ratios` plays no part.
+    ///
+    /// # Errors
+    /// Where p₀ or ω_d over- or underflows.
+    pub fn from_ratios(oscillator: &Oscillator<F>, ratios: &Ratios<F>) -> Result<Self, Error> {
+        let angular_frequency = ratios.omega() * oscillator.natural_frequency();
+        Self::with_force_ratio(oscillator, ratios.alpha(), angular_frequency)
+    }
+
+    /// The same with a constant force p̄ on the body, such as its weight along an inclined surface or a
+    /// preload.
+    ///
+    /// It shifts the motion by p̄/k and changes nothing else ([`super::Scales::mean_displacement`]).
+    ///
+    /// # Errors
+    /// Where p̄ is not finite.
+    pub fn with_mean_force(self, mean_force: F) -> Result<Self, Error> {
+        Ok(Self { mean_force: finite(Quantity::MeanForce, mean_force)?, ..self })
+    }
+
+    /// Angular frequency ω_d.
+    pub const fn angular_frequency(&self) -> F {
+        self.angular_frequency
+    }
+
+    /// The amplitude it was given by: p₀ of a force, otherwise that of the motion of the base.
+    pub const fn amplitude(&self) -> F {
+        self.amplitude
+    }
+
+    /// What shakes the body.
+    pub const fn excitation(&self) -> Excitation {
+        self.excitation
+    }
+
+    /// The constant force p̄; 0 unless it was given.
+    pub const fn mean_force(&self) -> F {
+        self.mean_force
+    }
+
+    /// Whether it is the foot of the spring that moves, so that the force on the body changes with its
+    /// stiffness.
+    pub const fn is_base_motion(&self) -> bool {
+        matches!(self.excitation, Excitation::FootMotion | Excitation::DampedFootMotion)
+    }
+
+    /// Whether the force on the body is the same at every ω_d.
+    pub(crate) const fn is_same_at_any_frequency(&self) -> bool {
+        matches!(self.excitation, Excitation::Force | Excitation::FootMotion)
+    }
+
+    /// Amplitude p₀ of the force on the body of `oscillator`: as [`Excitation`] says.
+    pub fn force_amplitude(&self, oscillator: &Oscillator<F>) -> F {
+        let (amplitude, frequency) = (self.amplitude, self.angular_frequency);
+        match self.excitation {
+            Excitation::Force => amplitude,
+            Excitation::FootMotion => oscillator.stiffness() * amplitude,
+            Excitation::DampedFootMotion => {
+                oscillator.stiffness().hypot(oscillator.damping() * frequency) * amplitude
+            }
+            Excitation::SurfaceMotion => oscillator.mass() * frequency.square() * amplitude,
+            Excitation::SurfaceVelocity => oscillator.mass() * frequency * amplitude,
+            Excitation::SurfaceAcceleration => oscillator.mass() * amplitude,
+        }
+    }
+
+    /// The phase by which the force on the body is ahead of the motion of the base: `atan(c ω_d/k)` of a foot
+    /// with a damper, otherwise 0.
+    ///
+    /// Phases of this crate are those of the force, ω_d t. The displacement of the base is `u₀ sin(ω_d t −
+    /// lead)`, however its amplitude was given.
+    pub fn phase_lead(&self, oscillator: &Oscillator<F>) -> F {
+        if self.excitation == Excitation::DampedFootMotion {
+            (oscillator.damping() * self.angular_frequency).atan2(oscillator.stiffness())
+        } else {
+            F::int(0)
+        }
+    }
+
+    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8) and ζ.
+    ///
+    /// # Errors
+    /// Where a ratio leaves the domain of [`Ratios`].
+    pub fn ratios(&self, oscillator: &Oscillator<F>) -> Result<Ratios<F>, Error> {
+        Ratios::new(
+            self.angular_frequency / oscillator.natural_frequency(),
+            self.force_amplitude(oscillator) / oscillator.friction_bound(),
+        )?
+        .with_damping_ratio(oscillator.damping_ratio())
+    }
+}
