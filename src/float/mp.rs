@@ -17,7 +17,7 @@
 //!
 //! A formula over this type rounds as it goes, and loses some of the last digits as any does at f64.
 //! [`Float::guarded`](super::Float::guarded) runs it with a limb more and rounds once: then every output
-//! of the closed forms is right to one unit in the last place (`tests/precision.rs`).
+//! of the closed forms is right to one unit in the last place (`tests/closed_forms/precision.rs`).
 //!
 //! ```
 //! use stickslip::float::mp::Mp;

@@ -1,6 +1,6 @@
 //! Errors in units in the last place: of what, in which unit, and how many are allowed.
 //!
-//! One table for the harness (`benches/accuracy.rs`) and the test (`tests/accuracy.rs`).
+//! One table for the harness (`benches/accuracy.rs`) and the test (`tests/closed_forms/accuracy.rs`).
 
 pub(crate) mod points;
 pub(crate) mod reference;

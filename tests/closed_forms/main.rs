@@ -1,0 +1,25 @@
+//! The closed forms: identities, independent values, any precision, batches, sensitivities, ranges, inverse problems.
+
+#[path = "../random/mod.rs"]
+mod random;
+#[cfg(feature = "mp")]
+#[path = "../ulps/mod.rs"]
+mod ulps;
+
+#[cfg(feature = "mp")]
+mod accuracy;
+#[cfg(feature = "batch")]
+mod batch;
+mod design;
+#[cfg(feature = "mp")]
+mod design_wide;
+mod errata;
+mod identities;
+#[cfg(feature = "generators")]
+mod ordinary_inputs;
+#[cfg(feature = "mp")]
+mod precision;
+mod reference;
+#[cfg(all(feature = "dual", feature = "mp"))]
+mod sensitivity;
+mod uncertainty;

@@ -1,0 +1,309 @@
+//! Ranges over boxes of parameters against many points of the boxes.
+
+use crate::random::Random;
+use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox, Sticking};
+use stickslip::{Border, Drive, Error, Oscillator, Output, Ratios, Regime, Response, Scales};
+
+fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
+    let share = width * random.next();
+    if share < 0.2 * width { Interval::exactly(x) } else { Interval::relative(x, share).unwrap() }
+}
+
+fn within(random: &mut Random, i: Interval<f64>) -> f64 {
+    let corner = random.next();
+    if corner < 0.2 {
+        i.low()
+    } else if corner < 0.4 {
+        i.high()
+    } else {
+        random.between(i.low(), i.high())
+    }
+}
+
+fn holds(range: &Range<f64>, value: f64) -> bool {
+    let slack = 1e-11 * value.abs();
+    range.low <= value + slack && value <= range.high + slack
+}
+
+#[test]
+fn guaranteed_ranges_of_ratios_hold_everywhere() {
+    let mut random = Random(61);
+    let mut guaranteed = 0;
+    for i in 0..1500 {
+        let omega = random.scale(0.06, 20.0);
+        let width = if i % 2 == 0 { 0.01 } else { 0.2 };
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * random.scale(0.5, 8.0);
+        let (omega, alpha) = (interval(&mut random, omega, width), interval(&mut random, alpha, 0.3));
+        let whole = RatioBox::new(omega, alpha).unwrap();
+        let sticks = whole.sticks().unwrap();
+        let ranges: Vec<_> = Output::ALL.iter().map(|o| whole.range(*o, 40).unwrap()).collect();
+        for _ in 0..60 {
+            let (omega, alpha) = (within(&mut random, omega), within(&mut random, alpha));
+            let response = Response::new(Ratios::new(omega, alpha).unwrap());
+            match sticks {
+                Sticking::Always => assert!(matches!(response.regime(), Regime::Sticking | Regime::Stuck)),
+                Sticking::Never => {
+                    assert!(matches!(response.regime(), Regime::NonSticking | Regime::Unbounded));
+                }
+                Sticking::Undecided => {}
+            }
+            for (output, range) in Output::ALL.iter().zip(&ranges) {
+                if let (Some(range), Some(value)) = (range, output.of(&response))
+                    && range.is_guaranteed()
+                {
+                    guaranteed += 1;
+                    assert!(
+                        holds(range, value),
+                        "{output:?} at ({omega}, {alpha}): {value} {range:?} {whole:?}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(guaranteed > 200_000, "{guaranteed}");
+}
+
+#[test]
+fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
+    let mut random = Random(62);
+    for _ in 0..200 {
+        let omega = random.scale(0.1, 10.0);
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * random.scale(1.1, 8.0);
+        let omega = Interval::relative(omega, 0.002).unwrap();
+        let width = random.scale(0.005, 0.1);
+        let whole = RatioBox::new(omega, Interval::relative(alpha, width).unwrap()).unwrap();
+        if whole.sticks().unwrap() != Sticking::Never {
+            continue;
+        }
+        for output in [
+            Output::MaxDisplacement,
+            Output::LoopSizeStiffness,
+            Output::MinForceRatio,
+            Output::BestForceRatio,
+        ] {
+            let coarse = whole.range(output, 10).unwrap().unwrap();
+            let fine = whole.range(output, 4000).unwrap().unwrap();
+            assert!(coarse.is_guaranteed() && coarse.low <= fine.low * (1.0 + 1e-14), "{output:?}");
+            assert!(fine.high <= coarse.high * (1.0 + 1e-14), "{output:?} {coarse:?} {fine:?}");
+            // The ends of the fine one are nearly taken.
+            let (mut low, mut high) = (f64::INFINITY, 0.0);
+            for i in 0..=400 {
+                for j in [0.0, 0.25, 0.5, 0.75, 1.0] {
+                    let at = |i: Interval<f64>, share: f64| i.low() + (i.high() - i.low()) * share;
+                    let ratios = Ratios::new(at(omega, f64::from(i) / 400.0), at(whole.alpha(), j)).unwrap();
+                    let value = output.of(&Response::new(ratios)).unwrap();
+                    (low, high) = (f64::min(low, value), f64::max(high, value));
+                }
+            }
+            let slack = 0.03 * (high - low) + 1e-12 * high;
+            assert!(
+                fine.low >= low - slack && fine.high <= high + slack,
+                "{output:?} {fine:?} {low} {high} {whole:?}"
+            );
+        }
+        // V₀ is known for sure at one frequency.
+        let at_one = RatioBox::new(Interval::exactly(omega.low()), whole.alpha()).unwrap();
+        let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
+        assert_eq!(fastest.known, Known::Guaranteed { sharp: true });
+        assert!(!whole.range(Output::MaxVelocity, 100).unwrap().unwrap().is_guaranteed());
+        let sampled = whole.range(Output::Contraction, 100).unwrap().unwrap();
+        assert!(matches!(sampled.known, Known::Sampled { points: 105, existing: 105 }), "{sampled:?}");
+        let more = whole.range(Output::Contraction, 1000).unwrap().unwrap();
+        assert!(more.low <= sampled.low && more.high >= sampled.high);
+    }
+}
+
+#[test]
+fn guaranteed_ranges_of_machines_hold_everywhere() {
+    let mut random = Random(63);
+    let (mut guaranteed, mut never, mut always) = (0, 0, 0);
+    for i in 0..800 {
+        let is_base = i % 2 == 0;
+        let (m, k, r) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
+        let omega = random.scale(0.1, 8.0);
+        let p0 = r * Border::new(omega).unwrap().min_force_ratio() * random.scale(0.4, 8.0);
+        let a = if is_base { p0 / k } else { p0 };
+        let width = if i % 3 == 0 { 0.05 } else { 0.004 };
+        let [m, k, r, a, w] = [m, k, r, a, omega * (k / m).sqrt()].map(|x| interval(&mut random, x, width));
+        let machine =
+            if is_base { MachineBox::base_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
+        let machine = machine.unwrap();
+        let sticks = machine.sticks().unwrap();
+        (never, always) =
+            (never + i32::from(sticks == Sticking::Never), always + i32::from(sticks == Sticking::Always));
+        let ranges: Vec<_> = Output::ALL.iter().map(|o| machine.range(*o, 20).unwrap()).collect();
+        for _ in 0..40 {
+            let [m, k, r, a, w] = [m, k, r, a, w].map(|i| within(&mut random, i));
+            let body = Oscillator::new(m, k, r).unwrap();
+            let drive = if is_base { Drive::base_motion(a, w) } else { Drive::force(a, w) }.unwrap();
+            let scales = Scales::new(&body, &drive).unwrap();
+            let response = Response::new(drive.ratios(&body).unwrap());
+            match sticks {
+                Sticking::Always => assert!(response.cycle().is_none()),
+                Sticking::Never => {
+                    assert!(response.cycle().is_some() || response.regime() == Regime::Unbounded)
+                }
+                Sticking::Undecided => {}
+            }
+            for (output, range) in Output::ALL.iter().zip(&ranges) {
+                let value = output.of(&response).map(|y| y * output.unit(&scales));
+                if let (Some(range), Some(value)) = (range, value)
+                    && range.is_guaranteed()
+                {
+                    guaranteed += 1;
+                    assert!(holds(range, value), "{output:?}: {value} {range:?} {machine:?}");
+                }
+            }
+        }
+    }
+    assert!(guaranteed > 50_000 && never > 100 && always > 50, "{guaranteed} {never} {always}");
+}
+
+/// A box of one machine holds its ratios, rounding and all, and knows what it knows of the margin.
+#[test]
+fn one_machine_is_in_its_own_box() {
+    let mut random = Random(64);
+    for _ in 0..2000 {
+        let mut one = || Interval::exactly(random.scale(0.01, 100.0));
+        let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
+        for is_base in [false, true] {
+            let machine = if is_base {
+                MachineBox::base_motion(m, k, r, a, w)
+            } else {
+                MachineBox::force(m, k, r, a, w)
+            };
+            let machine = machine.unwrap();
+            let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
+            let drive = if is_base { Drive::base_motion } else { Drive::force }(a.low(), w.low()).unwrap();
+            let (whole, ratios) = (machine.ratios().unwrap(), drive.ratios(&body).unwrap());
+            let holds =
+                |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;
+            assert!(
+                holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()),
+                "{machine:?}"
+            );
+            let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
+            assert_eq!(margin.known, Known::Guaranteed { sharp: false });
+        }
+    }
+}
+
+/// Where the stiffness is known least, what is guaranteed by many pieces is nearly taken.
+#[test]
+fn guaranteed_ranges_of_machines_are_close() {
+    let mut random = Random(65);
+    let mut seen = 0;
+    for _ in 0..60 {
+        let exactly = |x: f64| Interval::exactly(x);
+        let (k, w) = (random.scale(0.1, 10.0), random.scale(0.3, 4.0));
+        let stiffness = Interval::relative(k, 0.15).unwrap();
+        let least = Border::new(w / stiffness.low().sqrt()).unwrap().min_force_ratio();
+        let p0 = least * random.scale(1.5, 6.0);
+        let machine =
+            MachineBox::force(exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w)).unwrap();
+        for output in [Output::MaxDisplacement, Output::LoopSizeStiffness, Output::LoopSizeInertia] {
+            let Some(range) = machine.range(output, 4000).unwrap().filter(Range::is_guaranteed) else {
+                continue;
+            };
+            seen += 1;
+            let (mut low, mut high) = (f64::INFINITY, 0.0);
+            for i in 0..=400 {
+                let k = stiffness.low() + (stiffness.high() - stiffness.low()) * f64::from(i) / 400.0;
+                let (body, drive) = (Oscillator::new(1.0, k, 1.0).unwrap(), Drive::force(p0, w).unwrap());
+                let scales = Scales::new(&body, &drive).unwrap();
+                let response = Response::new(drive.ratios(&body).unwrap());
+                let value = output.of(&response).unwrap() * output.unit(&scales);
+                (low, high) = (f64::min(low, value), f64::max(high, value));
+            }
+            let slack = 0.03 * (high - low);
+            assert!(range.low >= low - slack && range.high <= high + slack, "{range:?} {low} {high}");
+        }
+    }
+    assert!(seen > 60, "{seen}");
+}
+
+#[test]
+fn what_is_wrong_is_named() {
+    assert!(matches!(Interval::between(2.0, 1.0), Err(Error::EmptyInterval { .. })));
+    assert!(Interval::relative(2.0, -0.1).is_err() && Interval::absolute(2.0, f64::NAN).is_err());
+    let one = Interval::exactly(1.0);
+    let negative = Interval::absolute(1.0, 2.0).unwrap();
+    assert!(RatioBox::new(negative, one).is_err() && RatioBox::new(one, negative).is_err());
+    assert!(MachineBox::force(one, one, negative, one, one).is_err());
+    // Sticks throughout: the cycle has no displacement anywhere, the border is known.
+    let sticking = RatioBox::new(Interval::exactly(0.7), Interval::exactly(1.2)).unwrap();
+    assert_eq!(sticking.range(Output::MaxDisplacement, 10), Ok(None));
+    assert!(sticking.range(Output::MinForceRatio, 10).unwrap().unwrap().is_guaranteed());
+    // Over the border it exists in part.
+    let over = RatioBox::new(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap()).unwrap();
+    let Known::Sampled { points, existing } =
+        over.range(Output::MaxDisplacement, 100).unwrap().unwrap().known
+    else {
+        panic!("guaranteed")
+    };
+    assert!(existing > 30 && existing < points);
+}
+
+#[cfg(feature = "random")]
+mod monte_carlo {
+    use rand_distr::{Normal, Uniform};
+    use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
+    use stickslip::{Border, Output, Regime};
+
+    fn machine<R>(friction_bound: R) -> Independent<Exactly, Exactly, R, Exactly, Exactly> {
+        let [mass, stiffness, amplitude, angular_frequency] = [50.0, 1000.0, 12.0, 6.0].map(Exactly);
+        Independent { mass, stiffness, friction_bound, amplitude, angular_frequency }
+    }
+
+    #[test]
+    fn probabilities_and_quantiles_are_those_of_the_distribution() {
+        // r_y uniform: it sticks above p₀/α_min.
+        let greatest = 12.0 / Border::new(6.0 / 20f64.sqrt()).unwrap().min_force_ratio();
+        let uniform = Uniform::new(4.0, 10.0).unwrap();
+        let outputs = [Output::Margin, Output::MaxDisplacement];
+        let found = MonteCarlo::force(&machine(uniform), &outputs, 40_000, 3).unwrap();
+        let expected = (10.0 - greatest) / 6.0;
+        let sticking = found.probability(Regime::Sticking);
+        assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
+        assert!((sticking.standard_error - (expected * (1.0 - expected) / 4e4).sqrt()).abs() < 1e-4);
+        // The margin falls with r_y: its quantile is at the opposite one of r_y.
+        for share in [0.05, 0.5, 0.9] {
+            let margin = found.quantile(Output::Margin, share).unwrap();
+            assert!((greatest / margin - (10.0 - 6.0 * share)).abs() < 0.1, "{share} {margin}");
+        }
+        assert_eq!(found.values(Output::MaxDisplacement).len(), found.count(Regime::NonSticking) as usize);
+        assert_eq!(found.values(Output::Margin).len(), 40_000);
+        assert!(
+            found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
+        );
+        // Linear between the values in order.
+        let values = found.values(Output::Margin);
+        for (i, part) in [(0usize, 0.25), (1234, 0.5), (39_998, 0.75)] {
+            let share = (i as f64 + part) / (values.len() - 1) as f64;
+            let due = values[i] * (1.0 - part) + values[i + 1] * part;
+            assert!((found.quantile(Output::Margin, share).unwrap() - due).abs() < 1e-9 * due, "{i}");
+        }
+        assert!([-0.1, f64::NAN].iter().all(|&share| found.quantile(Output::Margin, share).is_none()));
+        let mean = found.mean(Output::Margin).unwrap();
+        let exact = greatest / 6.0 * (10f64 / 4.0).ln();
+        assert!((mean.value - exact).abs() < 4.0 * mean.standard_error, "{mean:?} {exact}");
+        let variance = greatest * greatest * (1.0 / 4.0 - 1.0 / 10.0) / 6.0 - exact * exact;
+        assert!((mean.standard_error / (variance / 4e4).sqrt() - 1.0).abs() < 0.02, "{mean:?} {variance}");
+    }
+
+    #[test]
+    fn the_seed_decides_and_invalid_draws_are_counted() {
+        let wide = machine(Normal::new(2.0, 2.0).unwrap());
+        let run = |seed| MonteCarlo::force(&wide, &[Output::MaxVelocity], 5000, seed).unwrap();
+        assert_eq!(run(1), run(1));
+        assert_ne!(run(1), run(2));
+        // P(r_y ≤ 0) = Φ(−1) = 0.1587
+        let invalid = f64::from(run(1).invalid()) / 5000.0;
+        assert!((invalid - 0.1587).abs() < 0.02, "{invalid}");
+        assert_eq!(run(1).valid() + run(1).invalid(), run(1).draws());
+        assert!(MonteCarlo::base_motion(&wide, &[], 0, 1).is_err());
+        let never =
+            MonteCarlo::force(&machine(Exactly(1.0)), &[], 100, 1).unwrap().probability(Regime::Sticking);
+        assert!(never.value == 0.0 && never.standard_error > 0.0);
+    }
+}

@@ -1,0 +1,333 @@
+//! The command as its users see it: answers, formats, streams, and what it says of bad input.
+
+use crate::command_line::{json, refused, stdout, stickslip};
+use serde_json::Value;
+
+/// The paper's machine: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s.
+const PAPER: &str = "--mass 50 --friction 5 --frequency 6.283185307179586";
+
+#[test]
+fn the_text_answer_begins_with_the_regime() {
+    for (args, regime) in [
+        ("--omega 1.5 --alpha 2.5", "Non-sticking:"),
+        ("--omega 0.4 --alpha 6", "Sticking:"),
+        ("--omega 0.4 --alpha 1", "Stuck:"),
+        ("--omega 1 --alpha 1.3", "Unbounded:"),
+    ] {
+        let text = stdout(&format!("response {args}"));
+        assert!(text.starts_with(regime), "{text}");
+        assert!(text.contains("least without sticking"), "{text}");
+        // Said where it is so: 1/3 < Ω < 1/2.
+        assert_eq!(text.contains("(eq. 61 asks for"), args.contains("0.4"), "{text}");
+    }
+    let text = stdout(&format!("response {PAPER} --omega 0.8 --alpha 2.5 --units kN,m"));
+    for line in ["= 0.01013936 m", "= 0.06460706 m/s", "= 6.116908 kN", "0.2027873 kN·m", "3084.251 kN/m"] {
+        assert!(text.contains(line), "{line} in {text}");
+    }
+}
+
+#[test]
+fn json_has_the_agreed_keys_in_every_regime() {
+    let keys = [
+        "omega",
+        "alpha",
+        "regime",
+        "max_displacement",
+        "displacement_phase",
+        "max_velocity",
+        "velocity_phase",
+        "deviation",
+        "min_force_ratio",
+        "min_force_ratio_turning_point",
+        "loop_size_stiffness",
+        "loop_size_inertia",
+        "best_force_ratio",
+        "best_loop_size",
+        "contraction",
+    ];
+    for (args, regime, absent) in [
+        ("--omega 1.5 --alpha 2.5", "non-sticking", 0),
+        ("--omega 0.4 --alpha 6", "sticking", 8),
+        ("--omega 0.4 --alpha 0.9", "stuck", 8),
+        ("--omega 1 --alpha 2", "unbounded", 9),
+        ("--omega 0.5 --alpha 4", "non-sticking", 1),
+    ] {
+        let answer = json(&format!("response {args} --format json"));
+        let object = answer.as_object().unwrap();
+        assert_eq!(object.len(), keys.len());
+        assert!(keys.iter().all(|k| object.contains_key(*k)));
+        assert_eq!(object["regime"], regime);
+        assert_eq!(object.values().filter(|v| v.is_null()).count(), absent, "{args}: {answer}");
+    }
+}
+
+#[test]
+fn numbers_come_back_to_the_last_bit() {
+    let answer = json("response --omega 0.7 --alpha 2 --format json");
+    let library = stickslip::Cycle::new(stickslip::Ratios::new(0.7, 2.0).unwrap()).unwrap();
+    assert_eq!(answer["max_displacement"].as_f64(), Some(library.max_displacement()));
+    assert_eq!(answer["velocity_phase"].as_f64(), Some(library.velocity_phase()));
+}
+
+#[test]
+fn physical_units_are_the_ratios_times_their_scales() {
+    let frequency = std::f64::consts::TAU;
+    let by_ratio = json(&format!("response {PAPER} --omega 0.8 --alpha 2.5 --format json"));
+    let by_force = json(&format!("response {PAPER} --stiffness 3084.25137534 --force 12.5 --format json"));
+    let length = 5.0 / 3_084.251_375_34;
+    let by_base =
+        json(&format!("response {PAPER} --stiffness 3084.25137534 --base-motion 0.00405285 --format json"));
+    for (answer, tolerance) in [(&by_ratio, 1e-11f64), (&by_force, 1e-11), (&by_base, 1e-6)] {
+        let physical = &answer["physical"];
+        for (name, scale) in [
+            ("max_displacement", length),
+            ("deviation", length),
+            ("max_velocity", length * frequency),
+            ("displacement_phase", 1.0 / frequency),
+            ("velocity_phase", 1.0 / frequency),
+            ("min_force_ratio", 5.0),
+            ("best_force_ratio", 5.0),
+        ] {
+            let (ratio, value) = (answer[name].as_f64().unwrap(), physical[name].as_f64().unwrap());
+            assert!((value / (ratio * scale) - 1.0).abs() < tolerance.max(1e-11), "{name}");
+            let reference = by_ratio["physical"][name].as_f64().unwrap();
+            assert!((value / reference - 1.0).abs() < tolerance * 100.0, "{name}");
+        }
+        // Both loop sizes are the energy 4 r_y Δ₀ of a cycle.
+        let energy = 4.0 * 5.0 * physical["max_displacement"].as_f64().unwrap();
+        for name in ["loop_size_stiffness", "loop_size_inertia"] {
+            assert!((physical[name].as_f64().unwrap() / energy - 1.0).abs() < 1e-11, "{name}");
+        }
+        assert_eq!(physical["omega"].as_f64(), Some(frequency));
+    }
+    assert!(by_ratio.get("physical").is_some());
+    assert!(json("response --omega 0.8 --alpha 2.5 --format json").get("physical").is_none());
+}
+
+#[test]
+fn the_border_in_all_its_forms() {
+    let answer = json("border --omega 0.4 --format json");
+    assert!((answer["min_force_ratio"].as_f64().unwrap() / 6.949737755908733 - 1.0).abs() < 1e-14);
+    assert!(
+        (answer["min_force_ratio_turning_point"].as_f64().unwrap() / 5.654423047491228 - 1.0).abs() < 1e-14
+    );
+    assert!((answer["border_phase"].as_f64().unwrap() - 0.471_787_094_713_988_6).abs() < 1e-13);
+    let physical = json(&format!("border {PAPER} --omega 0.4 --format json"));
+    let ratio = physical["physical"]["min_force_ratio"].as_f64().unwrap();
+    assert!((ratio / (5.0 * 6.949737755908733) - 1.0).abs() < 1e-14);
+    assert!(stdout("border --omega 0.4").contains("6.949738"));
+    assert!(stdout("border --omega 1.5").contains("exact here"));
+    let rows =
+        stickslip("border --points - --format csv").write_stdin("omega\n0.4\n1.5\n").assert().success();
+    let text = String::from_utf8(rows.get_output().stdout.clone()).unwrap();
+    assert_eq!(text.lines().count(), 3);
+}
+
+#[test]
+fn bad_input_is_one_line_with_argument_value_and_inequality() {
+    for (args, parts) in [
+        ("response --omega 0 --alpha 2", vec!["--omega 0", "Ω = 0", "> 0"]),
+        ("response --omega -1.5 --alpha 2", vec!["--omega -1.5", "> 0"]),
+        ("response --omega nan --alpha 2", vec!["--omega nan", "NaN", "finite"]),
+        ("response --omega 1.5 --alpha inf", vec!["--alpha inf", "finite"]),
+        ("response --omega 1.5 --alpha -2", vec!["--alpha -2", "> 0"]),
+        ("response --omega 1.5 --alpha 0", vec!["--alpha 0", "> 0"]),
+        ("response --omega 1e-320 --alpha 2", vec!["--omega 1e-320", "≥"]),
+        ("response --omega 1e300 --alpha 2", vec!["--omega 1e300", "≤"]),
+        ("response --omega abc --alpha 2", vec!["--omega abc", "number"]),
+        ("response --omega 1.5", vec!["--alpha is missing"]),
+        ("response --mass 0 --stiffness 1 --friction 1 --frequency 1 --force 1", vec!["--mass 0", "> 0"]),
+        (
+            "response --mass 1 --stiffness nan --friction 1 --frequency 1 --force 1",
+            vec!["--stiffness nan", "finite"],
+        ),
+        (
+            "response --mass 1 --stiffness 1 --friction -1 --frequency 1 --force 1",
+            vec!["--friction -1", "> 0"],
+        ),
+        (
+            "response --mass 1 --stiffness 1 --friction 1 --frequency 0 --force 1",
+            vec!["--frequency 0", "> 0"],
+        ),
+        ("response --mass 1 --stiffness 1 --friction 1 --frequency 1 --force 0", vec!["--force 0", "> 0"]),
+        (
+            "response --mass 1 --stiffness 1 --friction 1 --frequency 1 --base-motion -1",
+            vec!["--base-motion -1", "> 0"],
+        ),
+        ("response --mass 1 --stiffness 1 --friction 1 --frequency 1", vec!["--force", "missing"]),
+        ("response --mass 1 --friction 1 --frequency 1 --force 1", vec!["--stiffness", "missing"]),
+        (
+            "response --mass 1e-300 --stiffness 1e300 --friction 1 --frequency 1 --force 1",
+            vec!["--mass 1e-300", "Ω"],
+        ),
+        (
+            "response --mass 1 --stiffness 1 --omega 1 --friction 1 --frequency 1 --force 1",
+            vec!["--omega and --stiffness"],
+        ),
+        #[cfg(not(feature = "mp"))]
+        ("response --omega 1 --alpha 2 --bits 256", vec!["--bits 256", "mp"]),
+        #[cfg(feature = "mp")]
+        ("response --omega 1 --alpha 2 --bits 0", vec!["--bits 0", "≥ 1"]),
+        ("response --omega 1.5 --alpha 2.5 --format csv", vec!["--points"]),
+        ("response --points no-such-file.csv", vec!["no-such-file.csv"]),
+        ("response --points - --omega 2", vec!["--points"]),
+        ("response --points - --format json", vec!["jsonl"]),
+        ("response --omega 1 --alpha 2 --units kN", vec!["--units", "kN"]),
+        ("border --omega -1", vec!["--omega -1", "> 0"]),
+        ("border", vec!["--omega is missing"]),
+        ("frobnicate", vec!["frobnicate"]),
+    ] {
+        refused(args, &parts);
+    }
+}
+
+/// Feeds `input` to `response --points -` and gives (standard output, standard error, exit status).
+fn points(format: &str, input: &str) -> (String, String, i32) {
+    let assert = stickslip(&format!("response --points - --format {format}")).write_stdin(input).assert();
+    let output = assert.get_output();
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
+    (text(&output.stdout), text(&output.stderr), output.status.code().unwrap())
+}
+
+#[test]
+fn points_are_answered_row_by_row() {
+    let (out, err, code) = points("jsonl", "alpha, note ,omega\n2.5,first,1.5\n6,second,0.4\n");
+    assert_eq!((err.as_str(), code), ("", 0));
+    let rows: Vec<Value> = out.lines().map(|l| serde_json::from_str(l).unwrap()).collect();
+    assert_eq!(rows.len(), 2);
+    assert_eq!(rows[0]["omega"], 1.5);
+    assert_eq!(rows[1]["regime"], "sticking");
+    let (csv, _, _) = points("csv", "omega,alpha\n1.5,2.5\n0.4,6\n");
+    let lines: Vec<&str> = csv.lines().collect();
+    assert!(lines[0].starts_with("omega,alpha,regime,max_displacement"));
+    assert!(lines[1].starts_with("1.5,2.5,non-sticking,1.632993"));
+    assert!(lines[2].starts_with("0.4,6.0,sticking,,,,,,6.9497"));
+    assert_eq!(points("jsonl", "omega,alpha\n"), (String::new(), String::new(), 0));
+}
+
+#[test]
+fn a_bad_row_stops_after_the_good_ones() {
+    for (row, parts) in [
+        ("x,2", ["line 4", "omega x"]),
+        ("1.5,-2", ["line 4", "α = -2 must be > 0"]),
+        ("1.5", ["line 4", "1 fields"]),
+        ("1.5,", ["line 4", "alpha"]),
+        ("NaN,2", ["line 4", "Ω = NaN must be finite"]),
+    ] {
+        for format in ["jsonl", "csv"] {
+            let (out, err, code) = points(format, &format!("omega,alpha\n1.5,2.5\n2,2\n{row}\n3,4\n"));
+            assert_eq!(code, 2, "{row}");
+            assert_eq!(out.lines().count(), if format == "csv" { 3 } else { 2 }, "{row}: {out}");
+            assert!(out.ends_with('\n'));
+            assert!(parts.iter().all(|p| err.contains(p)), "{row}: {err}");
+            assert_eq!(err.matches('\n').count(), 1, "{err}");
+        }
+    }
+    let (out, err, code) = points("jsonl", "omega,force\n1,2\n");
+    assert_eq!((out.as_str(), code), ("", 2));
+    assert!(err.contains("column alpha is missing"), "{err}");
+}
+
+#[test]
+fn a_live_pipe_sees_each_answer_before_the_next_question() {
+    use std::io::{BufRead, BufReader, Write};
+    use std::process::{Command, Stdio};
+    for format in ["jsonl", "csv"] {
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+            .args(["response", "--points", "-", "--format", format])
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let mut questions = child.stdin.take().unwrap();
+        let mut answers = BufReader::new(child.stdout.take().unwrap()).lines();
+        questions.write_all(b"omega,alpha\n1.5,2.5\n").unwrap();
+        if format == "csv" {
+            assert!(answers.next().unwrap().unwrap().starts_with("omega"));
+        }
+        assert!(answers.next().unwrap().unwrap().contains("1.6329931"));
+        questions.write_all(b"0.4,6\n").unwrap();
+        assert!(answers.next().unwrap().unwrap().contains("sticking"));
+        drop(questions);
+        assert!(answers.next().is_none());
+        assert!(child.wait().unwrap().success());
+    }
+}
+
+#[test]
+fn a_closed_pipe_ends_quietly() {
+    use std::process::{Command, Stdio};
+    let rows = "omega,alpha\n".to_owned() + &"1.5,2.5\n".repeat(20_000);
+    let file = std::env::temp_dir().join(format!("stickslip-closed-pipe-{}.csv", std::process::id()));
+    std::fs::write(&file, rows).unwrap();
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+        .args(["response", "--points"])
+        .arg(&file)
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    std::fs::remove_file(&file).unwrap();
+    assert_eq!(output.status.code(), Some(0));
+    assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    assert!(stdout("--version").contains(env!("CARGO_PKG_VERSION")));
+    assert!(stdout("response --help").contains("--base-motion"));
+}
+
+#[test]
+fn verify_holds_every_equation() {
+    let text = stdout("verify");
+    assert!(text.contains("53 bits") && text.trim_end().ends_with("as they should be"), "{text}");
+    let report = json("verify --format json");
+    assert_eq!((report["bits"].as_u64(), report["passed"].as_bool()), (Some(53), Some(true)));
+    let identities = report["identities"].as_array().unwrap();
+    for equation in ["21", "35", "48, 49", "61", "67"] {
+        let named = |i: &&serde_json::Value| i["equation"] == equation && i["standing"] == "holds";
+        let found = identities.iter().find(named).unwrap_or_else(|| panic!("{equation}"));
+        assert!(found["worst_residual"].as_f64().unwrap() < 128.0 && found["points"].as_u64() > Some(100));
+    }
+    assert!(identities.iter().any(|i| i["equation"] == "49" && i["standing"] == "refuted"));
+}
+
+/// At more bits the same answers, as strings with all their digits.
+#[cfg(feature = "mp")]
+#[test]
+fn bits_give_all_the_digits_of_the_reference() {
+    let points = include_str!("../data/points.csv");
+    let header: Vec<&str> = points.lines().next().unwrap().split(',').collect();
+    let mut long = 0;
+    for row in points.lines().skip(1) {
+        let cells: Vec<&str> = row.split(',').collect();
+        // The reference is at the doubles nearest to what the row says: here with every digit they have.
+        let exactly = |cell: &str| format!("{:.120}", cell.parse::<f64>().unwrap());
+        let (omega, alpha) = (exactly(cells[0]), exactly(cells[1]));
+        let answer = json(&format!("response --omega {omega} --alpha {alpha} --bits 256 --format json"));
+        for (name, reference) in header.iter().zip(&cells).skip(2) {
+            if *name == "border_phase" || reference.is_empty() {
+                continue;
+            }
+            let digits = answer[*name].as_str().unwrap_or_else(|| panic!("{name}: {}", answer[*name]));
+            let as_mp = |text: &str| text.parse::<stickslip::float::mp::Mp<4>>().unwrap();
+            let (found, expected) = (as_mp(digits), as_mp(reference));
+            let off = stickslip::Float::to_f64(found - expected).abs();
+            let size = stickslip::Float::to_f64(expected).abs().max(1e-3);
+            assert!(off <= 1e-38 * size, "{name} at {row}: {digits}");
+            long += usize::from(digits.len() > 70);
+        }
+    }
+    // Some are short because they are whole numbers.
+    assert!(long > 150, "{long} answers with all digits");
+    // The note has them, too.
+    let answer = json("response --omega 0.7 --alpha 2 --bits 256 --format json");
+    let note = stdout("response --omega 0.7 --alpha 2 --bits 256");
+    assert!(note.contains(answer["max_displacement"].as_str().unwrap()), "{note}");
+    assert!(stdout("verify --bits 192").contains("256 bits"));
+    let csv = stdout("response --points tests/data/points.csv --format csv --bits 128");
+    assert_eq!(csv.lines().count(), 18);
+}

@@ -1,0 +1,133 @@
+//! `stickslip design` as a user meets it: every answer is put back into the forward commands.
+
+use crate::command_line::{refused, stdout};
+use serde_json::Value;
+
+fn json(arguments: &str) -> Value {
+    crate::command_line::json(&format!("{arguments} --format json"))
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value}"))
+}
+
+fn close(a: f64, b: f64) {
+    assert!((a / b - 1.0).abs() < 1e-12, "{a} against {b}");
+}
+
+const BODY: &str = "--mass 50 --stiffness 1000 --friction 5";
+
+#[test]
+fn least_force_and_greatest_friction_are_the_border() {
+    let force = json(&format!("design force {BODY} --frequency 6"));
+    let border = json(&format!("border {BODY} --frequency 6"));
+    close(number(&force["force"]), number(&border["physical"]["min_force_ratio"]));
+    close(number(&force["base_motion"]) * 1000.0, number(&force["force"]));
+    let friction =
+        json(&format!("design friction --mass 50 --stiffness 1000 --frequency 6 --force {}", force["force"]));
+    close(number(&friction["friction"]), 5.0);
+    close(number(&json("design force --omega 0.4")["force_ratio"]), 6.949737755908733);
+    close(1.0 / number(&json("design friction --omega 0.4")["friction_to_force"]), 6.949737755908733);
+}
+
+#[test]
+fn the_bands_end_where_the_regime_changes() {
+    let bands = json("design bands --alpha 12 --from 0.1 --to 2");
+    let bands = bands.as_array().unwrap();
+    assert_eq!(bands.len(), 2);
+    let regime = |omega: f64| json(&format!("response --alpha 12 --omega {omega}"))["regime"].clone();
+    for band in bands {
+        let (low, high) = (number(&band["omega_from"]), number(&band["omega_to"]));
+        assert_eq!((regime(low), regime(high)), ("non-sticking".into(), "non-sticking".into()));
+        if band["high_edge"] == "border" {
+            assert_eq!(regime(high * (1.0 + 1e-9)), "sticking");
+        }
+        assert_eq!(regime(low * (1.0 - 1e-9)), "sticking");
+    }
+    let physical = json(&format!("design bands {BODY} --force 60 --from 0.5 --to 9"));
+    let natural = 20f64.sqrt();
+    close(number(&physical[0]["frequency_from"]), natural * number(&bands[0]["omega_from"]));
+    assert!(stdout("design bands --alpha 1.1 --from 0.1 --to 2").starts_with("It sticks"));
+}
+
+#[test]
+fn the_force_for_a_target_reaches_it() {
+    for (question, output) in [("displacement", "max_displacement"), ("velocity", "max_velocity")] {
+        let force = json(&format!("design {question} --omega 1.5 --target 2"));
+        let back = json(&format!("response --omega 1.5 --alpha {}", force["force_ratio"]));
+        close(number(&back[output]), 2.0);
+        let force = json(&format!("design {question} {BODY} --frequency 6 --target 0.05"));
+        let back = json(&format!("response {BODY} --frequency 6 --force {}", force["force"]));
+        close(number(&back["physical"][output]), 0.05);
+    }
+}
+
+#[test]
+fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
+    let best = json("design dissipation --mass 50 --stiffness 1000 --frequency 6 --force 12");
+    assert_eq!(best["optimum"], "interior");
+    let energy = |friction: f64| {
+        let machine = format!("--mass 50 --stiffness 1000 --friction {friction} --frequency 6 --force 12");
+        number(&json(&format!("steady {machine}"))["physical"]["energy_out"])
+    };
+    let friction = number(&best["friction"]);
+    close(energy(friction), number(&best["energy"]));
+    assert!(
+        energy(friction * 1.01) < number(&best["energy"])
+            && energy(friction * 0.99) < number(&best["energy"])
+    );
+    assert_eq!(json("design dissipation --omega 0.6")["optimum"], "border");
+    for (question, why) in [
+        ("dissipation --omega 1.5", "where more and less are both worse."),
+        ("dissipation --omega 0.6", "on the border of sticking."),
+        ("dissipation --omega 0.6 --sticking", "where it sticks, by the exact motion."),
+        ("stiffness --alpha 1.5 --from 0.6 --to 0.7", "at the end of the range."),
+    ] {
+        let note = stdout(&format!("design {question}"));
+        assert!(note.lines().next().unwrap().ends_with(why), "{note}");
+    }
+    let of_all = json("design dissipation --omega 0.6 --sticking");
+    let steady = json(&format!("steady --omega 0.6 --alpha {}", of_all["force_ratio"]));
+    let alpha = number(&of_all["force_ratio"]);
+    let size = 2.0 * number(&steady["energy_out"]) / (alpha * alpha);
+    assert!((size / number(&of_all["loop_size_stiffness"]) - 1.0).abs() < 1e-9);
+    assert!(number(&of_all["bound"]) <= number(&of_all["loop_size_stiffness"]) * (1.0 + 1.1e-6));
+    let stiff = json("design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500");
+    assert_eq!((number(&stiff["stiffness"]), stiff["optimum"].as_str()), (1500.0, Some("end-of-range")));
+    let omega = json("design stiffness --alpha 1.25 --from 0.6 --to 0.95");
+    let loop_size =
+        |omega: f64| number(&json(&format!("response --alpha 1.25 --omega {omega}"))["loop_size_inertia"]);
+    let at = number(&omega["omega"]);
+    close(loop_size(at), number(&omega["loop_size_inertia"]));
+    assert!(loop_size(at * 1.001) < loop_size(at) && loop_size(at * 0.999) < loop_size(at));
+}
+
+#[test]
+fn text_begins_with_the_answer() {
+    let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
+    assert!(text.starts_with(
+        "It does not stick from a force of 7.393705 kN, or a base motion of 0.007393705 m, on."
+    ));
+    assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));
+}
+
+#[test]
+fn bad_input_is_one_line_with_argument_value_and_inequality() {
+    for (arguments, parts) in [
+        ("design", vec!["command", "--help"]),
+        ("design displacement --omega 1.5 --target 0.1", vec!["Δ₀/B = 0.1", "≥ 0.444"]),
+        ("design displacement --omega 1 --target 3", vec!["Ω = 1"]),
+        ("design displacement --omega 1.5", vec!["--target is missing"]),
+        ("design velocity --omega 1.5 --target nan", vec!["NaN", "finite"]),
+        ("design bands --alpha 12 --from 2 --to 1", vec!["2 must be ≤ 1"]),
+        ("design bands --alpha nan --from 1 --to 2", vec!["--alpha nan", "finite"]),
+        ("design bands --alpha 12 --to 2", vec!["--from is missing"]),
+        ("design force --omega 0", vec!["--omega 0", "> 0"]),
+        ("design force --omega 0.4 --mass 3", vec!["--omega", "not in both"]),
+        ("design dissipation --mass 50 --stiffness 1000 --frequency 6", vec!["--force", "missing"]),
+        ("design dissipation --omega 1", vec!["Ω = 1"]),
+        ("design stiffness --alpha 1.1 --from 0.1 --to 2", vec!["1.1"]),
+    ] {
+        refused(arguments, &parts);
+    }
+}

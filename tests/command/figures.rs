@@ -1,0 +1,145 @@
+//! `stickslip figure`, `figures` and `map` as a user meets them.
+
+use crate::command_line::{refused, stdout};
+use crate::kept::kept;
+use std::path::PathBuf;
+
+/// A path for a file or a folder of one test.
+fn place(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_file(&place);
+    let _ = std::fs::remove_dir_all(&place);
+    place
+}
+
+#[test]
+fn a_figure_goes_to_standard_output_or_a_file() {
+    let drawing = stickslip::figures::figure("8").unwrap().svg().unwrap();
+    assert!(stdout("figure 8") == drawing);
+    let file = place("figure.svg");
+    assert_eq!(stdout(&format!("figure 8 --out {}", file.display())), "");
+    assert!(std::fs::read_to_string(file).unwrap() == drawing);
+    let data = place("figure.csv");
+    stdout(&format!("figure 10a --out {}", data.display()));
+    let data = std::fs::read_to_string(data).unwrap();
+    assert!(data.starts_with("panel,series,x,y,value\n,Ω = 1.2,"), "{}", &data[..60]);
+}
+
+#[test]
+fn all_figures_by_one_command() {
+    let names: Vec<String> = stdout("figures").lines().map(str::to_owned).collect();
+    assert_eq!(names, stickslip::figures::NAMES);
+    let folder = place("all-figures");
+    stdout(&format!("figures --all --dir {}", folder.display()));
+    for name in names {
+        let drawing = std::fs::read_to_string(folder.join(format!("{name}.svg"))).unwrap();
+        assert!(drawing.starts_with("<svg") && drawing.trim_end().ends_with("</svg>"), "{name}");
+    }
+    stdout(&format!("figures --all --format csv --dir {}", folder.display()));
+    let data = std::fs::read_to_string(folder.join("10b.csv")).unwrap();
+    assert!(data.starts_with("panel,series,x,y,value\n"), "{}", &data[..40]);
+}
+
+#[cfg(feature = "png")]
+#[test]
+fn figures_and_maps_as_png() {
+    let is_png = |file: &PathBuf| std::fs::read(file).unwrap().starts_with(b"\x89PNG\r\n\x1a\n");
+    let file = place("figure-9b.png");
+    stdout(&format!("figure 9b --out {}", file.display()));
+    assert!(is_png(&file));
+    let file = place("map-regime.png");
+    stdout(&format!("map --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));
+    assert!(is_png(&file));
+}
+
+#[cfg(not(feature = "png"))]
+#[test]
+fn a_build_without_png_says_so() {
+    for arguments in ["figure 8 --out border.png", "map --out border.png", "figures --all --format png"] {
+        refused(arguments, &["png", "feature png", "rsvg-convert"]);
+    }
+}
+
+#[test]
+fn a_map_holds_every_point_of_the_grid() {
+    let text = stdout("map regime --omega 0.4,0.7,1 --alpha 0.5:7.5:3");
+    let due = [
+        "omega,alpha,regime",
+        "0.4,0.5,stuck",
+        "0.7,0.5,stuck",
+        "1.0,0.5,stuck",
+        "0.4,4.0,sticking",
+        "0.7,4.0,non-sticking",
+        "1.0,4.0,unbounded",
+        "0.4,7.5,non-sticking",
+        "0.7,7.5,non-sticking",
+        "1.0,7.5,unbounded",
+    ];
+    assert_eq!(text.lines().collect::<Vec<_>>(), due);
+    assert_eq!(
+        stdout("map stops --omega 0.4 --alpha 0.5,6,7"),
+        "omega,alpha,stops\n0.4,0.5,\n0.4,6.0,2\n0.4,7.0,0\n"
+    );
+    let margin = stdout("map margin --omega 1 --alpha 2");
+    let value: f64 = margin.lines().nth(1).unwrap().rsplit(',').next().unwrap().parse().unwrap();
+    assert!((value - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    let steady = stdout("map steady:max_displacement --omega 0.4 --alpha 6");
+    assert!(steady.lines().nth(1).unwrap().starts_with("0.4,6.0,6.7938"), "{steady}");
+}
+
+#[test]
+fn a_map_is_drawn_with_a_key_and_the_border() {
+    for (quantity, words) in [
+        ("regime", vec!["stuck", "sticking", "non-sticking"]),
+        ("margin", vec!["margin", "exact border"]),
+        ("steady:stick_fraction", vec!["stick_fraction"]),
+        ("max_velocity", vec!["max_velocity (B ω", ">d</tspan>"]),
+    ] {
+        let file = place(&format!("map-{}.svg", quantity.replace(':', "-")));
+        stdout(&format!("map {quantity} --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));
+        let drawing = std::fs::read_to_string(file).unwrap();
+        for word in words {
+            assert!(drawing.contains(word), "{quantity}: {word}");
+        }
+        assert!(drawing.matches("<rect").count() > 20, "{quantity}");
+    }
+}
+
+/// Small ones, by names, by equal steps and by equal ratios; `STICKSLIP_WRITE=1` writes them.
+#[test]
+fn the_kept_maps_are_what_is_drawn() {
+    for (name, arguments) in [
+        ("map-regime", "regime --omega 0.3:1.2:6 --alpha 0.6:4.6:5"),
+        ("map-margin", "margin --omega 0.6:1.4:6 --alpha 1:2:4"),
+        ("map-max_displacement", "max_displacement --omega 0.2:3:6 --alpha 30:60:4"),
+        ("map-stops", "stops --omega 0.1:0.4:4 --alpha 2:6:4"),
+    ] {
+        let drawn = place(&format!("kept-{name}.svg"));
+        stdout(&format!("map {arguments} --out {}", drawn.display()));
+        let drawing = std::fs::read_to_string(drawn).unwrap();
+        assert!(kept(&format!("tests/data/{name}.svg"), &drawing) == drawing, "{name} is not what is drawn");
+    }
+}
+
+#[test]
+fn bad_input_is_one_line_with_argument_value_and_inequality() {
+    for (arguments, parts) in [
+        ("figure 11", vec!["'11'", "<FIGURE>", "possible values: 1, 2, 3"]),
+        ("figure 8 --out border.pdf", vec!["--out border.pdf", ".svg", ".png", ".csv"]),
+        ("figure 8 --out border", vec!["--out border", "must end in"]),
+        ("figure 8 --out /nowhere/at/all.svg", vec!["--out /nowhere/at/all.svg"]),
+        ("map --out map.gif", vec!["--out map.gif", ".svg"]),
+        ("figures --all --format pdf", vec!["'pdf'", "possible values: svg, png, csv"]),
+        ("map speed", vec!["map speed", "must be one of"]),
+        ("map steady:multipliers", vec!["map steady:multipliers", "must be one of"]),
+        ("map --omega -1:2:10", vec!["--omega -1", "must be > 0"]),
+        ("map --alpha 0:2:10", vec!["--alpha 0", "must be > 0"]),
+        ("map --omega 2:1:10 --out map.svg", vec!["--omega", "ascending"]),
+        (
+            "map --omega 0.1:2:100000 --alpha 1:2:100000 --out map.svg",
+            vec!["10000000000 points", "≤ 4000000"],
+        ),
+    ] {
+        refused(arguments, &parts);
+    }
+}

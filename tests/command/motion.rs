@@ -1,0 +1,245 @@
+//! `stickslip steady`, `simulate` and `decay` as a user meets them.
+
+use crate::command_line::{json, refused, stdout, stickslip};
+use serde_json::Value;
+
+/// Values found by an independent program.
+const STEADY: [(&str, &str, f64, u64, u64); 5] = [
+    ("0.4", "6.0", 6.79382, 2, 4),
+    ("0.1", "3.0", 2.160_025_244_6, 4, 4),
+    ("0.5", "2.0", 2.606_858_408_4, 2, 2),
+    ("0.7", "1.2", 1.417_437_097_7, 2, 2),
+    ("0.8", "1.1", 0.056_576_588_9, 2, 2),
+];
+
+#[test]
+fn steady_has_the_agreed_keys_and_values() {
+    for (omega, alpha, max, sticks, zeros) in STEADY {
+        let answer = json(&format!("steady --omega {omega} --alpha {alpha} --format json"));
+        let number = |name: &str| answer[name].as_f64().unwrap_or_else(|| panic!("{name}: {answer}"));
+        assert!((number("max_displacement") / max - 1.0).abs() < 1e-6, "({omega}, {alpha}): {answer}");
+        assert!((number("min_displacement") / max + 1.0).abs() < 1e-6);
+        assert_eq!(answer["sticks_per_cycle"].as_u64(), Some(sticks), "({omega}, {alpha})");
+        assert_eq!(answer["velocity_zeros_per_cycle"].as_u64(), Some(zeros), "({omega}, {alpha})");
+        assert_eq!(
+            (answer["regime"].as_str(), answer["limit"].as_str()),
+            (Some("sticking"), Some("periodic"))
+        );
+        assert!((number("energy_in") / number("energy_out") - 1.0).abs() < 1e-12);
+        assert!((0.0..1.0).contains(&number("stick_fraction")) && number("periods") > 0.0);
+        assert!(number("min_velocity") < 0.0 && number("max_velocity") > 0.0);
+        for name in ["max_displacement", "min_displacement", "max_velocity", "min_velocity"] {
+            assert!((0.0..std::f64::consts::TAU).contains(&number(&format!("{name}_phase"))));
+        }
+        for measure in 1..=4 {
+            assert!(number(&format!("error_{measure}")).abs() < 1e-9);
+        }
+        let modulus = |i: usize| {
+            let part = |j: usize| answer["multipliers"][i][j].as_f64().unwrap();
+            part(0).hypot(part(1))
+        };
+        assert!(modulus(0) < 1.0 && modulus(1) < 1.0, "{answer}");
+    }
+}
+
+#[test]
+fn steady_is_the_closed_form_where_it_does_not_stick() {
+    let cycle = json("response --omega 1.5 --alpha 2.5 --format json");
+    let steady = json("steady --omega 1.5 --alpha 2.5 --format json");
+    for (ours, theirs) in [
+        ("max_displacement", "max_displacement"),
+        ("max_displacement_phase", "displacement_phase"),
+        ("max_velocity", "max_velocity"),
+        ("max_velocity_phase", "velocity_phase"),
+    ] {
+        let (a, b) = (steady[ours].as_f64().unwrap(), cycle[theirs].as_f64().unwrap());
+        assert!((a / b - 1.0).abs() < 1e-13, "{ours}: {a} against {b}");
+    }
+    assert_eq!(steady["regime"], "non-sticking");
+}
+
+#[test]
+fn steady_names_what_has_no_single_limit() {
+    let limit = |arguments: &str| json(&format!("steady {arguments} --format json"))["limit"].clone();
+    assert_eq!(limit("--omega 0.7 --alpha 0.8 --x0 4"), "rest");
+    assert_eq!(limit("--omega 1 --alpha 2"), "none");
+    assert_eq!(limit("--omega 0.5 --alpha 4 --x0 1"), "family");
+    assert_eq!(limit("--omega 0.4 --alpha 6 --max-periods 1"), "not-converged");
+    let resting = json("steady --omega 0.7 --alpha 0.8 --x0 4 --format json");
+    let place = resting["rest_position"].as_f64().unwrap();
+    assert!(place.abs() <= 0.2 + 1e-12 && resting["max_displacement"].is_null());
+    assert!(stdout("steady --omega 0.4 --alpha 6").starts_with("Sticking: 2 stops in a cycle, 15.07 %"));
+    assert!(stdout("steady --omega 1 --alpha 2").starts_with("Unbounded"));
+}
+
+#[test]
+fn steady_in_physical_units_and_for_many_points() {
+    let answer = json("steady --mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6 --format json");
+    // k = m (ω_d/Ω)² = 1250, B = 5/1250
+    let physical = answer["physical"].as_object().unwrap();
+    for (name, value) in physical {
+        let unit = match name.as_str() {
+            "max_displacement" | "min_displacement" | "distance" | "rest_position" => 0.004,
+            "max_velocity" | "min_velocity" => 0.008,
+            "energy_in" | "energy_out" => 0.02,
+            // 2π/ω_d
+            "periods" => std::f64::consts::PI,
+            _ if name.ends_with("_phase") => 0.5,
+            _ => panic!("{name}"),
+        };
+        let Some(number) = answer[name].as_f64() else {
+            assert!(value.is_null() && name == "rest_position", "{name}");
+            continue;
+        };
+        let expected = number * unit;
+        assert!(
+            (value.as_f64().unwrap() - expected).abs() <= 1e-12 * expected.abs(),
+            "{name}: {value} {expected}"
+        );
+    }
+    assert_eq!(physical.len(), 13, "{physical:?}");
+    let csv = stickslip("steady --points - --format csv")
+        .write_stdin("omega,alpha\n0.4,6\n0.7,0.5\n1,2\n")
+        .assert()
+        .success()
+        .get_output()
+        .stdout
+        .clone();
+    let csv = String::from_utf8(csv).unwrap();
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert!(rows.len() == 4 && rows.iter().all(|row| row.len() == rows[0].len()), "{csv}");
+    assert!(rows[0].contains(&"multipliers_2_im"));
+}
+
+#[test]
+fn simulate_gives_the_phases_one_a_row() {
+    let csv = stdout("simulate --omega 0.4 --alpha 6 --cycles 2 --format csv");
+    let rows: Vec<Vec<&str>> = csv.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0][..4], ["kind", "ends_by", "start_cycle", "start_phase"]);
+    assert_eq!((rows[1][0], rows[1][1]), ("stick", "release"));
+    let (end_phase, start_phase) = (rows[1][5].parse::<f64>().unwrap(), rows[2][3].parse::<f64>().unwrap());
+    assert!((end_phase - (1.0f64 / 6.0).asin()).abs() < 1e-15 && end_phase == start_phase);
+    // Each phase begins where the one before ended, and the last begins in the second cycle.
+    for pair in rows[1..].windows(2) {
+        assert_eq!(pair[0][4..6], pair[1][2..4]);
+        assert_eq!(pair[0][9], pair[1][7]);
+    }
+    assert_eq!(rows.last().unwrap()[2], "1");
+    let lines = stdout("simulate --omega 0.4 --alpha 6 --cycles 2 --format jsonl");
+    assert_eq!(lines.lines().count(), rows.len() - 1);
+    let first: Value = serde_json::from_str(lines.lines().next().unwrap()).unwrap();
+    assert_eq!(first["kind"], "stick");
+    assert_eq!(stdout("simulate --omega 0.4 --alpha 6 --cycles 2").lines().count(), rows.len());
+}
+
+#[test]
+fn phases_in_physical_units() {
+    // ω_d = 2, B = 0.004
+    let machine = "--mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6";
+    let csv = stdout(&format!("simulate {machine} --cycles 2 --x0 0.01 --format csv"));
+    let mut rows = csv::Reader::from_reader(csv.as_bytes());
+    let mut count = 0;
+    for row in rows.deserialize::<std::collections::HashMap<String, String>>() {
+        let row = row.unwrap();
+        let number = |name: &str| row[name].parse::<f64>().unwrap();
+        let is = |name: &str, expected: f64| {
+            assert!(
+                (number(name) - expected).abs() <= 1e-13 * (1.0 + expected.abs()),
+                "{name}: {row:?} {expected}"
+            );
+        };
+        for end in ["start", "end"] {
+            let theta =
+                number(&format!("{end}_cycle")) * std::f64::consts::TAU + number(&format!("{end}_phase"));
+            is(&format!("{end}_time"), theta / 2.0);
+            is(&format!("{end}_displacement"), number(&format!("{end}_x")) * 0.004);
+        }
+        is("start_velocity", number("start_v") * 0.008);
+        is("duration", (number("end_time") - number("start_time")) * 2.0);
+        count += 1;
+    }
+    assert!(count > 4, "{csv}");
+}
+
+#[test]
+fn simulate_samples_evenly_and_friction_keeps_its_bound() {
+    let machine = "--mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6";
+    let csv = stdout(&format!("simulate {machine} --cycles 3 --samples 50 --x0 0.02 --v0 -0.1 --format csv"));
+    assert_eq!(csv.lines().count(), 1 + 3 * 50 + 1);
+    let mut rows = csv::Reader::from_reader(csv.as_bytes());
+    for (i, row) in rows.deserialize::<std::collections::HashMap<String, f64>>().enumerate() {
+        let row = row.unwrap();
+        assert!(row["friction"].abs() <= 1.0);
+        let time = std::f64::consts::TAU * i as f64 / 50.0 / 2.0;
+        assert!((row["time"] - time).abs() < 1e-13 * (1.0 + time), "{i}: {row:?}");
+        if i == 0 {
+            assert!((row["displacement"] - 0.02).abs() < 1e-15 && (row["velocity"] + 0.1).abs() < 1e-15);
+            assert!((row["x"] - 5.0).abs() < 1e-12 && (row["v"] + 12.5).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn decay_comes_to_rest_where_it_is_known_to() {
+    let answer = json("decay --x0 12 --v0 6 --format json");
+    assert_eq!(answer["half_cycles"], 8);
+    assert!((answer["rest_position"].as_f64().unwrap() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
+    // The same body in other units: m = 2, k = 800, r_y = 4, so B = 0.005 and ω_n = 20.
+    let physical = json("decay --mass 2 --stiffness 800 --friction 4 --x0 0.06 --v0 0.6 --format json");
+    assert_eq!(physical["half_cycles"], 8);
+    let place = physical["physical"]["rest_position"].as_f64().unwrap();
+    assert!((place / (0.005 * (15.0 - 205f64.sqrt())) - 1.0).abs() < 1e-12);
+    assert!(stdout("decay --x0 12 --v0 6").starts_with("At rest after 8 half cycles."));
+    assert_eq!(json("decay --x0 0.5 --format json")["half_cycles"], 0);
+}
+
+#[test]
+fn bad_input_is_one_line_with_argument_value_and_inequality() {
+    for (arguments, parts) in [
+        ("steady --omega 0.4 --alpha 6 --x0 nan", vec!["--x0 nan", "finite"]),
+        ("steady --omega 0.4 --alpha 6 --v0 inf", vec!["--v0 inf", "finite"]),
+        ("steady --omega 0.4 --alpha 6 --x0 one", vec!["--x0 one", "number"]),
+        ("steady --omega 0.4 --alpha 6 --max-periods 0", vec!["--max-periods 0", "≥ 1"]),
+        ("steady --omega 1e-9 --alpha 6", vec!["--omega", "Ω = 1e-9", "≥"]),
+        ("steady --omega 0.4", vec!["--alpha is missing"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles -1", vec!["--cycles -1", "≥ 1"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles 0", vec!["--cycles 0", "≥ 1"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles 1.5", vec!["--cycles 1.5", "whole"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles 1e99", vec!["--cycles 1e99"]),
+        ("simulate --omega 0.0001 --alpha 6 --cycles 9999999999", vec!["rows", "≤ 1e10"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles 2 --samples 0", vec!["--samples 0", "≥ 1"]),
+        ("simulate --omega 0.4 --alpha 6 --cycles 2 --format json", vec!["--format", "jsonl or csv"]),
+        ("decay --x0 nan", vec!["--x0 nan", "finite"]),
+        ("decay --x0 1 --mass 2", vec!["--stiffness", "all three"]),
+        ("decay --x0 1 --mass 2 --stiffness -1 --friction 1", vec!["stiffness k = -1 must be > 0"]),
+    ] {
+        refused(arguments, &parts);
+    }
+}
+
+/// Ctrl-C in the middle of a long run: the rows are whole and the exit status says so.
+#[cfg(unix)]
+#[test]
+fn an_interrupt_leaves_whole_rows() {
+    use std::io::Read;
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin("stickslip"))
+        .args("simulate --omega 0.4 --alpha 6 --cycles 1000000000 --format csv".split(' '))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut out = child.stdout.take().unwrap();
+    let mut text = vec![0; 1 << 16];
+    out.read_exact(&mut text).unwrap();
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    out.read_to_end(&mut text).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let text = String::from_utf8(text).unwrap();
+    assert!(text.ends_with('\n'));
+    let columns = text.lines().next().unwrap().split(',').count();
+    assert!(text.lines().all(|line| line.split(',').count() == columns));
+    let mut message = String::new();
+    child.stderr.take().unwrap().read_to_string(&mut message).unwrap();
+    assert!(message.contains("interrupted"), "{message}");
+}

@@ -1,0 +1,210 @@
+//! What the command writes is read again, number by number and bit by bit: CSV by `csv`, JSON by `serde_json`, and as input.
+
+mod named;
+
+use crate::command_line::{json, refused, stdout, stickslip};
+use arbitrary::{Arbitrary, Unstructured};
+use named::{Named, cells, of_border, of_csv, of_json, of_machine, of_phase, of_response, of_steady, sorted};
+use proptest::prelude::*;
+use std::fmt::{Debug, LowerExp};
+use std::str::FromStr;
+use stickslip::exact::{LongRun, State, Trajectory};
+use stickslip::generators::{Machine, Point, Start};
+use stickslip::{Drive, Oscillator, Ratios, Response, Scales};
+
+/// Values of a type of `stickslip::generators`.
+fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
+    prop::collection::vec(any::<u8>(), 16..96)
+        .prop_filter_map("bytes", |bytes| T::arbitrary(&mut Unstructured::new(&bytes)).ok())
+}
+
+/// Points that have an answer.
+fn points(most: usize) -> impl Strategy<Value = Vec<Point>> {
+    let valid = hard::<Point>().prop_filter("ratios", |p| Ratios::new(p.omega, p.alpha).is_ok());
+    prop::collection::vec(valid, 1..most)
+}
+
+fn ratios(p: &Point) -> Ratios<f64> {
+    Ratios::new(p.omega, p.alpha).unwrap()
+}
+
+/// The points as CSV, each number as `write` writes it.
+fn table(points: &[Point], write: fn(f64) -> String) -> String {
+    let rows = points.iter().map(|p| format!("{},{}\n", write(p.omega), write(p.alpha)));
+    format!("omega,alpha\n{}", rows.collect::<String>())
+}
+
+fn plain(x: f64) -> String {
+    x.to_string()
+}
+
+/// What a command with `--points -` makes of a table.
+fn answers(command: &str, format: &str, table: &str) -> String {
+    let run =
+        stickslip(&format!("{command} --points - --format {format}")).write_stdin(table.to_owned()).assert();
+    String::from_utf8(run.success().stderr("").get_output().stdout.clone()).unwrap()
+}
+
+/// The objects of JSON lines.
+fn of_lines<F: FromStr<Err: Debug> + LowerExp>(text: &str) -> Vec<Named> {
+    text.lines().map(|line| of_json::<F>(&serde_json::from_str(line).unwrap())).collect()
+}
+
+/// Both formats of the answers to a table have the values that are due.
+fn both<F: FromStr<Err: Debug> + LowerExp>(command: &str, table: &str, due: Vec<Named>) {
+    assert_eq!(of_csv::<F>(&answers(command, "csv", table)), due, "{command}, CSV");
+    let due: Vec<Named> = due.into_iter().map(sorted).collect();
+    assert_eq!(of_lines::<F>(&answers(command, "jsonl", table)), due, "{command}, JSON lines");
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn responses_and_borders(points in points(100)) {
+        let response = |p: &Point| Response::new(ratios(p));
+        both::<f64>("response", &table(&points, plain), points.iter().map(|p| of_response(&response(p))).collect());
+        let due = points.iter().map(|p| of_border(&response(p))).collect();
+        both::<f64>("border", &table(&points, |x| format!("{x:e}")), due);
+    }
+
+    /// The ratios come back however they were written, and so do the answers to them.
+    #[test]
+    fn an_answer_is_an_input_with_the_same_answer(points in points(100)) {
+        let first = answers("response", "csv", &table(&points, plain));
+        prop_assert_eq!(&first, &answers("response", "csv", &first));
+        for write in [|x| format!("{x:e}"), |x| format!("{x:?}"), |x: f64| serde_json::to_string(&x).unwrap()] {
+            prop_assert_eq!(&first, &answers("response", "csv", &table(&points, write)));
+        }
+    }
+
+    #[test]
+    fn steady_states(points in points(60)) {
+        let limit = |p: &Point| LongRun::from_start(ratios(p), State::rest()).ok();
+        let points: Vec<Point> =
+            points.into_iter().filter(|p| p.omega > 1e-2 && limit(p).is_some()).collect();
+        prop_assume!(!points.is_empty());
+        let due = points.iter().map(|p| of_steady(ratios(p), &limit(p).unwrap())).collect();
+        both::<f64>("steady", &table(&points, plain), due);
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// The motion from a start that was typed is the motion from that start.
+    #[test]
+    fn motions(start in hard::<Start>(), cycles in 1..4i64) {
+        let Start { point: Point { omega, alpha }, x, v, .. } = start;
+        prop_assume!(omega > 1e-2);
+        let Ok(motion) =
+            Ratios::new(omega, alpha).and_then(|ratios| Trajectory::new(ratios, State::new(0.0, x, v)?))
+        else {
+            return Ok(());
+        };
+        let due: Vec<Named> =
+            motion.take_while(|p| p.start().phase.cycles() < cycles).map(|p| of_phase(&p)).collect();
+        let line = format!("simulate --omega={omega} --alpha={alpha:e} --x0={x} --v0={v:e} --cycles={cycles}");
+        prop_assert_eq!(&of_csv::<f64>(&stdout(&format!("{line} --format csv"))), &due);
+        let due: Vec<Named> = due.into_iter().map(sorted).collect();
+        prop_assert_eq!(of_lines::<f64>(&stdout(&format!("{line} --format jsonl"))), due);
+    }
+
+    #[test]
+    fn any_machine(m in hard::<Machine>()) {
+        let body = Oscillator::new(m.mass.abs(), m.stiffness.abs(), m.friction_bound.abs());
+        let kind = if m.base { Drive::base_motion } else { Drive::force };
+        if let (Ok(body), Ok(drive)) = (body, kind(m.amplitude, m.frequency.abs())) {
+            machine(&body, &drive);
+        }
+    }
+
+    /// Units from the smallest to the largest, which some of the answers are beyond.
+    #[test]
+    fn any_units(point in hard::<Point>(), decades in prop::array::uniform3(-307.0..307.0)) {
+        let [friction, length, frequency] = decades.map(|e| 10f64.powf(e));
+        let (stiffness, slow) = (friction / length, frequency / point.omega);
+        let body = Oscillator::new(stiffness / slow / slow, stiffness, friction);
+        if let (Ok(body), Ok(drive)) = (body, Drive::force(point.alpha * friction, frequency)) {
+            machine(&body, &drive);
+        }
+    }
+}
+
+/// A machine comes back as typed, with what the library answers; what its units have no number for is refused.
+fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
+    let (Ok(ratios), Ok(scales)) = (drive.ratios(body), Scales::new(body, drive)) else { return };
+    let response = Response::new(ratios);
+    let due = of_machine(&response, body, drive, &scales);
+    let line = format!(
+        "response --mass={} --stiffness={:e} --friction={} --{}={} --frequency={:e} --format json",
+        body.mass(),
+        body.stiffness(),
+        body.friction_bound(),
+        if drive.is_base_motion() { "base-motion" } else { "force" },
+        drive.amplitude(),
+        drive.angular_frequency(),
+    );
+    if let Some((name, _)) = due.iter().find(|(_, value)| value.is_some_and(|x| !x.is_finite())) {
+        return refused(&line, &[&format!("{name} = inf must be finite")]);
+    }
+    let mut answer = json(&line);
+    let physical = answer.as_object_mut().unwrap().remove("physical").unwrap();
+    assert_eq!(of_json::<f64>(&physical), sorted(cells(&due)), "{line}");
+    assert_eq!(of_json::<f64>(&answer), sorted(of_response(&response)), "{line}");
+}
+
+#[test]
+fn what_the_units_have_no_number_for_is_refused() {
+    let near = "--mass 1e-295 --stiffness 1e-295 --friction 1e4 --frequency 1.0000000001 --force 1e5";
+    let stiff = "--mass 1e307 --stiffness 1.7e308 --friction 1.7e308 --frequency 3";
+    for (line, name) in [
+        (format!("response {near}"), "max_displacement"),
+        (format!("steady {near}"), "max_displacement"),
+        (format!("simulate {near} --cycles 2 --x0 -1e308 --v0 1.7e308"), "end_displacement"),
+        (format!("simulate {near} --cycles 2 --samples 3 --x0 1.7e308 --v0 1.7e308"), "velocity"),
+        (format!("border {stiff}"), "min_force_ratio"),
+        ("decay --mass 1 --stiffness 1 --friction 1e300 --x0 1.7e308 --v0 1.7e308".to_owned(), "first_turn"),
+    ] {
+        let formats: &[&str] =
+            if line.starts_with("simulate") { &["text", "csv", "jsonl"] } else { &["text", "json"] };
+        for format in formats {
+            let run = stickslip(&format!("{line} --format {format}")).assert().code(2);
+            let output = run.get_output();
+            let (rows, message) = (output.stdout.clone(), String::from_utf8(output.stderr.clone()).unwrap());
+            assert!(message.contains(&format!(" {name} = ")), "{line}: {message}");
+            assert!(message.contains("inf must be finite"), "{line}: {message}");
+            assert!(
+                message.lines().count() == 1 && !String::from_utf8(rows).unwrap().contains("inf"),
+                "{line}"
+            );
+        }
+    }
+}
+
+/// All digits of wide numbers, which are text in JSON.
+#[cfg(feature = "mp")]
+mod wide {
+    use super::{Named, Point, both, of_response, points};
+    use proptest::prelude::*;
+    use stickslip::float::mp::Mp;
+    use stickslip::{Ratios, Response};
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(16))]
+
+        #[test]
+        fn responses(points in points(12)) {
+            // Thirds, so that the ratios themselves have all their digits.
+            let third = |x: f64| Mp::<4>::from(x) / Mp::from(3);
+            let valid: Vec<Ratios<Mp<4>>> = points
+                .iter()
+                .filter_map(|p: &Point| Ratios::new(third(p.omega), third(p.alpha)).ok())
+                .collect();
+            prop_assume!(!valid.is_empty());
+            let rows: String = valid.iter().map(|r| format!("{},{:e}\n", r.omega(), r.alpha())).collect();
+            let due: Vec<Named> = valid.iter().map(|&r| of_response(&Response::guarded(r))).collect();
+            both::<Mp<4>>("response --bits 256", &format!("omega,alpha\n{rows}"), due);
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! `stickslip sweep` as a user meets it.
+
+use crate::command_line::{refused, stdout, stickslip};
+use serde_json::Value;
+use std::path::PathBuf;
+
+/// A path for the file of one test.
+fn place(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_file(&place);
+    place
+}
+
+#[test]
+fn a_sweep_answers_each_point_in_order_as_the_command_does() {
+    let sweep = stdout("sweep response --omega 0.5:2:31 --alpha 1.1:9:41");
+    let points: Vec<&str> = sweep.lines().skip(1).collect();
+    assert_eq!(points.len(), 31 * 41);
+    let csv: String =
+        points.iter().map(|row| row.splitn(3, ',').take(2).collect::<Vec<_>>().join(",") + "\n").collect();
+    let one_by_one = stickslip("response --points - --format csv")
+        .write_stdin(format!("omega,alpha\n{csv}"))
+        .assert()
+        .success()
+        .get_output()
+        .stdout
+        .clone();
+    assert_eq!(sweep, String::from_utf8(one_by_one).unwrap());
+    // Ω is the slow index, and the ends of a grid are exact.
+    assert!(points[0].starts_with("0.5,1.1,") && points[40].starts_with("0.5,9.0,"));
+    assert!(points[41].starts_with("0.55,1.1,") && points[31 * 41 - 1].starts_with("2.0,9.0,"));
+}
+
+#[test]
+fn steady_and_border_are_swept_too() {
+    let steady = stdout("sweep steady --omega 0.4 --alpha 6,7 --format jsonl");
+    let rows: Vec<Value> = steady.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    assert_eq!(
+        (rows[0]["sticks_per_cycle"].as_u64(), rows[1]["sticks_per_cycle"].as_u64()),
+        (Some(2), Some(0))
+    );
+    let border = stdout("sweep border --omega 0.4,0.45 --outputs min_force_ratio,omega");
+    let rows: Vec<&str> = border.lines().collect();
+    assert_eq!(rows[0], "min_force_ratio,omega");
+    assert!(rows[1].starts_with("6.94973775590873") && rows[1].ends_with(",0.4"), "{border}");
+    assert!(rows[2].starts_with("4.14019511498566"), "{border}");
+}
+
+#[test]
+fn a_grid_can_have_equal_ratios() {
+    let rows = stdout("sweep border --omega 0.01:100:5:log --outputs omega --no-header");
+    let values: Vec<f64> = rows.lines().map(|row| row.parse().unwrap()).collect();
+    assert_eq!((values[0], values[4], values.len()), (0.01, 100.0, 5));
+    for pair in values.windows(2) {
+        assert!((pair[1] / pair[0] / 10.0 - 1.0).abs() < 1e-14, "{values:?}");
+    }
+}
+
+#[test]
+fn the_shards_one_after_the_other_are_the_whole() {
+    for format in ["csv", "jsonl"] {
+        let sweep = format!("sweep steady --omega 0.3:1.3:13 --alpha 1.5:8:23 --format {format}");
+        let whole = stdout(&sweep);
+        for parts in [1, 2, 7] {
+            let joined: String = (1..=parts)
+                .map(|part| {
+                    let header = if part == 1 { "" } else { "--no-header" };
+                    stdout(&format!("{sweep} --shard {part}/{parts} {header}"))
+                })
+                .collect();
+            assert!(joined == whole, "{format}, {parts} parts");
+        }
+    }
+}
+
+#[test]
+fn a_sweep_goes_on_after_its_last_whole_row() {
+    for arguments in [
+        "response --omega 0.3:1.3:40 --alpha 1.5:8:25",
+        "response --omega 0.3:1.3:40 --alpha 1.5:8:25 --shard 2/3 --no-header",
+        "steady --omega 0.3:1.3:10 --alpha 1.5:8:11 --format jsonl",
+    ] {
+        let whole = stdout(&format!("sweep {arguments}"));
+        let file = place("resumed");
+        let middle = whole.len() / 2;
+        let header = whole.find('\n').unwrap() + 1;
+        for length in [0, 10, header, middle, middle + 1, middle + 37, whole.len() - 1, whole.len()] {
+            // Cut within a character the file would still be cut after its last whole row.
+            std::fs::write(&file, &whole.as_bytes()[..length]).unwrap();
+            stdout(&format!("sweep {arguments} --out {} --resume", file.display()));
+            assert!(std::fs::read_to_string(&file).unwrap() == whole, "{arguments}: from {length} bytes");
+        }
+        std::fs::remove_file(&file).unwrap();
+        stdout(&format!("sweep {arguments} --out {} --resume", file.display()));
+        assert!(std::fs::read_to_string(&file).unwrap() == whole, "{arguments}: from nothing");
+    }
+}
+
+#[test]
+fn another_sweep_is_not_gone_on_with() {
+    let file = place("another");
+    let name = file.display();
+    stdout(&format!("sweep response --omega 0.5:2:10 --alpha 2,3 --out {name}"));
+    let kept = std::fs::read_to_string(&file).unwrap();
+    for (arguments, part) in [
+        ("response --omega 0.5:2:11 --alpha 2,3 --resume", "not of this sweep"),
+        ("response --omega 0.6:2:10 --alpha 2,3 --resume", "not of this sweep"),
+        ("steady --omega 0.5:2:10 --alpha 2,3 --resume", "not of this sweep"),
+        ("response --omega 0.5:2:10 --alpha 2 --resume", "20 rows, must be ≤ 10"),
+        ("response --omega 0.5:2:10 --alpha 2,3", "must not exist yet"),
+    ] {
+        let output =
+            stickslip(&format!("sweep {arguments} --out {name}")).assert().code(2).get_output().clone();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.contains(part) && message.lines().count() == 1, "{arguments}: {message}");
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), kept, "{arguments}");
+    }
+}
+
+#[test]
+fn bad_input_is_one_line_with_argument_value_and_inequality() {
+    for (arguments, parts) in [
+        ("response --omega 0.5:2:0 --alpha 2", vec!["--omega 0.5:2:0", "count", "≥ 1"]),
+        ("response --omega 0.5:2 --alpha 2", vec!["--omega 0.5:2", "FROM:TO:COUNT"]),
+        ("response --omega 0.5:2:5:lin --alpha 2", vec!["--omega 0.5:2:5:lin", "FROM:TO:COUNT:log"]),
+        ("response --omega 0.5,x --alpha 2", vec!["--omega 0.5,x", "number"]),
+        ("response --omega 0.5 --alpha nan", vec!["--alpha nan", "finite"]),
+        ("response --omega 0:2:5:log --alpha 2", vec!["--omega 0:2:5:log", "> 0"]),
+        ("response --omega -1:2:5 --alpha 2", vec!["--omega -1", "must be > 0"]),
+        ("response --omega 1,2 --alpha 3,0", vec!["--alpha 0", "must be > 0"]),
+        ("response --omega 1,2", vec!["--alpha is missing"]),
+        ("border --omega 1,2 --alpha 2", vec!["--alpha", "leave it out"]),
+        ("steady --omega 1e-9:1:3 --alpha 2", vec!["--omega 0.000000001", "≥"]),
+        (
+            "response --omega 1:2:5 --alpha 2 --outputs omega,speed",
+            vec!["--outputs speed", "must be of omega,"],
+        ),
+        ("response --omega 1:2:5 --alpha 2 --format text", vec!["--format", "csv, jsonl, parquet"]),
+        ("response --omega 1:2:5 --alpha 2 --shard 0/3", vec!["--shard 0/3", "1 ≤ I ≤ N"]),
+        ("response --omega 1:2:5 --alpha 2 --shard 4/3", vec!["--shard 4/3", "1 ≤ I ≤ N"]),
+        ("response --omega 1:2:5 --alpha 2 --shard -1", vec!["--shard -1", "I/N"]),
+        ("response --omega 1:2:5 --alpha 2 --resume", vec!["--resume", "--out"]),
+        ("response --omega 1:2:5 --alpha 2 --out /nowhere/at/all.csv", vec!["--out /nowhere/at/all.csv"]),
+    ] {
+        refused(&format!("sweep {arguments}"), &parts);
+    }
+}
+
+/// With many bits the grid itself is made at that precision, and numbers keep all their digits.
+#[cfg(feature = "mp")]
+#[test]
+fn a_sweep_has_as_many_bits_as_asked_for() {
+    let rows = stdout(
+        "sweep response --omega 0.1:0.9:9 --alpha 200 --bits 256 --outputs omega,min_force_ratio --no-header",
+    );
+    let third: Vec<&str> = rows.lines().nth(2).unwrap().split(',').collect();
+    let (omega, least) = (third[0], third[1]);
+    assert!(omega.len() > 75 && omega.starts_with(&format!("0.2{}", "9".repeat(70))), "{omega}");
+    let single = stdout(&format!("border --omega {omega} --bits 256 --format json"));
+    let single: Value = serde_json::from_str(&single).unwrap();
+    assert_eq!(single["min_force_ratio"].as_str(), Some(least));
+}
+
+/// So are grids of equal ratios.
+#[cfg(feature = "mp")]
+#[test]
+fn equal_ratios_have_as_many_bits_as_asked_for() {
+    use stickslip::float::mp::Mp;
+    let values = |grid: &str| -> Vec<Mp<5>> {
+        let rows = stdout(&format!("sweep border --omega {grid}:log --bits 256 --outputs omega --no-header"));
+        rows.lines().map(|row| row.parse().unwrap()).collect()
+    };
+    let powers: Vec<Mp<5>> = [1, 2, 4, 8, 16].map(Mp::of_int).to_vec();
+    assert_eq!(values("1:16:5"), powers);
+    let grid = values("0.01:3:8");
+    let seventh = grid[7] / grid[0];
+    for (n, value) in (0..).zip(&grid) {
+        let due = (0..n).fold(Mp::of_int(1), |power, _| power * seventh);
+        let found = (0..7).fold(Mp::of_int(1), |power, _| power * (*value / grid[0]));
+        assert!((found / due - Mp::of_int(1)).to_f64().abs() < 1e-74, "{n}: {value}");
+    }
+}
+
+/// The end of the file's name says how the rows are written.
+#[test]
+fn a_file_of_json_lines_is_named_so() {
+    let file = place("rows.jsonl");
+    stdout(&format!("sweep border --omega 0.5:2:4 --out {}", file.display()));
+    let text = std::fs::read_to_string(file).unwrap();
+    assert_eq!(text, stdout("sweep border --omega 0.5:2:4 --format jsonl"));
+    assert!(text.starts_with('{'));
+}
+
+#[cfg(not(feature = "parquet"))]
+#[test]
+fn a_build_without_parquet_says_so() {
+    refused("sweep border --omega 1 --out rows.parquet", &["--format parquet", "feature parquet"]);
+}
+
+/// Ctrl-C leaves whole rows, which `--resume` goes on with.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_sweep_can_be_gone_on_with() {
+    use std::process::Command;
+    let file = place("interrupted");
+    let sweep = format!("sweep response --omega 0.3:3:1000 --alpha 1.1:9:1000 --out {}", file.display());
+    let mut child =
+        Command::new(assert_cmd::cargo::cargo_bin("stickslip")).args(sweep.split(' ')).spawn().unwrap();
+    while std::fs::metadata(&file).map_or(0, |m| m.len()) < 100_000 {
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(text.ends_with('\n') && text.lines().count() < 1_000_000);
+    let columns = text.lines().next().unwrap().split(',').count();
+    assert!(text.lines().all(|line| line.split(',').count() == columns));
+}

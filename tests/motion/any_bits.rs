@@ -1,0 +1,108 @@
+//! The promises of `invariants` over inputs of any bits, and over inputs that mostly have an answer.
+
+#[path = "../invariants/motion.rs"]
+mod motion;
+
+use arbitrary::Unstructured;
+use proptest::num::f64::ANY;
+use proptest::prelude::*;
+use std::fmt::Debug;
+use stickslip::Border;
+use stickslip::generators::{Machine, Point, Question, Start};
+
+/// What fuzzing has found, kept.
+#[test]
+fn findings() {
+    // dα_min/dΩ beyond the largest double, at Ω just above the least that is taken.
+    crate::invariants::physical_units(
+        8.256_667_5e-317,
+        3.473_060_714_266_497_4e-164,
+        1000.0,
+        3.25,
+        12.000_000_000_000_455,
+        true,
+    );
+    // α = |K| to the last bit, on the border beside Ω = 1: Δ₀ came out as zero.
+    crate::invariants::closed_forms(0.999_999_999_031_684_6, 1.273_239_544_118_714, 0.3);
+    // A family whose friction is 1e-74 of the force: its other multiplier came out as 1.29.
+    let (alpha, x, v) = (1.095_859_284_943_405_7e74, 1.095_742_087_286_741_2e74, 6.501_601_243_091_789e71);
+    motion::long_run(0.1, alpha, 1.499_312_018_341_025_3, x, v);
+    // The force exceeds friction by 9e-15 of it: phases jumped by half a turn, and x by 5e-6.
+    motion::trajectory(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
+    motion::long_run(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
+}
+
+/// Values of a type of `stickslip::generators`.
+fn hard<T: for<'a> arbitrary::Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
+    prop::collection::vec(any::<u8>(), 0..96)
+        .prop_filter_map("bytes", |bytes| T::arbitrary(&mut Unstructured::new(&bytes)).ok())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+    #[test]
+    fn any_three_numbers(omega in ANY, alpha in ANY, phase in ANY) {
+        crate::invariants::closed_forms(omega, alpha, phase);
+    }
+
+    #[test]
+    fn any_hard_point(point in hard::<Point>(), phase in -700.0..700.0) {
+        crate::invariants::closed_forms(point.omega, point.alpha, phase);
+        crate::invariants::closed_forms(point.omega, point.alpha.next_down(), phase);
+    }
+
+    #[test]
+    fn any_magnitude(e in -250.0..250.0, over in -2.0..8.0, phase in -700.0..700.0) {
+        let omega = 2f64.powf(e);
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        crate::invariants::closed_forms(omega, least * 2f64.powf(over), phase);
+    }
+
+    #[test]
+    fn any_machine(numbers in prop::array::uniform5(ANY), base in any::<bool>()) {
+        let [m, k, r, p, w] = numbers.map(f64::abs);
+        crate::invariants::physical_units(m, k, r, p, w, base);
+        crate::invariants::physical_units(numbers[0], k, r, p, w, base);
+    }
+
+    #[test]
+    fn any_hard_machine(m in hard::<Machine>()) {
+        crate::invariants::physical_units(m.mass, m.stiffness, m.friction_bound, m.amplitude, m.frequency, m.base);
+    }
+}
+
+// A motion takes some hundred times as long as a closed form.
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4_000))]
+
+    #[test]
+    fn any_motion(numbers in prop::array::uniform5(ANY)) {
+        let [omega, alpha, theta, x, v] = numbers;
+        motion::trajectory(omega, alpha, theta, x, v);
+        motion::long_run(omega, alpha, theta, x, v);
+    }
+
+    #[test]
+    fn any_hard_motion(start in hard::<Start>()) {
+        let Start { point: Point { omega, alpha }, theta, x, v } = start;
+        motion::trajectory(omega, alpha, theta, x, v);
+        motion::long_run(omega, alpha, theta, x, v);
+    }
+
+    #[test]
+    fn any_ordinary_motion(e in -6.0..6.0, a in -1.0..8.0, theta in -9.0..9.0, x in -30.0..30.0, v in -30.0..30.0) {
+        motion::trajectory(2f64.powf(e), 2f64.powf(a), theta, x, v);
+        motion::long_run(2f64.powf(e), 2f64.powf(a), theta, x, v);
+    }
+
+    #[test]
+    fn any_question(e in -8.0..6.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0) {
+        motion::questions(2f64.powf(e), 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
+    }
+
+    #[test]
+    fn any_hard_question(q in hard::<Question>()) {
+        motion::questions(q.point.omega, q.target, q.point.alpha, q.low, q.high);
+    }
+}

@@ -1,0 +1,297 @@
+//! The exact motion: independent values, the closed forms, and the laws that every motion obeys.
+
+use crate::random::Random;
+use stickslip::exact::{End, Kind, LongRun, State, SteadyState, Trajectory};
+use stickslip::{Border, Cycle, PhaseFunction, Ratios, Regime};
+
+fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
+    Ratios::new(omega, alpha).unwrap()
+}
+
+fn steady(omega: f64, alpha: f64) -> SteadyState<f64> {
+    match LongRun::from_start(ratios(omega, alpha), State::rest()).unwrap() {
+        LongRun::Periodic(steady) => steady,
+        other => panic!("({omega}, {alpha}): {other:?}"),
+    }
+}
+
+/// Any start at (Ω, α): x and v of the order of the motion.
+fn start(random: &mut Random, omega: f64, alpha: f64) -> State<f64> {
+    let reach = 2.0 * (1.0 + alpha) / (1.0 + omega * omega);
+    let (x, v) = (random.between(-reach, reach), random.between(-reach, reach) / omega);
+    State::new(random.between(0.0, 7.0), x, v).unwrap()
+}
+
+#[test]
+fn reference_values_where_it_sticks() {
+    for (omega, alpha, x, sticks, zeros, digits) in [
+        (0.4, 6.0, 6.79382, 2, 4, 5e-6),
+        (0.1, 3.0, 2.1600252446, 4, 4, 6e-11),
+        (0.5, 2.0, 2.6068584084, 2, 2, 6e-11),
+        (0.7, 1.2, 1.4174370977, 2, 2, 6e-11),
+        (0.8, 1.1, 0.0565765889, 2, 2, 6e-11),
+    ] {
+        let s = steady(omega, alpha);
+        assert!((s.max_displacement() - x).abs() < digits, "({omega}, {alpha}): {}", s.max_displacement());
+        assert!((s.min_displacement() + x).abs() < digits);
+        assert_eq!(
+            (s.sticks_per_cycle(), s.velocity_zeros_per_cycle()),
+            (sticks, zeros),
+            "({omega}, {alpha})"
+        );
+        // The motion itself gets there: 500 cycles from rest, phase by phase.
+        let motion = Trajectory::new(ratios(omega, alpha), State::rest()).unwrap();
+        let cycle: Vec<_> = motion
+            .skip_while(|p| p.start().phase.cycles() < 500)
+            .take_while(|p| p.start().phase.cycles() < 501)
+            .collect();
+        let max = cycle.iter().map(|p| p.end().unwrap().x).fold(0.0, f64::max);
+        assert!((max - s.max_displacement()).abs() < 1e-13 * max, "({omega}, {alpha}): {max} {s:?}");
+        assert_eq!(cycle.iter().filter(|p| p.kind() == Kind::Stick).count() as u32, sticks);
+        let rest: f64 = cycle.iter().filter(|p| p.kind() == Kind::Stick).map(|p| p.duration().unwrap()).sum();
+        assert!((rest / std::f64::consts::TAU - s.stick_fraction()).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn multipliers_at_a_known_point() {
+    let [(re, im), (re2, im2)] = steady(0.7, 2.0).multipliers();
+    assert!((re + 0.22240157).abs() < 1e-8 && (im.abs() - 0.13815796).abs() < 1e-8);
+    assert_eq!((re2, im2), (re, -im));
+}
+
+/// The loss of digits that the problem itself brings: rounding a state costs ε (1 + 1/Ω) of its size, and half a turn leaves
+/// the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has α²/(α² − K²) of its own.
+fn condition(cycle: &Cycle<f64>) -> f64 {
+    let (omega, alpha) = (cycle.ratios().omega(), cycle.ratios().alpha());
+    let k = PhaseFunction::new(omega).unwrap().value();
+    let size = cycle.max_displacement() + cycle.max_velocity() + alpha / (1.0 + omega * omega);
+    let own = alpha * alpha / ((alpha - k) * (alpha + k));
+    (1.0 + 1.0 / omega) * size / cycle.max_displacement() / (1.0 - cycle.contraction()) + own
+}
+
+#[test]
+fn the_closed_forms_where_it_does_not_stick() {
+    let mut random = Random(3);
+    let mut points = 0;
+    let mut worst = [0.0f64; 2];
+    while points < 12_000 {
+        let omega = match points % 3 {
+            0 => random.between(0.5, 2.5),
+            1 => random.between(0.15, 1.1),
+            _ => random.scale(0.5, 300.0),
+        };
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        let Ok(cycle) = Cycle::new(ratios(omega, least * random.scale(1.001, 20.0))) else { continue };
+        let condition = condition(&cycle);
+        // Beside Ω = 1/n a motion never settles, and beside 1/(2n+1) K is infinite.
+        if cycle.contraction() > 1.0 - 1e-6 || condition > 1e8 {
+            continue;
+        }
+        points += 1;
+        let from = start(&mut random, omega, cycle.ratios().alpha());
+        for (i, motion) in
+            [LongRun::from_start(cycle.ratios(), from).unwrap(), SteadyState::from_cycle(&cycle).unwrap()]
+                .iter()
+                .enumerate()
+        {
+            let LongRun::Periodic(s) = motion else { panic!("{:?}: {motion:?}", cycle.ratios()) };
+            let x = s.max_displacement() / cycle.max_displacement() - 1.0;
+            let v = s.max_velocity() / cycle.max_velocity() - 1.0;
+            let error = x.abs().max(v.abs()) / (f64::EPSILON * condition);
+            worst[i] = worst[i].max(error);
+            assert!(error < 4.0, "{:?}: {x:e} {v:e} at condition {condition:e}, {s:?}", cycle.ratios());
+            assert_eq!((s.sticks_per_cycle(), s.velocity_zeros_per_cycle()), (0, 2));
+            let contraction = cycle.contraction().powi(2);
+            assert!((s.contraction() - contraction).abs() < 1e-6, "{:?}", cycle.ratios());
+            let phase = s.max_displacement_phase() - cycle.displacement_phase();
+            assert!(phase.sin().abs() < 1e-15 * (4.0 * condition), "{:?}: {phase:e}", cycle.ratios());
+        }
+    }
+    assert!(worst[0] > 0.0 && worst[1] > 0.0, "{worst:?}");
+}
+
+#[test]
+fn one_limit_from_every_start_and_it_is_symmetric() {
+    let mut random = Random(8);
+    for _ in 0..2000 {
+        let (omega, alpha) = (random.scale(0.02, 20.0), random.scale(1.01, 30.0));
+        let regime = stickslip::regime(omega, alpha).unwrap();
+        assert!(regime == Regime::Sticking || regime == Regime::NonSticking);
+        let rest = steady(omega, alpha);
+        let from = start(&mut random, omega, alpha);
+        let LongRun::Periodic(other) = LongRun::from_start(ratios(omega, alpha), from).unwrap() else {
+            panic!("({omega}, {alpha}) from {from:?}");
+        };
+        let close = |a: f64, b: f64, scale: f64| {
+            let settling = 1.0 / (1.0 - rest.contraction());
+            assert!(
+                (a - b).abs() < 1e-13 * scale * settling * (1.0 + 1.0 / omega),
+                "({omega}, {alpha}): {a} {b}"
+            );
+        };
+        close(rest.max_displacement(), other.max_displacement(), rest.max_displacement());
+        close(rest.max_velocity(), other.max_velocity(), rest.max_velocity());
+        assert_eq!(rest.sticks_per_cycle() == 0, regime == Regime::NonSticking, "({omega}, {alpha})");
+        let errors = rest.errors();
+        close(errors.error_1, 0.0, 1.0);
+        close(errors.error_3, 0.0, 1.0);
+        close(errors.error_2, 0.0, 1.0);
+        close(errors.error_4, 0.0, 100.0);
+        close(rest.energy_in(), rest.energy_out(), 10.0 * rest.energy_out() + alpha);
+        assert!((0.0..1.0).contains(&rest.stick_fraction()));
+        assert!(rest.contraction() < 1.0);
+    }
+}
+
+#[test]
+fn every_motion_obeys_the_laws() {
+    let mut random = Random(5);
+    for _ in 0..3000 {
+        let (omega, alpha) = (random.scale(0.01, 100.0), random.scale(0.3, 30.0));
+        let from = start(&mut random, omega, alpha);
+        let mut before = from;
+        for phase in Trajectory::new(ratios(omega, alpha), from).unwrap().take(12) {
+            let (first, Some(last)) = (phase.start(), phase.end()) else {
+                assert_eq!((phase.ends_by(), phase.kind()), (End::Never, Kind::Stick));
+                assert!(phase.start().x.abs() <= 1.0 - alpha + 1e-12);
+                break;
+            };
+            // One phase begins where the other ends.
+            assert_eq!((first.phase, first.x), (before.phase, before.x));
+            before = last;
+            let duration = phase.duration().unwrap();
+            assert!(duration >= 0.0 && last.v == 0.0);
+            // No slide outlasts π(1 + 1/Ω) of natural time.
+            if phase.kind() != Kind::Stick {
+                assert!(duration <= std::f64::consts::PI * (1.0 + omega) * (1.0 + 1e-12));
+            }
+            for i in 0..=20 {
+                let theta = first.phase.reduced() + duration * f64::from(i) / 20.0;
+                let at = stickslip::exact::DrivePhase::in_cycle(first.phase.cycles(), theta).unwrap();
+                let now = phase.at(at);
+                let size = 1.0 + alpha + now.state.x.abs() + now.state.v.abs() * omega;
+                assert!(now.friction.abs() <= 1.0, "{now:?}");
+                let residual =
+                    omega * omega * now.acceleration + now.constitutive_force() - alpha * at.sin_cos().0;
+                assert!(residual.abs() < 1e-14 * size * (1.0 + omega + 1.0 / omega), "{residual:e} {now:?}");
+                if let Kind::Slide(direction) = phase.kind() {
+                    assert_eq!(now.friction, direction.sign::<f64>());
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn what_has_no_unique_limit_is_named() {
+    let run = |omega, alpha| LongRun::from_start(ratios(omega, alpha), State::rest()).unwrap();
+    assert!(matches!(run(1.0, 1.3), LongRun::Unbounded { growth } if growth > 0.0));
+    assert!(matches!(run(1.0, 1.27), LongRun::Periodic(_)));
+    let LongRun::Rest(rest) = run(0.7, 0.9) else { panic!() };
+    assert_eq!((rest.position, rest.slides), (0.0, Some(0)));
+    // Thrown to x = 3 under a weak force: it comes to rest where it can stay.
+    let thrown = State::new(0.0, 3.0, 1.0).unwrap();
+    let LongRun::Rest(rest) = LongRun::from_start(ratios(0.7, 0.6), thrown).unwrap() else { panic!() };
+    assert!(rest.position.abs() <= 0.4 && rest.slides.is_some_and(|n| n >= 1), "{rest:?}");
+    // Just outside the places of rest it creeps to the edge for ever, and is not called settled there.
+    let outside = State::new(0.0, -0.1001, 0.0).unwrap();
+    let LongRun::Rest(rest) = LongRun::from_start(ratios(0.7, 0.9), outside).unwrap() else { panic!() };
+    assert!((rest.position + 0.1).abs() < 1e-15 && rest.slides.is_none(), "{rest:?}");
+    // A budget too small for a slow motion is not called converged.
+    let far = State::new(0.0, 1e5, 0.0).unwrap();
+    let short = LongRun::within(ratios(0.7, 0.6), far, 100).unwrap();
+    assert!(matches!(short, LongRun::NotConverged { .. }), "{short:?}");
+}
+
+#[test]
+fn a_family_keeps_what_the_start_gave_it() {
+    for (omega, alpha) in [(0.5, 6.0), (0.25, 40.0), (1.0 / 6.0, 90.0), (0.5, 3.5)] {
+        let amplitude: f64 = alpha / (1.0 - omega * omega);
+        let room = omega * omega * amplitude - 1.0;
+        let mut offsets = Vec::new();
+        for x in [-4.0, 0.0, 3.0] {
+            let from = State::new(0.4, x, 0.0).unwrap();
+            let LongRun::Family(s) = LongRun::from_start(ratios(omega, alpha), from).unwrap() else {
+                panic!("({omega}, {alpha})");
+            };
+            let (max, min) = (s.max_displacement(), s.min_displacement());
+            assert!(((max - min) / 2.0 / amplitude - 1.0).abs() < 1e-12, "({omega}, {alpha}): {max} {min}");
+            let offset = (max + min) / 2.0;
+            assert!(offset.abs() <= room + 1e-9, "({omega}, {alpha}): {offset} of {room}");
+            // A thousand cycles from the same start end on the same member; near the edge they only creep there.
+            let late = Trajectory::new(ratios(omega, alpha), from)
+                .unwrap()
+                .filter(|p| p.kind() != Kind::Stick)
+                .skip(4000)
+                .take(2);
+            let ends: Vec<f64> = late.map(|p| p.end().unwrap().x).collect();
+            let reach = 4.0 * s.distance().0.max(1e-10 * amplitude);
+            assert!((ends[0] + ends[1] - max - min).abs() < reach, "({omega}, {alpha}): {ends:?} {s:?}");
+            offsets.push(offset);
+        }
+        assert!(offsets[0] != offsets[2], "({omega}, {alpha}): {offsets:?}");
+    }
+}
+
+#[test]
+fn starts_far_away_lead_to_the_same_limit() {
+    for (omega, alpha) in [(0.7, 1.2), (0.7, 3.0), (0.4, 6.0), (0.01, 3.0), (1.0, 1.2), (100.0, 1.5)] {
+        let near = steady(omega, alpha);
+        for x in [1e3, 1e6, -1e70] {
+            let far = LongRun::from_start(ratios(omega, alpha), State::new(0.0, x, 0.0).unwrap()).unwrap();
+            let LongRun::Periodic(s) = far else { panic!("({omega}, {alpha}) from {x}: {far:?}") };
+            let error = s.max_displacement() / near.max_displacement() - 1.0;
+            assert!(
+                error.abs() < 1e-12 / (1.0 - near.contraction()),
+                "({omega}, {alpha}) from {x}: {error:e}"
+            );
+        }
+    }
+}
+
+#[test]
+fn single_precision_runs_the_same_code() {
+    for (omega, alpha, x, sticks) in
+        [(0.7f32, 1.2f32, 1.417_437_1f32, 2), (0.4, 6.0, 6.793_822, 2), (1.5, 2.5, 1.632_993_2, 0)]
+    {
+        let motion = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap();
+        let s = motion.steady_state().unwrap();
+        assert!((s.max_displacement() / x - 1.0).abs() < 2e-6, "{}", s.max_displacement());
+        assert_eq!(s.sticks_per_cycle(), sticks);
+    }
+}
+
+#[test]
+fn bad_input_is_named() {
+    let message = |theta, x, v| State::new(theta, x, v).unwrap_err().to_string();
+    assert_eq!(message(f64::NAN, 0.0, 0.0), "phase ω_d t = NaN must be finite");
+    assert_eq!(message(0.0, f64::NAN, 0.0), "displacement x/B = NaN must be finite");
+    assert_eq!(message(0.0, 0.0, f64::INFINITY), "velocity v = inf must be finite");
+    let slow = Trajectory::new(ratios(1e-9, 2.0), State::rest()).unwrap_err().to_string();
+    assert!(slow.starts_with("frequency ratio Ω = 1e-9 must be ≥"), "{slow}");
+    assert!(LongRun::from_start(ratios(1e9, 2.0), State::rest()).is_err());
+}
+
+/// Found by fuzzing: from so far outside that a cycle's loss is below rounding, a repeating cycle is no member of a family.
+#[test]
+fn a_far_start_of_a_family_has_not_converged() {
+    let start = State::new(0.0, 6.6e36, 1e12).unwrap();
+    let motion = LongRun::within(Ratios::new(0.5f64, 4.0).unwrap(), start, 100).unwrap();
+    assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
+    // So large a force that friction is below the rounding of the motion.
+    let start = State::new(0.5, 64.0, 0.0).unwrap();
+    let motion = LongRun::within(Ratios::new(0.5f64, 8.9e43).unwrap(), start, 100).unwrap();
+    assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
+}
+
+/// Found by fuzzing: a subnormal speed sent the search for velocity zeros from one subnormal time to the next.
+#[test]
+fn next_to_no_speed_is_rest() {
+    for v in [f64::from_bits(2), -f64::from_bits(1), 1e-300, f64::MIN_POSITIVE] {
+        let start = State::new(0.0, 1.000_000_003_579_771_1, v).unwrap();
+        let ratios = Ratios::new(0.500_000_000_000_007_1f64, 4.000_000_002_328_306).unwrap();
+        let last = Trajectory::new(ratios, start).unwrap().nth(9).and_then(|phase| phase.end()).unwrap();
+        assert!(last.phase.since(start.phase) > 6.0, "{v:e}: {last:?}");
+    }
+}

@@ -1,0 +1,20 @@
+//! The exact motion: independent values, laws, brute force, any input, and what closed forms say of it.
+
+#[cfg(feature = "generators")]
+#[path = "../invariants/mod.rs"]
+mod invariants;
+#[path = "../random/mod.rs"]
+mod random;
+
+#[cfg(feature = "generators")]
+mod any_bits;
+mod design_motion;
+mod exact_motion;
+#[cfg(feature = "mp")]
+mod exact_precision;
+mod no_event_missed;
+#[cfg(all(feature = "generators", feature = "mp"))]
+mod properties;
+mod regime;
+#[cfg(feature = "mp")]
+mod regime_exact;

@@ -1,0 +1,94 @@
+//! `docs/equations.md` names every equation, and every item it names exists.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            rust_files(&path, found);
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The paths of a file's functions and types, its methods under their type.
+fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
+    let source = syn::parse_file(&std::fs::read_to_string(file).unwrap()).unwrap();
+    let mut add = |name: String| found.insert(format!("{module}::{name}"));
+    for item in source.items {
+        match item {
+            syn::Item::Fn(f) => {
+                add(f.sig.ident.to_string());
+            }
+            syn::Item::Struct(s) => {
+                add(s.ident.to_string());
+            }
+            syn::Item::Enum(e) => {
+                add(e.ident.to_string());
+            }
+            syn::Item::Impl(block) => {
+                let syn::Type::Path(owner) = *block.self_ty else { continue };
+                let owner = owner.path.segments.last().unwrap().ident.to_string();
+                for member in block.items {
+                    if let syn::ImplItem::Fn(method) = member {
+                        add(format!("{owner}::{}", method.sig.ident));
+                    }
+                }
+            }
+            // Property tests stand in a macro: take the names after `fn`.
+            syn::Item::Macro(m) => {
+                let text = m.mac.tokens.to_string();
+                for rest in text.split("fn ").skip(1) {
+                    add(rest.split(|c: char| !(c.is_alphanumeric() || c == '_')).next().unwrap().to_owned());
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+fn all_items() -> BTreeSet<String> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = BTreeSet::new();
+    for (folder, prefix) in [("src", ""), ("tests", "tests::")] {
+        let mut files = Vec::new();
+        rust_files(&root.join(folder), &mut files);
+        for file in files {
+            let path = file.strip_prefix(root.join(folder)).unwrap().with_extension("");
+            let module: Vec<_> = path.iter().map(|p| p.to_str().unwrap()).collect();
+            items(&format!("{prefix}{}", module.join("::")), &file, &mut found);
+        }
+    }
+    found
+}
+
+/// (equation number, items) of each row.
+fn rows() -> Vec<(u32, Vec<String>)> {
+    let text = include_str!("../../docs/equations.md");
+    let rows = text.lines().filter_map(|line| {
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        let number = cells.first()?.parse().ok()?;
+        Some((number, cells[1].split(',').map(|i| i.trim().trim_matches('`').to_owned()).collect()))
+    });
+    rows.collect()
+}
+
+#[test]
+fn every_equation_has_its_row() {
+    let numbers: Vec<u32> = rows().iter().map(|(n, _)| *n).collect();
+    assert_eq!(numbers, (1..=67).collect::<Vec<_>>());
+}
+
+#[test]
+fn every_item_named_exists() {
+    let known = all_items();
+    for (number, items) in rows() {
+        for item in items {
+            assert!(item == "not yet" || known.contains(&item), "equation {number}: {item} does not exist");
+        }
+    }
+    assert!(!known.contains("nonsticking::velocity::no_such_item"));
+}

@@ -1,0 +1,18 @@
+//! What README.md, docs/ and examples/ say and show is what is there and what happens.
+
+#[path = "../book_pages/mod.rs"]
+mod book_pages;
+#[cfg(feature = "figures")]
+#[path = "../kept/mod.rs"]
+mod kept;
+
+mod equation_index;
+mod examples;
+mod figure_3;
+#[cfg(feature = "figures")]
+mod figures;
+mod formulae;
+mod proof_page;
+#[cfg(all(feature = "cli", unix))]
+mod readme;
+mod test_files;
