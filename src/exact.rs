@@ -26,6 +26,8 @@
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
+#[cfg(test)]
+mod accounts;
 mod confirm;
 mod drive;
 mod equation;

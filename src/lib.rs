@@ -161,6 +161,7 @@ mod root;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod sensitivity;
 pub mod uncertainty;
+#[cfg(feature = "matching")]
 pub mod verify;
 
 pub use error::{Error, Quantity};

@@ -1,28 +1,45 @@
-//! The equations of the paper, held against the cycles this crate computes, at the precision of the type.
+//! The equations of the paper and the answers of this crate, held against the motion, at the precision of the type.
 //!
 //! [`verify`] evaluates every identity at a spread of points and reports the worst residual of each in units of
 //! the last place of its terms. A true identity leaves the rounding of its operations; a false one misses by
 //! some `2^PRECISION` units. What is wrong as printed is there too, and has to fail.
 //!
+//! Three witnesses are asked, none of which knows the closed forms:
+//!
+//! * the equations of the paper themselves, with the answers put in;
+//! * the **exact motion** from rest ([`crate::exact`]): its extrema and their phases, its work, its multipliers, its half-turn map by
+//!   differences, and its stops on either side of the border;
+//! * **Newton's method** on eq. 21–25 ([`crate::nonsticking::matching::newton`]), at the same points and on the border.
+//!
 //! ```
-//! let verdicts = stickslip::verify::verify::<f64>(|_, _| ());
+//! use core::ops::ControlFlow;
+//! use stickslip::verify::verify;
+//! let ControlFlow::Continue(verdicts) = verify::<f64, ()>(|_, _| ControlFlow::Continue(())) else { panic!() };
 //! assert!(verdicts.iter().all(|v| v.passed));
 //! ```
 
+mod case;
 mod cycle;
+mod formulae;
 mod matching;
+mod motion;
+#[cfg(test)]
+mod mutants;
+mod on_border;
 mod points;
 mod printed;
+mod solved;
 
 use crate::float::Float;
-use crate::nonsticking::den_hartog::FallingHalf;
-use crate::nonsticking::matching::{Given, Unknowns};
+use crate::nonsticking::matching::newton::Solvable;
 use crate::nonsticking::{Border, Cycle};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+pub use case::Case;
+use core::ops::ControlFlow;
+use formulae::{Formulae, Library};
 
 /// Units in the last place of its largest term that rounding may leave of a true identity.
 ///
-/// Measured: at most 32, at 53 to 4096 bits.
+/// Measured: at most MEASURED, at 53 to 4096 bits.
 pub const TOLERANCE: f64 = 128.0;
 
 /// How an equation of the paper stands.
@@ -36,6 +53,14 @@ pub enum Standing {
     Refuted,
 }
 
+/// How many of the digits of the type an identity is good to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Digits {
+    All,
+    /// A difference quotient: half of them. Its residual is in units of the square root of the last place.
+    Half,
+}
+
 /// One identity: which, and what is left of it in a case.
 #[derive(Debug, Clone, Copy)]
 pub struct Identity<F> {
@@ -45,72 +70,18 @@ pub struct Identity<F> {
     pub statement: &'static str,
     /// Whether it is to hold or to fail.
     pub standing: Standing,
-    residual: fn(&Case<F>) -> Option<F>,
+    digits: Digits,
+    residual: fn(&Case<'_, F>) -> Option<F>,
 }
 
 impl<F: Float> Identity<F> {
     /// Left less right side against the size of the terms; `None` where the identity does not apply.
-    pub fn relative_residual(&self, case: &Case<F>) -> Option<F> {
-        (self.residual)(case).map(|r| r.abs() / case.scale)
-    }
-}
-
-/// A cycle with all that the identities ask of it.
-#[derive(Debug, Clone, Copy)]
-pub struct Case<F> {
-    cycle: Cycle<F>,
-    phase_function: PhaseFunction<F>,
-    given: Given<F>,
-    unknowns: Unknowns<F>,
-    half: FallingHalf<F>,
-    one_minus_square: F,
-    scale: F,
-}
-
-impl<F: Float> Case<F> {
-    /// The case of a cycle.
-    pub fn new(cycle: Cycle<F>) -> Self {
-        let omega = cycle.ratios().omega();
-        let phase_function = PhaseFunction::of_valid(omega);
-        let given = cycle.given();
-        // The amplitudes: of the drive, of friction, of the motion, and of what swings freely, |T| being that of ρ and X.
-        let scale =
-            F::int(1) + given.amplitude.abs() + cycle.max_displacement() + phase_function.tangent().abs();
-        Self {
-            cycle,
-            phase_function,
-            given,
-            unknowns: cycle.unknowns(),
-            half: cycle.den_hartog(),
-            one_minus_square: one_minus_square(omega),
-            scale,
-        }
-    }
-
-    /// Ω.
-    fn omega(&self) -> F {
-        self.given.omega
-    }
-
-    /// α.
-    fn alpha(&self) -> F {
-        self.cycle.ratios().alpha()
-    }
-
-    /// sgn(1 − Ω).
-    fn sign(&self) -> F {
-        F::int(1).with_sign_of(F::int(1) - self.omega())
-    }
-
-    /// The residual of an identity that holds 1 + cos π₁ as the paper writes it: beside Ω = 1/(2n+1) the sum keeps
-    /// no more than the digits of 1/T², so that its terms count as larger by |T|.
-    fn near_pole(&self, residual: F) -> F {
-        residual / self.scale
-    }
-
-    /// `1 + cos π₁ = 2 cos² β`, without cancellation.
-    fn one_plus_cos(&self) -> F {
-        F::int(2) * self.phase_function.sin_cos().1.square()
+    pub fn relative_residual(&self, case: &Case<'_, F>) -> Option<F> {
+        let unit = match self.digits {
+            Digits::All => F::int(1),
+            Digits::Half => F::epsilon().sqrt(),
+        };
+        (self.residual)(case).map(|r| r.abs() / case.scale * unit)
     }
 }
 
@@ -125,8 +96,8 @@ pub struct Verdict {
     pub standing: Standing,
     /// The number of points where it applies.
     pub points: usize,
-    /// Of an identity that holds, the largest residual in units of the last place of its terms; of one that is
-    /// refuted, the smallest, relative to its terms.
+    /// Of an identity that holds, the largest residual in units of the last place of its terms (of their square root, where it
+    /// is one of differences); of one that is refuted, the smallest, relative to its terms.
     pub worst: f64,
     /// Ω and α where that is, with all digits.
     pub at: Option<(String, String)>,
@@ -134,29 +105,57 @@ pub struct Verdict {
     pub passed: bool,
 }
 
-/// Every identity there is.
+/// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in [`verify`] alone.
 pub fn identities<F: Float>() -> Vec<Identity<F>> {
-    [matching::identities(), cycle::identities(), printed::identities()].concat()
+    [
+        matching::identities(),
+        cycle::identities(),
+        solved::identities(),
+        motion::identities(),
+        on_border::identities(),
+        printed::identities(),
+    ]
+    .concat()
 }
 
-/// Holds every identity against the cycles at a spread of points; `progress` is told (done, all) points.
+/// Holds every identity against the cycles at a spread of points.
+///
+/// `step` is told (done, all) points, a few times at each point, and may end it all by [`ControlFlow::Break`].
 ///
 /// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and beside Ω = 1, 1/3, 1/5 and 1/7
 /// at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4 times the exact border.
-pub fn verify<F: Float>(mut progress: impl FnMut(usize, usize)) -> Vec<Verdict> {
+pub fn verify<F: Solvable, B>(
+    step: impl FnMut(usize, usize) -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Verdict>> {
+    verify_by::<F, B>(&Library, step)
+}
+
+/// The same of another set of formulae.
+fn verify_by<F: Solvable, B>(
+    formulae: &dyn Formulae<F>,
+    mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Verdict>> {
     let identities = identities::<F>();
     let mut tallies = vec![Tally { points: 0, worst: None }; identities.len()];
-    let cycles = points::cycles::<F>();
-    for (done, cycle) in cycles.iter().enumerate() {
-        let case = Case::new(*cycle);
+    let points = points::points::<F>();
+    for (done, point) in points.iter().enumerate() {
+        let mut case = Case::by(formulae, point.cycle);
+        if point.is_followed {
+            step(done, points.len())?;
+            case = case.with_motion();
+        }
+        if point.is_followed && point.is_first {
+            step(done, points.len())?;
+            case = case.with_border();
+        }
         for (identity, tally) in identities.iter().zip(&mut tallies) {
             if let Some(residual) = identity.relative_residual(&case) {
-                tally.add(identity.standing, residual, cycle);
+                tally.add(identity.standing, residual, &point.cycle);
             }
         }
-        progress(done.saturating_add(1), cycles.len());
+        step(done.saturating_add(1), points.len())?;
     }
-    identities.iter().zip(tallies).map(|(identity, tally)| tally.verdict(identity)).collect()
+    ControlFlow::Continue(identities.iter().zip(tallies).map(|(identity, tally)| tally.verdict(identity)).collect())
 }
 
 /// The worst residual so far.
@@ -216,14 +215,35 @@ fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Case, Identity, Standing, Tally, above_border, verify};
+    use super::{Case, Digits, Identity, Standing, TOLERANCE, Tally, Verdict, above_border, verify};
+    use crate::nonsticking::matching::newton::Solvable;
+    use core::ops::ControlFlow;
+
+    fn verdicts<F: Solvable>() -> Vec<Verdict> {
+        match verify::<F, ()>(|_, _| ControlFlow::Continue(())) {
+            ControlFlow::Continue(verdicts) => verdicts,
+            ControlFlow::Break(()) => panic!("ended by nobody"),
+        }
+    }
+
+    fn all_hold<F: Solvable>() {
+        let verdicts = verdicts::<F>();
+        let failed: Vec<_> = verdicts.iter().filter(|v| !v.passed || v.points < 3).collect();
+        assert!(failed.is_empty() && verdicts.len() > 90, "{failed:#?}");
+        let worst = verdicts.iter().filter(|v| v.standing == Standing::Holds);
+        let worst = worst.map(|v| v.worst).fold(0.0, f64::max);
+        assert!(worst > 1.0 && worst < TOLERANCE / 2.0, "{worst}");
+    }
 
     #[test]
     fn all_hold_and_the_misprints_fail() {
-        for v in verify::<f64>(|_, _| ()) {
-            assert!(v.passed, "{}: {} at {:?}", v.equation, v.worst, v.at);
-            assert!(v.points >= 3, "{}: {} points", v.equation, v.points);
-        }
+        all_hold::<f64>();
+    }
+
+    #[cfg(feature = "mp")]
+    #[test]
+    fn at_256_bits_too() {
+        all_hold::<crate::float::mp::Mp<4>>();
     }
 
     #[test]
@@ -233,7 +253,8 @@ mod tests {
             equation: "29",
             statement: "b with the wrong sign",
             standing: Standing::Holds,
-            residual: |c: &Case<f64>| {
+            digits: Digits::All,
+            residual: |c: &Case<'_, f64>| {
                 let (s, cosine) = c.given.lag(&c.unknowns).sin_cos();
                 let (a, b) = (c.given.coefficient_a(&c.unknowns), c.given.coefficient_b(&c.unknowns));
                 Some(a * s + b * cosine - 2.0)
@@ -265,7 +286,18 @@ mod tests {
     #[test]
     fn progress_reaches_its_end() {
         let mut last = (0, 0);
-        verify::<f32>(|done, all| last = (done, all));
-        assert!(last.0 == last.1 && last.1 > 50);
+        let told = verify::<f64, ()>(|done, all| {
+            assert!(done >= last.0 && done <= all);
+            last = (done, all);
+            ControlFlow::Continue(())
+        });
+        assert!(last.0 == last.1 && last.1 > 50 && told.is_continue());
+        // It ends where it is told to.
+        let mut steps = 0;
+        let ended = verify::<f64, usize>(|done, _| {
+            steps += 1;
+            if done == 2 { ControlFlow::Break(done) } else { ControlFlow::Continue(()) }
+        });
+        assert!(matches!(ended, ControlFlow::Break(2)) && steps < 10);
     }
 }

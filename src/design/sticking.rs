@@ -15,12 +15,17 @@
 //! within the tolerance of the best value found are done with, the others are halved. What remains above the tolerance is
 //! nothing; the bound is returned with the answer.
 //!
+//! **A motion is known to within d.** Friction is monotone, so that the motion found and the limit, d apart in (x, x′/ω_n) at one instant,
+//! are never further apart, and the ways of a cycle differ by `∮ |δx′| dt ≤ (2π/Ω) d` at most, however often either stops. By that, and by
+//! the rounding of the sum, A₁ is taken as larger wherever it bounds an interval. The bound is as good as d, which is
+//! [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn, not an enclosure.
+//!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
 
 use super::dissipation::{BestForceRatio, Optimum, most_dissipating_force_ratio};
 use super::force::frequency_ratio_of;
 use crate::error::{Error, Quantity, written};
-use crate::exact::{LongRun, State};
+use crate::exact::{LongRun, State, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::{Border, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
@@ -36,7 +41,8 @@ pub struct BestOfAllForceRatio<F> {
     pub loop_size: F,
     /// [`Optimum::Sticking`], or what it is among the motions that do not stick.
     pub optimum: Optimum,
-    /// No force ratio at this Ω has a loop larger than this: proven, up to the rounding of the exact motion.
+    /// No force ratio at this Ω has a loop larger than this: proven, as far as each exact motion is within its
+    /// [`crate::exact::SteadyState::distance`] of the limit. What that and rounding may hide is part of it.
     pub bound: F,
     /// The best of those that do not stick.
     pub non_sticking: BestForceRatio<F>,
@@ -44,18 +50,48 @@ pub struct BestOfAllForceRatio<F> {
     pub motions: u32,
 }
 
+/// A loop size as found, and what it may be at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct LoopSize<F> {
+    found: F,
+    most: F,
+}
+
+impl<F: Float> LoopSize<F> {
+    /// No loop: at rest.
+    fn none() -> Self {
+        Self { found: F::int(0), most: F::int(0) }
+    }
+
+    /// Of a closed form: right to two units in the last place.
+    fn closed(found: F) -> Self {
+        Self { found, most: found * (F::int(1) + F::int(4) * F::epsilon()) }
+    }
+
+    /// Of the exact motion: A₁ = 2W/α², W the work against friction in units of r_y B.
+    fn of_motion(steady: &SteadyState<F>, omega: F, alpha: F) -> Self {
+        let (x, v) = steady.distance();
+        let work = steady.energy_out();
+        let turn = F::int(2) * F::pi() / omega;
+        // Each end of a slide is rounded, and so is the sum.
+        let ends = F::from_f64(f64::from(steady.velocity_zeros_per_cycle()) + 4.0);
+        let rounding = F::int(2) * F::epsilon() * ends * (work + steady.max_displacement().abs());
+        let most = work + turn * x.hypot(v * omega) + rounding;
+        let size = |work: F| F::int(2) * (work / alpha) / alpha;
+        Self { found: size(work), most: size(most) }
+    }
+}
+
 /// The loop size A₁ of the exact motion at (Ω, α): the friction work of a cycle over p₀²/(2k); zero at rest.
-///
-/// In units of r_y B the work is W and A₁ = 2W/α².
-fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<F, Error> {
+fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<LoopSize<F>, Error> {
     if alpha <= F::int(1) {
-        return Ok(F::int(0));
+        return Ok(LoopSize::none());
     }
     match LongRun::from_start(Ratios::new(omega, alpha)?, State::rest())? {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
-            Ok(F::int(2) * (steady.energy_out() / alpha) / alpha)
+            Ok(LoopSize::of_motion(&steady, omega, alpha))
         }
-        LongRun::Rest(_) => Ok(F::int(0)),
+        LongRun::Rest(_) => Ok(LoopSize::none()),
         LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
         LongRun::NotConverged { .. } => {
             Err(Error::NotSettled { omega: written(omega), alpha: written(alpha) })
@@ -69,33 +105,41 @@ struct Search<F> {
     share: F,
     loop_size: F,
     bound: F,
+    tolerance: F,
     motions: u32,
 }
 
 impl<F: Float> Search<F> {
-    fn at(&mut self, share: F) -> Result<F, Error> {
-        let found = loop_size_of_motion(self.omega, F::int(1) / share)?;
+    fn at(&mut self, share: F) -> Result<LoopSize<F>, Error> {
+        let size = loop_size_of_motion(self.omega, F::int(1) / share)?;
         self.motions = self.motions.saturating_add(1);
-        if found > self.loop_size {
-            (self.share, self.loop_size) = (share, found);
+        if size.found > self.loop_size {
+            (self.share, self.loop_size) = (share, size.found);
         }
-        Ok(found)
+        self.bound = self.bound.or_larger(size.most);
+        // What the motion itself leaves open no halving makes smaller.
+        if size.most > self.loop_size * (F::int(1) + self.tolerance / F::int(2)) {
+            let (omega, alpha) = (written(self.omega), written(F::int(1) / share));
+            return Err(Error::NotSettled { omega, alpha });
+        }
+        Ok(size)
     }
 
-    /// Looks at `[low, high]`, A₁ being `at_low` at its lower end, until no more than `tolerance` above the best can be in it.
-    fn exhaust(&mut self, low: F, high: F, at_low: F, tolerance: F) -> Result<(), Error> {
+    /// Looks at `[low, high]`, A₁ being at most `at_low` at its lower end, until no more than the tolerance above the best can be in it.
+    fn exhaust(&mut self, low: F, high: F, at_low: F) -> Result<(), Error> {
         let (one, two) = (F::int(1), F::int(2));
         let mut left = Vec::new();
         let mut from = (low, at_low);
         for i in 1..=COARSE {
             let next = low + (high - low) * F::ratio(i, COARSE);
             left.push((from.0, next, from.1));
-            from = (next, self.at(next)?);
+            from = (next, self.at(next)?.most);
         }
         self.refine(low, high, (high - low) / F::int(COARSE))?;
         while let Some((low, high, at_low)) = left.pop() {
-            let bound = at_low * (high / low);
-            if bound <= self.loop_size * (one + tolerance) {
+            // Two roundings.
+            let bound = at_low * (high / low) * (one + F::int(2) * F::epsilon());
+            if bound <= self.loop_size * (one + self.tolerance) {
                 self.bound = self.bound.or_larger(bound);
                 continue;
             }
@@ -104,11 +148,11 @@ impl<F: Float> Search<F> {
                 self.bound = self.bound.or_larger(bound);
                 continue;
             }
-            let at_middle = self.at(middle)?;
+            let at_middle = self.at(middle)?.most;
             left.push((low, middle, at_low));
             left.push((middle, high, at_middle));
         }
-        self.refine(low, high, tolerance * self.share)
+        self.refine(low, high, self.tolerance * self.share)
     }
 
     /// Golden sections around the best so far: to about the root of the precision, all that a maximum allows.
@@ -117,16 +161,16 @@ impl<F: Float> Search<F> {
         let (mut a, mut b) = (self.share - width, self.share + width);
         (a, b) = (a.or_larger(low), if b < high { b } else { high });
         let (mut c, mut d) = (a + golden * (b - a), b - golden * (b - a));
-        let (mut at_c, mut at_d) = (self.at(c)?, self.at(d)?);
+        let (mut at_c, mut at_d) = (self.at(c)?.found, self.at(d)?.found);
         while (b - a).square() > F::epsilon() * b.square() {
             if at_c >= at_d {
                 (b, d, at_d) = (d, c, at_c);
                 c = a + golden * (b - a);
-                at_c = self.at(c)?;
+                at_c = self.at(c)?.found;
             } else {
                 (a, c, at_c) = (c, d, at_d);
                 d = b - golden * (b - a);
-                at_d = self.at(d)?;
+                at_d = self.at(d)?.found;
             }
         }
         Ok(())
@@ -164,11 +208,12 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let border = Border::at(&PhaseFunction::of_valid(omega));
     let least = border.min_force_ratio();
     let share = one / least;
-    let at_border = loop_size_stiffness(border.least_displacement(), least);
+    let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement(), least)).most;
+    let most = LoopSize::closed(non_sticking.loop_size).most;
     // What does not stick is a value to beat; both are one where the border is the best of it.
     let mut sticking =
-        Search { omega, share, loop_size: non_sticking.loop_size, bound: non_sticking.loop_size, motions: 0 };
-    sticking.exhaust(share, one, at_border, tolerance)?;
+        Search { omega, share, loop_size: non_sticking.loop_size, bound: most, tolerance, motions: 0 };
+    sticking.exhaust(share, one, at_border)?;
     let inside = sticking.share > share && sticking.loop_size > non_sticking.loop_size;
     let (force_ratio, loop_size, optimum) = if inside {
         (one / sticking.share, sticking.loop_size, Optimum::Sticking)
@@ -225,8 +270,11 @@ pub fn most_dissipating_friction_of_all<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::{loop_size_of_motion, most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
+    use super::{
+        LoopSize, loop_size_of_motion, most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all,
+    };
     use crate::design::Optimum;
+    use crate::exact::{LongRun, State, Trajectory};
     use crate::{Drive, Error, Oscillator, Ratios, Response};
 
     #[test]
@@ -235,11 +283,44 @@ mod tests {
             let mut last = f64::INFINITY;
             for i in 1..200 {
                 let share = 0.005 * f64::from(i);
-                let way = loop_size_of_motion::<f64>(omega, 1.0 / share).unwrap() / share;
+                let way = loop_size_of_motion::<f64>(omega, 1.0 / share).unwrap().found / share;
                 assert!(way <= last * (1.0 + 1e-12), "{omega} {share}: {way} after {last}");
                 last = way;
             }
         }
+    }
+
+    /// Two motions a little apart, stops included: their ways in a cycle differ by no more than the bound says.
+    #[test]
+    fn the_way_of_a_motion_known_within_d() {
+        for (omega, alpha) in [(0.13, 2.0), (0.3, 3.0), (0.4, 2.0), (0.7, 1.2), (0.7, 3.0), (1.3, 1.5)] {
+            let ratios = Ratios::new(omega, alpha).unwrap();
+            let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+            let steady = limit.steady_state().unwrap();
+            let from = steady.state();
+            let way = |x: f64, w: f64| {
+                let start = State { x: from.x + x, v: from.v + w / omega, ..from };
+                let samples = Trajectory::new(ratios, start).unwrap().samples(20_000).unwrap();
+                let x: Vec<f64> = samples.take(20_001).map(|sample| sample.state.x).collect();
+                x.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>()
+            };
+            let usual = way(0.0, 0.0);
+            assert!((usual / steady.energy_out() - 1.0).abs() < 1e-6, "{omega}");
+            for i in 0..8 {
+                let (s, c) = f64::from(i).sin_cos();
+                let d = 1e-3;
+                let change = (way(d * c, d * s) - usual).abs();
+                assert!(change <= std::f64::consts::TAU / omega * d, "{omega} {alpha}: {change}");
+            }
+            let size = LoopSize::of_motion(steady, omega, alpha);
+            let (x, v) = steady.distance();
+            let doubt = 2.0 / alpha / alpha * std::f64::consts::TAU / omega * x.hypot(v * omega);
+            assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
+        }
+        // Found with its own doubt, at the tolerance that leaves least room for it.
+        let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
+        let again = loop_size_of_motion(0.3, best.force_ratio).unwrap();
+        assert!(best.bound >= again.most && again.most > again.found);
     }
 
     #[test]
@@ -248,11 +329,11 @@ mod tests {
             let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
             assert!(best.bound >= best.loop_size && best.bound <= best.loop_size * 1.0001, "{best:?}");
             assert!(best.loop_size >= best.non_sticking.loop_size && best.motions < 3000, "{omega} {best:?}");
-            let again = loop_size_of_motion(omega, best.force_ratio * (1.0 + 1e-14)).unwrap();
+            let again = loop_size_of_motion(omega, best.force_ratio * (1.0 + 1e-14)).unwrap().found;
             assert!((again / best.loop_size - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
             for i in 1..300 {
-                let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap();
-                assert!(other <= best.bound * (1.0 + 1e-12), "{omega} {i} {other} {best:?}");
+                let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap().found;
+                assert!(other <= best.bound, "{omega} {i} {other} {best:?}");
             }
             let answer = Response::new(Ratios::new(omega, best.force_ratio * (1.0 + 1e-14)).unwrap());
             assert_eq!(answer.cycle().is_none(), best.optimum == Optimum::Sticking, "{omega} {best:?}");

@@ -2,7 +2,9 @@
 //!
 //! It can rest for ever where `|x| ≤ 1 − α`. From a place outside it is moved on in every cycle; the distance to the nearest
 //! place of rest never grows (the motion is contracting, `shooting`). A start at rest a distance δ outside moves the body by
-//! less than `9δ²/(αΩ²)` towards it, because `sin θ − sin θ_e ≤ (η² − τ²)/2` about the maximum of the force, where δ = α(1 − cos η).
+//! less than `9δ²/(αΩ²)` towards it. Let τ be the phase from the extreme of the force and δ = α(1 − cos η): the force beyond the bound is
+//! α(cos τ − cos η), positive from −η to η. Without the spring's pull, which only holds it back, the speed would be
+//! (α/Ω²) [sin τ + sin η − (τ + η) cos η], zero again before τ = 2.02η for cos η ≥ 15/16, and the way at most 4.56 δ²/(αΩ²).
 //! So once δ is below `α min(Ω², 1)/16` the body creeps to the edge of the interval and never gets there: a limit in closed form,
 //! which no amount of simulation reaches (δ falls like 1/cycles).
 

@@ -21,10 +21,11 @@
 //! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
 //!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
 //!   f(π/2) = 0, and S = 1/Ω²: **eq. 61 is exact for Ω ≥ 1/2.**
-//! * **Ω < 1/2.** The factor of T and 1/sin τ both fall on (0, π/2] while sin(ζ − β) is periodic: any value
-//!   of |f| beyond the first period, or in the lobe of sin(ζ − β)/cos β that opposes T, is exceeded one
-//!   period or half a period earlier. So the largest |f| has 0 ≤ ζ ≤ 2π and the sign of T, or is the limit
-//!   1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and has no
+//! * **Ω < 1/2.** sin(ζ − β)/cos β = sin(ζ − γ)/cos γ opposes T = tan γ for 0 < ζ < γ, helps it for γ < ζ < γ + π, and
+//!   so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its values there lie between the limit
+//!   1/Ω² and f at γ. Beyond γ + π, cos τ and 1/sin τ were larger one half period earlier: a value of |f| where the sine opposes T
+//!   is exceeded where it was as large and helped, and any value one period earlier. So the largest |f| has
+//!   γ ≤ ζ ≤ γ + π and the sign of T, or is the limit 1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and has no
 //!   zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0, π) of
 //!   `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
 //!   `S = max(1/Ω², |f(ζ*)|)`.

@@ -4,8 +4,14 @@
 //! little, K with the roundings of the type is good enough, and only what comes after it is done to more digits. Elsewhere K is
 //! computed again as a pair.
 //!
-//! The cancellation has no bound beside Ω = 1 alone: on the border `α² − K² ≥ (1/Ω² − 1)²` and |K| = (2/π)(1 + Ω)(1 − g),
-//! g = w²/3 + …, so that `α − |K| ≥ (2/π) w²` there, of the order of g. The pair of K has an error of the order of `2⁻ᵖ g`, and of
+//! The cancellation has no bound beside Ω = 1 alone. On the border `α² − K² = (1/Ω² − 1)²` for Ω ≥ 1/2, with
+//! |1/Ω² − 1| = (2/π)|w|(1 + Ω)/Ω, and |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + … ≥ 0. From α + |K| ≤ 2|K| + |1/Ω² − 1| follows
+//!
+//! ```text
+//! α − |K| ≥ (w²/π) [(1 + Ω)/Ω²] / [1 + |w|/(2Ω)],
+//! ```
+//!
+//! which is (2/π) w² at Ω = 1: of the order of g. The pair of K has an error of the order of `2⁻ᵖ g`, and of
 //! `2⁻³ᵖᐟ²`, which is too much only very close to Ω = 1. There
 //!
 //! ```text

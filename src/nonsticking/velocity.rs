@@ -12,14 +12,21 @@
 //! where ψ_c is the phase 0 (Ω < 1) or π (Ω > 1) of the drive, `ψ_c = −sgn(1−Ω) asin(K/α)/Ω`, and ψ_p is the
 //! crest nearest to it of the other wave, at distance e ≤ π.
 //!
+//! * **The crest.** For Ω < 1 that is `ψ_p = ±π/2`, with the sign of cos β, because |ψ_c| ≤ π/2: a cycle that does not
+//!   stick has Δ₀/B ≥ S, S is at least the value |T| cot(πΩ/2)/Ω of the border's |f| at τ = πΩ, and therefore
+//!   `tan Ω|ψ_c| = |T|/(ΩΔ₀/B) ≤ tan(πΩ/2)`.
 //! * **Ω < 1.** Reflecting a point about ψ_c, or moving it one fast period towards ψ_c, only raises v, and
 //!   beyond ψ_p both waves fall: the global maximum lies between ψ_c and ψ_p. At the distance d from ψ_c the
 //!   root has `c sin(e − d) = RΩ sin Ωd`, and `sin(e − d)/sin Ωd` is strictly falling on (0, e), because
 //!   cot(e − d) + Ω cot Ωd ≥ Ω cot Ωd − cot d > 0. So there is exactly one root in between, and it is V₀.
 //!   It lies in the half cycle: were it beyond the end, v would rise from ψ_c to the end, where it is 0, and
 //!   the cycle would not be one. (e = π puts two equal maxima at ±d: the first is taken.)
-//! * **Ω > 1.** (v′/cos Ωψ)′ cos²Ωψ is increasing and not positive at the end where v″ ≤ 0: v has one
+//! * **Ω > 1.** (v′/cos Ωψ)′ cos²Ωψ is increasing, and at the end ψ = β it is Ωv′ ≤ 0: so v′/cos Ωψ falls, and v has one
 //!   stationary point in the half cycle. It lies between ψ_c and β, where v′ changes sign.
+//! * **The sign of ρ.** What swings at ω_n is, at the maximum, `ρ/B = sin ψ/cos β` (eq. 27), and
+//!   `v′(0) = (1 − Ω sin β)/cos β` up to a positive factor. For Ω < 1 that has the sign of cos β, that of ψ_p: v still rises
+//!   towards ψ_p at ψ = 0, so that the maximum lies between 0 and ψ_p = ±π/2, and ρ > 0. For Ω > 1, cos β > 0 and
+//!   Ω sin β = (π/2) sin β/β > 1: v falls at ψ = 0, the maximum is before it, and ρ < 0. So ρ has the sign of 1 − Ω.
 //!
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 

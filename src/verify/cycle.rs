@@ -1,20 +1,22 @@
 //! Eq. 15, 16, 40–67 and the multipliers: the answers themselves.
 
 use super::matching::holding;
-use super::{Case, Identity, Standing};
+use super::motion::apart;
+use super::{Case, Digits, Identity, Standing};
 use crate::float::Float;
-use crate::nonsticking::{self, border, matching::pi_1, stability};
+use crate::nonsticking::{matching::pi_1, stability};
+use crate::phase_function::phase_function_of_tangent;
 
 /// A phase a third of the way down the falling half, and the same half a period before.
-fn on_the_way<F: Float>(c: &Case<F>) -> (F, F, F) {
+fn on_the_way<F: Float>(c: &Case<'_, F>) -> (F, F, F) {
     let turn = F::pi() / F::int(3);
     let falling = c.unknowns.displacement_phase + turn;
     (turn, falling, falling - F::pi())
 }
 
 /// V₀/(Bω_d) by eq. 49 with the signs that hold.
-fn by_49<F: Float>(c: &Case<F>) -> F {
-    nonsticking::max_velocity_from_phase(
+fn by_49<F: Float>(c: &Case<'_, F>) -> F {
+    c.formulae.max_velocity_from_phase(
         c.given.amplitude,
         c.omega(),
         pi_1(c.omega()).cos(),
@@ -25,36 +27,36 @@ fn by_49<F: Float>(c: &Case<F>) -> F {
 }
 
 /// α of eq. 61, and the Δ₀/B and sin ω_d t₂ that belong to it.
-fn at_turning_point<F: Float>(c: &Case<F>) -> (F, F, F) {
-    let (k, q) = (c.phase_function.value(), c.one_minus_square);
-    let alpha = border::turning_point_border(k, c.omega());
-    let delta = nonsticking::max_displacement(k, alpha, q);
-    (alpha, delta, nonsticking::sin_displacement_phase(delta, alpha, q))
+fn at_turning_point<F: Float>(c: &Case<'_, F>) -> (F, F, F) {
+    let (k, q) = (c.k(), c.one_minus_square);
+    let alpha = c.formulae.turning_point_border(k, c.omega());
+    let delta = c.formulae.max_displacement(k, alpha, q);
+    (alpha, delta, c.formulae.sin_displacement_phase(delta, alpha, q))
 }
 
 /// A₁ at any α (eq. 64 with eq. 44).
-fn loop_at<F: Float>(c: &Case<F>, alpha: F) -> F {
-    let delta = nonsticking::max_displacement(c.phase_function.value(), alpha, c.one_minus_square);
-    nonsticking::loop_size_stiffness(delta, alpha)
+fn loop_at<F: Float>(c: &Case<'_, F>, alpha: F) -> F {
+    let delta = c.formulae.max_displacement(c.k(), alpha, c.one_minus_square);
+    c.formulae.loop_size_stiffness(delta, alpha)
 }
 
 pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     holding![
         "15" "x₁(t) is the waveform": |c| {
             let (_, _, rising) = on_the_way(c);
-            c.given.rising_displacement(&c.unknowns, rising) - c.cycle.displacement_at(rising)
+            c.formulae.rising_displacement(&c.given, &c.unknowns, rising) - c.formulae.displacement_at(&c.cycle, rising)
         },
         "15′" "x₁′(t) is its velocity": |c| {
             let (_, _, rising) = on_the_way(c);
-            c.given.rising_velocity(&c.unknowns, rising) - c.cycle.velocity_at(rising) * c.omega()
+            c.formulae.rising_velocity(&c.given, &c.unknowns, rising) - c.formulae.velocity_at(&c.cycle, rising) * c.omega()
         },
         "16" "x₂(t) is the waveform": |c| {
             let (_, falling, _) = on_the_way(c);
-            c.given.falling_displacement(&c.unknowns, falling) - c.cycle.displacement_at(falling)
+            c.formulae.falling_displacement(&c.given, &c.unknowns, falling) - c.formulae.displacement_at(&c.cycle, falling)
         },
         "16′" "x₂′(t) is its velocity": |c| {
             let (_, falling, _) = on_the_way(c);
-            c.given.falling_velocity(&c.unknowns, falling) - c.cycle.velocity_at(falling) * c.omega()
+            c.formulae.falling_velocity(&c.given, &c.unknowns, falling) - c.formulae.velocity_at(&c.cycle, falling) * c.omega()
         },
         "40" "A sin ω_d t₂ = Δ₀": |c| {
             c.given.amplitude * c.unknowns.displacement_phase.sin() - c.unknowns.max_displacement
@@ -64,16 +66,16 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         },
         "42" "Δ₀² = A² − (BT/Ω)²": |c| {
             let (a, t) = (c.given.amplitude, c.phase_function.tangent());
-            let by_42 = nonsticking::max_displacement_from_amplitude(a, F::int(1), t, c.omega());
+            let by_42 = c.formulae.max_displacement_from_amplitude(a, t, c.omega());
             (by_42.square() - c.unknowns.max_displacement.square()) / c.scale
         },
         "43" "sgn sin ω_d t₂ = sgn(1 − Ω), cos ω_d t₂ = K/α": |c| {
             let (sine, cosine) = c.unknowns.displacement_phase.sin_cos();
             let root = ((F::int(1) - cosine) * (F::int(1) + cosine)).sqrt().with_sign_of(c.sign());
-            (sine - root) * sine + cosine - nonsticking::cos_displacement_phase(c.phase_function.value(), c.alpha())
+            (sine - root) * sine + cosine - c.formulae.cos_displacement_phase(c.k(), c.alpha())
         },
         "46" "x″(t₁) = 0 in ω_d t₁ alone": |c| {
-            nonsticking::velocity_phase_residual(
+            c.formulae.velocity_phase_residual(
                 c.given.amplitude,
                 c.omega(),
                 pi_1(c.omega()).sin_cos(),
@@ -81,11 +83,25 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
                 c.unknowns.velocity_phase.sin(),
             )
         },
+        "41, 43" "K = (1 − Ω²) tan(π/2Ω)/Ω": |c| {
+            let by_tangent = phase_function_of_tangent(c.omega(), c.phase_function.tangent());
+            c.k() - by_tangent
+        },
+        "43" "ω_d t₂ is the angle that is answered": |c| {
+            apart(
+                c.formulae.displacement_phase(c.k(), c.alpha(), c.omega()),
+                c.unknowns.displacement_phase,
+            )
+        },
+        "44" "Δ₀/B = √[(α − K)(α + K)]/|1 − Ω²|": |c| {
+            let by_44 = c.formulae.max_displacement(c.k(), c.alpha(), c.one_minus_square);
+            (by_44.square() - c.unknowns.max_displacement.square()) / c.scale
+        },
         "47" "Δ₁/B = α sin ω_d t₁ − 1": |c| {
-            nonsticking::deviation(c.alpha(), c.unknowns.velocity_phase.sin()) - c.unknowns.deviation
+            c.formulae.deviation(c.alpha(), c.unknowns.velocity_phase.sin()) - c.unknowns.deviation
         },
         "48, 49" "V₀ = Bω_d [A/B cos ω_d t₁ + ρ/(BΩ)], signs corrected": |c| {
-            c.near_pole((by_49(c) - c.cycle.max_velocity()) * c.given.rho(&c.unknowns) * c.one_plus_cos())
+            c.near_pole((by_49(c) - c.answers.max_velocity) * c.formulae.rho(&c.given, &c.unknowns) * c.one_plus_cos())
         },
         "50" "Den Hartog: x(0) = Δ₀": |c| c.half.displacement(F::int(0)) - c.unknowns.max_displacement,
         "51" "Den Hartog: x′(0) = 0": |c| c.half.velocity(F::int(0)),
@@ -93,7 +109,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "53" "Den Hartog: x′(π/ω_d) = 0": |c| c.half.velocity(F::pi()),
         "54" "Den Hartog's waveform is the same": |c| {
             let (turn, falling, _) = on_the_way(c);
-            c.half.displacement(turn) - c.cycle.displacement_at(falling)
+            c.half.displacement(turn) - c.formulae.displacement_at(&c.cycle, falling)
         },
         "55" "C₁ = ΩA sin φ": |c| c.half.c1 - c.omega() * c.half.amplitude * c.half.phase_lag.sin(),
         "56" "C₂ = Δ₀ − B − A cos φ": |c| {
@@ -101,11 +117,11 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         },
         "57–59" "on eq. 61 the force at a reversal is r_y": |c| {
             let (alpha, delta, sine) = at_turning_point(c);
-            border::slip_excess(alpha, sine, F::int(1), delta, F::int(1)) / c.scale
+            c.formulae.slip_excess(alpha, sine, delta) / c.scale
         },
         "60" "vanishes on eq. 61": |c| {
             let (alpha, ..) = at_turning_point(c);
-            border::turning_point_residual(F::int(1), alpha, c.omega(), c.phase_function.tangent())
+            c.formulae.turning_point_residual(alpha, c.omega(), c.phase_function.tangent())
                 / c.omega().square().or_larger(F::int(1)).square()
                 / c.scale
         },
@@ -114,21 +130,37 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             (delta * c.omega().square() - F::int(1)) / c.scale
         },
         "63, 64" "A₁ = 2ks/p₀², s = 4 r_y Δ₀": |c| {
-            let s = nonsticking::loop_size(F::int(1), c.unknowns.max_displacement);
-            (F::int(2) * s / c.alpha().square() / c.cycle.loop_size_stiffness() - F::int(1)) * c.scale
+            let s = c.formulae.loop_size(c.unknowns.max_displacement);
+            (F::int(2) * s / c.alpha().square() / c.answers.loop_size_stiffness - F::int(1)) * c.scale
         },
         "65, 66" "A₁(√2 |K|) = 4/(|K| |1 − Ω²|)": |c| {
-            let k = c.phase_function.value();
-            let best = loop_at(c, nonsticking::best_force_ratio(k));
-            (best / nonsticking::best_loop_size(k, c.one_minus_square) - F::int(1)) * c.scale
+            let k = c.k();
+            let best = loop_at(c, c.formulae.best_force_ratio(k));
+            (best / c.formulae.best_loop_size(k, c.one_minus_square) - F::int(1)) * c.scale
+        },
+        "64" "A₁ = 8(Δ₀/B)/α²": |c| {
+            let by_64 = c.formulae.loop_size_stiffness(c.unknowns.max_displacement, c.alpha());
+            (by_64 / c.answers.loop_size_stiffness - F::int(1)) * c.scale
+        },
+        "65" "α* as it is answered": |c| {
+            let answered = c.formulae.best_force_ratio_at(&c.phase_function);
+            (c.formulae.best_force_ratio(c.k()) / answered - F::int(1)) * c.scale
+        },
+        "66" "A₁max as it is answered": |c| {
+            let answered = c.formulae.best_loop_size_at(&c.phase_function);
+            (c.formulae.best_loop_size(c.k(), c.one_minus_square) / answered - F::int(1)) * c.scale
+        },
+        "67" "A₂ as it is answered": |c| {
+            let by_67 = c.formulae.loop_size_inertia(c.answers.loop_size_stiffness, c.omega());
+            (by_67 / c.answers.loop_size_inertia - F::int(1)) * c.scale
         },
         "67" "A₂ = Ω² A₁": |c| {
-            let ratio = c.cycle.loop_size_inertia() / c.cycle.loop_size_stiffness() / c.omega().square();
+            let ratio = c.answers.loop_size_inertia / c.answers.loop_size_stiffness / c.omega().square();
             (ratio - F::int(1)) * c.scale
         },
         "λ" "the contraction is a root of λ² ± (1+s) cos π₁ λ + s, or its modulus": |c| {
-            let s = stability::multiplier_product(c.omega(), c.unknowns.max_displacement);
-            let (modulus, cos_pi_1) = (c.cycle.contraction(), pi_1(c.omega()).cos());
+            let s = c.formulae.multiplier_product(c.omega(), c.unknowns.max_displacement);
+            let (modulus, cos_pi_1) = (c.answers.contraction, pi_1(c.omega()).cos());
             if ((F::int(1) + s) * cos_pi_1).square() < F::int(4) * s {
                 modulus.square() - s
             } else {

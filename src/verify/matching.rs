@@ -1,6 +1,6 @@
 //! Eq. 3 and 11–39: the two branches and their matching.
 
-use super::{Case, Identity, Standing};
+use super::{Case, Digits, Identity, Standing};
 use crate::float::Float;
 use crate::nonsticking::matching::half_period_later;
 
@@ -10,55 +10,56 @@ macro_rules! holding {
             equation: $equation,
             statement: $statement,
             standing: Standing::Holds,
-            residual: |$c: &Case<F>| Some($residual),
+            digits: Digits::All,
+            residual: |$c: &Case<'_, F>| Some($residual),
         }),+]
     };
 }
 pub(super) use holding;
 
 /// `a`, `b` and ρ (eq. 30, 31, 27).
-fn coefficients<F: Float>(c: &Case<F>) -> (F, F, F) {
+fn coefficients<F: Float>(c: &Case<'_, F>) -> (F, F, F) {
     let (g, u) = (&c.given, &c.unknowns);
-    (g.coefficient_a(u), g.coefficient_b(u), g.rho(u))
+    (c.formulae.coefficient_a(g, u), c.formulae.coefficient_b(g, u), c.formulae.rho(g, u))
 }
 
-fn lag<F: Float>(c: &Case<F>) -> (F, F) {
+fn lag<F: Float>(c: &Case<'_, F>) -> (F, F) {
     c.given.lag(&c.unknowns).sin_cos()
 }
 
 pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     holding![
         "3" "x(t₄) = −Δ₀, half a period after t₂": |c| {
-            c.given.falling_displacement(&c.unknowns, half_period_later(c.unknowns.displacement_phase))
+            c.formulae.falling_displacement(&c.given, &c.unknowns, half_period_later(c.unknowns.displacement_phase))
                 + c.unknowns.max_displacement
         },
         "11" "x₁(t₁) = Δ₁": |c| {
-            c.given.rising_displacement(&c.unknowns, c.unknowns.velocity_phase) - c.unknowns.deviation
+            c.formulae.rising_displacement(&c.given, &c.unknowns, c.unknowns.velocity_phase) - c.unknowns.deviation
         },
         "12" "x₂(t₃) = −Δ₁": |c| {
-            c.given.falling_displacement(&c.unknowns, half_period_later(c.unknowns.velocity_phase))
+            c.formulae.falling_displacement(&c.given, &c.unknowns, half_period_later(c.unknowns.velocity_phase))
                 + c.unknowns.deviation
         },
         "13" "x₁′(t₁) = V₀": |c| {
-            c.given.rising_velocity(&c.unknowns, c.unknowns.velocity_phase) - c.unknowns.max_velocity
+            c.formulae.rising_velocity(&c.given, &c.unknowns, c.unknowns.velocity_phase) - c.unknowns.max_velocity
         },
         "14" "x₂′(t₃) = −V₀": |c| {
-            c.given.falling_velocity(&c.unknowns, half_period_later(c.unknowns.velocity_phase))
+            c.formulae.falling_velocity(&c.given, &c.unknowns, half_period_later(c.unknowns.velocity_phase))
                 + c.unknowns.max_velocity
         },
-        "17" "x₁′(t₂) = 0": |c| c.given.rising_velocity(&c.unknowns, c.unknowns.displacement_phase),
-        "18" "x₂′(t₂) = 0": |c| c.given.falling_velocity(&c.unknowns, c.unknowns.displacement_phase),
+        "17" "x₁′(t₂) = 0": |c| c.formulae.rising_velocity(&c.given, &c.unknowns, c.unknowns.displacement_phase),
+        "18" "x₂′(t₂) = 0": |c| c.formulae.falling_velocity(&c.given, &c.unknowns, c.unknowns.displacement_phase),
         "19" "x₁(t₂) = Δ₀": |c| {
-            c.given.rising_displacement(&c.unknowns, c.unknowns.displacement_phase) - c.unknowns.max_displacement
+            c.formulae.rising_displacement(&c.given, &c.unknowns, c.unknowns.displacement_phase) - c.unknowns.max_displacement
         },
         "20" "x₂(t₂) = Δ₀": |c| {
-            c.given.falling_displacement(&c.unknowns, c.unknowns.displacement_phase) - c.unknowns.max_displacement
+            c.formulae.falling_displacement(&c.given, &c.unknowns, c.unknowns.displacement_phase) - c.unknowns.max_displacement
         },
-        "21" "matching: x₁′(t₂) = 0": |c| { let [e, ..] = c.given.residuals(&c.unknowns); e },
-        "22" "matching: x₂′(t₂) = 0": |c| { let [_, e, ..] = c.given.residuals(&c.unknowns); e },
-        "23" "matching: x₁(t₂) = Δ₀": |c| { let [_, _, e, ..] = c.given.residuals(&c.unknowns); e },
-        "24" "matching: x₂(t₂) = Δ₀": |c| { let [_, _, _, e, _] = c.given.residuals(&c.unknowns); e },
-        "25" "matching: x″(t₁) = 0": |c| { let [.., e] = c.given.residuals(&c.unknowns); e },
+        "21" "matching: x₁′(t₂) = 0": |c| { let [e, ..] = c.formulae.residuals(&c.given, &c.unknowns); e },
+        "22" "matching: x₂′(t₂) = 0": |c| { let [_, e, ..] = c.formulae.residuals(&c.given, &c.unknowns); e },
+        "23" "matching: x₁(t₂) = Δ₀": |c| { let [_, _, e, ..] = c.formulae.residuals(&c.given, &c.unknowns); e },
+        "24" "matching: x₂(t₂) = Δ₀": |c| { let [_, _, _, e, _] = c.formulae.residuals(&c.given, &c.unknowns); e },
+        "25" "matching: x″(t₁) = 0": |c| { let [.., e] = c.formulae.residuals(&c.given, &c.unknowns); e },
         "28" "a cos θ + b sin θ = 0": |c| c.given.elimination_of_rate(&c.unknowns),
         "29" "a sin θ − b cos θ = 2B": |c| c.given.elimination_of_position(&c.unknowns),
         "32" "a² + b² = 2(1 + cos π₁)(ρ² + X²)": |c| {
@@ -76,11 +77,11 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             a.square() + b.square() - F::int(4)
         },
         "36" "ρ² = 2B²/(1 + cos π₁) − X²": |c| {
-            c.near_pole((coefficients(c).2.square() - c.given.squared_rho(&c.unknowns)) * c.one_plus_cos())
+            c.near_pole((coefficients(c).2.square() - c.formulae.squared_rho(&c.given, &c.unknowns)) * c.one_plus_cos())
         },
         "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c| {
             // Times ρ: the root of a small difference has half its digits.
-            let left = c.given.max_velocity(&c.unknowns, c.sign()) - c.unknowns.max_velocity;
+            let left = c.formulae.max_velocity(&c.given, &c.unknowns, c.sign()) - c.unknowns.max_velocity;
             c.near_pole(left * coefficients(c).2 * c.one_plus_cos())
         },
         "38" "cos θ = −b/(2B)": |c| lag(c).1 - c.given.cos_lag(&c.unknowns),

@@ -15,25 +15,42 @@ const BANDS: [((i32, i32), (i32, i32)); 7] = [
     ((2, 1), (9, 1)),
 ];
 
-/// The cycles at the points.
-pub(super) fn cycles<F: Float>() -> Vec<Cycle<F>> {
-    let times = [F::ratio(101, 100), F::ratio(3, 2), F::int(4)];
-    omegas::<F>().into_iter().flat_map(|omega| times.map(|t| above_border(omega, t))).flatten().collect()
+/// A cycle to look at.
+pub(super) struct Point<F> {
+    pub(super) cycle: Cycle<F>,
+    /// The first of its Ω.
+    pub(super) is_first: bool,
+    /// Whether the exact motion is followed there, and eq. 21–25 are solved.
+    pub(super) is_followed: bool,
 }
 
-fn omegas<F: Float>() -> Vec<F> {
+/// The points.
+pub(super) fn points<F: Float>() -> Vec<Point<F>> {
+    let times = [F::ratio(101, 100), F::ratio(3, 2), F::int(4)];
+    let at = |(omega, is_followed): (F, bool)| {
+        times.iter().enumerate().filter_map(move |(i, &t)| {
+            let cycle = above_border(omega, t)?;
+            Some(Point { cycle, is_first: i == 0, is_followed })
+        })
+    };
+    omegas::<F>().into_iter().flat_map(at).collect()
+}
+
+/// The frequency ratios, and whether the exact motion is followed there: closer to a singular one than 10⁻³ it takes too many
+/// periods to settle.
+fn omegas<F: Float>() -> Vec<(F, bool)> {
     const INSIDE: i32 = 6;
     let mut all = Vec::new();
     for ((p, q), (r, s)) in BANDS {
         let (low, high) = (F::ratio(p, q), F::ratio(r, s));
-        all.extend((1..INSIDE).map(|i| low + (high - low) * F::ratio(i, INSIDE)));
+        all.extend((1..INSIDE).map(|i| (low + (high - low) * F::ratio(i, INSIDE), true)));
     }
     for n in [1, 3, 5, 7] {
         for digits in [3, 10, 30] {
             let distance = (0..digits).fold(F::int(1), |d, _| d / F::int(10));
             // Nearer than half the digits, the paper's own forms have nothing left to say.
             if distance.square() > F::epsilon() {
-                all.extend([F::ratio(1, n) - distance, F::ratio(1, n) + distance]);
+                all.extend([F::ratio(1, n) - distance, F::ratio(1, n) + distance].map(|omega| (omega, digits == 3)));
             }
         }
     }

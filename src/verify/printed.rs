@@ -1,21 +1,21 @@
 //! What is wrong as printed, where it is.
 
-use super::{Case, Identity, Standing};
+use super::{Case, Digits, Identity, Standing};
 use crate::float::Float;
 use crate::nonsticking::{matching::pi_1, printed};
 
 fn refuted<F>(
     equation: &'static str,
     statement: &'static str,
-    residual: fn(&Case<F>) -> Option<F>,
+    residual: fn(&Case<'_, F>) -> Option<F>,
 ) -> Identity<F> {
-    Identity { equation, statement, standing: Standing::Refuted, residual }
+    Identity { equation, statement, standing: Standing::Refuted, digits: Digits::All, residual }
 }
 
 pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     vec![
         refuted("43", "as printed, π/2 < ω_d t₂ < 3π/2, fails where K > 0", |c| {
-            (c.phase_function.value() > F::int(0)).then(|| {
+            (c.k() > F::int(0)).then(|| {
                 let sine = c.unknowns.max_displacement / c.given.amplitude;
                 (printed::displacement_phase(sine) - c.unknowns.displacement_phase) * c.scale
             })
@@ -24,13 +24,13 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             (c.omega() > F::int(1)).then(|| {
                 let cos_pi_1 = pi_1(c.omega()).cos();
                 let wrong = printed::max_velocity(c.omega(), c.alpha(), cos_pi_1, c.unknowns.deviation);
-                (wrong / c.cycle.max_velocity() - F::int(1)) * c.scale
+                (wrong / c.answers.max_velocity - F::int(1)) * c.scale
             })
         }),
         refuted("61", "as printed, sufficient, fails between 1/(2n+1) and 1/(2n)", |c| {
-            (c.phase_function.value() > F::int(0)).then(|| {
-                let border = crate::Border::at(&c.phase_function);
-                (border.min_force_ratio() / border.turning_point() - F::int(1)) * c.scale
+            (c.k() > F::int(0)).then(|| {
+                let edge = c.formulae.edge(&c.phase_function);
+                (edge.min_force_ratio / edge.turning_point - F::int(1)) * c.scale
             })
         }),
     ]

@@ -14,6 +14,7 @@ mod design;
 #[cfg(feature = "mp")]
 mod design_wide;
 mod errata;
+#[cfg(feature = "matching")]
 mod identities;
 #[cfg(feature = "generators")]
 mod ordinary_inputs;

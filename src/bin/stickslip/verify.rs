@@ -3,9 +3,11 @@
 use crate::args::{Format, VerifyArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
+use crate::interrupt;
 use crate::progress;
 use serde::Serialize;
 use std::io::{self, Write};
+use std::ops::ControlFlow;
 use stickslip::verify::{Standing, Verdict, verify};
 
 /// The command with its arguments and where its answer goes.
@@ -18,11 +20,20 @@ pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
+        interrupt::listen();
         let bar = progress::bar(0, "points");
-        let verdicts = verify::<F>(|done, all| {
+        let verdicts = verify::<F, Failure>(|done, all| {
             bar.set_length(all as u64);
             bar.set_position(done as u64);
+            match interrupt::check() {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(failure) => ControlFlow::Break(failure),
+            }
         });
+        let verdicts = match verdicts {
+            ControlFlow::Continue(verdicts) => verdicts,
+            ControlFlow::Break(failure) => return Err(failure),
+        };
         bar.finish_and_clear();
         match args.format {
             Format::Json => json::<F>(&verdicts, out)?,

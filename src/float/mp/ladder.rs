@@ -1,7 +1,10 @@
 //! A precision chosen at run time: the least of a ladder of widths that has the bits.
 
 use super::Mp;
-use crate::float::Float;
+#[cfg(not(feature = "matching"))]
+use crate::float::Float as Number;
+#[cfg(feature = "matching")]
+use crate::nonsticking::matching::newton::Solvable as Number;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
 use num_traits::Pow;
@@ -13,7 +16,7 @@ pub trait WithPrecision {
     /// The computation over `F`.
     fn run<F>(self) -> Self::Output
     where
-        F: Float
+        F: Number
             + FromStr<Err = super::ParseError>
             + Pow<F, Output = F>
             + Display

@@ -4,7 +4,6 @@
 //! of S (proved in [`super::lobe`]).
 
 use super::lobe::Lobe;
-use super::stationary::{stationary_point, stationary_value};
 use crate::float::Float;
 use crate::root;
 
@@ -44,15 +43,14 @@ pub(super) struct BandEnd<F> {
 impl<F: Float> BandEnd<F> {
     /// The end of the band below the pole 1/(2n+1), n ≥ 1.
     ///
-    /// Solved for γ, in which the crossing is as well conditioned for n = 10⁵ as for n = 1; `1/S`, which vanishes at the
-    /// pole, is smooth on the whole bracket.
+    /// `−tan γ = u tan(π/2u)`, u = 2n + 2γ/π: where the two values of S cross, the velocity of the inner one touches zero at
+    /// ζ = π ([`super::lobe`]). Multiplied by cos γ it is smooth through the pole, and as well conditioned for n = 10⁵ as for n = 1.
     pub(super) fn of(index: u16) -> Self {
-        let (one, half_pi) = (F::int(1), F::pi() / F::int(2));
+        let half_pi = F::pi() / F::int(2);
         let inverse = |gamma: F| F::int(2) * F::int(i32::from(index)) + gamma / half_pi;
         let excess = |gamma: F| {
-            let u = inverse(gamma);
-            let eta = stationary_point(one / u, gamma);
-            u / stationary_value(gamma, gamma.cos(), (gamma + eta) / u, eta) - one
+            let (u, (s, c)) = (inverse(gamma), gamma.sin_cos());
+            -(s + u * (half_pi / u).tan() * c)
         };
         let (_, gamma) = root::enclosed(half_pi, half_pi * F::ratio(15, 8), excess);
         Self { gamma, inverse: inverse(gamma) }

@@ -102,6 +102,30 @@ pub struct BorderSolution<F> {
     pub iterations: u32,
 }
 
+/// A number that the matching problem can be solved in: any [`Float`] with nalgebra's `RealField`, whose names it keeps apart.
+pub trait Solvable: Float {
+    /// [`solve`].
+    ///
+    /// # Errors
+    /// As there.
+    fn solve(ratios: Ratios<Self>) -> Result<Solution<Self>, MatchingError>;
+    /// [`solve_border`].
+    ///
+    /// # Errors
+    /// As there.
+    fn solve_border(omega: Self) -> Result<BorderSolution<Self>, MatchingError>;
+}
+
+impl<F: Float + RealField> Solvable for F {
+    fn solve(ratios: Ratios<Self>) -> Result<Solution<Self>, MatchingError> {
+        solve(ratios)
+    }
+
+    fn solve_border(omega: Self) -> Result<BorderSolution<Self>, MatchingError> {
+        solve_border(omega)
+    }
+}
+
 /// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α).
 ///
 /// # Errors

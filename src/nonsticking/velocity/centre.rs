@@ -11,8 +11,9 @@ use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 
 /// The greatest velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
 ///
-/// There a stationary point is the maximum: for Ω > 1 it is the only one, and for 1/2 ≤ Ω < 1 the fast wave
-/// rises towards ψ_p = −π/2 throughout |ψ| < π/2, so that the slow one must fall: ψ_p ≤ ψ ≤ ψ_c.
+/// There a stationary point is the maximum: for Ω > 1 it is the only one. For 1/2 ≤ Ω < 1 the nearest crest of the fast
+/// wave is ψ_p = −π/2 (the module's head, with cos β < 0). Towards it the fast wave rises throughout |ψ| < π/2, so that the
+/// slow one falls: ψ_p ≤ ψ ≤ ψ_c, where there is one stationary point.
 #[inline]
 pub(super) fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<(Fastest<F>, (F, F))> {
     let mut psi = start(half);

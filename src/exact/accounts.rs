@@ -1,0 +1,83 @@
+//! What a motion adds up to, held against the equation of motion: works, distances, growth.
+
+use super::drive::DrivePhase;
+use super::equation::Equation;
+use super::measures::Tally;
+use super::walk::{Point, walk};
+use super::{LongRun, State, Trajectory};
+use crate::Ratios;
+use std::f64::consts::{PI, TAU};
+
+fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
+    Ratios::new(omega, alpha).unwrap()
+}
+
+/// Of a motion that has not settled the work of the drive is not that against friction: what is between them is the change of
+/// the energy `(x² + w²)/2`.
+#[test]
+fn the_works_balance_the_energy() {
+    for i in 0..200 {
+        let part = |step: f64| (f64::from(i) * step).fract();
+        let (omega, alpha) = (0.1 + 3.0 * part(0.618_034), 1.1 + 4.0 * part(0.754_878));
+        let start = Point {
+            phase: DrivePhase::new(TAU * part(0.569_841)).unwrap(),
+            x: 6.0 * part(0.437_016) - 3.0,
+            w: 4.0 * part(0.324_718) - 2.0,
+        };
+        let equation = Equation::new(ratios(omega, alpha));
+        let cycle = walk(equation, start, 2, PI / omega, Vec::new());
+        let tally = Tally::of(&start, omega, &cycle.parts);
+        let energy = |x: f64, w: f64| (x * x + w * w) / 2.0;
+        let change = energy(cycle.end.x, cycle.end.w) - energy(start.x, start.w);
+        let left = tally.work_in - tally.work_out - change;
+        assert!(left.abs() < 1e-11 * (1.0 + tally.work_out), "{omega} {alpha}: {left:e} {tally:?}");
+        assert!(change.abs() > 1e-9, "{omega} {alpha}: {change:e}");
+    }
+}
+
+/// Friction takes energy whichever way the body slides.
+#[test]
+fn the_work_against_friction_is_never_negative() {
+    for (omega, alpha) in [(0.3, 2.0), (0.7, 2.0), (1.6, 1.5)] {
+        let motion = Trajectory::new(ratios(omega, alpha), State::new(0.2, 0.5, -0.3).unwrap()).unwrap();
+        let (mut work, mut way) = (0.0, 0.0);
+        for phase in motion.take(60) {
+            let (from, to) = (phase.start(), phase.end().unwrap());
+            assert!(phase.friction_work() >= 0.0);
+            work += phase.friction_work();
+            way += (to.x - from.x).abs();
+        }
+        assert!(work > 1.0 && (work - way).abs() < 1e-12 * way, "{omega}: {work} {way}");
+    }
+}
+
+/// The distance is one of x/B and of x′/(Bω_d), each in its own unit.
+#[test]
+fn the_distance_is_in_the_units_of_a_state() {
+    for omega in [0.25f64, 0.7, 4.0] {
+        let limit = LongRun::from_start(ratios(omega, 1.4), State::rest()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        let (x, v) = steady.distance();
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+        assert!(x == steady.distance.0 && close(v * omega, steady.distance.1), "{omega}");
+    }
+}
+
+/// At Ω = 1 the amplitude E is that of a free swing in step with the drive, whose work in a turn is παE against 4E of friction:
+/// `d(E²/2) = (πα − 4) E`, so that E grows by πα − 4 a turn.
+#[test]
+fn the_growth_at_resonance_is_that_of_the_motion() {
+    for alpha in [1.4, 2.0, 5.0] {
+        let limit = LongRun::from_start(ratios(1.0, alpha), State::rest()).unwrap();
+        let LongRun::Unbounded { growth } = limit else { panic!("{limit:?}") };
+        let motion = Trajectory::new(ratios(1.0, alpha), State::rest()).unwrap();
+        let greatest = |from: f64, to: f64| {
+            let ends = motion.map(|phase| phase.end().unwrap());
+            let ends = ends.skip_while(|end| end.phase.since(State::rest().phase) < from * TAU);
+            ends.take_while(|end| end.phase.since(State::rest().phase) < to * TAU).map(|end| end.x).fold(0.0, f64::max)
+        };
+        let (early, late) = (greatest(999.0, 1000.0), greatest(1999.0, 2000.0));
+        let found = (late - early) / 1000.0;
+        assert!((found / growth - 1.0).abs() < 1e-3, "{alpha}: {found} {growth}");
+    }
+}

@@ -1,0 +1,141 @@
+//! The answers held against the exact motion, which takes none of them for granted: started from rest, followed slide by slide.
+
+use super::{Case, Digits, Identity, Standing};
+use crate::exact::{LongRun, State, SteadyState, Trajectory};
+use crate::float::Float;
+use crate::ratios::Ratios;
+
+/// The limit of the motion from rest, and its half-turn map by differences.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Motion<F> {
+    steady: SteadyState<F>,
+    /// How far (x, w) may be from the limit.
+    doubt: F,
+    /// Trace and determinant of the derivative of the half-turn map, turned upside down.
+    half_map: Option<(F, F)>,
+}
+
+impl<F: Float> Motion<F> {
+    /// The motion at (Ω, α); `None` where it has no one limit, or none was found.
+    pub(super) fn at(ratios: Ratios<F>) -> Option<Self> {
+        let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::rest()).ok()? else { return None };
+        let (x, v) = steady.distance();
+        let half_map = half_map(ratios, steady.state());
+        Some(Self { steady, doubt: x.hypot(v * ratios.omega()), half_map })
+    }
+}
+
+/// Trace and determinant of the derivative of `(x, v) → −(x, v)` half a turn later, by central differences.
+fn half_map<F: Float>(ratios: Ratios<F>, state: State<F>) -> Option<(F, F)> {
+    let size = F::int(1) + state.x.abs() + state.v.abs();
+    let step = size * third_of_digits::<F>();
+    let moved = |x: F, v: F| half_turn_on(ratios, State { x: state.x + x, v: state.v + v, ..state });
+    let zero = F::int(0);
+    let slope = |ahead: (F, F), back: (F, F)| {
+        let twice = F::int(2) * step;
+        ((back.0 - ahead.0) / twice, (back.1 - ahead.1) / twice)
+    };
+    let (a, c) = slope(moved(step, zero)?, moved(-step, zero)?);
+    let (b, d) = slope(moved(zero, step)?, moved(zero, -step)?);
+    Some((a + d, a * d - b * c))
+}
+
+/// 2⁻ᵖᐟ³, the step at which central differences keep most digits.
+pub(super) fn third_of_digits<F: Float>() -> F {
+    let bits = (F::PRECISION / 3).min(F::RATIO_EXPONENT.unsigned_abs());
+    F::exp2i((bits as i32).saturating_neg())
+}
+
+/// (x, v) half a turn of the drive after a state.
+fn half_turn_on<F: Float>(ratios: Ratios<F>, start: State<F>) -> Option<(F, F)> {
+    let end = start.phase.later_by_half_turns(1);
+    let mut phases = Trajectory::new(ratios, start).ok()?;
+    let last = phases.find(|phase| phase.end().is_none_or(|e| e.phase.since(end) >= F::int(0)))?;
+    let state = last.at(end).state;
+    Some((state.x, state.v))
+}
+
+/// `2 sin (a − b)/2`: zero for equal phases only, and not half a turn apart.
+pub(super) fn apart<F: Float>(a: F, b: F) -> F {
+    F::int(2) * ((a - b) / F::int(2)).sin()
+}
+
+macro_rules! moving {
+    ($($equation:literal $digits:ident $statement:literal: |$c:ident, $m:ident| $residual:expr),+ $(,)?) => {
+        vec![$(Identity {
+            equation: $equation,
+            statement: $statement,
+            standing: Standing::Holds,
+            digits: Digits::$digits,
+            residual: |$c: &Case<'_, F>| { let $m = $c.motion.as_ref()?; $residual },
+        }),+]
+    };
+}
+
+/// 0 where a count is as it has to be, and otherwise far from it.
+fn count<F: Float>(found: u32, expected: u32) -> F {
+    if found == expected { F::int(0) } else { F::int(1) }
+}
+
+pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
+    moving![
+        "44" All "Δ₀ is that of the exact motion": |c, m| {
+            Some(c.within(m.steady.max_displacement() - c.answers.max_displacement, c.scale, m.doubt))
+        },
+        "43" All "ω_d t₂ is that of the exact motion": |c, m| {
+            // What a phase is off moves the velocity by that times the acceleration before the reversal.
+            let phase = apart(m.steady.max_displacement_phase(), c.answers.displacement_phase);
+            let acceleration = c.omega().square() * m.steady.max_displacement() + F::int(1);
+            Some(c.within(phase * acceleration / c.omega(), c.scale / c.omega(), m.doubt))
+        },
+        "49" All "V₀ is the greatest velocity of the exact motion": |c, m| {
+            let velocity = (m.steady.max_velocity() - c.answers.max_velocity) * c.omega();
+            Some(c.within(velocity, c.scale * (c.omega() + F::int(1)), m.doubt))
+        },
+        "46" All "ω_d t₁ is that of the exact motion": |c, m| {
+            let phase = apart(m.steady.max_velocity_phase(), c.answers.velocity_phase);
+            let velocity = m.steady.max_velocity() * c.omega();
+            let jerk = c.alpha() * c.omega() * m.steady.max_velocity_phase().cos() - velocity;
+            Some(c.within(phase * jerk / c.omega(), c.scale * (c.omega() + F::int(1) / c.omega()), m.doubt))
+        },
+        "62" All "the exact motion has two reversals a cycle and no stop": |c, m| {
+            let steady = &m.steady;
+            Some((count::<F>(steady.sticks_per_cycle(), 0) + count(steady.velocity_zeros_per_cycle(), 2)) * c.scale)
+        },
+        "64" All "A₁ is the work against friction": |c, m| {
+            let work = c.answers.loop_size_stiffness * c.alpha().square() / F::int(2);
+            Some(c.within((m.steady.energy_out() - work) / F::int(4), c.scale, m.doubt))
+        },
+        "67" All "A₂ is Ω² times the work of the drive": |c, m| {
+            let work = c.answers.loop_size_inertia * (c.alpha() / c.omega()).square() / F::int(2);
+            let terms = c.alpha() * c.scale;
+            Some(c.within(m.steady.energy_in() - work, terms, c.alpha() * m.doubt))
+        },
+        "λ" All "λ₁² + λ₂² and λ₁²λ₂² are those of the exact motion's linearised cycle": |c, m| {
+            let [(a, b), (p, q)] = m.steady.multipliers();
+            let (trace, product) = (a + p, a * p - b * q);
+            let (sum, determinant) = half_cycle(c);
+            let off = (sum.square() - F::int(2) * determinant - trace).abs() + (determinant.square() - product).abs();
+            Some(c.within(off, F::int(1) + F::int(1) / c.omega(), m.doubt))
+        },
+        "λ" Half "λ₁ + λ₂ and λ₁λ₂, with their signs, are those of the exact half cycle by differences": |c, m| {
+            let ((trace, product), (sum, determinant)) = (m.half_map?, half_cycle(c));
+            Some(((trace - sum).abs() + (product - determinant).abs()) * c.scale)
+        },
+        "λ" All "the contraction is the larger |λ|": |c, m| {
+            let squared = m.steady.contraction();
+            let found = c.answers.contraction;
+            let [(a, b), (p, q)] = c.answers.multipliers.parts();
+            let listed = a.hypot(b).or_larger(p.hypot(q));
+            // A double root has half of its digits.
+            let off = (found - listed).abs().or_larger((found.square() - squared).square());
+            Some(c.within(off, F::int(1) + F::int(1) / c.omega(), m.doubt))
+        },
+    ]
+}
+
+/// Sum and product of the multipliers answered for half a cycle.
+fn half_cycle<F: Float>(c: &Case<'_, F>) -> (F, F) {
+    let [(a, b), (p, q)] = c.answers.multipliers.parts();
+    (a + p, a * p - b * q)
+}
