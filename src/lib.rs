@@ -100,7 +100,7 @@
 //! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
 //! * `generators`: inputs that are hard on purpose, for property tests and fuzzing of what uses this library (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
-//!   `Mp` too with `mp`.
+//!   `Mp` too with `mp`; and every equation and answer held against it and against the exact motion (`verify`).
 
 #![cfg_attr(
     not(test),

@@ -51,6 +51,10 @@ use phase::reduce;
 
 /// The steady non-sticking motion at one (Ω, α), with all its outputs.
 ///
+/// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it counts as on the
+/// border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or nothing
+/// (`docs/accuracy.md`).
+///
 /// ```
 /// use stickslip::{Cycle, Ratios};
 /// let cycle = Cycle::new(Ratios::new(1.5f64, 2.5)?)?;

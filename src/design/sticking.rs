@@ -88,9 +88,7 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<LoopSize<F>, Erro
         return Ok(LoopSize::none());
     }
     match LongRun::from_start(Ratios::new(omega, alpha)?, State::rest())? {
-        LongRun::Periodic(steady) | LongRun::Family(steady) => {
-            Ok(LoopSize::of_motion(&steady, omega, alpha))
-        }
+        LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(LoopSize::of_motion(&steady, omega, alpha)),
         LongRun::Rest(_) => Ok(LoopSize::none()),
         LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
         LongRun::NotConverged { .. } => {
@@ -181,7 +179,7 @@ impl<F: Float> Search<F> {
 const COARSE: i32 = 32;
 
 /// The force ratio that makes A₁ largest at the frequency ratio Ω, sticking allowed: the global maximum to within a relative
-/// `tolerance` in A₁, proven by the bound of the module's head.
+/// `tolerance` in A₁, by the bound of the module's head. [`Error::NotSettled`] where a motion is not known that well.
 ///
 /// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the precision, as any point
 /// of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick for the best, it is

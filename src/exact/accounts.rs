@@ -74,7 +74,9 @@ fn the_growth_at_resonance_is_that_of_the_motion() {
         let greatest = |from: f64, to: f64| {
             let ends = motion.map(|phase| phase.end().unwrap());
             let ends = ends.skip_while(|end| end.phase.since(State::rest().phase) < from * TAU);
-            ends.take_while(|end| end.phase.since(State::rest().phase) < to * TAU).map(|end| end.x).fold(0.0, f64::max)
+            ends.take_while(|end| end.phase.since(State::rest().phase) < to * TAU)
+                .map(|end| end.x)
+                .fold(0.0, f64::max)
         };
         let (early, late) = (greatest(999.0, 1000.0), greatest(1999.0, 2000.0));
         let found = (late - early) / 1000.0;

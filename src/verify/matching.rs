@@ -60,6 +60,14 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "23" "matching: x₁(t₂) = Δ₀": |c| { let [_, _, e, ..] = c.formulae.residuals(&c.given, &c.unknowns); e },
         "24" "matching: x₂(t₂) = Δ₀": |c| { let [_, _, _, e, _] = c.formulae.residuals(&c.given, &c.unknowns); e },
         "25" "matching: x″(t₁) = 0": |c| { let [.., e] = c.formulae.residuals(&c.given, &c.unknowns); e },
+        "27" "ρ, what swings at ω_n at t₁, brings the body to rest at t₂": |c| {
+            let (s, cosine) = lag(c);
+            let (rho, x) = (coefficients(c).2, c.given.offset(&c.unknowns));
+            c.given.amplitude * c.omega() * c.unknowns.displacement_phase.cos() + rho * cosine - x * s
+        },
+        "37" "ρ has the sign of 1 − Ω": |c| {
+            if coefficients(c).2 * c.sign() > F::int(0) { F::int(0) } else { c.scale }
+        },
         "28" "a cos θ + b sin θ = 0": |c| c.given.elimination_of_rate(&c.unknowns),
         "29" "a sin θ − b cos θ = 2B": |c| c.given.elimination_of_position(&c.unknowns),
         "32" "a² + b² = 2(1 + cos π₁)(ρ² + X²)": |c| {

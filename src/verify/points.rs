@@ -50,7 +50,9 @@ fn omegas<F: Float>() -> Vec<(F, bool)> {
             let distance = (0..digits).fold(F::int(1), |d, _| d / F::int(10));
             // Nearer than half the digits, the paper's own forms have nothing left to say.
             if distance.square() > F::epsilon() {
-                all.extend([F::ratio(1, n) - distance, F::ratio(1, n) + distance].map(|omega| (omega, digits == 3)));
+                all.extend(
+                    [F::ratio(1, n) - distance, F::ratio(1, n) + distance].map(|omega| (omega, digits == 3)),
+                );
             }
         }
     }

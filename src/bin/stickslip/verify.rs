@@ -57,8 +57,15 @@ fn conclusion(verdicts: &[Verdict]) -> Outcome {
 
 fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> {
     let wide = |s: &str, width: usize| format!("{s}{}", " ".repeat(width.saturating_sub(s.chars().count())));
-    writeln!(out, "{} bits; residuals in units of the last place of the terms\n", F::PRECISION)?;
-    writeln!(out, "{}  {}  points  worst      ", wide("eq.", 7), wide("identity", 60))?;
+    let widest =
+        |text: fn(&Verdict) -> &str| verdicts.iter().map(|v| text(v).chars().count()).max().unwrap_or(0);
+    let (first, second) = (widest(|v| v.equation).max(3), widest(|v| v.statement).max(8));
+    writeln!(
+        out,
+        "{} bits; residuals in units of the last place of the terms, or of its square root for differences\n",
+        F::PRECISION
+    )?;
+    writeln!(out, "{}  {}  points  worst      ", wide("eq.", first), wide("identity", second))?;
     for v in verdicts {
         let verdict = match (v.standing, v.passed) {
             (Standing::Holds, true) => "holds",
@@ -70,7 +77,7 @@ fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> 
             Standing::Holds => format!("{:.3e}", v.worst),
             Standing::Refuted => format!("{:.1e} rel.", v.worst),
         };
-        let (equation, statement) = (wide(v.equation, 7), wide(v.statement, 60));
+        let (equation, statement) = (wide(v.equation, first), wide(v.statement, second));
         writeln!(out, "{equation}  {statement}  {:>6}  {worst:<12} {verdict}", v.points)?;
         if let (false, Some((omega, alpha))) = (v.passed, &v.at) {
             writeln!(out, "         at Ω = {omega}, α = {alpha}")?;
@@ -93,7 +100,7 @@ struct Row<'a> {
     statement: &'a str,
     standing: &'a str,
     points: usize,
-    /// In units of the last place where it holds, relative to the terms where it is refuted.
+    /// In units of the last place (differences: of its square root) where it holds, relative to the terms where it is refuted.
     worst_residual: f64,
     worst_omega: Option<&'a str>,
     worst_alpha: Option<&'a str>,
