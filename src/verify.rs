@@ -140,11 +140,11 @@ fn verify_by<F: Solvable, B>(
     let points = points::points::<F>();
     for (done, point) in points.iter().enumerate() {
         let mut case = Case::by(formulae, point.cycle);
-        if point.is_followed {
+        if point.with_motion {
             step(done, points.len())?;
             case = case.with_motion();
         }
-        if point.is_followed && point.is_first {
+        if point.with_border {
             step(done, points.len())?;
             case = case.with_border();
         }

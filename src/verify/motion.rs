@@ -42,8 +42,7 @@ fn half_map<F: Float>(ratios: Ratios<F>, state: State<F>) -> Option<(F, F)> {
 
 /// 2⁻ᵖᐟ³, the step at which central differences keep most digits.
 pub(super) fn third_of_digits<F: Float>() -> F {
-    let bits = (F::PRECISION / 3).min(F::RATIO_EXPONENT.unsigned_abs());
-    F::exp2i((bits as i32).saturating_neg())
+    (0..F::PRECISION / 3).fold(F::int(1), |step, _| step / F::int(2))
 }
 
 /// (x, v) half a turn of the drive after a state.

@@ -18,22 +18,25 @@ const BANDS: [((i32, i32), (i32, i32)); 7] = [
 /// A cycle to look at.
 pub(super) struct Point<F> {
     pub(super) cycle: Cycle<F>,
-    /// The first of its Ω.
-    pub(super) is_first: bool,
     /// Whether the exact motion is followed there, and eq. 21–25 are solved.
-    pub(super) is_followed: bool,
+    pub(super) with_motion: bool,
+    /// Whether the border is looked at.
+    pub(super) with_border: bool,
 }
 
 /// The points.
 pub(super) fn points<F: Float>() -> Vec<Point<F>> {
     let times = [F::ratio(101, 100), F::ratio(3, 2), F::int(4)];
-    let at = |(omega, is_followed): (F, bool)| {
+    // A motion of a thousand digits takes a tenth of a second: there one α at each Ω, each in turn.
+    let all = F::PRECISION <= 512;
+    let at = |(number, (omega, ordinary)): (usize, (F, bool))| {
         times.iter().enumerate().filter_map(move |(i, &t)| {
             let cycle = above_border(omega, t)?;
-            Some(Point { cycle, is_first: i == 0, is_followed })
+            let in_turn = number.saturating_add(i).is_multiple_of(times.len());
+            Some(Point { cycle, with_motion: ordinary && (all || in_turn), with_border: ordinary && i == 0 })
         })
     };
-    omegas::<F>().into_iter().flat_map(at).collect()
+    omegas::<F>().into_iter().enumerate().flat_map(at).collect()
 }
 
 /// The frequency ratios, and whether the exact motion is followed there: closer to a singular one than 10⁻³ it takes too many

@@ -23,18 +23,16 @@ fn at_f64_over_a_grid() {
         worst.add_border(omega);
     }
     worst.check("f64, grid", 4.0, 6);
-}
-
-#[test]
-fn at_f64_beside_the_poles() {
-    let mut worst = Worst::default();
+    // The same beside the poles.
+    let mut near_poles = Worst::default();
     for near in points::special::<f64>(&[3, 6, 9, 12]) {
         for over in [1.000_1, 1.5, 6.0] {
-            worst.add(near, Border::new(near).unwrap().min_force_ratio() * over);
+            near_poles.add(near, Border::new(near).unwrap().min_force_ratio() * over);
         }
-        worst.add_border(near);
+        near_poles.add_border(near);
     }
-    worst.check("f64, beside the poles", 4.0, 30);
+    near_poles.check("f64, beside the poles", 4.0, 30);
+    worst.merged(&near_poles).is_on_the_page("f64");
 }
 
 #[test]

@@ -25,6 +25,7 @@ fn all<F: Float + RealField>(name: &str, iterations: u32) {
         worst.add_border(omega);
     }
     worst.check(name, 4.0, iterations);
+    worst.is_on_the_page(name);
 }
 
 #[test]
