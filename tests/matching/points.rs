@@ -37,7 +37,7 @@ pub(crate) struct Worst {
     equations: BTreeMap<&'static str, f64>,
     iterations: u32,
     border_iterations: u32,
-    lost_bits: u32,
+    pub(crate) lost_bits: u32,
 }
 
 impl Worst {
