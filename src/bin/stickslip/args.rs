@@ -7,9 +7,11 @@ mod pictures;
 mod shared;
 mod shell;
 mod sweep;
+mod used;
 
+use crate::failure::Failure;
 use crate::style::STYLES;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
 use design::DESIGN_EXAMPLES;
@@ -21,6 +23,7 @@ pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Picture};
 pub(crate) use shared::{ForceArgs, Format, MachineArgs, OutputArgs, UnitNames};
 use shell::{COMPLETIONS_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
+use std::ffi::OsString;
 use sweep::SWEEP_EXAMPLES;
 pub(crate) use sweep::{SweepArgs, SweepFormat, Swept};
 
@@ -95,4 +98,36 @@ pub(crate) enum Command {
     /// The manual page, or those of all commands.
     #[command(after_help = MAN_EXAMPLES)]
     Man(ManArgs),
+}
+
+/// Why there is no command to run.
+pub(crate) enum NoCommand {
+    /// Help or the version was asked for.
+    Answered(clap::Error),
+    Failed(Failure),
+}
+
+/// The command that the words name, once each of its options has a use there.
+pub(crate) fn parse(
+    words: impl IntoIterator<Item = impl Into<OsString> + Clone>,
+) -> Result<CommandLine, NoCommand> {
+    let refuse = |error: clap::Error| {
+        if error.use_stderr() { NoCommand::Failed(error.into()) } else { NoCommand::Answered(error) }
+    };
+    let matches = grammar().try_get_matches_from(words).map_err(refuse)?;
+    used::check(&matches).map_err(NoCommand::Failed)?;
+    CommandLine::from_arg_matches(&matches).map_err(refuse)
+}
+
+/// All that can be typed; help shows of each question the options that it uses.
+pub(crate) fn grammar() -> clap::Command {
+    CommandLine::command().mut_subcommand("design", |design| used::hide_unused(design))
+}
+
+/// The value of `--bits`.
+fn bits(text: &str) -> Result<u32, String> {
+    match text.trim().parse() {
+        Ok(bits) if bits >= 1 => Ok(bits),
+        _ => Err(format!("must be a whole number ≥ 1 and ≤ {}", u32::MAX)),
+    }
 }

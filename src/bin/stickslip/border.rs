@@ -25,7 +25,6 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         if let Some(file) = &args.output.points {
-            input::refuse_single(&args.machine, None)?;
             return points::run::<F, 1>(file, args.output.format, ["omega"], out, |[omega]| {
                 Ok(Record::of_border(&at(omega)?))
             });

@@ -18,8 +18,8 @@ pub(crate) enum Failure {
     /// The system is: exit status 1.
     #[error("{0}")]
     System(io::Error),
-    /// Ctrl-C: what was written is whole. Exit status 130, as of a program ended by the signal.
-    #[error("interrupted; what was written is whole")]
+    /// Ctrl-C. Exit status 130, as of a program ended by the signal.
+    #[error("interrupted; the output ends at a complete record")]
     Interrupted,
     /// Nobody reads on: a quiet end.
     #[error("closed pipe")]
@@ -27,10 +27,18 @@ pub(crate) enum Failure {
 }
 
 impl Failure {
+    /// The exit status of an interrupted command.
+    pub(crate) const INTERRUPTED: u8 = 130;
+
+    /// What the user is told, on one line that a terminal can show.
+    pub(crate) fn message(&self) -> String {
+        on_one_line(&self.to_string())
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),
-            Self::Interrupted => ExitCode::from(130),
+            Self::Interrupted => ExitCode::from(Self::INTERRUPTED),
             Self::Verdict(_) | Self::System(_) => ExitCode::FAILURE,
             Self::ClosedPipe => ExitCode::SUCCESS,
         }
@@ -67,5 +75,47 @@ impl From<clap::Error> for Failure {
             text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
         let message = message.join(" ");
         Self::Input(message.strip_prefix("error: ").unwrap_or(&message).to_owned())
+    }
+}
+
+/// Most characters of a word that a user typed, and of a message.
+const WORD: usize = 100;
+const MESSAGE: usize = 1_000;
+
+/// The text without control characters, which would act on a terminal, and of a length that can be read.
+fn on_one_line(text: &str) -> String {
+    let printable = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
+    let words = text.split(' ').map(|word| cut(&word.chars().map(printable).collect::<String>(), WORD));
+    cut(&words.collect::<Vec<_>>().join(" "), MESSAGE)
+}
+
+/// The text, or its beginning and its end where it is longer.
+fn cut(text: &str, most: usize) -> String {
+    let length = text.chars().count();
+    if length <= most {
+        return text.to_owned();
+    }
+    let part = |from: usize, count: usize| text.chars().skip(from).take(count).collect::<String>();
+    format!("{}…{}", part(0, most / 2), part(length - most / 2, most / 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Failure, MESSAGE, WORD};
+
+    #[test]
+    fn a_message_is_one_line_of_bounded_length_without_control_characters() {
+        let message = |text: &str| Failure::Input(text.to_owned()).message();
+        assert_eq!(
+            message("--omega 1\n2\u{1b}[31m: must be a number"),
+            "--omega 1\\n2\\u{1b}[31m: must be a number"
+        );
+        let long = message(&format!("--omega {}: must be a number", "7".repeat(1_000_000)));
+        assert!(long.starts_with("--omega 777") && long.ends_with("777: must be a number"), "{long}");
+        assert!(long.chars().count() < WORD + 40);
+        let words = message(&"a long header ".repeat(100_000));
+        assert!(
+            words.chars().count() == MESSAGE + 1 && words.starts_with("a long") && words.ends_with("header ")
+        );
     }
 }

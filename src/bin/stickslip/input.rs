@@ -55,12 +55,12 @@ pub(crate) fn point<F: Value>(machine: &MachineArgs, force: &ForceArgs) -> Resul
     Ok(Point { ratios, machine: Some(Machine { oscillator, drive, scales }) })
 }
 
-/// The state at ω_d t = 0 that `--x0` and `--v0` name, in the units of the point.
-pub(crate) fn start<F: Value>(start: &StartArgs, point: &Point<F>) -> Result<State<F>, Failure> {
+/// The state at ω_d t = 0 that `--x0` and `--v0` name, in the machine's units where there is one.
+pub(crate) fn start<F: Value>(start: &StartArgs, machine: Option<&Machine<F>>) -> Result<State<F>, Failure> {
     let zero = F::int(0);
     let x0 = number_or(zero, "--x0", start.x0.as_ref())?;
     let v0 = number_or(zero, "--v0", start.v0.as_ref())?;
-    let (x, v) = match &point.machine {
+    let (x, v) = match machine {
         Some(Machine { scales, .. }) => (x0 / scales.length, v0 / scales.velocity),
         None => (x0, v0),
     };
@@ -107,17 +107,6 @@ pub(crate) fn border_point<F: Value>(machine: &MachineArgs) -> Result<BorderPoin
             frequency,
         }),
     })
-}
-
-/// Complains of arguments for a single point beside `--points`.
-pub(crate) fn refuse_single(machine: &MachineArgs, force: Option<&ForceArgs>) -> Result<(), Failure> {
-    let force = force.and_then(|f| f.alpha.as_ref().or(f.force.as_ref()).or(f.base_motion.as_ref()));
-    match machine.omega.as_ref().or(force) {
-        None if !is_physical(machine) => Ok(()),
-        Some(_) | None => Err(Failure::Input(
-            "--points: the file gives the ratios; leave out the other quantities".to_owned(),
-        )),
-    }
 }
 
 /// A number as typed.

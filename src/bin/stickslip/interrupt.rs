@@ -1,17 +1,82 @@
-//! Ctrl-C between two answers, not within one.
+//! Interrupts: heard within 0.3 s, wherever the command is.
+//!
+//! The first signal asks for an orderly end: work is left at the next point, and what is complete is written. Work that
+//! does not ask in time, or waits for input, is ended from here, never in the middle of a write. A second signal ends
+//! the command at once.
 
 use crate::failure::{Failure, Outcome};
+use std::io::{IsTerminal, Write};
+use std::process;
+use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 
 static ASKED_TO_STOP: AtomicBool = AtomicBool::new(false);
+static HEARD: AtomicBool = AtomicBool::new(false);
+static WRITING: AtomicBool = AtomicBool::new(false);
 
-/// From now on Ctrl-C is an answer of [`check`].
+/// Time to hear an interrupt before the command is ended from here.
+const GRACE: Duration = Duration::from_millis(200);
+/// Time to end a write that has begun: one to a pipe that nobody reads may never end.
+const LAST_WRITE: Duration = Duration::from_millis(50);
+
+/// From now on Ctrl-C, SIGTERM and SIGHUP are interrupts.
 pub(crate) fn listen() {
-    // Where the system refuses a handler, its own way of stopping stays.
-    let _ = ctrlc::set_handler(|| ASKED_TO_STOP.store(true, Ordering::Relaxed));
+    static ONCE: Once = Once::new();
+    ONCE.call_once(|| {
+        let hear = || {
+            if ASKED_TO_STOP.swap(true, Ordering::SeqCst) {
+                end();
+            }
+            thread::spawn(watch);
+        };
+        // Where the system refuses a handler, its own way of stopping stays.
+        let _ = ctrlc::set_handler(hear);
+    });
 }
 
-/// Fails once the user has asked to stop.
+/// Whether the user has asked to stop: for work in parallel, which leaves the rest undone.
+pub(crate) fn asked() -> bool {
+    ASKED_TO_STOP.load(Ordering::SeqCst)
+}
+
+/// Fails once the user has asked to stop; the caller then ends in order, at its own pace.
 pub(crate) fn check() -> Outcome {
-    if ASKED_TO_STOP.load(Ordering::Relaxed) { Err(Failure::Interrupted) } else { Ok(()) }
+    if asked() {
+        HEARD.store(true, Ordering::SeqCst);
+        return Err(Failure::Interrupted);
+    }
+    Ok(())
+}
+
+/// A write, which an interrupt does not cut.
+pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
+    WRITING.store(true, Ordering::SeqCst);
+    let done = write();
+    WRITING.store(false, Ordering::SeqCst);
+    done
+}
+
+/// Ends the command unless it has heard of the interrupt in time.
+fn watch() {
+    thread::sleep(GRACE);
+    for _ in 0..10 {
+        if HEARD.load(Ordering::SeqCst) {
+            return;
+        }
+        if !WRITING.load(Ordering::SeqCst) {
+            break;
+        }
+        thread::sleep(LAST_WRITE / 10);
+    }
+    end();
+}
+
+fn end() -> ! {
+    let mut out = anstream::stderr();
+    // The line of a progress bar that was being drawn.
+    let clear = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
+    let _ = writeln!(out, "{clear}{} {}", crate::style::label(), Failure::Interrupted);
+    process::exit(i32::from(Failure::INTERRUPTED));
 }

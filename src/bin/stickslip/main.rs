@@ -25,6 +25,7 @@ mod input;
 mod interrupt;
 mod map;
 mod note;
+mod output;
 mod points;
 mod progress;
 mod record;
@@ -37,34 +38,38 @@ mod style;
 mod sweep;
 mod verify;
 
-use args::{Command, CommandLine};
-use clap::Parser;
+use args::Command;
 use failure::{Failure, Outcome};
-use std::io::{self, BufWriter, Write};
+use output::Lines;
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    match CommandLine::try_parse() {
+    match args::parse(std::env::args_os()) {
         Ok(line) => {
             if line.quiet {
                 progress::silence();
             }
-            match run(&line.command) {
-                Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
-                Err(failure) => report(&failure),
-            }
+            interrupt::listen();
+            ended(run(&line.command))
         }
-        Err(error) if error.use_stderr() => report(&Failure::from(error)),
         // Help and version, which a closed pipe may cut short.
-        Err(error) => {
-            let _ = error.print();
-            ExitCode::SUCCESS
+        Err(args::NoCommand::Answered(help)) => {
+            ended(help.print().and_then(|()| io::stdout().flush()).map_err(Failure::from))
         }
+        Err(args::NoCommand::Failed(failure)) => report(&failure),
+    }
+}
+
+fn ended(outcome: Outcome) -> ExitCode {
+    match outcome {
+        Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
+        Err(failure) => report(&failure),
     }
 }
 
 fn run(command: &Command) -> Outcome {
-    let mut out = BufWriter::new(io::stdout().lock());
+    let mut out = Lines::new(io::stdout().lock(), "standard output");
     match command {
         Command::Response(args) => response::run(args, &mut out)?,
         Command::Border(args) => border::run(args, &mut out)?,
@@ -84,6 +89,6 @@ fn run(command: &Command) -> Outcome {
 }
 
 fn report(failure: &Failure) -> ExitCode {
-    let _ = writeln!(anstream::stderr(), "{} {failure}", style::label());
+    let _ = writeln!(anstream::stderr(), "{} {}", style::label(), failure.message());
     failure.exit_code()
 }

@@ -38,7 +38,6 @@ pub(crate) fn run<F: Value, const N: usize>(
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
     });
-    interrupt::listen();
     let outcome = answer_all(FlushFirst { source, sink: &sink }, &name, columns, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome

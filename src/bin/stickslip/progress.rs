@@ -25,7 +25,6 @@ pub(crate) fn in_order<T: Send>(
     answer: impl Fn(Range<u64>) -> Result<T, crate::failure::Failure> + Sync,
     mut take: impl FnMut(T) -> Outcome,
 ) -> Outcome {
-    interrupt::listen();
     let bar = bar(points.end - points.start, "points");
     let at_once = STRETCH * 4 * rayon::current_num_threads() as u64;
     let mut start = points.start;

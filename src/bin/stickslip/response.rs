@@ -19,7 +19,6 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         if let Some(file) = &args.output.points {
-            input::refuse_single(&args.machine, Some(&args.force))?;
             return points::run::<F, 2>(
                 file,
                 args.output.format,

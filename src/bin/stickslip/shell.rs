@@ -1,21 +1,20 @@
 //! `stickslip completions` and `stickslip man`: what the arguments themselves tell a shell and `man`.
 
-use crate::args::{CommandLine, CompletionsArgs, ManArgs};
+use crate::args::{self, CompletionsArgs, ManArgs};
 use crate::failure::{Failure, Outcome};
-use clap::CommandFactory;
 use std::fs;
 use std::io::Write;
 
-pub(crate) fn completions(args: &CompletionsArgs, out: &mut impl Write) -> Outcome {
+pub(crate) fn completions(asked: &CompletionsArgs, out: &mut impl Write) -> Outcome {
     // The generator panics where its output does not take what it writes.
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut CommandLine::command(), "stickslip", &mut script);
+    clap_complete::generate(asked.shell, &mut args::grammar(), "stickslip", &mut script);
     Ok(out.write_all(&script)?)
 }
 
-pub(crate) fn man(args: &ManArgs, out: &mut impl Write) -> Outcome {
-    let command = CommandLine::command().disable_help_subcommand(true);
-    let Some(folder) = &args.out else { return Ok(clap_mangen::Man::new(command).render(out)?) };
+pub(crate) fn man(asked: &ManArgs, out: &mut impl Write) -> Outcome {
+    let command = args::grammar().disable_help_subcommand(true);
+    let Some(folder) = &asked.out else { return Ok(clap_mangen::Man::new(command).render(out)?) };
     let bad = |e: std::io::Error| Failure::Input(format!("--out {}: {e}", folder.display()));
     fs::create_dir_all(folder).map_err(bad)?;
     clap_mangen::generate_to(command, folder).map_err(bad)

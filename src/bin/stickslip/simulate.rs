@@ -40,13 +40,12 @@ impl<W: Write> Task for Run<'_, W> {
         };
         let point = input::point::<F>(&args.machine, &args.force)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
-        let start = input::start(&args.start, &point)?;
+        let start = input::start(&args.start, point.machine.as_ref())?;
         let motion = Trajectory::new(point.ratios, start)
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
         let machine = point.machine.as_ref();
         let end = i64::try_from(cycles).unwrap_or(i64::MAX);
         let mut clock = Clock::new(cycles);
-        interrupt::listen();
         let outcome = match samples {
             None => stream(&mut sink, motion, |phase| {
                 let begins = phase.start().phase.cycles();

@@ -11,7 +11,7 @@ use crate::response::single_format;
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Ratios;
-use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::exact::{LongRun, SteadyState};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
@@ -27,7 +27,7 @@ impl<W: Write> Task for Run<'_, W> {
             return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
         }
         if let Some(file) = &args.output.points {
-            input::refuse_single(&args.machine, Some(&args.force))?;
+            let start = input::start(&args.start, None)?;
             return points::run::<F, 2>(
                 file,
                 args.output.format,
@@ -35,12 +35,12 @@ impl<W: Write> Task for Run<'_, W> {
                 out,
                 |[omega, alpha]| {
                     let ratios = Ratios::new(omega, alpha)?;
-                    Ok(record(ratios, &LongRun::within(ratios, State::rest(), args.max_periods)?))
+                    Ok(record(ratios, &LongRun::within(ratios, start, args.max_periods)?))
                 },
             );
         }
         let point = input::point::<F>(&args.machine, &args.force)?;
-        let start = input::start(&args.start, &point)?;
+        let start = input::start(&args.start, point.machine.as_ref())?;
         let limit = LongRun::within(point.ratios, start, args.max_periods)
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
         let record = record(point.ratios, &limit);

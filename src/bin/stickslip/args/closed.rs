@@ -43,7 +43,7 @@ pub(crate) struct BorderArgs {
 #[derive(Debug, Args)]
 pub(crate) struct VerifyArgs {
     /// Bits of precision (needs a build with the feature mp) [default: 53, f64]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]

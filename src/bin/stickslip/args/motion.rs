@@ -41,7 +41,7 @@ pub(crate) struct SteadyArgs {
     #[command(flatten)]
     pub(crate) start: StartArgs,
     /// Periods of the drive to follow the motion for before giving up on a limit
-    #[arg(long, value_name = "N", default_value_t = stickslip::exact::DEFAULT_BUDGET)]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::exact::DEFAULT_BUDGET)]
     pub(crate) max_periods: u32,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
@@ -65,7 +65,7 @@ pub(crate) struct SimulateArgs {
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,
     /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
 }
 
@@ -90,7 +90,7 @@ pub(crate) struct DecayArgs {
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,
     /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     /// Names of the units of force and length in the text answer
     #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]

@@ -47,7 +47,7 @@ pub(crate) struct OutputArgs {
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
     /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     /// Names of the units of force and length in the text answer
     #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]

@@ -76,7 +76,7 @@ pub(crate) struct SweepArgs {
     #[arg(long)]
     pub(crate) no_header: bool,
     /// Bits of precision (needs a build with the feature mp)
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
 }
 

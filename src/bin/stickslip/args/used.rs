@@ -1,0 +1,157 @@
+//! Which options a command uses, by what it is asked for. An option that would change nothing is refused.
+
+use super::Format;
+use crate::failure::{Failure, Outcome};
+use clap::ArgMatches;
+use clap::parser::ValueSource;
+
+/// How a command is asked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Mode {
+    /// By Ω and α.
+    Ratios,
+    /// By a machine in physical units.
+    Machine,
+    /// By a file of points.
+    Points,
+}
+
+use Mode::{Machine, Points, Ratios};
+
+impl Mode {
+    /// The machine's own options, and those of its drive; one of them makes it a machine.
+    const MACHINE: [&str; 6] = ["mass", "stiffness", "friction", "frequency", "force", "base_motion"];
+
+    fn of(given: &[&str]) -> Self {
+        if given.contains(&"points") {
+            Points
+        } else if given.iter().any(|option| Self::MACHINE.contains(option)) {
+            Machine
+        } else {
+            Ratios
+        }
+    }
+
+    const fn name(self) -> &'static str {
+        match self {
+            Ratios => "in ratios",
+            Machine => "with a machine",
+            Points => "with --points",
+        }
+    }
+}
+
+/// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
+const USED: &[(&str, Mode, &str)] = &[
+    ("response", Ratios, "omega alpha format bits"),
+    (
+        "response",
+        Machine,
+        "omega alpha mass stiffness friction frequency force base_motion format bits units",
+    ),
+    ("response", Points, "points format bits"),
+    ("border", Ratios, "omega format bits"),
+    ("border", Machine, "omega mass stiffness friction frequency format bits units"),
+    ("border", Points, "points format bits"),
+    ("steady", Ratios, "omega alpha x0 v0 max_periods format bits"),
+    (
+        "steady",
+        Machine,
+        "omega alpha mass stiffness friction frequency force base_motion x0 v0 max_periods format bits units",
+    ),
+    ("steady", Points, "points x0 v0 max_periods format bits"),
+    ("simulate", Ratios, "omega alpha x0 v0 cycles samples format bits"),
+    (
+        "simulate",
+        Machine,
+        "omega alpha mass stiffness friction frequency force base_motion x0 v0 cycles samples format bits",
+    ),
+    ("decay", Ratios, "x0 v0 format bits"),
+    ("decay", Machine, "mass stiffness friction x0 v0 format bits units"),
+    ("design force", Ratios, "omega format bits"),
+    ("design force", Machine, "mass stiffness friction frequency format bits units"),
+    ("design friction", Ratios, "omega format bits"),
+    ("design friction", Machine, "mass stiffness frequency force base_motion format bits units"),
+    ("design bands", Ratios, "alpha from to format bits"),
+    ("design bands", Machine, "mass stiffness friction force base_motion from to format bits"),
+    ("design displacement", Ratios, "omega target format bits"),
+    ("design displacement", Machine, "mass stiffness friction frequency target format bits units"),
+    ("design velocity", Ratios, "omega target format bits"),
+    ("design velocity", Machine, "mass stiffness friction frequency target format bits units"),
+    ("design dissipation", Ratios, "omega sticking format bits"),
+    ("design dissipation", Machine, "mass stiffness frequency force base_motion sticking format bits units"),
+    ("design stiffness", Ratios, "alpha from to format bits"),
+    ("design stiffness", Machine, "mass friction frequency force from to format bits units"),
+];
+
+/// Fails at the first option that has no use in what is asked.
+pub(super) fn check(matches: &ArgMatches) -> Outcome {
+    let (mut command, mut matches) = (String::new(), matches);
+    while let Some((name, inner)) = matches.subcommand() {
+        command = format!("{command} {name}").trim_start().to_owned();
+        matches = inner;
+    }
+    let typed = |id: &&str| matches.value_source(id) == Some(ValueSource::CommandLine);
+    // Of those that are one group the parser makes an entry, too.
+    let given: Vec<&str> = matches
+        .ids()
+        .map(clap::Id::as_str)
+        .filter(typed)
+        .filter(|id| !id.contains(char::is_uppercase))
+        .collect();
+    let mode = Mode::of(&given);
+    let in_mode = USED.iter().filter(|(name, _, _)| *name == command);
+    let Some(used) = in_mode.clone().find(|(_, its, _)| *its == mode).map(|(_, _, used)| *used) else {
+        return Ok(());
+    };
+    let unused = |id: &&&str| **id != "quiet" && !used.split(' ').any(|option| option == **id);
+    if let Some(id) = given.iter().find(unused) {
+        return Err(Failure::Input(format!(
+            "{}: {command} does not use it {}; it uses {}",
+            written(id, matches),
+            mode.name(),
+            used.split(' ').map(option).collect::<Vec<_>>().join(", ")
+        )));
+    }
+    let format = || {
+        let one = matches.try_get_one::<Format>("format").ok().flatten().copied();
+        one.unwrap_or(Format::Text)
+    };
+    if given.contains(&"units") && format() != Format::Text {
+        let text =
+            format!("{}: the names are for the text answer; leave them out", written("units", matches));
+        return Err(Failure::Input(text));
+    }
+    Ok(())
+}
+
+/// The option as it is typed.
+fn option(id: &str) -> String {
+    format!("--{}", id.replace('_', "-"))
+}
+
+/// The option with its value.
+fn written(id: &str, matches: &ArgMatches) -> String {
+    let values = matches.get_raw(id).into_iter().flatten();
+    let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
+    // A flag has the value that it is there.
+    if values.is_empty() || values == ["true"] {
+        option(id)
+    } else {
+        format!("{} {}", option(id), values.join(" "))
+    }
+}
+
+/// Leaves the options that a question does not use out of its help.
+pub(super) fn hide_unused(design: clap::Command) -> clap::Command {
+    design.mut_subcommands(|question| {
+        let name = format!("design {}", question.get_name());
+        let uses = |id: &str| {
+            USED.iter().any(|(of, _, used)| *of == name && used.split(' ').any(|option| option == id))
+        };
+        question.mut_args(|arg| {
+            let hidden = !uses(arg.get_id().as_str());
+            arg.hide(hidden)
+        })
+    })
+}

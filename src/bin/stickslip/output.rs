@@ -1,0 +1,153 @@
+//! Where answers go: standard output and files that get whole lines, and files that appear whole or not at all.
+
+use crate::failure::{Failure, Outcome};
+use crate::interrupt;
+use std::fs::{self, File, OpenOptions, TryLockError};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::process;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// Bytes that are gathered before they are written.
+const GATHERED: usize = 1 << 14;
+
+/// A stream that gets whole lines only, so that it ends at a complete record whenever the command ends; its errors
+/// name it.
+pub(crate) struct Lines<W> {
+    out: W,
+    name: String,
+    gathered: Vec<u8>,
+}
+
+impl<W: Write> Lines<W> {
+    pub(crate) fn new(out: W, name: impl Into<String>) -> Self {
+        Self { out, name: name.into(), gathered: Vec::new() }
+    }
+
+    fn hand_on(&mut self, count: usize) -> io::Result<()> {
+        let later = self.gathered.split_off(count);
+        let due = std::mem::replace(&mut self.gathered, later);
+        interrupt::uncut(|| self.out.write_all(&due)).map_err(|e| named(&self.name, e))
+    }
+}
+
+impl<W: Write> Write for Lines<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        self.gathered.extend_from_slice(bytes);
+        if self.gathered.len() >= GATHERED
+            && let Some(end) = self.gathered.iter().rposition(|byte| *byte == b'\n')
+        {
+            self.hand_on(end + 1)?;
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.hand_on(self.gathered.len())?;
+        interrupt::uncut(|| self.out.flush()).map_err(|e| named(&self.name, e))
+    }
+}
+
+/// The error with the name of what it is about.
+pub(crate) fn named(name: &str, error: io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("{name}: {error}"))
+}
+
+/// A file that is written beside its place, under a name of its own, and takes its place once it is whole.
+pub(crate) struct Beside {
+    place: PathBuf,
+    beside: PathBuf,
+    file: File,
+    overwrite: bool,
+}
+
+impl Beside {
+    /// Opens the file, before the work that it is for.
+    ///
+    /// `argument` names the place in errors. What is there already is kept, unless it is to be overwritten.
+    pub(crate) fn create(place: &Path, argument: &str, overwrite: bool) -> Result<Self, Failure> {
+        refuse_existing(place, argument, overwrite)?;
+        // What a link points to is replaced, not the link.
+        let place = if overwrite { fs::canonicalize(place) } else { Err(ErrorKind::NotFound.into()) }
+            .unwrap_or_else(|_| place.to_owned());
+        let bad = |e| Failure::Input(format!("{argument}: {e}"));
+        loop {
+            let beside = unique(&place);
+            match OpenOptions::new().write(true).create_new(true).open(&beside) {
+                Ok(file) => return Ok(Self { place, beside, file, overwrite }),
+                Err(e) if e.kind() == ErrorKind::AlreadyExists => {}
+                Err(e) => return Err(bad(e)),
+            }
+        }
+    }
+
+    /// Has it filled and puts it into its place. Where either fails, nothing is left of it.
+    pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
+        let name = self.place.display().to_string();
+        let outcome = (|| {
+            let mut out = Lines::new(&self.file, name.clone());
+            fill(&mut out)?;
+            out.flush()?;
+            self.file.sync_all().map_err(|e| named(&name, e))?;
+            // Between asking and replacing, a file of that name may have come to be.
+            let put = if self.overwrite { fs::rename(&self.beside, &self.place) } else { self.put_new() };
+            put.map_err(|e| named(&name, e))?;
+            Ok(())
+        })();
+        if outcome.is_err() {
+            let _ = fs::remove_file(&self.beside);
+        }
+        outcome
+    }
+
+    fn put_new(&self) -> io::Result<()> {
+        put_new(&self.beside, &self.place)
+    }
+}
+
+/// Moves a file to a place where none must be. A second name tells if there is one; not all file systems have such.
+pub(crate) fn put_new(from: &Path, to: &Path) -> io::Result<()> {
+    match fs::hard_link(from, to) {
+        Ok(()) => fs::remove_file(from),
+        Err(e) if e.kind() == ErrorKind::AlreadyExists => Err(e),
+        Err(_) if to.exists() => Err(ErrorKind::AlreadyExists.into()),
+        Err(_) => fs::rename(from, to),
+    }
+}
+
+/// A name beside a place that nobody else uses.
+fn unique(place: &Path) -> PathBuf {
+    static COUNT: AtomicU32 = AtomicU32::new(0);
+    let count = COUNT.fetch_add(1, Ordering::Relaxed);
+    with_suffix(place, &format!(".{}-{count}.part", process::id()))
+}
+
+/// The path with something more at the end of its name.
+pub(crate) fn with_suffix(place: &Path, suffix: &str) -> PathBuf {
+    let mut name = place.as_os_str().to_owned();
+    name.push(suffix);
+    name.into()
+}
+
+/// Complains of a file that is there and not to be overwritten, and of what is no file.
+pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> Outcome {
+    match fs::metadata(place) {
+        Ok(found) if !found.is_file() => {
+            Err(Failure::Input(format!("{argument}: must be a regular file, or not exist yet")))
+        }
+        Ok(_) if !overwrite => {
+            Err(Failure::Input(format!("{argument}: must not exist yet; --overwrite replaces it")))
+        }
+        Ok(_) | Err(_) => Ok(()),
+    }
+}
+
+/// Takes a file for this command alone, where the system knows how.
+pub(crate) fn take(file: &File, argument: &str) -> Outcome {
+    match file.try_lock() {
+        Err(TryLockError::WouldBlock) => {
+            Err(Failure::Input(format!("{argument}: another command is writing to it")))
+        }
+        Ok(()) | Err(TryLockError::Error(_)) => Ok(()),
+    }
+}
