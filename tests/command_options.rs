@@ -13,8 +13,8 @@ const QUESTIONS: [&str; 27] = [
     "border --omega 0.4",
     "border --mass 50 --stiffness 1000 --friction 5 --frequency 6",
     "border --points POINTS",
-    "steady --omega 0.5 --alpha 4",
-    "steady --mass 50 --stiffness 1000 --friction 5 --frequency 2.23606797749979 --base-motion 0.012",
+    "steady --omega 0.5 --alpha 6",
+    "steady --mass 50 --stiffness 1000 --friction 5 --frequency 2.2360679774997896964 --base-motion 0.03",
     "steady --points POINTS",
     "simulate --omega 0.4 --alpha 6 --cycles 1",
     "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2 --force 12 --cycles 1",
@@ -46,8 +46,8 @@ const OPTIONS: &[&str] = &[
     "--frequency 2.5",
     "--force 11",
     "--base-motion 0.02",
-    "--x0 1",
-    "--v0 1",
+    "--x0 2",
+    "--v0 2",
     "--max-periods 1",
     "--cycles 2",
     "--samples 3",
@@ -65,7 +65,7 @@ const OPTIONS: &[&str] = &[
 
 fn asked(question: &str) -> String {
     let points = concat!(env!("CARGO_TARGET_TMPDIR"), "/options.csv");
-    std::fs::write(points, "omega,alpha\n0.5,4\n0.4,6\n").unwrap();
+    std::fs::write(points, "omega,alpha\n0.5,6\n0.4,6\n").unwrap();
     question.replace("POINTS", points)
 }
 
@@ -112,7 +112,7 @@ fn an_option_changes_the_answer_or_is_refused() {
 fn a_start_holds_for_every_point_of_a_file() {
     let points = asked("steady --points POINTS --x0 2 --v0 0.2 --format csv");
     let rows = command_line::stdout(&points);
-    for (row, ratios) in rows.lines().skip(1).zip(["--omega 0.5 --alpha 4", "--omega 0.4 --alpha 6"]) {
+    for (row, ratios) in rows.lines().skip(1).zip(["--omega 0.5 --alpha 6", "--omega 0.4 --alpha 6"]) {
         let single = command_line::json(&format!("steady {ratios} --x0 2 --v0 0.2 --format json"));
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         assert_eq!(Some(cells[4]), single["max_displacement"].as_f64(), "{row}");

@@ -5,12 +5,12 @@ mod best;
 use crate::args::{Format, Question, QuestionArgs, UnitNames};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::input::{at_fault, is_physical, number, required};
+use crate::input::{behind, given, is_physical, number, required};
 use crate::note::digits;
 use crate::record::{Cell, Record};
 use std::io::Write;
 use stickslip::design::{self, Edge};
-use stickslip::{Border, Drive, Error, Oscillator};
+use stickslip::{Border, Drive, Error, Oscillator, Quantity};
 
 /// The question and where its answer goes.
 struct Run<'a, W>(&'a Question, &'a mut W);
@@ -103,8 +103,17 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(Self { args, physical, one: F::int(1) })
     }
 
+    /// The error behind the arguments of the machine, the range and the target that it comes from.
     fn fail(&self, error: Error) -> Failure {
-        at_fault(error, &self.args.machine, &self.args.force)
+        use Quantity as Q;
+        let QuestionArgs { machine, force, from, to, target, .. } = self.args;
+        let mut given = given(machine, force).to_vec();
+        // The range is of what is asked for, which no other argument gives.
+        let of_range: &[Q] = &[Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
+        let targets: &[Q] =
+            &[Q::MaxDisplacement, Q::MaxDisplacementRatio, Q::MaxVelocity, Q::MaxVelocityRatio];
+        given.extend([("--from", from, of_range), ("--to", to, of_range), ("--target", target, targets)]);
+        behind(error, &given)
     }
 
     fn omega(&self) -> Result<F, Failure> {

@@ -2,10 +2,11 @@
 
 use crate::args::{FigureArgs, FiguresArgs, Picture};
 use crate::failure::{Failure, Outcome};
+use crate::output::{self, Beside};
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::fs;
+use std::io::Write;
 use std::path::Path;
 use stickslip::figures::{self, Figure};
 
@@ -20,7 +21,7 @@ pub(crate) fn run(args: &FigureArgs, out: &mut impl Write) -> Outcome {
         Failure::Input(format!("figure {}: must be one of {names}", args.name))
     })?;
     match &args.out {
-        Some(file) => save(&figure, picture, file),
+        Some(file) => beside(file, args.overwrite)?.fill(|out| write(&figure, picture, out)),
         None => write(&figure, picture, out),
     }
 }
@@ -36,8 +37,14 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
     check(args.format, "--format png")?;
     fs::create_dir_all(folder).map_err(|e| Failure::Input(format!("--dir {}: {e}", folder.display())))?;
     let extension = args.format.extension();
+    let place = |name: &str| folder.join(format!("{name}.{extension}"));
+    // All or none.
+    figures::NAMES.iter().try_for_each(|name| {
+        let place = place(name);
+        output::refuse_existing(&place, &place.display().to_string(), args.overwrite)
+    })?;
     figures::NAMES.into_par_iter().try_for_each(|name| match figures::figure(name) {
-        Some(figure) => save(&figure, args.format, &folder.join(format!("{name}.{extension}"))),
+        Some(figure) => beside(&place(name), args.overwrite)?.fill(|out| write(&figure, args.format, out)),
         None => Ok(()),
     })?;
     Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
@@ -65,15 +72,12 @@ fn check(picture: Picture, argument: &str) -> Outcome {
     )))
 }
 
-/// Writes the figure to a file.
-pub(crate) fn save(figure: &Figure, picture: Picture, file: &Path) -> Outcome {
-    let created = File::create(file).map_err(|e| Failure::Input(format!("--out {}: {e}", file.display())))?;
-    let mut out = BufWriter::new(created);
-    write(figure, picture, &mut out)?;
-    Ok(out.flush()?)
+/// The file of `--out FILE`, before what is drawn in it.
+pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<Beside, Failure> {
+    Beside::create(file, &format!("--out {}", file.display()), overwrite)
 }
 
-fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
+pub(crate) fn write(figure: &Figure, picture: Picture, out: &mut impl Write) -> Outcome {
     match picture {
         Picture::Svg => out.write_all(figure.svg()?.as_bytes())?,
         #[cfg(feature = "png")]

@@ -166,38 +166,45 @@ fn drive<F: Value>(
     }
 }
 
+/// An argument, its value, and the quantities that it decides on.
+pub(crate) type Given<'a> = (&'a str, &'a Option<String>, &'a [Quantity]);
+
+/// The arguments of a machine and its drive.
+pub(crate) fn given<'a>(machine: &'a MachineArgs, force: &'a ForceArgs) -> [Given<'a>; 8] {
+    use Quantity as Q;
+    [
+        ("--omega", &machine.omega, &[Q::FrequencyRatio, Q::Stiffness]),
+        ("--mass", &machine.mass, &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness]),
+        ("--stiffness", &machine.stiffness, &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement]),
+        ("--friction", &machine.friction, &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]),
+        (
+            "--frequency",
+            &machine.frequency,
+            &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness],
+        ),
+        ("--alpha", &force.alpha, &[Q::ForceRatio, Q::ForceAmplitude]),
+        (
+            "--force",
+            &force.force,
+            &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
+        ),
+        ("--base-motion", &force.base_motion, &[Q::BaseAmplitude, Q::ForceAmplitude, Q::ForceRatio]),
+    ]
+}
+
 /// The library's error behind the argument, or arguments, that it comes from.
 pub(crate) fn at_fault(error: Error, machine: &MachineArgs, force: &ForceArgs) -> Failure {
+    behind(error, &given(machine, force))
+}
+
+/// The error behind those of the arguments that decide on its quantity, or behind all where none does alone.
+pub(crate) fn behind(error: Error, given: &[Given<'_>]) -> Failure {
     let quantity = error.quantity();
-    let given: [(&str, &Option<String>, &[Quantity]); 8] = {
-        use Quantity as Q;
-        [
-            ("--omega", &machine.omega, &[Q::FrequencyRatio, Q::Stiffness]),
-            ("--mass", &machine.mass, &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness]),
-            ("--stiffness", &machine.stiffness, &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement]),
-            ("--friction", &machine.friction, &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]),
-            (
-                "--frequency",
-                &machine.frequency,
-                &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness],
-            ),
-            ("--alpha", &force.alpha, &[Q::ForceRatio, Q::ForceAmplitude]),
-            (
-                "--force",
-                &force.force,
-                &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
-            ),
-            ("--base-motion", &force.base_motion, &[Q::BaseAmplitude, Q::ForceAmplitude, Q::ForceRatio]),
-        ]
-    };
-    let named: Vec<String> = given
-        .iter()
-        .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
-        .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
-        .collect();
-    match named.join(" ") {
-        // No argument is at fault alone.
-        arguments if arguments.is_empty() => Failure::Input(error.to_string()),
-        arguments => Failure::Input(format!("{arguments}: {error}")),
+    let is_its_own = |(_, _, quantities): &&Given<'_>| quantity.is_some_and(|q| quantities.contains(&q));
+    let written = |(name, value, _): &Given<'_>| value.as_ref().map(|v| format!("{name} {v}"));
+    let mut named: Vec<String> = given.iter().filter(is_its_own).filter_map(written).collect();
+    if named.is_empty() {
+        named = given.iter().filter_map(written).collect();
     }
+    Failure::Input(format!("{}: {error}", named.join(" ")))
 }

@@ -51,6 +51,7 @@ fn main() -> ExitCode {
                 progress::silence();
             }
             interrupt::listen();
+            progress::of_time();
             ended(run(&line.command))
         }
         // Help and version, which a closed pipe may cut short.
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
 }
 
 fn ended(outcome: Outcome) -> ExitCode {
+    progress::end();
     match outcome {
         Ok(()) | Err(Failure::ClosedPipe) => ExitCode::SUCCESS,
         Err(failure) => report(&failure),

@@ -4,11 +4,11 @@ use crate::args::{MapArgs, Picture, Swept};
 use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::grid::Grid;
+use crate::interrupt;
 use crate::progress;
 use crate::record::Cell;
 use crate::sweep::rows;
-use std::fs::File;
-use std::io::{BufWriter, Write};
+use std::io::Write;
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 use stickslip::{Border, Place, Ratios};
 
@@ -93,13 +93,12 @@ pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
     rows::check(quantity.question(), &omega, &alpha)?;
     match (&args.out, kind) {
         (Some(file), Picture::Svg | Picture::Png) => {
-            figure::save(&picture(args, &quantity, &omega, &alpha)?, kind, file)
+            drawable(&omega, &alpha)?;
+            figure::beside(file, args.overwrite)?
+                .fill(|out| figure::write(&picture(args, &quantity, &omega, &alpha)?, kind, out))
         }
         (Some(file), Picture::Csv) => {
-            let created =
-                File::create(file).map_err(|e| Failure::Input(format!("--out {}: {e}", file.display())))?;
-            let mut out = BufWriter::new(created);
-            table(args, &quantity, &omega, &alpha, &mut out)
+            figure::beside(file, args.overwrite)?.fill(|out| table(args, &quantity, &omega, &alpha, out))
         }
         (None, _) => table(args, &quantity, &omega, &alpha, out),
     }
@@ -118,6 +117,9 @@ fn cells(
         0..points,
         |points| {
             let cell = |point| {
+                if interrupt::asked() {
+                    return Err(Failure::Interrupted);
+                }
                 let (omega, alpha) = place(point);
                 Ok((omega, alpha, quantity.at(omega, alpha)?.unwrap_or(Cell::Number(None))))
             };
@@ -143,8 +145,25 @@ fn table(
     outcome
 }
 
-/// Most points of a picture, which has to be in memory.
+/// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees more.
 const MOST: u64 = 4_000_000;
+const MOST_ACROSS: u64 = 20_000;
+
+fn drawable(omega: &Grid<f64>, alpha: &Grid<f64>) -> Outcome {
+    let points = omega.len().saturating_mul(alpha.len());
+    if points > MOST {
+        return Err(Failure::Input(format!(
+            "--omega, --alpha: {points} points, must be ≤ {MOST} in a picture"
+        )));
+    }
+    for (name, grid) in [("--omega", omega), ("--alpha", alpha)] {
+        if grid.len() > MOST_ACROSS {
+            let text = format!("{name}: {} values, must be ≤ {MOST_ACROSS} in a picture", grid.len());
+            return Err(Failure::Input(text));
+        }
+    }
+    Ok(())
+}
 
 fn picture(
     args: &MapArgs,
@@ -152,12 +171,6 @@ fn picture(
     omega: &Grid<f64>,
     alpha: &Grid<f64>,
 ) -> Result<Figure, Failure> {
-    let points = omega.len().saturating_mul(alpha.len());
-    if points > MOST {
-        return Err(Failure::Input(format!(
-            "--omega, --alpha: {points} points, must be ≤ {MOST} in a picture"
-        )));
-    }
     let (x, y): (Vec<f64>, Vec<f64>) = (omega.values().collect(), alpha.values().collect());
     let (Some((left, right)), Some((low, high))) = (ends(&x), ends(&y)) else {
         let text = "--omega, --alpha: a picture needs at least two values of each, ascending";

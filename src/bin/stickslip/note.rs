@@ -21,6 +21,12 @@ pub(crate) fn digits<F: Value>(x: F) -> String {
     }
 }
 
+/// All digits, with a power of ten where it would take many zeros.
+pub(crate) fn all_digits<F: Value>(x: F) -> String {
+    let size = x.to_f64().abs();
+    if size == 0.0 || (1e-5..1e16).contains(&size) { x.to_string() } else { format!("{x:e}") }
+}
+
 /// A number in its dimensionless unit and, where there is a machine, in the user's.
 pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
     let own = format!("{} {unit}", digits(x));

@@ -2,6 +2,7 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
+use crate::progress;
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -10,6 +11,9 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Bytes that are gathered before they are written.
 const GATHERED: usize = 1 << 14;
+
+/// Bytes without the end of a line that are no text.
+const NO_LINE: usize = 1 << 20;
 
 /// A stream that gets whole lines only, so that it ends at a complete record whenever the command ends; its errors
 /// name it.
@@ -25,6 +29,9 @@ impl<W: Write> Lines<W> {
     }
 
     fn hand_on(&mut self, count: usize) -> io::Result<()> {
+        if count > 0 {
+            progress::answered();
+        }
         let later = self.gathered.split_off(count);
         let due = std::mem::replace(&mut self.gathered, later);
         interrupt::uncut(|| self.out.write_all(&due)).map_err(|e| named(&self.name, e))
@@ -38,6 +45,8 @@ impl<W: Write> Write for Lines<W> {
             && let Some(end) = self.gathered.iter().rposition(|byte| *byte == b'\n')
         {
             self.hand_on(end + 1)?;
+        } else if self.gathered.len() >= NO_LINE {
+            self.hand_on(self.gathered.len())?;
         }
         Ok(bytes.len())
     }
@@ -83,10 +92,17 @@ impl Beside {
 
     /// Has it filled and puts it into its place. Where either fails, nothing is left of it.
     pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
+        self.fill_with(|mut out| fill(&mut out).map(|()| out))
+    }
+
+    /// The same for what takes the stream and gives it back.
+    pub(crate) fn fill_with(
+        self,
+        fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
+    ) -> Outcome {
         let name = self.place.display().to_string();
         let outcome = (|| {
-            let mut out = Lines::new(&self.file, name.clone());
-            fill(&mut out)?;
+            let mut out = fill(Lines::new(&self.file, name.clone()))?;
             out.flush()?;
             self.file.sync_all().map_err(|e| named(&name, e))?;
             // Between asking and replacing, a file of that name may have come to be.

@@ -5,14 +5,18 @@ use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::number;
 use crate::interrupt;
+use crate::progress;
 use crate::record::Record;
 use crate::sink::Sink;
 use csv::{ReaderBuilder, StringRecord, Trim};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use stickslip::Error;
+
+/// Bytes of a row, at most: some hundred numbers of 8192 bits.
+const LONGEST_ROW: u64 = 1 << 18;
 
 /// Answers each row of `file` with the record that `answer` makes of its `columns`.
 ///
@@ -38,13 +42,16 @@ pub(crate) fn run<F: Value, const N: usize>(
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
     });
-    let outcome = answer_all(FlushFirst { source, sink: &sink }, &name, columns, &sink, answer);
+    let ahead = Cell::new(0);
+    let source = FlushFirst { source, sink: &sink, ahead: &ahead };
+    let outcome = answer_all(source, &ahead, &name, columns, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome
 }
 
 fn answer_all<F: Value, const N: usize, W: Write>(
     source: impl Read,
+    ahead: &Cell<u64>,
     name: &str,
     columns: [&str; N],
     sink: &RefCell<Sink<W>>,
@@ -54,13 +61,17 @@ fn answer_all<F: Value, const N: usize, W: Write>(
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
     let mut places = [0; N];
     for (place, column) in places.iter_mut().zip(columns) {
-        *place = header.iter().position(|h| h.trim_start_matches('\u{feff}') == column).ok_or_else(|| {
-            let found = header.iter().collect::<Vec<_>>().join(",");
-            Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”"))
-        })?;
+        *place = place_of(column, &header, name)?;
     }
+    let counted = progress::counter("points");
     let mut row = StringRecord::new();
+    let mut begin = reader.position().byte();
+    ahead.set(ahead.get() - begin);
+    let mut any = false;
     while reader.read_record(&mut row).map_err(|e| unreadable(name, e))? {
+        let end = reader.position().byte();
+        ahead.set(ahead.get() - (end - begin));
+        begin = end;
         let line = row.position().map_or(0, csv::Position::line);
         let mut values = [F::int(0); N];
         for ((value, place), column) in values.iter_mut().zip(places).zip(columns) {
@@ -69,30 +80,69 @@ fn answer_all<F: Value, const N: usize, W: Write>(
         }
         let record = answer(values).map_err(|e| Failure::Input(format!("{name} line {line}: {e}")))?;
         sink.borrow_mut().write(&record)?;
+        any = true;
+        counted.inc(1);
         interrupt::check()?;
     }
+    if !any {
+        // Rows without a point still have a header.
+        let some = answer([F::int(2); N]).map_err(|e| Failure::Input(e.to_string()))?;
+        sink.borrow_mut().write_header(&some)?;
+    }
     Ok(())
+}
+
+/// The one place of a column in the header.
+fn place_of(column: &str, header: &StringRecord, name: &str) -> Result<usize, Failure> {
+    let is = |found: &str| found.trim_start_matches('\u{feff}') == column;
+    let mut places = header.iter().enumerate().filter(|(_, found)| is(found)).map(|(place, _)| place);
+    match (places.next(), places.next()) {
+        (Some(place), None) => Ok(place),
+        (Some(_), Some(_)) => Err(Failure::Input(format!("{name}: column {column} must be there once only"))),
+        (None, _) => {
+            let found = header.iter().collect::<Vec<_>>().join(",");
+            Err(Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”")))
+        }
+    }
 }
 
 /// What the reader could not make a row of.
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
-    Failure::Input(if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
-        format!("{name}{line}: {len} fields, must be {expected_len} as in the header")
-    } else {
-        format!("{name}{line}: {error}")
+    Failure::Input(match error.kind() {
+        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
+            format!("{name}{line}: {len} fields, must be {expected_len} as in the header")
+        }
+        // A pipe that is closed while its answers are written to is no fault of the input.
+        csv::ErrorKind::Io(_) => match error.into_kind() {
+            csv::ErrorKind::Io(error) if error.kind() == io::ErrorKind::InvalidData => {
+                format!("{name}{line}: {error}")
+            }
+            csv::ErrorKind::Io(error) => return error.into(),
+            _ => format!("{name}{line}: unreadable"),
+        },
+        _ => format!("{name}{line}: {error}"),
     })
 }
 
-/// Flushes the answers before each wait for more input, so that a live pipe sees them at once.
+/// Flushes the answers before each wait for more input, so that a live pipe sees them at once; and gives up on a row
+/// that does not end.
 struct FlushFirst<'a, R, W: Write> {
     source: R,
     sink: &'a RefCell<Sink<W>>,
+    /// Bytes that were read since the last whole row.
+    ahead: &'a Cell<u64>,
 }
 
 impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        if self.ahead.get() > LONGEST_ROW {
+            let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
+            return Err(io::Error::new(io::ErrorKind::InvalidData, text));
+        }
         self.sink.borrow_mut().flush()?;
-        self.source.read(bytes)
+        let count = self.source.read(bytes)?;
+        self.ahead.set(self.ahead.get() + count as u64);
+        Ok(count)
     }
 }

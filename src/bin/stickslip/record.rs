@@ -139,17 +139,24 @@ impl<F: Value> Record<F> {
         }
     }
 
-    /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and both loop sizes
-    /// as the energy of a cycle.
+    /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and loop sizes as the energy
+    /// of a cycle, the best one at the best force.
     pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
         let scales = &machine.scales;
+        let ratio = |name: &str| match self.fields.iter().find(|(found, _)| *found == name) {
+            Some((_, Cell::Number(Some(number)))) => *number,
+            Some(_) | None => F::int(1),
+        };
+        // A₁ is in units of p₀²/(2k), p₀ = α r_y, and at the best force of (α* r_y)²/(2k).
+        let best = ratio("best_force_ratio") / ratio("alpha");
         let p0 = machine.drive.force_amplitude(&machine.oscillator);
         self.physical = self.rescaled(|name| match name {
             "max_displacement" | "deviation" => Some(scales.length),
             "max_velocity" => Some(scales.velocity),
             "displacement_phase" | "velocity_phase" => Some(scales.time),
             "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
-            "loop_size_stiffness" | "best_loop_size" => Some(scales.energy_stiffness),
+            "loop_size_stiffness" => Some(scales.energy_stiffness),
+            "best_loop_size" => Some(scales.energy_stiffness * best * best),
             "loop_size_inertia" => Some(scales.energy_inertia),
             "contraction" => Some(F::int(1)),
             _ => None,

@@ -87,13 +87,20 @@ fn stream<F: Value, T>(
 
 /// A slide is no longer than half a turn of the drive or of the body, so that a cycle has about 2 + 2/Ω of them.
 fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
-    let rows = cycles as f64 * samples.map_or(2.0 + 2.0 / omega, |n| n as f64);
-    if rows <= MOST_ROWS {
-        return Ok(());
+    let slides = cycles as f64 * (2.0 + 2.0 / omega);
+    let too_many = |argument: &str, count: f64, things: &str| {
+        Err(Failure::Input(format!(
+            "{argument}: about {count:.1e} {things} at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}"
+        )))
+    };
+    match samples.map(|n| (n, cycles as f64 * n as f64)) {
+        Some((n, rows)) if rows > MOST_ROWS => {
+            too_many(&format!("--cycles {cycles} --samples {n}"), rows, "rows")
+        }
+        None if slides > MOST_ROWS => too_many(&format!("--cycles {cycles}"), slides, "rows"),
+        Some(_) if slides > MOST_ROWS => too_many(&format!("--cycles {cycles}"), slides, "slides"),
+        Some(_) | None => Ok(()),
     }
-    Err(Failure::Input(format!(
-        "--cycles {cycles}: about {rows:.1e} rows at Ω = {omega}, must be ≤ {MOST_ROWS:.0e}"
-    )))
 }
 
 /// Progress in cycles: on a terminal, where the rows go elsewhere.

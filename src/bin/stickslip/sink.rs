@@ -27,21 +27,25 @@ impl<W: Write> Sink<W> {
 
     /// One record. Whatever ends the program between two calls, no record is left in part.
     pub(crate) fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+        self.write_header(record)?;
         match self {
             Self::Lines(out) => record.write_line(out),
+            Self::Rows { writer, .. } => record.write_row(writer),
+            Self::Table { out, .. } => Ok(record.write_table_row(out)?),
+        }
+    }
+
+    /// The header alone, where rows have one.
+    pub(crate) fn write_header<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+        match self {
+            Self::Lines(_) | Self::Rows { header: true, .. } | Self::Table { header: true, .. } => Ok(()),
             Self::Rows { writer, header } => {
-                if !*header {
-                    *header = true;
-                    record.write_header(writer)?;
-                }
-                record.write_row(writer)
+                *header = true;
+                record.write_header(writer)
             }
             Self::Table { out, header } => {
-                if !*header {
-                    *header = true;
-                    record.write_table_header(out)?;
-                }
-                Ok(record.write_table_row(out)?)
+                *header = true;
+                Ok(record.write_table_header(out)?)
             }
         }
     }

@@ -9,12 +9,17 @@ use crate::args::{SweepArgs, SweepFormat, Swept};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
+use crate::output::{self, Lines, named};
 use crate::progress;
 use rows::Rows;
 use std::fs::{File, OpenOptions};
-use std::io::{BufWriter, ErrorKind, Write};
+use std::io::{ErrorKind, Write};
 use std::ops::Range;
 use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// How old rows are, at most, that a kill loses.
+const AT_RISK: Duration = Duration::from_secs(1);
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SweepArgs, &'a mut W);
@@ -52,13 +57,20 @@ impl<W: Write> Task for Run<'_, W> {
 fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &mut impl Write) -> Outcome {
     match &args.out {
         None => write(rows, part, !args.no_header, out),
-        Some(file) if args.resume && file.exists() => {
-            let (file, done) = resume::reopen(file, rows, &part, !args.no_header)?;
-            let mut out = BufWriter::new(file);
-            write(rows, part.start + done.rows..part.end, !done.header && !args.no_header, &mut out)
+        Some(name) if args.resume && name.exists() => {
+            let (file, done) = resume::reopen(name, rows, &part, !args.no_header)?;
+            to_file(rows, part.start + done.rows..part.end, !done.header && !args.no_header, &file, name)
         }
-        Some(file) => write(rows, part, !args.no_header, &mut BufWriter::new(create(file)?)),
+        Some(name) => to_file(rows, part, !args.no_header, &create(name)?, name),
     }
+}
+
+/// The rows to the end of a file. Whatever breaks them off, the file can be gone on with.
+fn to_file<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, file: &File, name: &Path) -> Outcome {
+    let name = name.display().to_string();
+    let outcome = write(rows, part, header, &mut Lines::new(file, name.as_str()));
+    // What the system could not write after all is told here.
+    outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
 }
 
 #[cfg(feature = "parquet")]
@@ -74,13 +86,15 @@ fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
 /// A new file; one that is there is not overwritten.
 fn create(file: &Path) -> Result<File, Failure> {
     let name = file.display();
-    OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
+    let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
         Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
             format!("--out {name}: must not exist yet; --resume goes on with it")
         } else {
             format!("--out {name}: {e}")
         })
-    })
+    })?;
+    output::take(&created, &format!("--out {name}"))?;
+    Ok(created)
 }
 
 /// The rows of a part of the sweep, with their header.
@@ -88,7 +102,19 @@ fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut imp
     if header {
         out.write_all(&rows.header()?)?;
     }
-    let outcome = progress::in_order(part, |points| rows.text(points), |text| Ok(out.write_all(&text)?));
+    let mut flushed = Instant::now();
+    let outcome = progress::in_order(
+        part,
+        |points| rows.text(points),
+        |text| {
+            out.write_all(&text)?;
+            if flushed.elapsed() > AT_RISK {
+                out.flush()?;
+                flushed = Instant::now();
+            }
+            Ok(())
+        },
+    );
     out.flush()?;
     outcome
 }

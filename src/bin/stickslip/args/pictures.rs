@@ -40,6 +40,9 @@ pub(crate) struct FigureArgs {
     /// Where it goes: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: svg, to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+    /// Replace FILE where it exists
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
 }
 
 #[derive(Debug, Args)]
@@ -53,6 +56,9 @@ pub(crate) struct FiguresArgs {
     /// svg, png or csv
     #[arg(long, value_enum, default_value = "svg", hide_possible_values = true)]
     pub(crate) format: Picture,
+    /// Replace the files that exist
+    #[arg(long)]
+    pub(crate) overwrite: bool,
 }
 
 /// What the file of a figure holds.
@@ -88,4 +94,7 @@ pub(crate) struct MapArgs {
     /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
+    /// Replace FILE where it exists
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
 }

@@ -1,13 +1,18 @@
 //! Sweeps to Parquet: a column for each output, a row group whenever enough rows are in memory.
+//!
+//! Only the end of a Parquet file says where its columns are, so that one without its end is lost. The rows therefore
+//! go to a folder beside the file first, as parts that are Parquet files of their own, one each second or so; once
+//! the sweep is whole they become the file. Whatever breaks it off, the parts are kept, and can be gone on with.
 
 mod column;
-mod resume;
+mod parts;
 
-use super::create;
+use super::AT_RISK;
 use super::rows::Rows;
 use crate::args::SweepArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
+use crate::output::{Beside, Lines};
 use crate::progress;
 use crate::record::Record;
 use clap::ValueEnum;
@@ -16,12 +21,16 @@ use parquet::basic::Compression;
 use parquet::errors::ParquetError;
 use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
+use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
+use parts::Parts;
 use std::fs::File;
 use std::io;
 use std::ops::Range;
+use std::path::Path;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// Rows of a group, at most.
 const ROWS: usize = 1 << 17;
@@ -35,13 +44,118 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
     if args.no_header {
         return Err(Failure::Input("--no-header: a Parquet file names its columns; leave it out".to_owned()));
     }
-    if args.resume && file.exists() {
-        return resume::go_on(file, args, rows, part);
+    let sweep = Sweep { rows, part, notes: notes(args), columns: columns(rows)? };
+    if file.exists() {
+        if !args.resume {
+            let text = format!("--out {}: must not exist yet; --resume goes on with it", file.display());
+            return Err(Failure::Input(text));
+        }
+        // It is made of all parts at once: once it is there, nothing is left to do.
+        sweep.is_whole(file).map_err(|what| at(file, &what))?;
+        return Parts::remove_left(file);
     }
-    // Before the file, so that a sweep without an answer leaves none.
-    let columns = columns(rows)?;
-    let table = Table::new(create(file)?, columns, args)?;
-    table.fill(rows, part)
+    let mut parts = Parts::open(file, args.resume)?;
+    let done = parts.check(&sweep)?;
+    let mut table = Table { columns: columns(rows)?, rows: 0, start: done, committed: Instant::now() };
+    let outcome = progress::in_order(
+        done..sweep.part.end,
+        |points| points.map(|point| rows.record(point)).collect::<Result<Vec<_>, _>>(),
+        |records| records.iter().try_for_each(|record| table.push(record, &mut parts, &sweep)),
+    );
+    // Broken off or not, the rows that are there are kept.
+    match table.commit(&mut parts, &sweep).and(outcome) {
+        Ok(()) => parts.become_file(file, &sweep),
+        Err(failure) => parts.remove_empty().and(Err(failure)),
+    }
+}
+
+/// An error about a file that is to be gone on with.
+fn at(file: &Path, what: &str) -> Failure {
+    Failure::Input(format!("--resume: {}: {what}", file.display()))
+}
+
+/// What is swept, and what tells it from other sweeps.
+struct Sweep<'a, F> {
+    rows: &'a Rows<F>,
+    part: Range<u64>,
+    notes: Vec<KeyValue>,
+    columns: Vec<Column>,
+}
+
+impl<F: Value> Sweep<'_, F> {
+    /// Fails unless the file has the rows of these points, by its notes, its columns, their number, and its ends.
+    fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
+        let metadata = reader.metadata().file_metadata();
+        let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
+        let keys = ["sweep", "omega", "alpha", "outputs", "shard", "bits"];
+        for key in keys {
+            let value = |notes: &[KeyValue]| {
+                notes
+                    .iter()
+                    .find(|note| note.key == key)
+                    .and_then(|note| note.value.clone())
+                    .unwrap_or_default()
+            };
+            let (found, due) = (value(found), value(&self.notes));
+            if found != due {
+                return Err(format!("of another sweep: its {key} is “{found}”, here it is “{due}”"));
+            }
+        }
+        let text = |e: ParquetError| e.to_string();
+        if metadata.schema() != &*schema(&self.columns).map_err(text)? {
+            return Err("its columns are not those of this sweep".to_owned());
+        }
+        let rows = u64::try_from(metadata.num_rows()).unwrap_or(0);
+        if rows != points.end - points.start {
+            return Err(format!("{rows} rows, must be {}", points.end - points.start));
+        }
+        if let Some((first, last)) = column::ends(reader).map_err(text)? {
+            for (row, point) in [(first, points.start), (last, points.end - 1)] {
+                let record = self.rows.record(point).map_err(|e| e.to_string())?;
+                if !column::is(&row, &record) {
+                    return Err(format!("row {} is not of this sweep", point - self.part.start + 1));
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn is_whole(&self, file: &Path) -> Result<(), String> {
+        let reader = open(file).map_err(|e| e.to_string())?;
+        self.has(&reader, self.part.clone())
+    }
+
+    /// A writer of row groups.
+    fn writer<'f>(&self, out: Lines<&'f File>) -> Result<SerializedFileWriter<Lines<&'f File>>, Failure> {
+        let properties = WriterProperties::builder()
+            .set_created_by(concat!("stickslip ", env!("CARGO_PKG_VERSION")).to_owned())
+            .set_compression(Compression::SNAPPY)
+            .set_statistics_enabled(EnabledStatistics::Chunk)
+            .set_key_value_metadata(Some(self.notes.clone()));
+        Ok(SerializedFileWriter::new(out, schema(&self.columns)?, Arc::new(properties.build()))?)
+    }
+}
+
+fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
+    Ok(SerializedFileReader::new(File::open(file)?)?)
+}
+
+fn notes(args: &SweepArgs) -> Vec<KeyValue> {
+    let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
+    let units = "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad";
+    let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
+    [
+        note("omega", Some(args.omega.clone())),
+        note("units", Some(units.to_owned())),
+        note("sweep", question),
+        note("alpha", args.alpha.clone()),
+        note("outputs", args.outputs.as_ref().map(|names| names.join(","))),
+        note("shard", args.shard.clone()),
+        note("bits", args.bits.map(|bits| bits.to_string())),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {
@@ -49,74 +163,58 @@ fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {
     Ok(first.names().into_iter().zip(first.cells()).map(|(name, cell)| Column::of(name, &cell)).collect())
 }
 
-/// A file that is being written.
+/// The rows that are in memory, from a point on.
 struct Table {
-    writer: SerializedFileWriter<File>,
     columns: Vec<Column>,
     rows: usize,
+    start: u64,
+    committed: Instant,
 }
 
 impl Table {
-    fn new(file: File, columns: Vec<Column>, args: &SweepArgs) -> Result<Self, Failure> {
-        let note = |key: &str, value: String| KeyValue::new(key.to_owned(), value);
-        let mut notes = vec![
-            note("omega", args.omega.clone()),
-            note("units", "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad".to_owned()),
-        ];
-        let question =
-            args.question.to_possible_value().map(|value| note("sweep", value.get_name().to_owned()));
-        notes.extend(question);
-        notes.extend(args.alpha.clone().map(|alpha| note("alpha", alpha)));
-        let properties = WriterProperties::builder()
-            .set_created_by(concat!("stickslip ", env!("CARGO_PKG_VERSION")).to_owned())
-            .set_compression(Compression::SNAPPY)
-            .set_statistics_enabled(EnabledStatistics::Chunk)
-            .set_key_value_metadata(Some(notes));
-        let writer = SerializedFileWriter::new(file, schema(&columns)?, Arc::new(properties.build()))?;
-        Ok(Self { writer, columns, rows: 0 })
-    }
-
-    /// Answers the points and ends the file. Broken off it is ended too, with the rows that it has.
-    fn fill<F: Value>(mut self, rows: &Rows<F>, points: Range<u64>) -> Outcome {
-        let outcome = progress::in_order(
-            points,
-            |points| points.map(|point| rows.record(point)).collect::<Result<Vec<_>, _>>(),
-            |records| records.iter().try_for_each(|record| self.push(record)),
-        );
-        outcome.and(self.end())
-    }
-
-    fn push<F: Value>(&mut self, record: &Record<F>) -> Outcome {
+    fn push<F: Value>(&mut self, record: &Record<F>, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
         for (column, cell) in self.columns.iter_mut().zip(record.cells()) {
             column.push(&cell);
         }
         self.rows += 1;
-        if self.rows >= ROWS || self.columns.iter().map(Column::bytes).sum::<usize>() >= BYTES {
-            self.write_group()?;
+        if is_group(&self.columns, self.rows) || self.committed.elapsed() > AT_RISK {
+            self.commit(parts, sweep)?;
         }
         Ok(())
     }
 
-    /// The rows in memory as a group of the file.
-    fn write_group(&mut self) -> Outcome {
-        let mut group = self.writer.next_row_group()?;
-        for column in &mut self.columns {
-            let Some(mut writer) = group.next_column()? else { break };
-            column.write(writer.untyped())?;
-            writer.close()?;
-        }
-        group.close()?;
-        self.rows = 0;
-        Ok(())
-    }
-
-    fn end(mut self) -> Outcome {
+    /// The rows in memory as a part.
+    fn commit<F: Value>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
         if self.rows > 0 {
-            self.write_group()?;
+            let end = self.start + self.rows as u64;
+            let columns = &mut self.columns;
+            parts.add(self.start..end, |out| {
+                let mut writer = sweep.writer(out)?;
+                write_group(&mut writer, columns)?;
+                Ok(writer.into_inner()?)
+            })?;
+            (self.start, self.rows) = (end, 0);
         }
-        self.writer.close()?;
+        self.committed = Instant::now();
         Ok(())
     }
+}
+
+/// Whether the rows are enough for a group.
+fn is_group(columns: &[Column], rows: usize) -> bool {
+    rows >= ROWS || columns.iter().map(Column::bytes).sum::<usize>() >= BYTES
+}
+
+/// The rows in memory as a group of the file.
+fn write_group<W: io::Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &mut [Column]) -> Outcome {
+    let mut group = writer.next_row_group()?;
+    for column in columns {
+        let Some(mut writer) = group.next_column()? else { break };
+        column.write(writer.untyped())?;
+        writer.close()?;
+    }
+    group.close()?;
+    Ok(())
 }
 
 fn schema(columns: &[Column]) -> Result<Arc<Type>, ParquetError> {

@@ -1,12 +1,21 @@
 //! Going on with a sweep that was broken off.
+//!
+//! A file is gone on with only where its rows are those of this very sweep: the header, Ω and α of every row, and as
+//! many whole rows, spread evenly, as a second allows. Where Ω or α is not among the columns, every row is computed
+//! anew. What is cut off behind the last whole row must be the beginning of the row that is due.
 
 use super::rows::Rows;
 use crate::bits::Value;
-use crate::failure::Failure;
-use std::fs::{File, OpenOptions};
-use std::io::{Read, Seek, SeekFrom};
+use crate::failure::{Failure, Outcome};
+use crate::interrupt;
+use crate::output;
+use crate::progress;
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::ops::Range;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 /// What a file already holds.
 pub(crate) struct Done {
@@ -14,9 +23,13 @@ pub(crate) struct Done {
     pub(crate) rows: u64,
 }
 
+/// Bytes of a line, at most; a row of 8192 bits has less than a tenth of them.
+const LONGEST_LINE: u64 = 1 << 20;
+/// Whole rows that are compared, at most, and for how long.
+const MOST_COMPARED: usize = 1 << 13;
+const COMPARING: Duration = Duration::from_secs(1);
+
 /// Opens the file behind its last whole row; what follows that is cut off.
-///
-/// The header, the first and the last row must be those of this very sweep.
 pub(crate) fn reopen<F: Value>(
     name: &Path,
     rows: &Rows<F>,
@@ -24,53 +37,205 @@ pub(crate) fn reopen<F: Value>(
     header: bool,
 ) -> Result<(File, Done), Failure> {
     let bad = |what: String| Failure::Input(format!("--resume: {}: {what}", name.display()));
+    if !fs::metadata(name).map_err(|e| bad(e.to_string()))?.is_file() {
+        return Err(bad("must be a regular file".to_owned()));
+    }
     let mut file = OpenOptions::new().read(true).write(true).open(name).map_err(|e| bad(e.to_string()))?;
-    let (lines, last_line, end) = whole_lines(&mut file)?;
-    let head = if header { rows.header()? } else { Vec::new() };
-    let headed = u64::from(!head.is_empty() && lines > 0);
-    let done = lines - headed;
-    if done > part.end - part.start {
-        return Err(bad(format!("{done} rows, must be ≤ {}, those of this sweep", part.end - part.start)));
-    }
-    let mut due = if headed == 1 { head } else { Vec::new() };
-    if done > 0 {
-        due.extend(rows.text(part.start..part.start + 1)?);
-        let last = part.start + done - 1;
-        if !starts_with(&mut file, last_line, &rows.text(last..last + 1)?)? {
-            return Err(bad(format!("row {done} is not of this sweep")));
-        }
-    }
-    if !starts_with(&mut file, 0, &due)? {
-        return Err(bad("the first lines are not of this sweep".to_owned()));
-    }
-    file.set_len(end)?;
-    file.seek(SeekFrom::Start(end))?;
-    Ok((file, Done { header: headed == 1, rows: done }))
+    output::take(&file, &format!("--resume: {}", name.display()))?;
+    let header = if header { rows.header()? } else { Vec::new() };
+    let kept = Kept::read(&file, rows, part, &header).and_then(|kept| {
+        let compare = if rows.hold_their_grid() { Kept::compare_some } else { Kept::compare_all };
+        compare(&kept, &file, rows, part).map(|()| kept)
+    });
+    let kept = kept.map_err(|failure| match failure {
+        Failure::Input(what) => bad(what),
+        other => other,
+    })?;
+    file.set_len(kept.end)?;
+    file.seek(SeekFrom::Start(kept.end))?;
+    Ok((file, Done { header: kept.begin > 0, rows: kept.rows }))
 }
 
-/// How many whole lines a file has, where the last of them starts, and where it ends.
-fn whole_lines(file: &mut File) -> Result<(u64, u64, u64), Failure> {
-    let (mut lines, mut last, mut end, mut place) = (0, 0, 0, 0);
-    let mut block = vec![0; 1 << 16];
-    loop {
-        let count = file.read(&mut block)?;
-        if count == 0 {
-            return Ok((lines, last, end));
+/// The whole lines of a file.
+struct Kept {
+    rows: u64,
+    /// Where the first row starts.
+    begin: u64,
+    /// Where the last whole line ends.
+    end: u64,
+    /// Some rows, spread evenly: which, and where.
+    some: Spread,
+}
+
+impl Kept {
+    /// Reads the whole file, and compares what costs little.
+    fn read<F: Value>(
+        file: &File,
+        rows: &Rows<F>,
+        part: &Range<u64>,
+        header: &[u8],
+    ) -> Result<Self, Failure> {
+        let mut lines = BufReader::new(file);
+        let mut kept = Self { rows: 0, begin: 0, end: 0, some: Spread::new() };
+        let length = part.end - part.start;
+        let mut line = Vec::new();
+        loop {
+            line.clear();
+            let count = (&mut lines).take(LONGEST_LINE).read_until(b'\n', &mut line)? as u64;
+            if line.ends_with(b"\n") {
+                if kept.end == 0 && !header.is_empty() {
+                    if line != header {
+                        return Err(Failure::Input("the header is not of this sweep".to_owned()));
+                    }
+                    kept.begin = count;
+                } else {
+                    let point = part.start.saturating_add(kept.rows);
+                    kept.rows += 1;
+                    if kept.rows <= length && !rows.is_on_grid(&line, point)? {
+                        return Err(not_this(kept.rows));
+                    }
+                    kept.some.push((kept.rows - 1, kept.end, count));
+                }
+                kept.end += count;
+                if kept.rows % 1024 == 0 {
+                    interrupt::check()?;
+                }
+                continue;
+            }
+            if kept.rows > length {
+                return Err(Failure::Input(format!(
+                    "{} rows, must be ≤ {length}, those of this sweep",
+                    kept.rows
+                )));
+            }
+            kept.is_beginning(&line, rows, part, header)?;
+            return Ok(kept);
         }
-        for byte in block.iter().take(count) {
-            place += 1;
-            if *byte == b'\n' {
-                lines += 1;
-                (last, end) = (end, place);
+    }
+
+    /// Whether what follows the last whole line is the beginning of what is due there.
+    fn is_beginning<F: Value>(
+        &self,
+        rest: &[u8],
+        rows: &Rows<F>,
+        part: &Range<u64>,
+        header: &[u8],
+    ) -> Outcome {
+        let next = part.start + self.rows;
+        let due = match rest {
+            [] => Vec::new(),
+            _ if self.end == 0 && !header.is_empty() => header.to_vec(),
+            _ if next < part.end => rows.text(next..next + 1)?,
+            _ => Vec::new(),
+        };
+        if due.starts_with(rest) {
+            return Ok(());
+        }
+        Err(Failure::Input(match self.rows {
+            0 => "it does not begin as this sweep does".to_owned(),
+            n => format!("what follows row {n} is not of this sweep"),
+        }))
+    }
+
+    /// Compares rows that are spread evenly, for a second.
+    fn compare_some<F: Value>(&self, file: &File, rows: &Rows<F>, part: &Range<u64>) -> Outcome {
+        let begin = Instant::now();
+        for some in self.some.in_order().chunks(8 * rayon::current_num_threads()) {
+            let mut found = Vec::new();
+            for &(row, start, count) in some {
+                let mut line = Vec::new();
+                let mut file = file;
+                file.seek(SeekFrom::Start(start))?;
+                file.take(count).read_to_end(&mut line)?;
+                found.push((row, line));
+            }
+            found.par_iter().try_for_each(|(row, line)| {
+                let point = part.start + row;
+                if rows.text(point..point + 1)? == *line { Ok(()) } else { Err(not_this(row + 1)) }
+            })?;
+            interrupt::check()?;
+            if begin.elapsed() > COMPARING {
+                break;
             }
         }
+        Ok(())
+    }
+
+    /// Compares every row.
+    fn compare_all<F: Value>(&self, file: &File, rows: &Rows<F>, part: &Range<u64>) -> Outcome {
+        let mut file = file;
+        file.seek(SeekFrom::Start(self.begin))?;
+        let mut found = BufReader::new(file);
+        let mut row = 0;
+        progress::in_order(
+            part.start..part.start + self.rows,
+            |points| rows.text(points),
+            |text| {
+                for due in text.split_inclusive(|byte| *byte == b'\n') {
+                    let mut line = vec![0; due.len()];
+                    row += 1;
+                    if found.read_exact(&mut line).is_err() || line != due {
+                        return Err(not_this(row));
+                    }
+                }
+                Ok(())
+            },
+        )
     }
 }
 
-/// Whether the file has this text from a place on.
-fn starts_with(file: &mut File, place: u64, text: &[u8]) -> Result<bool, Failure> {
-    let mut found = Vec::new();
-    file.seek(SeekFrom::Start(place))?;
-    file.take(text.len() as u64).read_to_end(&mut found)?;
-    Ok(found == text)
+fn not_this(row: u64) -> Failure {
+    Failure::Input(format!("row {row} is not of this sweep"))
+}
+
+/// Rows by number, place and length, thinned out evenly as they grow many, and the last one.
+struct Spread {
+    rows: Vec<(u64, u64, u64)>,
+    last: Option<(u64, u64, u64)>,
+    step: u64,
+}
+
+impl Spread {
+    const fn new() -> Self {
+        Self { rows: Vec::new(), last: None, step: 1 }
+    }
+
+    fn push(&mut self, row: (u64, u64, u64)) {
+        self.last = Some(row);
+        if row.0 % self.step == 0 {
+            self.rows.push(row);
+        }
+        if self.rows.len() > MOST_COMPARED {
+            self.step *= 2;
+            let step = self.step;
+            self.rows.retain(|(number, _, _)| number % step == 0);
+        }
+    }
+
+    /// The ends first, then the middle, then the quarters …
+    fn in_order(&self) -> Vec<(u64, u64, u64)> {
+        let mut order: Vec<_> = self.rows.iter().copied().enumerate().collect();
+        order.sort_by_key(|(place, _)| place.reverse_bits());
+        self.last.into_iter().chain(order.into_iter().map(|(_, row)| row)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOST_COMPARED, Spread};
+
+    #[test]
+    fn the_rows_compared_are_spread_evenly_and_have_both_ends() {
+        for count in [1, 2, 1000, MOST_COMPARED as u64 + 1, 100_003] {
+            let mut spread = Spread::new();
+            (0..count).for_each(|row| spread.push((row, 3 * row, 3)));
+            let mut numbers: Vec<u64> = spread.in_order().iter().map(|(number, _, _)| *number).collect();
+            assert_eq!(numbers[..2.min(numbers.len())], [count - 1, 0][..2.min(numbers.len())]);
+            numbers.sort_unstable();
+            numbers.dedup();
+            assert!(numbers.len() as u64 >= count.min(MOST_COMPARED as u64 / 2));
+            assert!(numbers.len() <= MOST_COMPARED + 1);
+            assert!(numbers.windows(2).all(|pair| pair[1] - pair[0] <= spread.step), "{count}");
+        }
+    }
 }

@@ -1,12 +1,16 @@
 //! The cells of an output, gathered until they are written.
 
 use crate::bits::Value;
-use crate::record::Cell;
+use crate::record::{Cell, Record};
 use parquet::basic::{LogicalType, Repetition, Type as Physical};
+use parquet::column::reader::ColumnReader;
 use parquet::column::writer::ColumnWriter;
 use parquet::data_type::ByteArray;
 use parquet::errors::ParquetError;
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::{Field, Row};
 use parquet::schema::types::Type;
+use std::fs::File;
 
 /// A column of the file: values where there are some, and for each row whether there is one, as 1 or 0.
 pub(super) struct Column {
@@ -76,6 +80,31 @@ impl Column {
         }
     }
 
+    /// Appends some of the rows that a file has.
+    pub(super) fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<(), ParquetError> {
+        let before = self.len();
+        let there = Some(&mut self.there);
+        let read = match (&mut self.values, reader) {
+            (Values::Doubles(values), ColumnReader::DoubleColumnReader(reader)) => {
+                reader.read_records(count, there, None, values)?
+            }
+            (Values::Counts(values), ColumnReader::Int64ColumnReader(reader)) => {
+                reader.read_records(count, there, None, values)?
+            }
+            (Values::Texts(values), ColumnReader::ByteArrayColumnReader(reader)) => {
+                let read = reader.read_records(count, there, None, values)?;
+                self.bytes += values.iter().skip(before).map(ByteArray::len).sum::<usize>();
+                read
+            }
+            _ => return Err(ParquetError::General(format!("column {}: of another kind", self.name))),
+        };
+        self.bytes += 10 * count;
+        if read.0 == count {
+            return Ok(());
+        }
+        Err(ParquetError::General(format!("column {}: {} rows, must be {count}", self.name, read.0)))
+    }
+
     /// Memory, about.
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
@@ -103,4 +132,23 @@ impl Column {
         self.bytes = 0;
         Ok(())
     }
+}
+
+/// The first and the last row of a file.
+pub(super) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, Row)>, ParquetError> {
+    let Some(last_group) = reader.num_row_groups().checked_sub(1) else { return Ok(None) };
+    let first = reader.get_row_group(0)?.get_row_iter(None)?.next().transpose()?;
+    let last = reader.get_row_group(last_group)?.get_row_iter(None)?.last().transpose()?;
+    Ok(first.zip(last))
+}
+
+/// Whether a row is the record, as a reader finds it.
+pub(super) fn is<F: Value>(row: &Row, record: &Record<F>) -> bool {
+    let field = |cell: Cell<F>| match cell {
+        Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
+        Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
+        Cell::Number(Some(_)) | Cell::Text(_) => Field::Str(cell.text()),
+        Cell::Number(None) | Cell::Count(None) | Cell::Pairs(_) => Field::Null,
+    };
+    row.get_column_iter().map(|(_, field)| field.clone()).eq(record.cells().map(field))
 }

@@ -1,0 +1,165 @@
+//! The parts of a Parquet file that is not whole yet: `FILE.parts/START-END.parquet`.
+
+use super::column::Column;
+use super::{Beside, ROWS, Sweep, at, columns, is_group, open, write_group};
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::interrupt;
+use crate::output::{self, Lines, named, put_new, with_suffix};
+use parquet::file::reader::FileReader;
+use std::fs::{self, File};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// A folder of parts, for this command alone.
+pub(super) struct Parts {
+    folder: PathBuf,
+    lock: File,
+    /// In order, without gap.
+    parts: Vec<Range<u64>>,
+}
+
+/// Its name is in use for as long as the folder is; what counts is who holds it.
+const LOCK: &str = "lock";
+
+impl Parts {
+    /// The folder of a file, made where there is none; one that is there is gone on with only where that is asked for.
+    pub(super) fn open(file: &Path, resume: bool) -> Result<Self, Failure> {
+        let folder = with_suffix(file, ".parts");
+        let name = folder.display();
+        if !resume && folder.exists() {
+            let text = format!(
+                "--out {}: {name} has the parts of a sweep that was broken off; --resume goes on with it",
+                file.display()
+            );
+            return Err(Failure::Input(text));
+        }
+        let bad = |e: std::io::Error| Failure::Input(format!("--out {}: {name}: {e}", file.display()));
+        let made = fs::create_dir(&folder);
+        if made.is_err() && !folder.is_dir() {
+            made.map_err(bad)?;
+        }
+        let mut ranges = Vec::new();
+        let mut left = Vec::new();
+        for entry in fs::read_dir(&folder).map_err(bad)? {
+            let path = entry.map_err(bad)?.path();
+            let end = path.extension().and_then(|end| end.to_str());
+            match (range_of(&path), end) {
+                (Some(range), _) => ranges.push(range),
+                (None, Some("part")) => left.push(path),
+                (None, _) if path.ends_with(LOCK) => {}
+                (None, _) => return Err(at(&path, "is no part of a sweep")),
+            }
+        }
+        let lock =
+            File::options().create(true).truncate(false).write(true).open(folder.join(LOCK)).map_err(bad)?;
+        output::take(&lock, &format!("--out {}", file.display()))?;
+        // Parts that were being written as the sweep was broken off.
+        left.iter().try_for_each(fs::remove_file).map_err(bad)?;
+        ranges.sort_unstable_by_key(|range| (range.start, range.end));
+        Ok(Self { folder, lock, parts: ranges })
+    }
+
+    /// The point after the last that is there, once each part is known to be of this sweep.
+    pub(super) fn check<F: Value>(&self, sweep: &Sweep<'_, F>) -> Result<u64, Failure> {
+        let mut next = sweep.part.start;
+        for range in &self.parts {
+            let path = self.path(range);
+            if range.start != next || range.end <= next || range.end > sweep.part.end {
+                return Err(at(&path, &format!("of another sweep: its part due next begins at row {next}")));
+            }
+            let reader = open(&path).map_err(|e| at(&path, &e.to_string()))?;
+            sweep.has(&reader, range.clone()).map_err(|what| at(&path, &what))?;
+            next = range.end;
+            interrupt::check()?;
+        }
+        Ok(next)
+    }
+
+    /// Writes a part; it is there whole or not at all.
+    pub(super) fn add(
+        &mut self,
+        range: Range<u64>,
+        fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
+    ) -> Outcome {
+        let path = self.path(&range);
+        Beside::create(&path, &path.display().to_string(), false)?.fill_with(fill)?;
+        self.parts.push(range);
+        Ok(())
+    }
+
+    /// Puts the parts together as the file, which is there whole or not at all, and removes them.
+    pub(super) fn become_file<F: Value>(self, file: &Path, sweep: &Sweep<'_, F>) -> Outcome {
+        if let [whole] = self.parts.as_slice() {
+            put_new(&self.path(whole), file).map_err(|e| named(&file.display().to_string(), e))?;
+            return self.remove(&[]);
+        }
+        let argument = format!("--out {}", file.display());
+        Beside::create(file, &argument, false)?.fill_with(|out| {
+            let mut writer = sweep.writer(out)?;
+            let mut gathered = columns(sweep.rows)?;
+            let mut rows = 0;
+            for range in &self.parts {
+                let reader = open(&self.path(range))?;
+                for group in 0..reader.num_row_groups() {
+                    let group = reader.get_row_group(group)?;
+                    let mut readers = (0..gathered.len())
+                        .map(|column| group.get_column_reader(column))
+                        .collect::<Result<Vec<_>, _>>()?;
+                    let mut left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
+                    while left > 0 {
+                        interrupt::check()?;
+                        // In steps, so that the bytes in memory are bounded, too.
+                        let count = left.min(ROWS - rows).min(1 << 12);
+                        for (column, reader) in gathered.iter_mut().zip(&mut readers) {
+                            Column::read(column, reader, count)?;
+                        }
+                        (left, rows) = (left - count, rows + count);
+                        if is_group(&gathered, rows) {
+                            write_group(&mut writer, &mut gathered)?;
+                            rows = 0;
+                        }
+                    }
+                }
+            }
+            if rows > 0 {
+                write_group(&mut writer, &mut gathered)?;
+            }
+            Ok(writer.into_inner()?)
+        })?;
+        let parts = self.parts.clone();
+        self.remove(&parts)
+    }
+
+    /// Removes what is left of the parts of a file that became whole.
+    pub(super) fn remove_left(file: &Path) -> Outcome {
+        if !with_suffix(file, ".parts").exists() {
+            return Ok(());
+        }
+        let parts = Self::open(file, true)?;
+        let ranges = parts.parts.clone();
+        parts.remove(&ranges)
+    }
+
+    /// Removes a folder without parts.
+    pub(super) fn remove_empty(self) -> Outcome {
+        if self.parts.is_empty() { self.remove(&[]) } else { Ok(()) }
+    }
+
+    fn remove(self, parts: &[Range<u64>]) -> Outcome {
+        parts.iter().try_for_each(|range| fs::remove_file(self.path(range)))?;
+        drop(self.lock);
+        fs::remove_file(self.folder.join(LOCK))?;
+        Ok(fs::remove_dir(&self.folder)?)
+    }
+
+    fn path(&self, range: &Range<u64>) -> PathBuf {
+        self.folder.join(format!("{:012}-{:012}.parquet", range.start, range.end))
+    }
+}
+
+/// The points of a part, by its name.
+fn range_of(path: &Path) -> Option<Range<u64>> {
+    let (start, end) = path.file_name()?.to_str()?.strip_suffix(".parquet")?.split_once('-')?;
+    Some(start.parse().ok()?..end.parse().ok()?)
+}
