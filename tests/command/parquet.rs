@@ -1,6 +1,8 @@
 //! `stickslip sweep` to Parquet, read back.
 
-use crate::command_line::{refused, stdout, stickslip};
+#[cfg(unix)]
+use crate::command_line::stickslip;
+use crate::command_line::{refused, stdout};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use std::fs::File;
@@ -101,70 +103,172 @@ fn the_shards_together_are_the_whole() {
     assert_eq!(joined, text(&whole));
 }
 
-/// A file with the first rows of a sweep, as one that was broken off in time has them.
-fn broken_off(name: &str, sweep: &str) -> PathBuf {
+/// The folder of the parts of a file that is not whole yet.
+fn parts(file: &Path) -> PathBuf {
+    let mut name = file.as_os_str().to_owned();
+    name.push(".parts");
+    name.into()
+}
+
+/// The same place without its parts.
+fn fresh(name: &str) -> PathBuf {
     let file = place(name);
-    stdout(&format!("sweep {sweep} --shard 1/3 --out {}", file.display()));
+    let _ = std::fs::remove_dir_all(parts(&file));
     file
 }
 
+/// The rows of all parts.
+fn rows_of_parts(file: &Path) -> i64 {
+    let Ok(found) = std::fs::read_dir(parts(file)) else { return 0 };
+    let names =
+        found.map(|entry| entry.unwrap().path()).filter(|p| p.extension().is_some_and(|e| e == "parquet"));
+    names.map(|part| reader(&part).metadata().file_metadata().num_rows()).sum()
+}
+
+/// Starts a sweep and ends it after a while by a signal; gives the exit status, where it was not over before.
+#[cfg(unix)]
+fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i32> {
+    use std::process::{Command, Stdio};
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+        .args(sweep.split(' '))
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(after);
+    let _ =
+        Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
+    child.wait().unwrap().code()
+}
+
+/// Killed or interrupted at any time, what is complete is kept, and going on gives the sweep that was not broken off.
+#[cfg(unix)]
 #[test]
-fn a_sweep_goes_on_after_its_last_row() {
-    let sweep = "steady --omega 0.3:1.3:13 --alpha 0.9:8:23";
-    let whole = place("all.parquet");
-    stdout(&format!("sweep {sweep} --out {}", whole.display()));
-    let file = broken_off("resumed.parquet", sweep);
+fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
+    use std::time::Duration;
+    let sweep = "sweep steady --omega 0.05:1.3:130 --alpha 0.9:8:230";
+    let whole = fresh("all.parquet");
+    stdout(&format!("{sweep} --out {}", whole.display()));
+    let whole = text(&whole);
+    let file = fresh("broken-off.parquet");
+    let goes_on = format!("{sweep} --out {} --resume", file.display());
+    let mut kept = 0;
+    for (round, signal) in ["-KILL", "-INT", "-KILL", "-TERM", "-KILL", "-KILL"].into_iter().enumerate() {
+        let status = broken_off(&goes_on, signal, Duration::from_millis(500 + 331 * round as u64 % 700));
+        if status == Some(0) {
+            break;
+        }
+        assert_eq!(status, if signal == "-KILL" { None } else { Some(130) });
+        assert!(!file.exists(), "there before it is whole");
+        // Nothing that was there is lost; an interrupt keeps all.
+        let now = rows_of_parts(&file);
+        assert!(now >= kept, "{now} rows of {kept}");
+        kept = now;
+    }
+    assert!(kept > 0);
     for _ in 0..2 {
         // Once it is whole, going on changes nothing.
-        stdout(&format!("sweep {sweep} --out {} --resume", file.display()));
-        assert_eq!(text(&file), text(&whole));
-        assert!(!file.with_extension("parquet.resumed").exists());
+        stdout(&goes_on);
+        assert!(text(&file) == whole);
+        assert!(!parts(&file).exists());
     }
-    assert_eq!(reader(&file).num_row_groups(), 2);
+    let groups = reader(&file).metadata().num_row_groups();
+    assert_eq!(groups, 1, "the parts are put together");
 }
 
 #[test]
 fn another_sweep_or_a_cut_file_is_not_gone_on_with() {
+    let file = fresh("another.parquet");
     let sweep = "response --omega 0.5:2:10 --alpha 2,3";
-    let file = broken_off("another.parquet", sweep);
+    stdout(&format!("sweep {sweep} --out {}", file.display()));
     let kept = std::fs::read(&file).unwrap();
     for (arguments, part) in [
-        ("response --omega 0.6:2:10 --alpha 2,3 --resume", "row 1 is not of this sweep"),
-        ("response --omega 0.5:2.5:10 --alpha 2,3 --resume", "row 6 is not of this sweep"),
-        ("steady --omega 0.5:2:10 --alpha 2,3 --resume", "columns are not those"),
-        ("response --omega 0.5:2:2 --alpha 2,3 --resume", "6 rows, must be ≤ 4"),
+        ("response --omega 0.6:2:10 --alpha 2,3 --resume", "its omega is “0.5:2:10”, here it is “0.6:2:10”"),
+        ("response --omega 0.5:2:10:log --alpha 2,3 --resume", "here it is “0.5:2:10:log”"),
+        ("steady --omega 0.5:2:10 --alpha 2,3 --resume", "its sweep is “response”"),
+        ("response --omega 0.5:2:10 --alpha 2,3 --outputs regime --resume", "its outputs is “”"),
+        ("response --omega 0.5:2:10 --alpha 2,3 --shard 1/3 --resume", "its shard is “”, here it is “1/3”"),
         ("response --omega 0.5:2:10 --alpha 2,3", "must not exist yet"),
         ("response --omega 0.5:2:10 --alpha 2,3 --resume --no-header", "--no-header"),
     ] {
         refused(&format!("sweep {arguments} --out {}", file.display()), &[part]);
         assert_eq!(std::fs::read(&file).unwrap(), kept, "{arguments}");
+        assert!(!parts(&file).exists(), "{arguments}");
     }
-    std::fs::write(&file, &kept[..kept.len() / 2]).unwrap();
-    refused(&format!("sweep {sweep} --resume --out {}", file.display()), &["cut off", "begin anew"]);
+    for length in [0, 4, kept.len() / 2, kept.len() - 1] {
+        std::fs::write(&file, &kept[..length]).unwrap();
+        refused(&format!("sweep {sweep} --resume --out {}", file.display()), &["another.parquet"]);
+        assert_eq!(std::fs::read(&file).unwrap(), kept[..length]);
+    }
     refused(&format!("sweep {sweep} --format parquet"), &["--format parquet", "--out FILE"]);
 }
 
-/// Many row groups, each of bounded size, and Ctrl-C between them: the file has its end, and can be gone on with.
+/// Nobody's files are in the way of a sweep, and no sweep is in theirs.
+#[test]
+fn what_is_beside_the_file_is_left_alone() {
+    let file = fresh("beside.parquet");
+    let sweep = format!("sweep border --omega 0.5:2:10 --out {}", file.display());
+    let resumed = file.with_extension("parquet.resumed");
+    std::fs::write(&resumed, "notes").unwrap();
+    std::fs::create_dir(parts(&file)).unwrap();
+    std::fs::write(parts(&file).join("notes"), "notes").unwrap();
+    refused(&sweep, &["--resume goes on"]);
+    refused(&format!("{sweep} --resume"), &["notes", "is no part of a sweep"]);
+    assert_eq!(std::fs::read_to_string(parts(&file).join("notes")).unwrap(), "notes");
+    // A part of another sweep.
+    std::fs::remove_file(parts(&file).join("notes")).unwrap();
+    let part = parts(&file).join("000000000000-000000000010.parquet");
+    stdout(&format!("sweep border --omega 0.5:2:10:log --out {}", part.display()));
+    refused(&format!("{sweep} --resume"), &["of another sweep", "0.5:2:10:log"]);
+    assert!(part.exists() && !file.exists());
+    std::fs::remove_dir_all(parts(&file)).unwrap();
+    stdout(&sweep);
+    assert_eq!(std::fs::read_to_string(&resumed).unwrap(), "notes");
+}
+
+/// A limit on the size of files is a disk that is full.
 #[cfg(unix)]
 #[test]
-fn an_interrupted_sweep_is_a_file_that_can_be_gone_on_with() {
-    use std::process::Command;
-    let file = place("interrupted.parquet");
-    let sweep = format!("sweep response --omega 0.3:3:1000 --alpha 1.1:9:300 --out {}", file.display());
-    let mut child =
-        Command::new(assert_cmd::cargo::cargo_bin!("stickslip")).args(sweep.split(' ')).spawn().unwrap();
-    while std::fs::metadata(&file).map_or(0, |m| m.len()) < 100_000 {
-        assert_eq!(child.try_wait().unwrap(), None, "it ended before it was interrupted");
-        std::thread::sleep(std::time::Duration::from_millis(5));
+fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
+    let command = assert_cmd::cargo::cargo_bin!("stickslip").display().to_string();
+    let sweep = "sweep response --omega 0.3:3:500 --alpha 1.1:9:300";
+    let file = fresh("full.parquet");
+    let line = format!("trap '' XFSZ; ulimit -f 100; exec {command} {sweep} --out {}", file.display());
+    for more in ["", "--resume"] {
+        let limited = format!("{line} {more}");
+        let output = std::process::Command::new("sh").args(["-c", &limited]).output().unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(message.contains("full.parquet") && message.contains("File too large"), "{message}");
+        assert!(message.lines().count() == 1 && !file.exists());
     }
-    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
-    assert_eq!(child.wait().unwrap().code(), Some(130));
-    let rows = |file: &Path| reader(file).metadata().file_metadata().num_rows();
-    assert!((1..300_000).contains(&rows(&file)), "{}", rows(&file));
-    stickslip(&format!("{sweep} --resume")).assert().success().stderr("");
-    assert_eq!(rows(&file), 300_000);
+    stickslip(&format!("{sweep} --out {} --resume", file.display())).assert().success().stderr("");
+    assert_eq!(reader(&file).metadata().file_metadata().num_rows(), 150_000);
     let groups = reader(&file).metadata().row_groups().iter().map(|g| g.num_rows()).max().unwrap();
     assert!(groups <= 1 << 17, "{groups}");
+}
+
+/// Of two commands at one file one is refused, and the file is whole.
+#[cfg(target_os = "linux")]
+#[test]
+fn two_commands_do_not_share_the_parts() {
+    use std::process::Command;
+    let file = fresh("shared.parquet");
+    let sweep =
+        format!("sweep steady --omega 0.05:1.3:100 --alpha 0.9:8:100 --out {} --resume", file.display());
+    let start =
+        || Command::new(assert_cmd::cargo::cargo_bin!("stickslip")).args(sweep.split(' ')).spawn().unwrap();
+    let mut first = start();
+    while !parts(&file).join("lock").exists() {
+        assert!(first.try_wait().unwrap().is_none());
+        std::thread::sleep(std::time::Duration::from_millis(1));
+    }
+    std::thread::sleep(std::time::Duration::from_millis(20));
+    let second = start().wait().unwrap().code();
+    assert_eq!(first.wait().unwrap().code(), Some(0));
+    // The second may have come when all was over.
+    assert!(second == Some(2) || second == Some(0), "{second:?}");
+    assert_eq!(reader(&file).metadata().file_metadata().num_rows(), 10_000);
+    assert!(!parts(&file).exists());
 }
 
 #[cfg(feature = "mp")]

@@ -106,7 +106,7 @@ fn another_sweep_is_not_gone_on_with() {
         ("response --omega 0.5:2:11 --alpha 2,3 --resume", "not of this sweep"),
         ("response --omega 0.6:2:10 --alpha 2,3 --resume", "not of this sweep"),
         ("steady --omega 0.5:2:10 --alpha 2,3 --resume", "not of this sweep"),
-        ("response --omega 0.5:2:10 --alpha 2 --resume", "20 rows, must be ≤ 10"),
+        ("response --omega 0.5:2:10 --alpha 2 --resume", "row 2 is not of this sweep"),
         ("response --omega 0.5:2:10 --alpha 2,3", "must not exist yet"),
     ] {
         let output =
@@ -130,7 +130,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega 1,2 --alpha 3,0", vec!["--alpha 0", "must be > 0"]),
         ("response --omega 1,2", vec!["--alpha is missing"]),
         ("border --omega 1,2 --alpha 2", vec!["--alpha", "leave it out"]),
-        ("steady --omega 1e-9:1:3 --alpha 2", vec!["--omega 0.000000001", "≥"]),
+        ("steady --omega 1e-9:1:3 --alpha 2", vec!["--omega 1e-9", "≥"]),
         (
             "response --omega 1:2:5 --alpha 2 --outputs omega,speed",
             vec!["--outputs speed", "must be of omega,"],
@@ -139,7 +139,10 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega 1:2:5 --alpha 2 --shard 0/3", vec!["--shard 0/3", "1 ≤ I ≤ N"]),
         ("response --omega 1:2:5 --alpha 2 --shard 4/3", vec!["--shard 4/3", "1 ≤ I ≤ N"]),
         ("response --omega 1:2:5 --alpha 2 --shard -1", vec!["--shard -1", "I/N"]),
+        ("response --omega 1:2:5 --alpha 2 --outputs omega,alpha,omega", vec!["--outputs omega", "once"]),
         ("response --omega 1:2:5 --alpha 2 --resume", vec!["--resume", "--out"]),
+        ("response --omega 1:2:5 --alpha 2 --out /dev/full --resume", vec!["/dev/full", "regular file"]),
+        ("response --omega 1:2:5 --alpha 2 --out /dev/null", vec!["/dev/null", "must not exist yet"]),
         ("response --omega 1:2:5 --alpha 2 --out /nowhere/at/all.csv", vec!["--out /nowhere/at/all.csv"]),
     ] {
         refused(&format!("sweep {arguments}"), &parts);
@@ -195,6 +198,113 @@ fn a_file_of_json_lines_is_named_so() {
 #[test]
 fn a_build_without_parquet_says_so() {
     refused("sweep border --omega 1 --out rows.parquet", &["--format parquet", "feature parquet"]);
+}
+
+/// Goes on with a file that holds `kept`: refused with the file untouched, or the whole sweep.
+fn refused_or_whole(sweep: &str, file: &std::path::Path, kept: &[u8], whole: &str) -> bool {
+    std::fs::write(file, kept).unwrap();
+    let output = stickslip(&format!("sweep {sweep} --out {} --resume", file.display())).output().unwrap();
+    let now = std::fs::read(file).unwrap();
+    let message = String::from_utf8(output.stderr).unwrap();
+    match output.status.code() {
+        Some(0) => assert!(now == whole.as_bytes(), "{sweep}: {}", String::from_utf8_lossy(kept)),
+        code => {
+            assert_eq!((code, message.lines().count()), (Some(2), 1), "{message}");
+            assert!(message.contains("of this sweep") || message.contains("begin"), "{message}");
+            assert!(now == kept, "{sweep}: changed though refused");
+        }
+    }
+    output.status.code() == Some(2)
+}
+
+#[test]
+fn a_sweep_goes_on_with_itself_alone() {
+    let file = place("itself");
+    let alone = |sweep: &str, kept: &str| {
+        let whole = stdout(&format!("sweep {sweep}"));
+        assert!(refused_or_whole(sweep, &file, kept.as_bytes(), &whole), "{sweep}");
+    };
+    // Another grid with the same ends, with the grid among the columns and without.
+    let linear = stdout("sweep border --omega 0.5:2:10");
+    alone("border --omega 0.5:2:10:log", &linear);
+    alone("border --omega 0.5:2:10", &stdout("sweep border --omega 0.5:2:10:log"));
+    let regimes = stdout("sweep response --omega 0.3:2:20 --alpha 2,5 --outputs regime");
+    alone("response --omega 0.3:2:20 --alpha 0.9,5 --outputs regime", &regimes);
+    let lines = stdout("sweep border --omega 0.5:2:10 --format jsonl");
+    alone("border --omega 0.5:2:10:log --format jsonl", &lines);
+    // One row in the middle.
+    let row = linear.lines().nth(5).unwrap();
+    alone("border --omega 0.5:2:10", &linear.replace(row, &row.replace(",1.", ",2.")));
+    // What is no row at all, and what follows the last row.
+    alone("border --omega 0.5:2:10", "precious notes");
+    alone("border --omega 0.5:2:10 --no-header", "precious notes");
+    alone("border --omega 0.5:2:10", &(linear.clone() + "0.5,1"));
+    alone("border --omega 0.5:2:10", &(linear.clone() + &linear));
+    let (some, _) = linear.split_at(linear.len() / 2);
+    alone("border --omega 0.5:2:10", &(some.to_owned() + "precious notes"));
+}
+
+/// Cut at any byte it is made whole; with any byte changed it is refused.
+#[test]
+fn a_file_cut_or_changed_anywhere_is_made_whole_or_left_alone() {
+    let file = place("anywhere");
+    for sweep in [
+        "response --omega 0.4:1.5:3 --alpha 2,6 --outputs alpha,max_displacement,omega",
+        "response --omega 0.4:1.5:3 --alpha 2,6 --outputs regime,max_velocity --format jsonl",
+        "steady --omega 0.4:1.5:3 --alpha 2,6 --outputs multipliers,omega,alpha",
+    ] {
+        let whole = stdout(&format!("sweep {sweep}"));
+        for place in (0..=whole.len()).step_by(11) {
+            let refused = refused_or_whole(sweep, &file, &whole.as_bytes()[..place], &whole);
+            assert!(!refused, "{sweep}: cut at {place}");
+            let mut changed = whole.clone().into_bytes();
+            let Some(byte) = changed.get_mut(place) else { continue };
+            *byte ^= 1;
+            assert!(refused_or_whole(sweep, &file, &changed, &whole), "{sweep}: changed at {place}");
+        }
+    }
+}
+
+/// A limit on the size of files is a disk that is full: the failure is told, and what is there is gone on with.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_leaves_rows_that_can_be_gone_on_with() {
+    let command = assert_cmd::cargo::cargo_bin!("stickslip").display().to_string();
+    let sweep = "sweep response --omega 0.3:3:50 --alpha 1.1:9:50";
+    let file = place("full");
+    let limited = |more: &str| {
+        let line =
+            format!("trap '' XFSZ; ulimit -f 100; exec {command} {sweep} --out {} {more}", file.display());
+        std::process::Command::new("sh").args(["-c", &line]).output().unwrap()
+    };
+    for more in ["", "--resume"] {
+        let output = limited(more);
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert_eq!(output.status.code(), Some(1), "{message}");
+        assert!(message.contains("full: File too large") && message.lines().count() == 1, "{message}");
+        assert!(std::fs::metadata(&file).unwrap().len() > 40_000);
+    }
+    stdout(&format!("{sweep} --out {} --resume", file.display()));
+    assert!(std::fs::read_to_string(&file).unwrap() == stdout(sweep));
+}
+
+/// Two commands cannot write to one file.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_is_being_written_is_left_alone() {
+    let file = place("busy");
+    let sweep = format!("sweep steady --omega 0.001:0.002:1000 --alpha 2:9:100 --out {}", file.display());
+    let mut first = std::process::Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+        .args(sweep.split(' '))
+        .spawn()
+        .unwrap();
+    while std::fs::metadata(&file).map_or(0, |m| m.len()) < 1_000 {
+        assert!(first.try_wait().unwrap().is_none());
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    refused(&format!("{sweep} --resume"), &["busy", "another command is writing to it"]);
+    first.kill().unwrap();
+    first.wait().unwrap();
 }
 
 /// Ctrl-C leaves whole rows, which `--resume` goes on with.

@@ -19,19 +19,6 @@ enum Mode {
 use Mode::{Machine, Points, Ratios};
 
 impl Mode {
-    /// The machine's own options, and those of its drive; one of them makes it a machine.
-    const MACHINE: [&str; 6] = ["mass", "stiffness", "friction", "frequency", "force", "base_motion"];
-
-    fn of(given: &[&str]) -> Self {
-        if given.contains(&"points") {
-            Points
-        } else if given.iter().any(|option| Self::MACHINE.contains(option)) {
-            Machine
-        } else {
-            Ratios
-        }
-    }
-
     const fn name(self) -> &'static str {
         match self {
             Ratios => "in ratios",
@@ -40,6 +27,9 @@ impl Mode {
         }
     }
 }
+
+/// The options that only a machine and its drive have.
+const MACHINE: [&str; 6] = ["mass", "stiffness", "friction", "frequency", "force", "base_motion"];
 
 /// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
 const USED: &[(&str, Mode, &str)] = &[
@@ -99,13 +89,16 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         .filter(typed)
         .filter(|id| !id.contains(char::is_uppercase))
         .collect();
-    let mode = Mode::of(&given);
-    let in_mode = USED.iter().filter(|(name, _, _)| *name == command);
-    let Some(used) = in_mode.clone().find(|(_, its, _)| *its == mode).map(|(_, _, used)| *used) else {
-        return Ok(());
+    // It is asked in the mode in which the fewest options are of no use; a file of points leaves no choice.
+    let unused = |used: &str| {
+        let of_use = |id: &&str| *id == "quiet" || used.split(' ').any(|option| option == *id);
+        given.iter().copied().filter(|id| !of_use(id)).collect::<Vec<_>>()
     };
-    let unused = |id: &&&str| **id != "quiet" && !used.split(' ').any(|option| option == **id);
-    if let Some(id) = given.iter().find(unused) {
+    let is_machine = given.iter().any(|option| MACHINE.contains(option));
+    let fits = |mode: Mode| given.contains(&"points") == (mode == Points) && (mode != Machine || is_machine);
+    let modes = USED.iter().filter(|(name, mode, _)| *name == command && fits(*mode));
+    let Some((_, mode, used)) = modes.min_by_key(|(_, _, used)| unused(used).len()) else { return Ok(()) };
+    if let Some(id) = unused(used).first() {
         return Err(Failure::Input(format!(
             "{}: {command} does not use it {}; it uses {}",
             written(id, matches),

@@ -185,15 +185,17 @@ impl Table {
 
     /// The rows in memory as a part.
     fn commit<F: Value>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
-        if self.rows > 0 {
-            let end = self.start + self.rows as u64;
+        // Once, also where it fails: then the columns are no longer whole.
+        let rows = std::mem::take(&mut self.rows);
+        if rows > 0 {
+            let end = self.start + rows as u64;
             let columns = &mut self.columns;
             parts.add(self.start..end, |out| {
                 let mut writer = sweep.writer(out)?;
                 write_group(&mut writer, columns)?;
                 Ok(writer.into_inner()?)
             })?;
-            (self.start, self.rows) = (end, 0);
+            self.start = end;
         }
         self.committed = Instant::now();
         Ok(())
