@@ -16,18 +16,19 @@ mod command {
     pub(crate) mod input;
     pub(crate) mod interrupt;
     pub(crate) mod note;
+    pub(crate) mod output;
     pub(crate) mod points;
+    pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
     pub(crate) mod sink;
     pub(crate) mod style;
 }
 
-use clap::Parser;
-use command::args::{Command, CommandLine, OutputArgs, Question};
+use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, record, response, sink,
-    style,
+    args, bits, border, decay, design, failure, grid, input, interrupt, note, output, points, progress, record,
+    response, sink, style,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -95,10 +96,10 @@ fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome
     None
 }
 
-/// A failure is one line that says something.
+/// A failure is one line that says something, and that a terminal can show.
 fn is_one_line(failure: &Failure) {
-    let text = failure.to_string();
-    assert!(!text.trim().is_empty());
+    let text = failure.message();
+    assert!(!text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000, "{text:?}");
     assert!(!matches!(failure, Failure::System(_)), "{text}");
 }
 
@@ -110,9 +111,10 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     };
     let Ok(line) = std::str::from_utf8(line) else { return };
     let words = std::iter::once("stickslip").chain(line.split_whitespace());
-    let mut parsed = match CommandLine::try_parse_from(words) {
+    let mut parsed = match args::parse(words) {
         Ok(parsed) => parsed,
-        Err(error) => return is_one_line(&Failure::from(error)),
+        Err(NoCommand::Answered(_)) => return,
+        Err(NoCommand::Failed(failure)) => return is_one_line(&failure),
     };
     let mut out = Vec::new();
     match run(&mut parsed.command, content, &mut out) {

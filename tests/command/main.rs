@@ -8,7 +8,10 @@ mod kept;
 mod answers;
 mod design;
 mod figures;
+#[cfg(unix)]
+mod interrupt;
 mod motion;
+mod options;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(feature = "generators")]

@@ -121,7 +121,7 @@ pub(crate) fn parse(
 
 /// All that can be typed; help shows of each question the options that it uses.
 pub(crate) fn grammar() -> clap::Command {
-    CommandLine::command().mut_subcommand("design", |design| used::hide_unused(design))
+    CommandLine::command().mut_subcommand("design", used::hide_unused)
 }
 
 /// The value of `--bits`.

@@ -35,6 +35,11 @@ impl Failure {
         on_one_line(&self.to_string())
     }
 
+    /// The same, where the input is at fault behind the argument and the file that it is about.
+    pub(crate) fn about(self, what: &str) -> Self {
+        if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }
+    }
+
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             Self::Input(_) => ExitCode::from(2),

@@ -11,7 +11,7 @@ use crate::sink::Sink;
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::{Cell, RefCell};
 use std::fs::File;
-use std::io::{self, Read, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 use stickslip::Error;
 
@@ -109,20 +109,19 @@ fn place_of(column: &str, header: &StringRecord, name: &str) -> Result<usize, Fa
 /// What the reader could not make a row of.
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
-    Failure::Input(match error.kind() {
-        csv::ErrorKind::UnequalLengths { expected_len, len, .. } => {
-            format!("{name}{line}: {len} fields, must be {expected_len} as in the header")
-        }
-        // A pipe that is closed while its answers are written to is no fault of the input.
-        csv::ErrorKind::Io(_) => match error.into_kind() {
-            csv::ErrorKind::Io(error) if error.kind() == io::ErrorKind::InvalidData => {
-                format!("{name}{line}: {error}")
-            }
-            csv::ErrorKind::Io(error) => return error.into(),
-            _ => format!("{name}{line}: unreadable"),
-        },
-        _ => format!("{name}{line}: {error}"),
-    })
+    let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
+        format!("{len} fields, must be {expected_len} as in the header")
+    } else {
+        error.to_string()
+    };
+    let fault = Failure::Input(format!("{name}{line}: {text}"));
+    if let csv::ErrorKind::Io(error) = error.into_kind()
+        && error.kind() != ErrorKind::InvalidData
+    {
+        // Answers that nobody reads, or has room for, are no fault of the input.
+        return error.into();
+    }
+    fault
 }
 
 /// Flushes the answers before each wait for more input, so that a live pipe sees them at once; and gives up on a row
@@ -138,10 +137,13 @@ impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         if self.ahead.get() > LONGEST_ROW {
             let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
-            return Err(io::Error::new(io::ErrorKind::InvalidData, text));
+            return Err(io::Error::new(ErrorKind::InvalidData, text));
         }
         self.sink.borrow_mut().flush()?;
-        let count = self.source.read(bytes)?;
+        let count = self.source.read(bytes).map_err(|e| match e.kind() {
+            ErrorKind::Interrupted => e,
+            _ => io::Error::new(ErrorKind::InvalidData, e.to_string()),
+        })?;
         self.ahead.set(self.ahead.get() + count as u64);
         Ok(count)
     }

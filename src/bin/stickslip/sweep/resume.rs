@@ -36,21 +36,19 @@ pub(crate) fn reopen<F: Value>(
     part: &Range<u64>,
     header: bool,
 ) -> Result<(File, Done), Failure> {
-    let bad = |what: String| Failure::Input(format!("--resume: {}: {what}", name.display()));
+    let argument = format!("--resume: {}", name.display());
+    let bad = |what: String| Failure::Input(what).about(&argument);
     if !fs::metadata(name).map_err(|e| bad(e.to_string()))?.is_file() {
         return Err(bad("must be a regular file".to_owned()));
     }
     let mut file = OpenOptions::new().read(true).write(true).open(name).map_err(|e| bad(e.to_string()))?;
-    output::take(&file, &format!("--resume: {}", name.display()))?;
+    output::take(&file, &argument)?;
     let header = if header { rows.header()? } else { Vec::new() };
     let kept = Kept::read(&file, rows, part, &header).and_then(|kept| {
         let compare = if rows.hold_their_grid() { Kept::compare_some } else { Kept::compare_all };
         compare(&kept, &file, rows, part).map(|()| kept)
     });
-    let kept = kept.map_err(|failure| match failure {
-        Failure::Input(what) => bad(what),
-        other => other,
-    })?;
+    let kept = kept.map_err(|failure| failure.about(&argument))?;
     file.set_len(kept.end)?;
     file.seek(SeekFrom::Start(kept.end))?;
     Ok((file, Done { header: kept.begin > 0, rows: kept.rows }))
@@ -97,7 +95,7 @@ impl Kept {
                     kept.some.push((kept.rows - 1, kept.end, count));
                 }
                 kept.end += count;
-                if kept.rows % 1024 == 0 {
+                if kept.rows.is_multiple_of(1024) {
                     interrupt::check()?;
                 }
                 continue;
@@ -202,13 +200,13 @@ impl Spread {
 
     fn push(&mut self, row: (u64, u64, u64)) {
         self.last = Some(row);
-        if row.0 % self.step == 0 {
+        if row.0.is_multiple_of(self.step) {
             self.rows.push(row);
         }
         if self.rows.len() > MOST_COMPARED {
             self.step *= 2;
             let step = self.step;
-            self.rows.retain(|(number, _, _)| number % step == 0);
+            self.rows.retain(|(number, _, _)| number.is_multiple_of(step));
         }
     }
 

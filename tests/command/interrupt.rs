@@ -1,9 +1,6 @@
 //! Interrupts are heard within 0.3 s, whatever the command is at; a failure of the system is told.
-#![cfg(all(feature = "cli", unix))]
 
-mod command_line;
-
-use command_line::stickslip;
+use crate::command_line::stickslip;
 use std::io::Read;
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};

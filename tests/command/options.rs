@@ -1,9 +1,6 @@
 //! Every option with every question: it changes the answer, or it is refused.
-#![cfg(feature = "cli")]
 
-mod command_line;
-
-use command_line::stickslip;
+use crate::command_line::{self, stickslip};
 
 /// Questions that have an answer, each in every way it can be asked.
 const QUESTIONS: [&str; 27] = [
