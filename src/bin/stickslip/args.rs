@@ -39,12 +39,17 @@ Units:
   consistent system, such as kg, N/m, N, rad/s, and the answers in the same.
 
 Exit status:
-  0    answered, or nobody reads on
+  0    success; also where the reader of a pipe has gone, or standard output is closed (>&-) and the answer discarded
   1    an identity of verify fails, or the system does, as by a full disk
   2    the input is at fault; one line on standard error says what and how
-  130  interrupted by Ctrl-C; what was written is whole
+  130  interrupted by Ctrl-C, SIGTERM or SIGHUP, within 0.3 s; the output ends at a complete record. A second
+       interrupt ends the command at once.
 
-Colours are for terminals only; NO_COLOR=1 does without.";
+Files:
+  A file that exists is not replaced without --overwrite. Pictures and Parquet files appear whole or not at all; a
+  sweep that was broken off, even by kill -9 or a full disk, goes on with --resume.
+
+On a terminal, work of more than a second shows its progress, and words are coloured unless NO_COLOR is set.";
 
 /// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
 #[derive(Debug, Parser)]

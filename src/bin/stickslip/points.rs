@@ -140,9 +140,10 @@ impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
             return Err(io::Error::new(ErrorKind::InvalidData, text));
         }
         self.sink.borrow_mut().flush()?;
-        let count = self.source.read(bytes).map_err(|e| match e.kind() {
-            ErrorKind::Interrupted => e,
-            _ => io::Error::new(ErrorKind::InvalidData, e.to_string()),
+        let count = self.source.read(bytes).map_err(|e| {
+            // A call that a signal broke off is made again.
+            let again = e.kind() == ErrorKind::Interrupted;
+            if again { e } else { io::Error::new(ErrorKind::InvalidData, e.to_string()) }
         })?;
         self.ahead.set(self.ahead.get() + count as u64);
         Ok(count)

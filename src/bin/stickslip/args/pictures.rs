@@ -16,7 +16,8 @@ Examples:
 pub(crate) const FIGURES_EXAMPLES: &str = "\
 Examples:
   stickslip figures
-  stickslip figures --all --dir docs/figures
+  stickslip figures --all --dir figures
+  stickslip figures --all --dir figures --overwrite
   stickslip figures --all --dir /tmp/data --format csv";
 
 pub(crate) const MAP_EXAMPLES: &str = "\

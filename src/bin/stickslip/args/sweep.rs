@@ -17,6 +17,12 @@ Examples:
 The parts 1/n … n/n are the whole: as rows joined by cat, all but the first made with --no-header; as Parquet files
 read together, as any query engine does.
 
+A sweep that was broken off, by Ctrl-C, kill -9 or a full disk, goes on with --resume. It goes on with itself alone:
+Ω and α of every row that is kept are compared, and as many whole rows, spread evenly, as a second allows; without
+the columns omega and alpha all rows are computed anew to compare them. Rows of CSV and JSON lines are in FILE as they
+come; those of Parquet are in FILE.parts, Parquet files themselves, until the sweep is whole. A kill loses the last
+second of rows at most.
+
 Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, phases are ω_d t in rad.";
 
 /// What is swept.
@@ -66,7 +72,7 @@ pub(crate) struct SweepArgs {
     /// Where the rows go [default: standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Go on after the last whole row of --out FILE
+    /// Go on after the last complete row of --out FILE; nothing is left to do where it is whole
     #[arg(long)]
     pub(crate) resume: bool,
     /// Part I of N parts of the sweep, each a run of its rows
