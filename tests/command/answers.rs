@@ -104,6 +104,19 @@ fn physical_units_are_the_ratios_times_their_scales() {
     assert!(json("response --omega 0.8 --alpha 2.5 --format json").get("physical").is_none());
 }
 
+/// The best loop and the force named beside it belong together: with that force the machine has that loop.
+#[test]
+fn the_best_force_has_the_best_loop() {
+    let at =
+        |force: f64| json(&format!("response {PAPER} --omega 1.5 --alpha {} --format json", force / 5.0));
+    for force in [12.5, 40.0] {
+        let best = at(force)["physical"].clone();
+        let there = at(best["best_force_ratio"].as_f64().unwrap());
+        let (energy, size) = (&best["best_loop_size"], &there["physical"]["loop_size_stiffness"]);
+        assert!((energy.as_f64().unwrap() / size.as_f64().unwrap() - 1.0).abs() < 1e-12, "{energy} {size}");
+    }
+}
+
 #[test]
 fn the_border_in_all_its_forms() {
     let answer = json("border --omega 0.4 --format json");

@@ -200,6 +200,8 @@ pub(crate) fn of_machine(
 ) -> Vec<(&'static str, Option<f64>)> {
     let (border, cycle) = (response.border(), response.cycle());
     let scaled = |value: Option<f64>, unit: f64| value.map(|v| v * unit);
+    // The best loop is that at the best force.
+    let best = response.best_force_ratio() / response.ratios().alpha();
     vec![
         ("omega", Some(drive.angular_frequency())),
         ("alpha", Some(drive.force_amplitude(body))),
@@ -213,7 +215,7 @@ pub(crate) fn of_machine(
         ("loop_size_stiffness", scaled(response.loop_size_stiffness(), scales.energy_stiffness)),
         ("loop_size_inertia", scaled(response.loop_size_inertia(), scales.energy_inertia)),
         ("best_force_ratio", scaled(Some(response.best_force_ratio()), scales.force)),
-        ("best_loop_size", scaled(response.best_loop_size(), scales.energy_stiffness)),
+        ("best_loop_size", scaled(response.best_loop_size(), scales.energy_stiffness * best * best)),
         ("contraction", cycle.map(|c| c.contraction())),
     ]
 }
