@@ -272,6 +272,25 @@ pub enum Error {
         /// Force ratio α.
         alpha: String,
     },
+    /// A search that passed its proved bound without an answer. No input is known that leads here.
+    #[error(
+        "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: the search ended there"
+    )]
+    SearchBound {
+        /// What was searched for.
+        search: &'static str,
+        /// Frequency ratio Ω.
+        omega: String,
+        /// Force ratio α.
+        alpha: String,
+        /// Phase ω_d t (radians) that the search began at.
+        phase: String,
+        /// The bound.
+        bound: &'static str,
+    },
+    /// The caller asked a long computation to stop.
+    #[error("interrupted")]
+    Interrupted,
     /// No bounded motion: Ω = 1 and α above 4/π.
     #[error(
         "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
@@ -302,6 +321,8 @@ impl Error {
             | Self::NotSettled { .. }
             | Self::EmptyInterval { .. }
             | Self::BaseMotion
+            | Self::SearchBound { .. }
+            | Self::Interrupted
             | Self::Unbounded { .. } => None,
         }
     }

@@ -185,7 +185,8 @@ mod tests {
             else {
                 return false;
             };
-            Trajectory::new(ratios, state).is_ok_and(|motion| motion.take(1).any(|phase| of(phase.ends_by())))
+            Trajectory::new(ratios, state)
+                .is_ok_and(|motion| motion.take(1).any(|phase| of(phase.unwrap().ends_by())))
         };
         assert!(part::<Start>(4000, |s| first(s, &|end| end == End::Grazing)) > 0.002);
         assert!(part::<Start>(4000, |s| first(s, &|end| end == End::Stop)) > 0.02);

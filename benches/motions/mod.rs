@@ -32,7 +32,7 @@ pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
 #[inline(never)]
 pub(crate) fn twenty_slides(omega: f64, alpha: f64) -> [f64; 1] {
     match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::rest())) {
-        Ok(motion) => [motion.filter_map(|p| p.end()).take(20).map(|end| end.x).sum()],
+        Ok(motion) => [motion.filter_map(|p| p.ok()?.end()).take(20).map(|end| end.x).sum()],
         Err(_) => [f64::NAN],
     }
 }

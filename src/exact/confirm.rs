@@ -29,9 +29,9 @@ use super::measures::Extreme;
 use super::motion::Motion;
 use super::shooting::{Residual, is_known};
 use super::slide::{Direction, Slide};
+use super::state::Point;
 use super::steady::{SteadyState, Summary};
 use super::stick::force_rounding;
-use super::walk::Point;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
 
@@ -100,7 +100,7 @@ impl<F: Float> Slide<F> {
         self.does_not_turn_before(end)
             || self
                 .velocity_zero(end)
-                .is_some_and(|zero| !zero.grazes && (zero.phi - end).square() <= F::epsilon() * end.square())
+                .is_ok_and(|zero| !zero.grazes && (zero.phi - end).square() <= F::epsilon() * end.square())
     }
 
     /// Whether the signs of the drive's power alone show that there is no velocity zero before that at `end`.
@@ -149,10 +149,8 @@ mod tests {
             let Some(here) = confirmed(equation, &cycle) else { continue };
             found += 1;
             let (section, hint) = fastest_point(equation, &cycle);
-            let budget = Budget { half_turns: 0, most: 100 };
-            let LongRun::Periodic(there) = LongRun::shot(equation, section, hint, || None, budget) else {
-                panic!("Ω = {omega}")
-            };
+            let there = LongRun::shot(equation, section, hint, || Ok(None), Budget::of(100)).unwrap();
+            let LongRun::Periodic(there) = there else { panic!("Ω = {omega}") };
             let size = 1.0 + cycle.max_displacement();
             let close = |a: f64, b: f64, units: f64| {
                 assert!((a - b).abs() <= units * f64::EPSILON, "Ω = {omega}: {a} {b} {here:?} {there:?}");
@@ -206,7 +204,7 @@ mod tests {
             let Some(here) = confirmed(equation, &other) else { continue };
             found += 1;
             let (_, hint) = fastest_point(equation, &cycle);
-            let back = walk(equation, here.start, 1, hint, Vec::new()).end;
+            let back = walk(equation, here.start, 1, hint, Vec::new(), &mut Budget::of(0)).unwrap().end;
             let left =
                 Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
             assert!(left.is_rounding(4), "Ω = {omega}, {a:e}, {b:e}: {left:?}");

@@ -1,5 +1,7 @@
 //! The equation of motion at one (Ω, α).
 
+use super::drive::DrivePhase;
+use crate::error::{Error, written};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -34,6 +36,19 @@ impl<F: Float> Equation<F> {
             half_difference: (one - omega) / two,
             per_one_plus: one / (one + omega),
             double_per_one_minus: two / (one - omega),
+        }
+    }
+
+    /// The error of a search from `phase` on that passed its bound.
+    #[cold]
+    pub(crate) fn lost(&self, search: &'static str, phase: DrivePhase<F>, bound: &'static str) -> Error {
+        let theta = F::from_f64(phase.half_turns() as f64) * F::pi() + phase.angle();
+        Error::SearchBound {
+            search,
+            omega: written(self.omega),
+            alpha: written(self.alpha),
+            phase: written(theta),
+            bound,
         }
     }
 

@@ -60,13 +60,16 @@ pub(crate) struct Safe<F> {
 }
 
 impl<F: Float> Safe<F> {
-    /// The window that φ lies in or that comes next, as (beginning, end).
+    /// The window that φ lies in or that comes next, as (beginning, end), less the rounding of its ends. Where it is empty the
+    /// beginning is not before the end.
     fn next(&self, phi: F) -> (F, F) {
-        // The end of a window, rounded, counts as beyond it.
+        // Each of centre, half width and turns times the period is right to two units of itself, and none exceeds φ + 2 periods by much.
         let rounding = F::int(16) * F::epsilon() * (phi + self.period);
-        let turns = ((phi + rounding - self.centre - self.half_width) / self.period).floor() + F::int(1);
+        let half_width = self.half_width - rounding;
+        // The end of a window counts as beyond it.
+        let turns = ((phi + rounding - self.centre - half_width) / self.period).floor() + F::int(1);
         let centre = self.centre + turns * self.period;
-        (centre - self.half_width, centre + self.half_width)
+        (centre - half_width, centre + half_width)
     }
 }
 
@@ -105,6 +108,8 @@ impl<F: Float> Search<F> {
 pub(crate) enum Verdict<F, M> {
     Zero(Found<F, M>),
     Clear(Option<(Jet<F>, M)>),
+    /// A proved bound was passed without an answer, at this φ. Nothing is known of what is there.
+    Lost(F),
 }
 
 /// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none, with what f
@@ -128,8 +133,10 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
-    // The bound of the module's head, with room for windows that rounding cuts in two.
-    for _ in 0..MOST_STRETCHES {
+    for stretches in 0u32.. {
+        if stretches >= USUAL_STRETCHES && is_overdue(search, phi, stretches) {
+            return Verdict::Lost(phi);
+        }
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
         if boundary <= passed {
             half_turn = half_turn + F::int(1);
@@ -142,7 +149,10 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
         }
         if let Some(safe) = &search.safe {
             let (begins, ends) = safe.next(phi);
-            if begins <= phi {
+            let is_empty = begins >= ends;
+            if is_empty {
+                // Narrower than its own rounding.
+            } else if begins <= phi {
                 let skipped = ((ends * search.omega + search.angle) / F::pi() + F::ratio(1, 2)).floor();
                 if modulo_two(skipped - half_turn) {
                     helping = !helping;
@@ -152,8 +162,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
                     return Verdict::Clear(None);
                 }
                 continue;
-            }
-            if begins < to {
+            } else if begins < to {
                 to = begins;
             }
         }
@@ -168,15 +177,25 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             if helping { in_helping(search, stretch, &f) } else { in_opposing(search, stretch, &f) };
         match verdict {
             Verdict::Clear(end) if !last => jet = end.map(|(jet, _)| jet),
-            answer @ (Verdict::Zero(_) | Verdict::Clear(_)) => return answer,
+            answer @ (Verdict::Zero(_) | Verdict::Clear(_) | Verdict::Lost(_)) => return answer,
         }
         (phi, passed) = (to, to);
         from_zero = false;
     }
-    Verdict::Clear(None)
+    Verdict::Lost(phi)
 }
 
-const MOST_STRETCHES: u32 = 64;
+/// Stretches that are examined without a look at the clock.
+const USUAL_STRETCHES: u32 = 64;
+
+/// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than so long a time is made of.
+#[cold]
+fn is_overdue<F: Float>(search: &Search<F>, phi: F, stretches: u32) -> bool {
+    let (one, two) = (F::int(1), F::int(2));
+    let longest = F::pi() * (one + two / search.omega);
+    let most = F::int(8) * (F::int(8) + search.omega + one / search.omega);
+    phi > longest || F::from_f64(f64::from(stretches)) > most
+}
 
 fn modulo_two<F: Float>(n: F) -> bool {
     let half = n / F::int(2);

@@ -51,7 +51,7 @@ mod tests {
         for (omega, alpha) in [(0.7f64, 3.0f64), (0.9, 2.0), (1.3, 2.0), (1.5, 2.5), (2.2, 4.0)] {
             let start = State::new(0.3, 2.0, 0.0).unwrap();
             let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap();
-            let slides = motion.filter_map(|phase| match phase.body {
+            let slides = motion.filter_map(|phase| match phase.unwrap().body {
                 Body::Slide(slide, zero) => Some((slide, zero)),
                 Body::Stick(_) => None,
             });

@@ -11,12 +11,13 @@
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::long_run::{LongRun, unsettled};
-use super::matrix::Matrix;
 use super::measures::Tally;
 use super::shooting::{Budget, Residual};
 use super::slide::{Direction, Slide};
+use super::state::Point;
 use super::steady::{SteadyState, Summary};
-use super::walk::{Part, Point, walk};
+use super::walk::{Walk, walk};
+use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::phase_function::PhaseFunction;
@@ -36,25 +37,28 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 ///
 /// The change from cycle to cycle shrinks by the other multiplier μ, so that what is left after a change d is
 /// `d μ/(1 − μ)`; it is added once it is small enough for the motion to be linear in it.
+///
+/// # Errors
+/// As for [`walk`].
 pub(crate) fn member<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
-    mut budget: Budget,
-) -> LongRun<F> {
+    mut budget: Budget<'_>,
+) -> Result<LongRun<F>, Error> {
     let one = F::int(1);
     let mut y = start;
     let mut parts = Vec::new();
     let mut added = false;
     loop {
-        let cycle = walk(equation, y, 2, hint, parts);
+        let cycle = walk(equation, y, 2, hint, parts, &mut budget)?;
         budget.walked(2);
         let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
         // Friction too small beside the motion for the type to see: nothing tells how much is left.
-        let settles = one - other > rate_noise(cycle.parts.len());
+        let settles = one - other > rate_noise(cycle.count);
         let in_the_limit = |change: F| if settles { change / (one - other) } else { one / F::int(0) };
         let left = in_the_limit(change);
         let size = one + y.x.abs() + y.w.abs();
@@ -62,19 +66,18 @@ pub(crate) fn member<F: Float>(
         // A motion far outside loses less in a cycle than its own rounding: that it repeats says nothing.
         if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
             let off = in_the_limit(residual.bound()) + rounding;
-            return finish(equation, y, &cycle.parts, cycle.monodromy, (off, off), &budget);
+            return finish(equation, y, &cycle, (off, off), &mut budget);
         }
-        let sticks = cycle.parts.iter().any(|part| matches!(part, Part::Stick(..)));
-        if sticks && budget.half_turns >= LONG_CREEP {
+        if cycle.sticks && budget.half_turns >= LONG_CREEP {
             let edge = nearest_edge(equation, &y);
             let off = (edge.x - y.x).hypot(edge.w - y.w);
             if off * F::int(16) < size {
-                let cycle = walk(equation, edge, 2, hint, cycle.parts);
-                return finish(equation, edge, &cycle.parts, cycle.monodromy, (off, off), &budget);
+                let cycle = walk(equation, edge, 2, hint, cycle.parts, &mut budget)?;
+                return finish(equation, edge, &cycle, (off, off), &mut budget);
             }
         }
         if budget.half_turns > budget.most {
-            return unsettled(&equation, &y, change, &budget);
+            return Ok(unsettled(&equation, &y, change, &budget));
         }
         // The neutral disturbance of the jump is of second order: below rounding for a jump of its root.
         let jump = !added && left.square() <= F::epsilon() * F::ratio(1, 64) * size.square() && settles;
@@ -93,7 +96,7 @@ fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
 }
 
 /// The rounding of what a cycle of so many parts leaves of a disturbance, with room.
-fn rate_noise<F: Float>(parts: usize) -> F {
+fn rate_noise<F: Float>(parts: u64) -> F {
     F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
 
@@ -125,24 +128,23 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
 fn finish<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
-    parts: &[Part<F>],
-    monodromy: Matrix<F>,
+    walk: &Walk<F>,
     distance: (F, F),
-    budget: &Budget,
-) -> LongRun<F> {
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
-    let tally = Tally::of(&start, equation.omega, parts);
+    let tally = Tally::of_periodic(equation, start, 2, walk, budget)?;
     // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see beside the force.
-    let other = monodromy.determinant();
+    let other = walk.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
-    LongRun::Family(SteadyState {
+    Ok(LongRun::Family(SteadyState {
         equation,
         start,
         tally: Summary::of(&tally),
         multipliers: [(one, zero), (other, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    })
+    }))
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 use super::event::{Found, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::Slide;
+use crate::error::Error;
 use crate::float::Float;
 
 /// The fastest instant of a slide: its natural time and the velocity there.
@@ -19,14 +20,17 @@ pub(crate) struct Fastest<F> {
 
 impl<F: Float> Slide<F> {
     /// The greatest speed for natural times from 0 to `end`, where the motion is `arrival`.
-    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
+    ///
+    /// # Errors
+    /// [`Error::SearchBound`].
+    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Result<Fastest<F>, Error> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
         if omega * two >= one && omega <= two {
-            self.scan((zero, &start), (end, arrival), &mut best);
-            return best;
+            self.scan((zero, &start), (end, arrival), &mut best)?;
+            return Ok(best);
         }
         let fast = two * F::pi() / one.or_larger(omega);
         let crest = self.slow_crest();
@@ -43,13 +47,13 @@ impl<F: Float> Slide<F> {
             let from = from.or_larger(zero);
             let to = if to < end { to } else { end };
             if from < to {
-                self.scan((from, &motion(from)), (to, &motion(to)), &mut best);
+                self.scan((from, &motion(from)), (to, &motion(to)), &mut best)?;
                 if to - from >= end {
                     break;
                 }
             }
         }
-        best
+        Ok(best)
     }
 
     /// The natural time of the crest of the slow wave that lies in the slide, if one does.
@@ -71,7 +75,15 @@ impl<F: Float> Slide<F> {
     }
 
     /// Every zero of the acceleration between two instants whose motion is known, and these themselves.
-    fn scan(&self, (from, first): (F, &Motion<F>), (to, last): (F, &Motion<F>), best: &mut Fastest<F>) {
+    ///
+    /// # Errors
+    /// [`Error::SearchBound`].
+    fn scan(
+        &self,
+        (from, first): (F, &Motion<F>),
+        (to, last): (F, &Motion<F>),
+        best: &mut Fastest<F>,
+    ) -> Result<(), Error> {
         let zero = F::int(0);
         let sign = self.direction.sign::<F>();
         let mut consider = |phi: F, w: F| {
@@ -95,11 +107,15 @@ impl<F: Float> Slide<F> {
                 let m = if at + phi >= to { *last } else { self.motion(at + phi) };
                 (jet(&m), m)
             });
-            let Verdict::Zero(found) = verdict else { break };
+            let found = match verdict {
+                Verdict::Zero(found) => found,
+                Verdict::Clear(_) => return Ok(()),
+                Verdict::Lost(_) => break,
+            };
             let Found { at: passed, step, motion: m, .. } = found;
             at = at + passed + step;
             if at >= to {
-                break;
+                return Ok(());
             }
             let (half, third) = (step / F::int(2), step / F::int(3));
             let (fourth, _) = m.higher(self.equation.omega);
@@ -110,6 +126,7 @@ impl<F: Float> Slide<F> {
             motion = Motion { acceleration: zero, w, jerk: m.jerk + step * fourth, ..m };
             (speeds_up, from_zero) = (!speeds_up, true);
         }
+        Err(self.lost("the greatest speed"))
     }
 
     /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
@@ -156,13 +173,17 @@ mod tests {
             (40.0, 50.0),
         ] {
             let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
-            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().take(12) {
+            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start)
+                .unwrap()
+                .take(12)
+                .map(Result::unwrap)
+            {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
                 // The whole slide, and cut short of its end.
                 for share in [1.0, 0.83, 0.61, 0.37, 0.12] {
                     let end = zero.phi * share;
                     let last = if share == 1.0 { slide.motion_at(zero) } else { slide.motion(end) };
-                    let fastest = slide.fastest(end, &last);
+                    let fastest = slide.fastest(end, &last).unwrap();
                     let size = fastest.w.abs().max(1.0);
                     assert!((slide.motion(fastest.phi).w - fastest.w).abs() < 1e-13 * size);
                     let n = 8_000;

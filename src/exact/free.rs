@@ -107,7 +107,7 @@ mod tests {
         ];
         for (x, v) in starts {
             let decay = FreeDecay::new(x, v).unwrap();
-            let phases: Vec<_> = decay.trajectory().collect();
+            let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
             let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
             let last = phases.last().unwrap();
             assert_eq!(slides, decay.half_cycles(), "({x}, {v})");

@@ -7,14 +7,15 @@ use super::measures::Tally;
 use super::rest::{Rest, come_to_rest};
 use super::shooting::{Budget, Shot, shoot};
 use super::slide::Slide;
+use super::state::Point;
 use super::state::State;
 use super::steady::{SteadyState, Summary};
 use super::trajectory::{Body, Trajectory, resolved};
-use super::walk::Point;
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
 use crate::ratios::Ratios;
+use core::ops::ControlFlow;
 
 /// What a motion tends to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,50 +57,78 @@ impl<F: Float> LongRun<F> {
     /// # Errors
     /// As for [`Trajectory::new`].
     pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)))
+    }
+
+    /// The same, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop, of which one takes
+    /// about a microsecond at f64.
+    ///
+    /// ```
+    /// use std::ops::ControlFlow;
+    /// use stickslip::exact::{LongRun, State};
+    /// use stickslip::{Error, Ratios};
+    /// let mut slides = 0;
+    /// let mut few = || { slides += 1; if slides < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) } };
+    /// let limit = LongRun::within_while(Ratios::new(1e-5f64, 2.0)?, State::rest(), 100, &mut few);
+    /// assert_eq!(limit, Err(Error::Interrupted));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where it breaks off, and as for [`Trajectory::new`].
+    pub fn within_while(
+        ratios: Ratios<F>,
+        start: State<F>,
+        periods: u32,
+        keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Self, Error> {
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)).with(keep_going))
+    }
+
+    fn budgeted(ratios: Ratios<F>, start: State<F>, mut budget: Budget<'_>) -> Result<Self, Error> {
         let ratios = resolved(ratios)?;
         let (one, alpha) = (F::int(1), ratios.alpha());
-        let mut budget = Budget { half_turns: 0, most: 2 * u64::from(periods) };
         if alpha <= one {
-            return Ok(come_to_rest(ratios, start, &mut budget));
+            return come_to_rest(ratios, start, &mut budget);
         }
         if ratios.omega() == one && F::pi() * alpha > F::int(4) {
             return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
         }
         let equation = Equation::new(ratios);
-        let (section, hint) = settle_in(equation, start, &mut budget);
+        let (section, hint) = settle_in(equation, start, &mut budget)?;
         if family::is_one(ratios) {
-            return Ok(family::member(equation, section, hint, budget));
+            return family::member(equation, section, hint, budget);
         }
         let guess = || match Cycle::new(ratios) {
-            Ok(cycle) => Some(fastest_point(equation, &cycle)),
+            Ok(cycle) => Ok(Some(fastest_point(equation, &cycle))),
             // A start far away: the limit is that from rest.
-            Err(_) => Some(settle_in(equation, State::rest(), &mut Budget { half_turns: 0, most: 0 })),
+            Err(_) => settle_in(equation, State::rest(), &mut Budget::of(0)).map(Some),
         };
-        Ok(Self::shot(equation, section, hint, guess, budget))
+        Self::shot(equation, section, hint, guess, budget)
     }
 
     pub(crate) fn shot(
         equation: Equation<F>,
         section: Point<F>,
         hint: F,
-        guess: impl FnOnce() -> Option<(Point<F>, F)>,
-        mut budget: Budget,
-    ) -> Self {
-        match shoot(equation, section, hint, guess, &mut budget) {
+        guess: impl FnOnce() -> Result<Option<(Point<F>, F)>, Error>,
+        mut budget: Budget<'_>,
+    ) -> Result<Self, Error> {
+        match shoot(equation, section, hint, guess, &mut budget)? {
             Shot::Settled(fixed) => {
                 let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
                 let multipliers = fixed.walk.monodromy.squared_eigenvalues();
-                let tally = Tally::of(&fixed.start, equation.omega, &fixed.walk.parts).doubled();
-                Self::Periodic(SteadyState {
+                let tally = Tally::of_periodic(equation, fixed.start, 1, &fixed.walk, &mut budget)?.doubled();
+                Ok(Self::Periodic(SteadyState {
                     equation,
                     start: fixed.start,
                     tally: Summary::of(&tally),
                     multipliers,
                     distance: fixed.distance,
                     periods,
-                })
+                }))
             }
-            Shot::Unsettled(y, residual) => unsettled(&equation, &y, residual, &budget),
+            Shot::Unsettled(y, residual) => Ok(unsettled(&equation, &y, residual, &budget)),
         }
     }
 
@@ -120,7 +149,7 @@ pub(crate) fn unsettled<F: Float>(
     equation: &Equation<F>,
     y: &Point<F>,
     residual: F,
-    budget: &Budget,
+    budget: &Budget<'_>,
 ) -> LongRun<F> {
     LongRun::NotConverged {
         state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
@@ -130,11 +159,20 @@ pub(crate) fn unsettled<F: Float>(
 }
 
 /// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from.
-fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budget) -> (Point<F>, F) {
+///
+/// # Errors
+/// [`Error::SearchBound`], [`Error::Interrupted`].
+fn settle_in<F: Float>(
+    equation: Equation<F>,
+    start: State<F>,
+    budget: &mut Budget<'_>,
+) -> Result<(Point<F>, F), Error> {
     let mut longest: Option<(Slide<F>, F)> = None;
     let begin = start.phase;
     let turn = F::pi();
     for phase in Trajectory::of(equation, start) {
+        let phase = phase?;
+        budget.ask()?;
         let Body::Slide(slide, end) = &phase.body else { continue };
         let longer = longest.as_ref().is_none_or(|(_, length)| end.phi >= *length);
         let after = end.phase.since(begin);
@@ -147,9 +185,9 @@ fn settle_in<F: Float>(equation: Equation<F>, start: State<F>, budget: &mut Budg
     }
     budget.walked(2);
     let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
-    let Some((slide, length)) = longest else { return (here, turn / equation.omega) };
+    let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
     let half = length / F::int(2);
-    (middle(&slide, half), half)
+    Ok((slide.point(half), half))
 }
 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.
@@ -159,13 +197,6 @@ pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -
     let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase());
     let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity() * equation.omega };
     (point, lag / equation.omega)
-}
-
-/// The point of a slide at natural time φ.
-fn middle<F: Float>(slide: &Slide<F>, phi: F) -> Point<F> {
-    let motion = slide.motion(phi);
-    let phase = slide.start.advanced(slide.equation.omega * phi);
-    Point { phase, x: motion.x, w: motion.w }
 }
 
 #[cfg(test)]

@@ -1,9 +1,14 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
 use super::drive::DrivePhase;
+use super::equation::Equation;
 use super::motion::Motion;
+use super::shooting::Budget;
 use super::slide::Slide;
-use super::walk::{Part, Point};
+use super::state::Point;
+use super::velocity_zero::VelocityZero;
+use super::walk::{Part, Walk, follow};
+use crate::error::Error;
 use crate::float::Float;
 
 /// An extreme value and its phase.
@@ -41,12 +46,12 @@ pub(crate) struct Tally<F> {
 }
 
 impl<F: Float> Tally<F> {
-    /// The tally of the parts of a walk that begins at `start`.
-    pub(crate) fn of(start: &Point<F>, omega: F, parts: &[Part<F>]) -> Self {
+    /// Nothing yet: at `start`.
+    pub(crate) fn at(start: &Point<F>, omega: F) -> Self {
         let zero = F::int(0);
         let x = Extreme { value: start.x, phase: start.phase };
         let v = Extreme { value: start.w / omega, phase: start.phase };
-        let mut tally = Self {
+        Self {
             max_x: x,
             min_x: x,
             max_v: v,
@@ -56,33 +61,84 @@ impl<F: Float> Tally<F> {
             rest: zero,
             work_in: zero,
             work_out: zero,
-        };
-        for part in parts {
-            match part {
-                Part::Slide(slide, end) => {
-                    tally.zeros = tally.zeros.saturating_add(1);
-                    tally.slide(slide, end.phi, end.phase, &slide.motion_at(end));
-                }
-                Part::Onward(slide, phi, phase, end) => tally.slide(slide, *phi, *phase, end),
-                Part::Stick(_, length) => {
-                    tally.sticks = tally.sticks.saturating_add(1);
-                    tally.rest = tally.rest + *length;
-                }
-            }
         }
-        tally
     }
 
-    fn slide(&mut self, slide: &Slide<F>, phi: F, phase: DrivePhase<F>, end: &Motion<F>) {
+    /// The tally of `half_turns` of a periodic motion through `start`, `walk` being those from there.
+    ///
+    /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at the seam: there a stop is cut
+    /// in two, and rounding says on which side of it a velocity zero is.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn of_periodic(
+        equation: Equation<F>,
+        start: Point<F>,
+        half_turns: i64,
+        walk: &Walk<F>,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Error> {
+        let omega = equation.omega;
+        let mut tally = Self::at(&start, omega);
+        let mut longest: Option<(Slide<F>, F)> = None;
+        walk.each_part(equation, start, half_turns, budget, |part| {
+            if let Part::Slide(slide, VelocityZero { phi, .. }) | Part::Onward(slide, phi, ..) = part
+                && longest.is_none_or(|(_, length)| *phi > length)
+            {
+                longest = Some((*slide, *phi));
+            }
+            tally.add(part)
+        })?;
+        let most =
+            if tally.max_v.value > -tally.min_v.value { tally.max_v.value } else { -tally.min_v.value };
+        let seam_in_slide = start.w.abs() * F::int(1024) > most * omega;
+        let Some((slide, length)) = longest else { return Ok(tally) };
+        if seam_in_slide {
+            return Ok(tally);
+        }
+        let half = length / F::int(2);
+        let seam = slide.point(half);
+        let mut tally = Self::at(&seam, omega);
+        follow(equation, seam, half_turns, half, budget, |part| tally.add(&part))?;
+        Ok(tally)
+    }
+
+    /// Counts a part of the motion in.
+    ///
+    /// # Errors
+    /// As for [`Slide::fastest`].
+    pub(crate) fn add(&mut self, part: &Part<F>) -> Result<(), Error> {
+        match part {
+            Part::Slide(slide, end) => {
+                self.zeros = self.zeros.saturating_add(1);
+                self.slide(slide, end.phi, end.phase, &slide.motion_at(end))
+            }
+            Part::Onward(slide, phi, phase, end) => self.slide(slide, *phi, *phase, end),
+            Part::Stick(_, length) => {
+                self.sticks = self.sticks.saturating_add(1);
+                self.rest = self.rest + *length;
+                Ok(())
+            }
+        }
+    }
+
+    fn slide(
+        &mut self,
+        slide: &Slide<F>,
+        phi: F,
+        phase: DrivePhase<F>,
+        end: &Motion<F>,
+    ) -> Result<(), Error> {
         let omega = slide.equation.omega;
         self.displaced(Extreme { value: end.x, phase });
-        let fastest = slide.fastest(phi, end);
+        let fastest = slide.fastest(phi, end)?;
         let v = fastest.w / omega;
         if v > self.max_v.value || v < self.min_v.value {
             self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
         }
         self.work_out = self.work_out + (end.x - slide.x).abs();
         self.work_in = self.work_in + slide.work_of_drive(end);
+        Ok(())
     }
 
     fn displaced(&mut self, x: Extreme<F>) {
@@ -190,7 +246,7 @@ mod tests {
     use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::slide::{Direction, Slide};
-    use crate::exact::walk::Point;
+    use crate::exact::state::Point;
 
     fn phase(theta: f64) -> DrivePhase<f64> {
         DrivePhase::new(theta).unwrap()
@@ -222,7 +278,7 @@ mod tests {
             min_x: extreme(-3.0, 1.0 + 1.5 * std::f64::consts::PI),
             max_v: extreme(2.0, 5.0),
             min_v: extreme(-2.5, 5.0 - std::f64::consts::PI),
-            ..Tally::of(&start, 0.5, &[])
+            ..Tally::at(&start, 0.5)
         };
         let errors = tally.errors();
         assert_eq!((errors.error_1, errors.error_3), (0.25, 0.25));
@@ -231,7 +287,7 @@ mod tests {
 
     #[test]
     fn a_tally_begins_at_the_start() {
-        let tally = Tally::of(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5, &[]);
+        let tally = Tally::at(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
         let (x, v) = (Extreme { value: 1.5, phase: phase(0.3) }, Extreme { value: 4.0, phase: phase(0.3) });
         assert_eq!((tally.max_x, tally.min_x, tally.max_v, tally.min_v), (x, x, v, v));
         assert_eq!((tally.sticks, tally.zeros, tally.work_in, tally.work_out), (0, 0, 0.0, 0.0));

@@ -13,6 +13,7 @@ use super::long_run::LongRun;
 use super::shooting::Budget;
 use super::state::State;
 use super::trajectory::{Body, End, Trajectory};
+use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -28,7 +29,14 @@ pub struct Rest<F> {
 }
 
 /// Where the motion from a start comes to rest, α ≤ 1.
-pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget: &mut Budget) -> LongRun<F> {
+///
+/// # Errors
+/// [`Error::SearchBound`], [`Error::Interrupted`].
+pub(crate) fn come_to_rest<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Error> {
     let (zero, one, turn) = (F::int(0), F::int(1), F::int(2) * F::pi());
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let edge = one - alpha;
@@ -38,17 +46,19 @@ pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget:
     let mut last = start;
     let motion = Trajectory::of(Equation::new(ratios), start);
     for phase in motion {
+        let phase = phase?;
+        budget.ask()?;
         let periods = phase.start().phase.since(start.phase) / turn;
         match &phase.body {
             Body::Slide(..) => slides = u64::saturating_add(slides, 1),
             Body::Stick(stick) => {
                 let outside = stick.x.abs() - edge;
                 if phase.end == End::Never {
-                    return LongRun::Rest(Rest { position: stick.x, slides: Some(slides), periods });
+                    return Ok(LongRun::Rest(Rest { position: stick.x, slides: Some(slides), periods }));
                 }
                 if outside < creeping {
                     let position = if stick.x < zero { -edge } else { edge };
-                    return LongRun::Rest(Rest { position, slides: None, periods });
+                    return Ok(LongRun::Rest(Rest { position, slides: None, periods }));
                 }
             }
         }
@@ -58,7 +68,7 @@ pub(crate) fn come_to_rest<F: Float>(ratios: Ratios<F>, start: State<F>, budget:
         }
     }
     let periods = last.phase.since(start.phase) / turn;
-    LongRun::NotConverged { state: last, residual: last.x.abs() - edge, periods }
+    Ok(LongRun::NotConverged { state: last, residual: last.x.abs() - edge, periods })
 }
 
 #[cfg(test)]
@@ -74,13 +84,13 @@ mod tests {
     fn it_is_the_motion_that_is_counted() {
         let ratios = Ratios::new(0.37, 0.8).unwrap();
         let start = State::new(0.3, 60.0, -2.0).unwrap();
-        let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(200).collect();
+        let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(200).map(Result::unwrap).collect();
         let is_slide = |phase: &&Phase<f64>| matches!(phase.body, Body::Slide(..));
         let at_rest = phases.iter().position(|phase| phase.end == End::Never).unwrap();
         let slides = phases[..at_rest].iter().filter(is_slide).count();
         assert!(slides > 20 && slides < at_rest, "{slides} {at_rest}");
         let since = |state: State<f64>| state.phase.since(start.phase) / TAU;
-        let within = |most| come_to_rest(ratios, start, &mut Budget { half_turns: 0, most });
+        let within = |most| come_to_rest(ratios, start, &mut Budget::of(most)).unwrap();
         let LongRun::Rest(rest) = within(1000) else { panic!("no rest") };
         assert_eq!((rest.slides, rest.position), (Some(slides as u64), phases[at_rest].start().x));
         assert!((rest.periods - since(phases[at_rest].start())).abs() < 1e-12, "{rest:?}");

@@ -9,7 +9,7 @@ use crate::float::Float;
 /// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
 ///
 /// Each phase is made from its integers k and n, never by adding up steps, so that the millionth cycle is sampled as
-/// exactly as the first. Endless: a body at rest for ever goes on being sampled.
+/// exactly as the first. Endless: a body at rest for ever goes on being sampled. It ends after an error only, that of the [`Trajectory`].
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
@@ -23,13 +23,13 @@ impl<F: Float> Trajectory<F> {
     /// Samples of the motion, `per_cycle` of them in a cycle of the drive.
     ///
     /// # Errors
-    /// Where `per_cycle` is zero.
+    /// Where `per_cycle` is zero, and as for the first item of the trajectory.
     pub fn samples(mut self, per_cycle: u32) -> Result<Samples<F>, Error> {
         if per_cycle == 0 {
             let value = per_cycle.to_string();
             return Err(Error::NotPositive { quantity: Quantity::SamplesPerCycle, value });
         }
-        let current = self.next();
+        let current = self.next().transpose()?;
         let mut at = (0, 0);
         if let Some(phase) = &current {
             let start = phase.start().phase;
@@ -65,17 +65,23 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Iterator for Samples<F> {
-    type Item = Instant<F>;
+    type Item = Result<Instant<F>, Error>;
 
-    fn next(&mut self) -> Option<Instant<F>> {
+    fn next(&mut self) -> Option<Result<Instant<F>, Error>> {
         let phase = grid(self.at, self.per_cycle);
         loop {
             let current = self.current?;
             if current.end().is_none_or(|end| phase.since(end.phase) <= F::int(0)) {
                 self.at = after(self.at, self.per_cycle);
-                return Some(current.at(phase));
+                return Some(Ok(current.at(phase)));
             }
-            self.current = self.trajectory.next();
+            self.current = match self.trajectory.next()? {
+                Ok(next) => Some(next),
+                Err(error) => {
+                    self.current = None;
+                    return Some(Err(error));
+                }
+            };
         }
     }
 }
@@ -110,8 +116,13 @@ mod tests {
         let ratios = Ratios::new(0.6, 1.7).unwrap();
         for (theta, per_cycle) in [(1e16, u32::MAX), (-1e16, u32::MAX), (3.0, u32::MAX), (6.2, 1), (0.0, 3)] {
             let start = State::new(theta, 0.3, -0.4).unwrap();
-            let samples: Vec<_> =
-                Trajectory::new(ratios, start).unwrap().samples(per_cycle).unwrap().take(3).collect();
+            let samples: Vec<_> = Trajectory::new(ratios, start)
+                .unwrap()
+                .samples(per_cycle)
+                .unwrap()
+                .take(3)
+                .map(Result::unwrap)
+                .collect();
             let first = samples[0].state.phase.since(start.phase);
             let step = TAU / f64::from(per_cycle);
             assert!((0.0..=step * (1.0 + 1e-15) + 1e-15).contains(&first), "{theta}: {first:e}");
@@ -125,8 +136,8 @@ mod tests {
     fn samples_follow_the_phases() {
         let start = State::new(0.1, 0.3, -0.4).unwrap();
         let motion = Trajectory::new(Ratios::new(0.6, 1.7).unwrap(), start).unwrap();
-        let samples: Vec<_> = motion.samples(97).unwrap().take(5 * 97).collect();
-        let mut phases = motion.peekable();
+        let samples: Vec<_> = motion.samples(97).unwrap().take(5 * 97).map(Result::unwrap).collect();
+        let mut phases = motion.map(Result::unwrap).peekable();
         for sample in &samples {
             while phases.next_if(|p| p.end().unwrap().phase.since(sample.state.phase) < 0.0).is_some() {}
             let phase = phases.peek().unwrap();

@@ -16,8 +16,11 @@
 
 use super::equation::Equation;
 use super::matrix::Matrix;
-use super::walk::{Part, Point, Walk, walk};
+use super::state::Point;
+use super::walk::{Part, Walk, walk};
+use crate::error::Error;
 use crate::float::Float;
+use core::ops::ControlFlow;
 
 /// A fixed point of the half-turn map, with the walk of half a turn from it.
 #[derive(Debug)]
@@ -36,16 +39,37 @@ pub(crate) enum Shot<F> {
     Unsettled(Point<F>, F),
 }
 
-/// Half turns walked, counted over all attempts.
-pub(crate) struct Budget {
+/// What a search may cost: half turns walked, counted over all attempts, and whether its caller still waits.
+pub(crate) struct Budget<'a> {
     pub(crate) half_turns: u64,
     pub(crate) most: u64,
+    keep_going: Option<&'a mut dyn FnMut() -> ControlFlow<()>>,
 }
 
-impl Budget {
+impl<'a> Budget<'a> {
+    /// At most so many half turns.
+    pub(crate) fn of(most: u64) -> Self {
+        Self { half_turns: 0, most, keep_going: None }
+    }
+
+    /// The same as long as the caller says so.
+    pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
+        Self { keep_going: Some(keep_going), ..self }
+    }
+
     /// Counts half turns.
     pub(crate) fn walked(&mut self, half_turns: u64) {
         self.half_turns = self.half_turns.saturating_add(half_turns);
+    }
+
+    /// Asks the caller, at every slide and stop.
+    ///
+    /// # Errors
+    /// [`Error::Interrupted`] where the caller breaks off.
+    #[inline]
+    pub(crate) fn ask(&mut self) -> Result<(), Error> {
+        let goes_on = self.keep_going.as_mut().is_none_or(|keep_going| keep_going().is_continue());
+        if goes_on { Ok(()) } else { Err(Error::Interrupted) }
     }
 }
 
@@ -112,16 +136,19 @@ fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
 ///
 /// `guess` is a second place to try, with its own hint, when Newton's step from the start fails. It needs no justification:
 /// its residual judges it, and where it leads is the limit of every start.
+///
+/// # Errors
+/// As for [`walk`].
 pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
-    guess: impl FnOnce() -> Option<(Point<F>, F)>,
-    budget: &mut Budget,
-) -> Shot<F> {
+    guess: impl FnOnce() -> Result<Option<(Point<F>, F)>, Error>,
+    budget: &mut Budget<'_>,
+) -> Result<Shot<F>, Error> {
     let two = F::int(2);
     let mut guess = Some(guess);
-    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4));
+    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4), budget)?;
     let mut y = start;
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
@@ -130,17 +157,17 @@ pub(crate) fn shoot<F: Float>(
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
         if budget.half_turns > budget.most {
-            return Shot::Unsettled(y, left.norm());
+            return Ok(Shot::Unsettled(y, left.norm()));
         }
         // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance does.
         let known = is_known(&y, inverse, &left);
         if left.is_rounding(1) && known {
-            return Shot::Settled(settled(y, best, inverse, &left));
+            return Ok(Shot::Settled(settled(y, best, inverse, &left)));
         }
         let (dx, dw) = inverse.times((left.x, left.w));
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
         if dx.is_finite() && dw.is_finite() {
-            let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare);
+            let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare, budget)?;
             budget.walked(1);
             let after = residual(&equation, &trial, &tried);
             if after.norm() * two <= left.norm() && !left.is_rounding(1) {
@@ -151,11 +178,12 @@ pub(crate) fn shoot<F: Float>(
             spare = tried.parts;
             // Rounding alone is left, a little more of it than expected.
             if left.is_rounding(64) && known {
-                return Shot::Settled(settled(y, best, inverse, &left));
+                return Ok(Shot::Settled(settled(y, best, inverse, &left)));
             }
         }
-        if let Some((elsewhere, hint)) = guess.take().and_then(|guess| guess()) {
-            let tried = walk(equation, elsewhere, 1, hint, spare);
+        let other = guess.take().map_or(Ok(None), |guess| guess())?;
+        if let Some((elsewhere, hint)) = other {
+            let tried = walk(equation, elsewhere, 1, hint, spare, budget)?;
             budget.walked(1);
             let after = residual(&equation, &elsewhere, &tried);
             if after.norm() < left.norm() || after.is_rounding(1) || !known {
@@ -170,14 +198,14 @@ pub(crate) fn shoot<F: Float>(
             let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
             let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));
             y = to;
-            let next = walk(equation, y, 1, hint, spare);
+            let next = walk(equation, y, 1, hint, spare, budget)?;
             spare = core::mem::replace(&mut best, next).parts;
             budget.walked(1);
         }
         left = residual(&equation, &y, &best);
         follow = if follow < LONGEST_FOLLOW { follow.saturating_mul(2) } else { follow };
         if budget.half_turns > budget.most {
-            return Shot::Unsettled(y, left.norm());
+            return Ok(Shot::Unsettled(y, left.norm()));
         }
     }
 }

@@ -24,6 +24,7 @@
 use super::drive::DrivePhase;
 use super::equation::{Equation, Waves};
 use super::motion::Motion;
+use super::state::Point;
 use crate::float::Float;
 
 /// The way a body slides: the sign of its velocity.
@@ -143,6 +144,12 @@ impl<F: Float> Slide<F> {
             return self.slow_and_fast(phi);
         }
         self.motion_of(&self.equation.waves(phi))
+    }
+
+    /// The point of the motion at natural time φ.
+    pub(crate) fn point(&self, phi: F) -> Point<F> {
+        let motion = self.motion(phi);
+        Point { phase: self.start.advanced(self.equation.omega * phi), x: motion.x, w: motion.w }
     }
 
     /// The motion from the functions of its natural time.

@@ -51,6 +51,14 @@ impl<F: Float> State<F> {
     }
 }
 
+/// A point of the motion: displacement x/B and velocity `w = Ωv` at a phase of the drive.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Point<F> {
+    pub(crate) phase: DrivePhase<F>,
+    pub(crate) x: F,
+    pub(crate) w: F,
+}
+
 /// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Instant<F> {

@@ -6,9 +6,10 @@ use super::family;
 use super::long_run::{DEFAULT_BUDGET, LongRun, fastest_point};
 use super::measures::{ErrorMeasures, Extreme, Tally};
 use super::shooting::Budget;
+use super::state::Point;
 use super::state::State;
 use super::trajectory::resolved;
-use super::walk::{Point, walk};
+use super::walk::follow;
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
@@ -97,12 +98,12 @@ impl<F: Float> SteadyState<F> {
         if !is_family && let Some(steady) = confirmed(equation, cycle) {
             return Ok(LongRun::Periodic(steady));
         }
-        let budget = Budget { half_turns: 0, most: 2 * u64::from(DEFAULT_BUDGET) };
+        let budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
         let (section, hint) = fastest_point(equation, cycle);
         if is_family {
-            return Ok(family::member(equation, section, hint, budget));
+            return family::member(equation, section, hint, budget);
         }
-        Ok(LongRun::shot(equation, section, hint, || None, budget))
+        LongRun::shot(equation, section, hint, || Ok(None), budget)
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
@@ -201,16 +202,20 @@ impl<F: Float> SteadyState<F> {
     }
 
     /// The paper's error measures, over one cycle that is followed for the purpose: both halves on their own.
-    pub fn errors(&self) -> ErrorMeasures<F> {
+    ///
+    /// # Errors
+    /// [`Error::SearchBound`].
+    pub fn errors(&self) -> Result<ErrorMeasures<F>, Error> {
         error_measures(self.equation, &self.start)
     }
 }
 
 /// The error measures of the cycle that begins at a point.
-fn error_measures<F: Float>(equation: Equation<F>, start: &Point<F>) -> ErrorMeasures<F> {
+fn error_measures<F: Float>(equation: Equation<F>, start: &Point<F>) -> Result<ErrorMeasures<F>, Error> {
     let usual = F::pi() / equation.omega;
-    let cycle = walk(equation, *start, 2, usual, Vec::new());
-    Tally::of(start, equation.omega, &cycle.parts).errors()
+    let mut tally = Tally::at(start, equation.omega);
+    follow(equation, *start, 2, usual, &mut Budget::of(0), |part| tally.add(&part))?;
+    Ok(tally.errors())
 }
 
 /// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of them from a start,
@@ -226,12 +231,10 @@ pub fn errors_after<F: Float>(
     let equation = Equation::new(resolved(ratios)?);
     let usual = F::pi() / equation.omega;
     let mut point = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
-    let mut parts = Vec::new();
     for _ in 0..cycles {
-        let cycle = walk(equation, point, 2, usual, parts);
-        (point, parts) = (cycle.end, cycle.parts);
+        (point, _) = follow(equation, point, 2, usual, &mut Budget::of(0), |_| Ok(()))?;
     }
-    Ok(error_measures(equation, &point))
+    error_measures(equation, &point)
 }
 
 #[cfg(test)]
@@ -250,7 +253,9 @@ mod tests {
             let steady: &SteadyState<f64> = found.steady_state().unwrap();
             let start = steady.state();
             let (mut most, mut fastest) = (0.0f64, 0.0f64);
-            for sample in Trajectory::new(ratios, start).unwrap().samples(4000).unwrap().take(4001) {
+            for sample in
+                Trajectory::new(ratios, start).unwrap().samples(4000).unwrap().take(4001).map(Result::unwrap)
+            {
                 (most, fastest) = (most.max(sample.state.x), fastest.max(sample.state.v));
             }
             let close = |found: f64, sampled: f64| (found - sampled).abs() < 1e-5 * found;
@@ -258,8 +263,11 @@ mod tests {
             assert!(close(steady.max_velocity(), fastest), "{omega} {alpha}: {fastest} {steady:?}");
             let phases = Trajectory::new(ratios, start).unwrap();
             let cycle_on = start.phase.later_by_half_turns(2);
-            let last =
-                phases.take_while(|phase| phase.start().phase.since(start.phase) < TAU).last().unwrap();
+            let last = phases
+                .map(Result::unwrap)
+                .take_while(|phase| phase.start().phase.since(start.phase) < TAU)
+                .last()
+                .unwrap();
             let back = last.at(cycle_on).state;
             assert!(
                 (back.x - start.x).abs() < 1e-12 && (back.v - start.v).abs() < 1e-12,

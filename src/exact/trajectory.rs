@@ -185,13 +185,15 @@ impl<F: Float> Next<F> {
     }
 }
 
-/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever.
+/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever, or after an error.
+///
+/// The error is [`Error::SearchBound`]: the search for the end of a slide has passed its proved bound. No input is known that leads to it.
 ///
 /// ```
 /// use stickslip::Ratios;
 /// use stickslip::exact::{Kind, State, Trajectory};
 /// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::rest())?;
-/// let first = motion.next().unwrap();
+/// let first = motion.next().unwrap()?;
 /// assert_eq!(first.kind(), Kind::Stick); // until the force reaches the friction bound
 /// assert!((first.duration().unwrap() - (1.0f64 / 6.0).asin()).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
@@ -222,32 +224,39 @@ impl<F: Float> Trajectory<F> {
 }
 
 impl<F: Float> Iterator for Trajectory<F> {
-    type Item = Phase<F>;
+    type Item = Result<Phase<F>, Error>;
 
     #[inline]
-    fn next(&mut self) -> Option<Phase<F>> {
+    fn next(&mut self) -> Option<Result<Phase<F>, Error>> {
         match self.next? {
             Next::Stick(stick) => {
                 self.next = stick.release.map(|(phase, direction)| {
                     Next::Slide(Slide::released(self.equation, phase, stick.x, direction))
                 });
                 let end = if self.next.is_some() { End::Release } else { End::Never };
-                Some(Phase { body: Body::Stick(stick), end })
+                Some(Ok(Phase { body: Body::Stick(stick), end }))
             }
             Next::Slide(slide) => {
-                // Every slide ends: the search comes back empty only where it is given a limit.
-                let zero = slide.velocity_zero(self.hint)?;
+                let zero = match slide.velocity_zero(self.hint) {
+                    Ok(zero) => zero,
+                    Err(error) => {
+                        self.next = None;
+                        return Some(Err(error));
+                    }
+                };
                 let (next, end) = Next::after(&slide, &zero);
                 self.hint = match &next {
                     Next::Slide(back) if end == End::Reversal => slide.expected_next(&zero, back),
                     Next::Slide(_) | Next::Stick(_) => zero.phi,
                 };
                 self.next = Some(next);
-                Some(Phase { body: Body::Slide(slide, zero), end })
+                Some(Ok(Phase { body: Body::Slide(slide, zero), end }))
             }
         }
     }
 }
+
+impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 
 /// (Ω, α) with Ω where phases keep their digits.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {

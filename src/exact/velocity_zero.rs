@@ -2,9 +2,10 @@
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
-use super::event::{Found, Safe, Search, Verdict, next_zero};
+use super::event::{Found, Jet, Safe, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::{Direction, Slide};
+use crate::error::Error;
 use crate::float::Float;
 
 /// How a slide ends.
@@ -24,32 +25,64 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) grazes: bool,
 }
 
+/// What comes first of a slide: its end, or a limit on the time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Outcome<F> {
+    Zero(VelocityZero<F>),
+    /// The motion at the limit.
+    Onward(Motion<F>),
+}
+
 impl<F: Float> Slide<F> {
     /// The velocity zero that ends the slide; `hint` is when it is expected (natural time).
+    ///
+    /// # Errors
+    /// [`Error::SearchBound`].
     #[inline]
-    pub(crate) fn velocity_zero(&self, hint: F) -> Option<VelocityZero<F>> {
-        self.until(hint, None).ok()
+    pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Error> {
+        let (search, start, f) = self.velocity(hint, None);
+        match next_zero(&search, start, f) {
+            Verdict::Zero(found) => Ok(self.arrival(&found)),
+            Verdict::Clear(_) | Verdict::Lost(_) => Err(self.lost("the velocity zero")),
+        }
     }
 
     /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
     ///
     /// # Errors
-    /// The motion at the limit, which comes first (`None` where there is no limit: every slide ends).
+    /// [`Error::SearchBound`].
     #[inline]
-    pub(crate) fn until(&self, hint: F, limit: Option<F>) -> Result<VelocityZero<F>, Option<Motion<F>>> {
+    pub(crate) fn until(&self, hint: F, limit: F) -> Result<Outcome<F>, Error> {
+        let (search, start, f) = self.velocity(hint, Some(limit));
+        match next_zero(&search, start, f) {
+            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
+            Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
+            Verdict::Clear(None) => Ok(Outcome::Onward(self.motion(limit))),
+            Verdict::Lost(_) => Err(self.lost("the velocity zero")),
+        }
+    }
+
+    /// The error of a search along this slide that passed its bound.
+    #[cold]
+    pub(crate) fn lost(&self, search: &'static str) -> Error {
+        self.equation.lost(search, self.start, "π(1 + 2/Ω) of natural time")
+    }
+
+    /// The velocity, what is known of it before it is looked at, and its value at the start.
+    #[inline]
+    fn velocity(
+        &self,
+        hint: F,
+        limit: Option<F>,
+    ) -> (Search<F>, Jet<F>, impl Fn(F) -> (Jet<F>, Motion<F>) + '_) {
         let omega = self.equation.omega;
         let sign = self.direction.sign::<F>();
         let start = self.motion_at_start().velocity_jet(omega, sign);
-        let search = self.velocity_search(hint, limit);
-        let found = next_zero(&search, start, |phi| {
+        let f = move |phi| {
             let m = self.motion(phi);
             (m.velocity_jet(omega, sign), m)
-        });
-        match found {
-            Verdict::Zero(found) => Ok(self.arrival(&found)),
-            Verdict::Clear(Some((_, motion))) => Err(Some(motion)),
-            Verdict::Clear(None) => Err(limit.map(|phi| self.motion(phi))),
-        }
+        };
+        (self.velocity_search(hint, limit), start, f)
     }
 
     /// What is known of the velocity before it is looked at.
@@ -120,7 +153,13 @@ impl<F: Float> Slide<F> {
 
     /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2].
     ///
-    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²). The margin keeps rounding out.
+    /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
+    ///
+    /// # Rounding
+    /// With the circular functions right to ε, G is right to 3ε|G|, and r to `ε r + 6ε max(1, Ω) |G|`: two products and sums of G with
+    /// cos θ and Ω sin θ, and the hypotenuse. The window is the one for G smaller and r larger (or the other way) by 8ε each, which rounding
+    /// cannot make too wide; [`Safe::next`] takes off the rounding of its ends. What is lost of a window is as long as an angle whose cosine is
+    /// 16ε max(1, Ω) from that of its end: some 1e-8 of a period where the window ends far from its crest, and at most the root of it.
     fn safe_window(&self) -> Option<Safe<F>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, alpha, .. } = self.equation;
@@ -133,13 +172,14 @@ impl<F: Float> Slide<F> {
         let free = sign * (self.w - forced * cosine);
         let free_rate = sign * (self.acceleration + forced * omega * sine);
         let amplitude = free.hypot(free_rate);
-        let margin = one + F::ratio(1, 1024);
+        let unit = F::int(8) * F::epsilon();
+        let rounding = unit * (amplitude + one.or_larger(omega) * forced.abs());
         let arccosine = |small: F, large: F| {
-            let y = small * margin / large;
-            (y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
+            let y = small / large;
+            (y > F::int(0) && y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
         };
         if omega < one {
-            let half_width = arccosine(amplitude, forced)? / omega;
+            let half_width = arccosine(amplitude + rounding, forced * (one - unit))? / omega;
             let helping = self.start.is_even() == (self.direction == Direction::Forward);
             let crest = if helping { F::int(0) } else { F::pi() };
             Some(Safe {
@@ -148,7 +188,7 @@ impl<F: Float> Slide<F> {
                 period: two * F::pi() / omega,
             })
         } else {
-            let half_width = arccosine(forced.abs(), amplitude)?;
+            let half_width = arccosine(forced.abs() * (one + unit), amplitude - rounding)?;
             Some(Safe { centre: free_rate.atan2(free), half_width, period: two * F::pi() })
         }
     }

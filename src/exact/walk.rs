@@ -4,19 +4,14 @@ use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::matrix::Matrix;
 use super::motion::Motion;
+use super::shooting::Budget;
 use super::slide::Slide;
+use super::state::Point;
 use super::stick::Stick;
 use super::trajectory::Next;
-use super::velocity_zero::VelocityZero;
+use super::velocity_zero::{Outcome, VelocityZero};
+use crate::error::Error;
 use crate::float::Float;
-
-/// A point of the motion: displacement x/B and velocity `w = Ωv` at a phase of the drive.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Point<F> {
-    pub(crate) phase: DrivePhase<F>,
-    pub(crate) x: F,
-    pub(crate) w: F,
-}
 
 /// A part of the walk: a slide or a stop, or as much of it as lies within.
 #[derive(Debug, Clone, Copy)]
@@ -35,21 +30,85 @@ pub(crate) struct Walk<F> {
     pub(crate) end: Point<F>,
     /// (δx, δw) at the end for that at the beginning.
     pub(crate) monodromy: Matrix<F>,
+    /// The first parts, up to [`MOST_KEPT`].
     pub(crate) parts: Vec<Part<F>>,
+    /// How many parts there are, kept or not.
+    pub(crate) count: u64,
+    /// Whether there is a stop among them.
+    pub(crate) sticks: bool,
+    /// The natural time to the first velocity zero that was expected.
+    pub(crate) hint: F,
+}
+
+/// Parts of a walk that are kept: all where Ω is above some 1/30. A walk of more is walked again where its parts are asked for.
+const MOST_KEPT: usize = 256;
+
+impl<F: Float> Walk<F> {
+    /// All its parts, in order.
+    ///
+    /// # Errors
+    /// As for [`follow`].
+    pub(crate) fn each_part(
+        &self,
+        equation: Equation<F>,
+        from: Point<F>,
+        half_turns: i64,
+        budget: &mut Budget<'_>,
+        mut visit: impl FnMut(&Part<F>) -> Result<(), Error>,
+    ) -> Result<(), Error> {
+        if self.parts.len() as u64 == self.count {
+            return self.parts.iter().try_for_each(visit);
+        }
+        follow(equation, from, half_turns, self.hint, budget, |part| visit(&part)).map(|_| ())
+    }
 }
 
 /// The walk of `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
 ///
-/// A motion has at most about `1 + 1/Ω` velocity zeros in half a turn, with a few slides and stops at each. A walk of eight times as
-/// many parts would be no motion: it ends, nowhere (NaN). None is known.
+/// # Errors
+/// As for [`follow`].
 pub(crate) fn walk<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
     half_turns: i64,
     hint: F,
     mut parts: Vec<Part<F>>,
-) -> Walk<F> {
+    budget: &mut Budget<'_>,
+) -> Result<Walk<F>, Error> {
     parts.clear();
+    let (mut count, mut sticks) = (0u64, false);
+    let (end, monodromy) = follow(equation, from, half_turns, hint, budget, |part| {
+        sticks = sticks || matches!(part, Part::Stick(..));
+        if count < MOST_KEPT as u64 {
+            parts.push(part);
+        }
+        count = count.saturating_add(1);
+        Ok(())
+    })?;
+    Ok(Walk { end, monodromy, parts, count, sticks, hint })
+}
+
+/// Follows the motion for `half_turns` from a point on, part by part: where it is then, with (δx, δw) there for that at the beginning.
+///
+/// # Work
+///
+/// A slide that begins at rest on a half turn where g ≥ 0 for its direction (`event`) lasts for π of natural time or beyond that half
+/// turn. After one that begins where g ≤ 0 comes a slide of the other direction, for which g ≥ 0, with or without a stop before it. So a
+/// half turn between two changes of sign of cos θ has at most `1 + 1/Ω` slides of the first kind that begin in it, one of the second
+/// kind before each and one after the last, and the slide that is under way: **at most 4 + 2/Ω velocity zeros**, and two parts for each.
+/// A half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides whose length is rounding come on top; four
+/// times as many parts are an error.
+///
+/// # Errors
+/// [`Error::SearchBound`], [`Error::Interrupted`], and what `visit` says.
+pub(crate) fn follow<F: Float>(
+    equation: Equation<F>,
+    from: Point<F>,
+    half_turns: i64,
+    hint: F,
+    budget: &mut Budget<'_>,
+    mut visit: impl FnMut(Part<F>) -> Result<(), Error>,
+) -> Result<(Point<F>, Matrix<F>), Error> {
     let (zero, usual) = (F::int(0), F::pi() / equation.omega);
     let target = from.phase.later_by_half_turns(half_turns);
     let mut monodromy = Matrix::identity();
@@ -58,28 +117,30 @@ pub(crate) fn walk<F: Float>(
     if matches!(next, Next::Stick(_)) {
         monodromy = monodromy.after_zero(zero);
     }
-    let most = 64.0 + 32.0 * half_turns as f64 * (1.0 + 1.0 / equation.omega.to_f64());
+    let most = half_turns as f64 * (64.0 + 16.0 / equation.omega.to_f64());
+    let mut count = 0u64;
     loop {
-        if parts.len() as f64 > most {
-            let nowhere = F::from_f64(f64::NAN);
-            return Walk { end: Point { phase: target, x: nowhere, w: nowhere }, monodromy, parts };
+        count = count.saturating_add(1);
+        if count as f64 > most {
+            return Err(equation.lost("the end of a half turn", from.phase, "64 + 16/Ω slides and stops"));
         }
+        budget.ask()?;
         match next {
             Next::Stick(stick) => match stick.release {
                 Some((phase, direction)) if target.since(phase) > zero => {
-                    parts.push(Part::Stick(stick, phase.since(stick.start)));
+                    visit(Part::Stick(stick, phase.since(stick.start)))?;
                     next = Next::Slide(Slide::released(equation, phase, stick.x, direction));
                 }
                 _ => {
-                    parts.push(Part::Stick(stick, target.since(stick.start)));
-                    return Walk { end: Point { phase: target, x: stick.x, w: zero }, monodromy, parts };
+                    visit(Part::Stick(stick, target.since(stick.start)))?;
+                    return Ok((Point { phase: target, x: stick.x, w: zero }, monodromy));
                 }
             },
             Next::Slide(slide) => {
                 let limit = target.since(slide.start) / equation.omega;
-                match slide.until(hint, Some(limit)) {
-                    Ok(end) => {
-                        parts.push(Part::Slide(slide, end));
+                match slide.until(hint, limit)? {
+                    Outcome::Zero(end) => {
+                        visit(Part::Slide(slide, end))?;
                         next = Next::after(&slide, &end).0;
                         let ratio = match &next {
                             Next::Slide(_) if end.grazes => F::int(1),
@@ -89,12 +150,10 @@ pub(crate) fn walk<F: Float>(
                         monodromy = monodromy.after_slide(end.rotation).after_zero(ratio);
                         hint = usual;
                     }
-                    Err(motion) => {
-                        let motion = motion.unwrap_or_else(|| slide.motion(limit));
+                    Outcome::Onward(motion) => {
                         let end = Point { phase: target, x: motion.x, w: motion.w };
-                        parts.push(Part::Onward(slide, limit, target, motion));
-                        let monodromy = monodromy.after_slide(motion.rotation);
-                        return Walk { end, monodromy, parts };
+                        visit(Part::Onward(slide, limit, target, motion))?;
+                        return Ok((end, monodromy.after_slide(motion.rotation)));
                     }
                 }
             }
@@ -104,10 +163,12 @@ pub(crate) fn walk<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, Point, walk};
+    use super::{Part, walk};
     use crate::Ratios;
     use crate::exact::DrivePhase;
     use crate::exact::equation::Equation;
+    use crate::exact::shooting::Budget;
+    use crate::exact::state::Point;
 
     #[test]
     fn the_monodromy_is_the_derivative_of_the_walk() {
@@ -119,7 +180,8 @@ mod tests {
         ] {
             let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
             let phase = DrivePhase::new(theta).unwrap();
-            let at = |x, w| walk(equation, Point { phase, x, w }, 2, 1.0, Vec::new());
+            let at =
+                |x, w| walk(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
             let m = at(x, w).monodromy;
             let h = 1e-6;
             let (right, left) = (at(x + h, w).end, at(x - h, w).end);
@@ -152,8 +214,8 @@ mod tests {
             for by in -40..=40 {
                 let w = w * (1.0 + f64::from(by) * f64::EPSILON);
                 for half_turns in 1..=4 {
-                    let walk =
-                        walk(Equation::new(ratios), Point { phase, x, w }, half_turns, 1.0, Vec::new());
+                    let (from, free) = (Point { phase, x, w }, &mut Budget::of(0));
+                    let walk = walk(Equation::new(ratios), from, half_turns, 1.0, Vec::new(), free).unwrap();
                     assert!(
                         walk.end.x.is_finite() && walk.end.w.is_finite(),
                         "{ratios:?} {x:e} {w:e}: {walk:?}"

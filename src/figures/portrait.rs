@@ -31,7 +31,12 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
     let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest()));
     let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(SteadyState::state));
     let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
-    let stops = phases.into_iter().flatten().filter(|p| p.kind() == Kind::Stick).map(|p| p.start().x);
+    let stops = phases
+        .into_iter()
+        .flatten()
+        .map_while(Result::ok)
+        .filter(|p| p.kind() == Kind::Stick)
+        .map(|p| p.start().x);
     let count =
         limit.as_ref().ok().and_then(LongRun::steady_state).map_or(0, |s| s.sticks_per_cycle() as usize);
     let mut panel = Panel {
@@ -65,7 +70,8 @@ pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
 /// Some cycles of the motion from a start.
 pub(super) fn samples(omega: f64, alpha: f64, start: State<f64>, cycles: usize) -> Vec<Instant<f64>> {
     let samples = Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, start)?.samples(PER_CYCLE));
-    samples.into_iter().flatten().take(cycles * PER_CYCLE as usize + 1).collect()
+    let samples = samples.and_then(|s| s.take(cycles * PER_CYCLE as usize + 1).collect());
+    samples.unwrap_or_default()
 }
 
 /// The same as (x/B, x′/(Bω_d)).

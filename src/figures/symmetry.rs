@@ -69,7 +69,7 @@ fn along(alpha: f64) -> Vec<Pair> {
             let ratios = Ratios::new(omega, alpha).ok();
             let early = ratios.and_then(|r| errors_after(r, State::rest(), CYCLES).ok());
             let limit = ratios.and_then(|r| LongRun::from_start(r, State::rest()).ok());
-            Pair { omega, early, settled: limit.and_then(|l| l.steady_state().map(|s| s.errors())) }
+            Pair { omega, early, settled: limit.and_then(|l| l.steady_state()?.errors().ok()) }
         })
         .collect()
 }

@@ -4,7 +4,7 @@
 
 use stickslip::design;
 use stickslip::exact::{End, Kind, LongRun, State, Trajectory};
-use stickslip::{Border, Cycle, Ratios, Regime, regime};
+use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 
 /// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound, energy is lost
 /// only to friction and won only from the drive.
@@ -19,6 +19,7 @@ pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
     };
     let mut last = start;
     for (i, phase) in motion.take(24).enumerate() {
+        let phase = phase.unwrap_or_else(|error| panic!("{error} of {ratios:?} from {start:?}"));
         let from = phase.start();
         assert!(from.phase == last.phase && from.x == last.x, "phase {i} of {ratios:?} from {start:?}");
         let at = phase.at(from.phase);
@@ -52,7 +53,9 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
     if omega < 1e-3 {
         return;
     }
-    let Ok(limit) = LongRun::within(ratios, start, 200) else { return };
+    let limit = LongRun::within(ratios, start, 200);
+    assert!(!matches!(limit, Err(Error::SearchBound { .. })), "{limit:?} of {ratios:?} from {start:?}");
+    let Ok(limit) = limit else { return };
     match &limit {
         LongRun::Rest(rest) => {
             assert!(alpha <= 1.0 && rest.position.abs() <= (1.0 - alpha) + 1e-12 * (1.0 + x.abs()));

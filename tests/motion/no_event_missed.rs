@@ -77,7 +77,7 @@ fn brute_force_finds_no_earlier_zero() {
             continue;
         }
         let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap();
-        for phase in motion.take(3) {
+        for phase in motion.take(3).map(Result::unwrap) {
             let Kind::Slide(direction) = phase.kind() else { continue };
             let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
             let (least, size) = least_velocity(omega, alpha, &phase, sign);

@@ -50,6 +50,17 @@ impl Failure {
     }
 }
 
+/// What the library says while it computes. What is wrong with an argument is said where its name is known.
+impl From<stickslip::Error> for Failure {
+    fn from(error: stickslip::Error) -> Self {
+        match error {
+            stickslip::Error::Interrupted => Self::Interrupted,
+            stickslip::Error::SearchBound { .. } => Self::Verdict(error.to_string()),
+            _ => Self::Input(error.to_string()),
+        }
+    }
+}
+
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe { Self::ClosedPipe } else { Self::System(error) }

@@ -10,6 +10,7 @@ use crate::record::{Cell, Record};
 use crate::sink::Sink;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
+use stickslip::Error;
 use stickslip::exact::{Direction, DrivePhase, End, Instant, Kind, Phase, Trajectory};
 
 /// The most phases or samples a run may have: hours at some millions a second.
@@ -74,11 +75,11 @@ impl<W: Write> Task for Run<'_, W> {
 /// Writes the records until there is none.
 fn stream<F: Value, T>(
     sink: &mut Sink<impl Write>,
-    items: impl Iterator<Item = T>,
+    items: impl Iterator<Item = Result<T, Error>>,
     mut record: impl FnMut(T) -> Option<Record<F>>,
 ) -> Outcome {
     for item in items {
-        let Some(record) = record(item) else { break };
+        let Some(record) = record(item?) else { break };
         sink.write(&record.finite()?)?;
         interrupt::check()?;
     }

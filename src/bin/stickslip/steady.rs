@@ -10,8 +10,8 @@ use crate::record::{Cell, Record};
 use crate::response::single_format;
 use crate::style;
 use std::io::{self, Write};
-use stickslip::Ratios;
 use stickslip::exact::{LongRun, SteadyState};
+use stickslip::{Error, Ratios};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
@@ -35,7 +35,7 @@ impl<W: Write> Task for Run<'_, W> {
                 out,
                 |[omega, alpha]| {
                     let ratios = Ratios::new(omega, alpha)?;
-                    Ok(record(ratios, &LongRun::within(ratios, start, args.max_periods)?))
+                    record(ratios, &LongRun::within(ratios, start, args.max_periods)?)
                 },
             );
         }
@@ -43,7 +43,7 @@ impl<W: Write> Task for Run<'_, W> {
         let start = input::start(&args.start, point.machine.as_ref())?;
         let limit = LongRun::within(point.ratios, start, args.max_periods)
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
-        let record = record(point.ratios, &limit);
+        let record = record(point.ratios, &limit)?;
         let record = match &point.machine {
             Some(machine) => with_machine(record, machine).finite()?,
             None => record,
@@ -69,11 +69,11 @@ fn names<F: Value>(limit: &LongRun<F>) -> (&'static str, &'static str) {
 }
 
 /// All outputs of a steady state.
-pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<F> {
+pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
-    let errors = steady.map(SteadyState::errors);
+    let errors = steady.map(SteadyState::errors).transpose()?;
     let (regime, kind) = names(limit);
     let (periods, rest) = match limit {
         LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
@@ -81,7 +81,7 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<
         LongRun::Unbounded { .. } => (None, None),
         LongRun::NotConverged { periods, .. } => (Some(*periods), None),
     };
-    Record {
+    Ok(Record {
         fields: vec![
             ("omega", Cell::Number(Some(ratios.omega()))),
             ("alpha", Cell::Number(Some(ratios.alpha()))),
@@ -110,7 +110,7 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Record<
             ("periods", Cell::Number(periods)),
         ],
         physical: Vec::new(),
-    }
+    })
 }
 
 /// The same names in the machine's units.

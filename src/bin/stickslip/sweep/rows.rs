@@ -147,7 +147,7 @@ pub(crate) fn answer<F: Value>(question: Swept, omega: F, alpha: F) -> Result<Re
         Swept::Response => Record::of_response(&Response::guarded(Ratios::new(omega, alpha)?)),
         Swept::Steady => {
             let ratios = Ratios::new(omega, alpha)?;
-            steady::record(ratios, &LongRun::within(ratios, State::rest(), DEFAULT_BUDGET)?)
+            steady::record(ratios, &LongRun::within(ratios, State::rest(), DEFAULT_BUDGET)?)?
         }
         Swept::Border => Record::of_border(&Response::guarded(Ratios::new(omega, F::int(1))?)),
     })
