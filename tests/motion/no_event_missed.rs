@@ -4,9 +4,9 @@
 //! turned on by rotations), which shares nothing with the library's own evaluation but the start of the slide. A
 //! velocity of the wrong sign before the end that the library found is a zero that it missed.
 
-use crate::random::Random;
+use crate::random::{Random, sampled};
 use stickslip::Ratios;
-use stickslip::exact::{Direction, Kind, Phase, State, Trajectory};
+use stickslip::exact::{Direction, Kind, LongRun, Phase, State, Trajectory};
 
 const MOTIONS: u64 = 100_000;
 const SAMPLES: usize = 10_000;
@@ -98,4 +98,125 @@ fn brute_force_finds_no_earlier_zero() {
     }
     assert!(slides >= MOTIONS * 9 / 10, "{slides}");
     assert!(with_dips > 1000, "{with_dips}");
+}
+
+/// Ω of the whole range, log-uniform, with a start anywhere or one that the slow wave carries along.
+fn draw_wide(random: &mut Random) -> (f64, f64, State<f64>) {
+    let omega = 2f64.powf(random.between(-20.0, 20.0));
+    let alpha = random.scale(1.001, 50.0);
+    let theta = random.between(0.0, std::f64::consts::TAU);
+    let forced = alpha / ((1.0 - omega) * (1.0 + omega));
+    // The free wave beside the forced one: anything from a thousandth of it to a thousand times.
+    let free = (forced * omega).abs() * random.scale(1e-3, 1e3);
+    let turn = random.between(0.0, std::f64::consts::TAU);
+    let w = forced * omega * theta.cos() + free * turn.cos();
+    let sign = 1f64.copysign(w);
+    let x = forced * theta.sin() - sign + free * turn.sin();
+    (omega, alpha, State::new(theta, x, w / omega).unwrap())
+}
+
+/// Slides of the whole range of Ω, sampled where a zero could be missed: at both ends, at geometric distances from them, and anywhere.
+fn slides_are_positive(slides: u64, seed: u64) -> (f64, f64) {
+    let mut random = Random(seed);
+    let (mut longest, mut shortest) = (0.0f64, f64::INFINITY);
+    for number in 0..slides {
+        let (omega, alpha, start) = draw_wide(&mut random);
+        let ratios = Ratios::new(omega, alpha).unwrap();
+        let phase = Trajectory::new(ratios, start).unwrap().next().unwrap().unwrap();
+        let Kind::Slide(direction) = phase.kind() else { continue };
+        let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
+        let from = (start.phase.reduced(), start.x, start.v * omega);
+        let slide = sampled::Slide::new(omega, alpha, from, sign);
+        let end = phase.duration().unwrap() / omega;
+        let h = slide.step();
+        let usual = std::f64::consts::PI * (1.0 + 1.0 / omega);
+        assert!(end <= usual * (1.0 + 1e-12), "slide {number} lasts {end} of {usual}: {phase:?}");
+        (longest, shortest) = (longest.max(end / usual), shortest.min(end / usual));
+        // The rounding of the angles, with the amplitude of the wave that each is of.
+        let terms = slide.size() + 1.0 + slide.forced.abs() + start.x.abs();
+        let noise = 4e-15 * terms + 2e-16 * end * (slide.a.hypot(slide.b) + alpha * omega.min(1.0));
+        let check = |phi: f64| {
+            if phi > 0.0 && phi < end {
+                let speed = slide.speed(phi);
+                assert!(
+                    speed > -noise,
+                    "slide {number}, Ω = {omega}, α = {alpha}: {speed:e} at {phi} of {end}"
+                );
+            }
+        };
+        let period = |from: f64| (0..64).for_each(|i| check(from + f64::from(i) * h));
+        for i in 0..6 {
+            period(f64::from(i) * 64.0 * h);
+            period(end - f64::from(i + 1) * 64.0 * h);
+        }
+        let mut away = 64.0 * h;
+        while away < end {
+            period(away);
+            period(end - away);
+            away *= 1.3;
+        }
+        for _ in 0..32 {
+            period(random.between(0.0, end));
+        }
+        let turned = slide.speed(end).abs();
+        assert!(turned <= noise * 16.0, "slide {number}, Ω = {omega}, α = {alpha}: {turned:e} at the end");
+    }
+    (longest, shortest)
+}
+
+#[test]
+fn no_slide_of_any_frequency_ends_early_or_late() {
+    let (longest, shortest) = slides_are_positive(4_000, 7);
+    assert!(longest > 0.4 && shortest < 1e-3, "{longest} {shortest}");
+}
+
+/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many differ.
+fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, u64) {
+    let mut random = Random(seed);
+    let (mut compared, mut differ) = (0, 0);
+    for _ in 0..states {
+        let omega = 2f64.powf(random.between(-span, span));
+        let alpha = 1.0 + random.scale(1e-2, 30.0);
+        let ratios = Ratios::new(omega, alpha).unwrap();
+        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let Some(steady) = limit.steady_state() else { continue };
+        let state = steady.state();
+        let counted = sampled::counts(omega, alpha, (state.phase.reduced(), state.x, state.v * omega));
+        compared += 1;
+        if counted != (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()) {
+            differ += 1;
+            println!("Ω = {omega:?}, α = {alpha:?}: sampled {counted:?}, {steady:?}");
+        }
+    }
+    (compared, differ)
+}
+
+#[test]
+fn stops_are_those_of_dense_sampling() {
+    let (compared, differ) = steady_states_are_counted(300, 10.0, 11);
+    assert!(compared > 250 && differ == 0, "{differ} of {compared}");
+}
+
+/// The campaign of docs/robustness.md.
+#[test]
+#[ignore = "minutes: the whole campaign"]
+fn campaign() {
+    println!("slides: {:?}", slides_are_positive(100_000, 1));
+    println!("steady states: {:?}", steady_states_are_counted(2_000, 20.0, 2));
+}
+
+/// Stops and velocity zeros where thousands make a cycle: a window without zeros left out too little of was called clear.
+#[test]
+fn thousands_of_stops_a_cycle() {
+    for (omega, alpha, stops) in
+        [(3e-5, 3.0, 13_062), (2e-5, 3.0, 19_592), (4.5e-4, 2.09, 1_082), (4.2e-4, 2.09, 1_158)]
+    {
+        let ratios = Ratios::new(omega, alpha).unwrap();
+        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (stops, stops), "{omega}");
+    }
+    let motion = Trajectory::new(Ratios::new(3e-4, 2.09).unwrap(), State::rest()).unwrap();
+    let phases = motion.map(Result::unwrap).take_while(|phase| phase.start().phase.cycles() < 2);
+    assert_eq!(phases.filter(|phase| phase.kind() == Kind::Stick).count(), 3_002);
 }

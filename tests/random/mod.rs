@@ -2,6 +2,8 @@
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 
+pub(crate) mod sampled;
+
 pub(crate) struct Random(pub(crate) u64);
 
 impl Random {
