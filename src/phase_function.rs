@@ -115,10 +115,9 @@ impl<F: Float> PhaseFunction<F> {
         is_beside_one(self.omega)
     }
 
-    /// Whether Ω is 1/(2n), to within the rounding of Ω.
+    /// Whether Ω is 1/(2n) exactly, where K = 0: a power of two, for a binary type.
     pub(crate) fn is_even_subharmonic(&self) -> bool {
-        let (one, rounding) = (F::int(1), F::int(4) * F::epsilon() / self.omega);
-        self.quarter & 1 == 0 && self.omega < one && self.remainder.abs() <= rounding
+        self.value() == F::int(0)
     }
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.

@@ -23,7 +23,7 @@ use crate::nonsticking::Border;
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// Whether (Ω, α) has a family: Ω = 1/(2n) to within its rounding, and no sticking.
+/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its rounding only has one limit.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
     // 1/2 is the greatest of them.
     if ratios.omega() * F::int(3) > F::int(2) {
@@ -133,7 +133,10 @@ fn finish<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
-    let tally = Tally::of_periodic(equation, start, 2, walk, budget)?;
+    // A member reverses twice in a cycle and never stops. The outermost touches the bound of sticking, and what is seen of a stop there is
+    // rounding, or the way that is left to creep.
+    let tally =
+        Tally { sticks: 0, zeros: 2, rest: zero, ..Tally::of_periodic(equation, start, 2, walk, budget)? };
     // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see beside the force.
     let other = walk.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };

@@ -5,7 +5,7 @@ use super::equation::Equation;
 use super::family;
 use super::measures::Tally;
 use super::rest::{Rest, come_to_rest};
-use super::shooting::{Budget, Shot, shoot};
+use super::shooting::{Budget, Guess, Shot, shoot};
 use super::slide::Slide;
 use super::state::Point;
 use super::state::State;
@@ -20,9 +20,10 @@ use core::ops::ControlFlow;
 /// What a motion tends to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LongRun<F> {
-    /// One periodic motion, the same from every start: its multipliers are inside the unit circle.
+    /// One periodic motion, the same from every start: its multipliers are inside the unit circle. Where Ω is 1/(2n) to within
+    /// rounding only, one of them rounds to 1: no start comes close to the limit in any time that a machine runs.
     Periodic(SteadyState<F>),
-    /// Ω = 1/(2n) without sticking: one of a family of periodic motions, the one that this start leads to.
+    /// Ω = 1/(2n) exactly, without sticking: one of a family of periodic motions, the one that this start leads to.
     Family(SteadyState<F>),
     /// α ≤ 1: rest.
     Rest(Rest<F>),
@@ -99,10 +100,13 @@ impl<F: Float> LongRun<F> {
         if family::is_one(ratios) {
             return family::member(equation, section, hint, budget);
         }
-        let guess = || match Cycle::new(ratios) {
-            Ok(cycle) => Ok(Some(fastest_point(equation, &cycle))),
-            // A start far away: the limit is that from rest.
-            Err(_) => settle_in(equation, State::rest(), &mut Budget::of(0)).map(Some),
+        let guess = || {
+            let ((at, hint), is_limit) = match Cycle::new(ratios) {
+                Ok(cycle) => (fastest_point(equation, &cycle), true),
+                // A start far away: the limit is that from rest.
+                Err(_) => (settle_in(equation, State::rest(), &mut Budget::of(0))?, false),
+            };
+            Ok(Some(Guess { at, hint, is_limit }))
         };
         Self::shot(equation, section, hint, guess, budget)
     }
@@ -111,7 +115,7 @@ impl<F: Float> LongRun<F> {
         equation: Equation<F>,
         section: Point<F>,
         hint: F,
-        guess: impl FnOnce() -> Result<Option<(Point<F>, F)>, Error>,
+        guess: impl FnOnce() -> Result<Option<Guess<F>>, Error>,
         mut budget: Budget<'_>,
     ) -> Result<Self, Error> {
         match shoot(equation, section, hint, guess, &mut budget)? {

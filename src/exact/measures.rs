@@ -222,20 +222,25 @@ impl<F: Float> Slide<F> {
     /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
     /// ```
     ///
-    /// For |1 − Ω²| < 1/64, where that loses digits, from the balance of energy instead: `[½x² + ½w²] + |Δx|`.
+    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy instead:
+    /// `[½x² + ½w²] + |Δx|`.
     pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let omega = self.equation.omega;
         let sign = self.direction.sign::<F>();
         let divisor = (one - omega) * (one + omega);
-        if divisor.abs() * F::int(64) < one {
+        let start = self.motion_at_start();
+        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w: two terms.
+        let terms = |m: &Motion<F>| (m.force * (m.x + sign - m.force / two), (m.jerk + m.w) * m.w);
+        let ((a, b), (c, d)) = (terms(end), terms(&start));
+        let bracket = (a + b) - (c + d);
+        let largest = (a.abs() + b.abs()).or_larger(c.abs() + d.abs());
+        if divisor.abs() * F::int(64) < one || largest > F::int(32) * bracket.abs() {
             let spring = (end.x - self.x) * (end.x + self.x);
             let kinetic = (end.w - self.w) * (end.w + self.w);
             return (spring + kinetic) / two + sign * (end.x - self.x);
         }
-        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w.
-        let bracket = |m: &Motion<F>| m.force * (m.x + sign - m.force / two) + (m.jerk + m.w) * m.w;
-        (bracket(end) - bracket(&self.motion_at_start())) / divisor
+        bracket / divisor
     }
 }
 

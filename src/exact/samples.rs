@@ -5,6 +5,7 @@ use super::state::Instant;
 use super::trajectory::{Phase, Trajectory};
 use crate::error::{Error, Quantity};
 use crate::float::Float;
+use core::ops::ControlFlow;
 
 /// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
 ///
@@ -64,16 +65,24 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
     DrivePhase::of_half_turn(cycle.saturating_mul(2).saturating_add(half_turn), F::pi() * rest)
 }
 
-impl<F: Float> Iterator for Samples<F> {
-    type Item = Result<Instant<F>, Error>;
-
-    fn next(&mut self) -> Option<Result<Instant<F>, Error>> {
+impl<F: Float> Samples<F> {
+    /// The next sample, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop on the way, of which
+    /// there are some 4 + 4/Ω in a cycle. Broken off, the next call goes on from there.
+    ///
+    /// An error is [`Error::Interrupted`] or that of the trajectory.
+    pub fn next_while(
+        &mut self,
+        mut keep_going: impl FnMut() -> ControlFlow<()>,
+    ) -> Option<Result<Instant<F>, Error>> {
         let phase = grid(self.at, self.per_cycle);
         loop {
             let current = self.current?;
             if current.end().is_none_or(|end| phase.since(end.phase) <= F::int(0)) {
                 self.at = after(self.at, self.per_cycle);
                 return Some(Ok(current.at(phase)));
+            }
+            if keep_going().is_break() {
+                return Some(Err(Error::Interrupted));
             }
             self.current = match self.trajectory.next()? {
                 Ok(next) => Some(next),
@@ -86,11 +95,21 @@ impl<F: Float> Iterator for Samples<F> {
     }
 }
 
+impl<F: Float> Iterator for Samples<F> {
+    type Item = Result<Instant<F>, Error>;
+
+    fn next(&mut self) -> Option<Result<Instant<F>, Error>> {
+        self.next_while(|| ControlFlow::Continue(()))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::grid;
+    use crate::Error;
     use crate::Ratios;
     use crate::exact::{State, Trajectory};
+    use core::ops::ControlFlow;
     use std::f64::consts::{PI, TAU};
 
     #[test]
@@ -129,6 +148,31 @@ mod tests {
             for pair in samples.windows(2) {
                 assert!((pair[1].state.phase.since(pair[0].state.phase) - step).abs() < 1e-15);
             }
+        }
+    }
+
+    /// What is broken off at each slide and stop goes on to the same samples.
+    #[test]
+    fn a_sample_can_be_broken_off() {
+        let motion = Trajectory::new(Ratios::new(0.01, 1.7).unwrap(), State::rest()).unwrap();
+        let mut broken = motion.samples(1).unwrap();
+        for sample in motion.samples(1).unwrap().take(4).map(Result::unwrap) {
+            let mut asked = 0;
+            let found = loop {
+                match broken.next_while(|| ControlFlow::Break(())).unwrap() {
+                    Ok(found) => break found,
+                    Err(error) => assert_eq!(error, Error::Interrupted),
+                }
+                assert_eq!(
+                    broken.next_while(|| ControlFlow::Break(())).unwrap().err(),
+                    Some(Error::Interrupted)
+                );
+                asked += 1;
+                // One slide or stop on.
+                broken.current = broken.trajectory.next().transpose().unwrap();
+            };
+            assert_eq!(found, sample);
+            assert!(asked == 0 || asked > 50, "{asked}");
         }
     }
 

@@ -132,10 +132,19 @@ fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
     }
 }
 
+/// A second place to shoot from.
+pub(crate) struct Guess<F> {
+    pub(crate) at: Point<F>,
+    /// Natural time to its first velocity zero.
+    pub(crate) hint: F,
+    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it does not stick.
+    pub(crate) is_limit: bool,
+}
+
 /// Newton's method from a start; `hint` is the natural time to its first velocity zero.
 ///
-/// `guess` is a second place to try, with its own hint, when Newton's step from the start fails. It needs no justification:
-/// its residual judges it, and where it leads is the limit of every start.
+/// `guess` is a second place to try when Newton's step from the start fails. It needs no justification: its residual judges it,
+/// and where it leads is the limit of every start.
 ///
 /// # Errors
 /// As for [`walk`].
@@ -143,7 +152,7 @@ pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
-    guess: impl FnOnce() -> Result<Option<(Point<F>, F)>, Error>,
+    guess: impl FnOnce() -> Result<Option<Guess<F>>, Error>,
     budget: &mut Budget<'_>,
 ) -> Result<Shot<F>, Error> {
     let two = F::int(2);
@@ -182,10 +191,15 @@ pub(crate) fn shoot<F: Float>(
             }
         }
         let other = guess.take().map_or(Ok(None), |guess| guess())?;
-        if let Some((elsewhere, hint)) = other {
+        if let Some(Guess { at: elsewhere, hint, is_limit }) = other {
             let tried = walk(equation, elsewhere, 1, hint, spare, budget)?;
             budget.walked(1);
             let after = residual(&equation, &elsewhere, &tried);
+            // Beside 1/(2n) no residual can tell the limit from its neighbours; a proof can.
+            let proved = is_limit && after.is_rounding(4);
+            if proved && !is_known(&elsewhere, tried.monodromy.inverse_of_one_plus(), &after) {
+                return Ok(Shot::Settled(Fixed { start: elsewhere, walk: tried, distance: after.bounds() }));
+            }
             if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
                 spare = core::mem::replace(&mut best, tried).parts;

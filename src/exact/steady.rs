@@ -5,7 +5,7 @@ use super::equation::Equation;
 use super::family;
 use super::long_run::{DEFAULT_BUDGET, LongRun, fastest_point};
 use super::measures::{ErrorMeasures, Extreme, Tally};
-use super::shooting::Budget;
+use super::shooting::{Budget, Guess};
 use super::state::Point;
 use super::state::State;
 use super::trajectory::resolved;
@@ -103,7 +103,13 @@ impl<F: Float> SteadyState<F> {
         if is_family {
             return family::member(equation, section, hint, budget);
         }
-        LongRun::shot(equation, section, hint, || Ok(None), budget)
+        LongRun::shot(
+            equation,
+            section,
+            hint,
+            || Ok(Some(Guess { at: section, hint, is_limit: true })),
+            budget,
+        )
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
@@ -161,13 +167,15 @@ impl<F: Float> SteadyState<F> {
         self.tally.stick_fraction
     }
 
-    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form (except for |1 − Ω²| < 1/64),
-    /// so that its agreement with [`SteadyState::energy_out`] is a check.
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps its digits, so that its
+    /// agreement with [`SteadyState::energy_out`] is a check, and from the balance of energy of each slide elsewhere (near Ω = 1, and where a
+    /// motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
         self.tally.energy_in
     }
 
-    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are reversals.
+    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are reversals. As accurate as the
+    /// displacements are.
     pub const fn energy_out(&self) -> F {
         self.tally.energy_out
     }
@@ -184,8 +192,11 @@ impl<F: Float> SteadyState<F> {
         a.hypot(b).or_larger(c.hypot(d))
     }
 
-    /// Bounds on how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]: the residual of half a
-    /// turn and its rounding, multiplied by what the map's contraction leaves of its resistance, `|(1 + M)⁻¹|`.
+    /// Estimates of how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]: the residual of half a
+    /// turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the half-turn map at that state.
+    ///
+    /// No proven bound, because the map is curved and has kinks; in 27,557 pairs of starts the motions found were never further apart than
+    /// 0.78 of the sum of their estimates. Where Ω is 1/(2n) to within rounding the limit is known from the closed form, and this is rounding.
     pub fn distance(&self) -> (F, F) {
         let (x, w) = self.distance;
         (x, w / self.equation.omega)

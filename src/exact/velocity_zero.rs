@@ -40,8 +40,7 @@ impl<F: Float> Slide<F> {
     /// [`Error::SearchBound`].
     #[inline]
     pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Error> {
-        let (search, start, f) = self.velocity(hint, None);
-        match next_zero(&search, start, f) {
+        match next_zero(&self.velocity_search(hint, None), self.velocity_at_start(), self.velocity()) {
             Verdict::Zero(found) => Ok(self.arrival(&found)),
             Verdict::Clear(_) | Verdict::Lost(_) => Err(self.lost("the velocity zero")),
         }
@@ -53,8 +52,7 @@ impl<F: Float> Slide<F> {
     /// [`Error::SearchBound`].
     #[inline]
     pub(crate) fn until(&self, hint: F, limit: F) -> Result<Outcome<F>, Error> {
-        let (search, start, f) = self.velocity(hint, Some(limit));
-        match next_zero(&search, start, f) {
+        match next_zero(&self.velocity_search(hint, Some(limit)), self.velocity_at_start(), self.velocity()) {
             Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
             Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
             Verdict::Clear(None) => Ok(Outcome::Onward(self.motion(limit))),
@@ -68,21 +66,19 @@ impl<F: Float> Slide<F> {
         self.equation.lost(search, self.start, "π(1 + 2/Ω) of natural time")
     }
 
-    /// The velocity, what is known of it before it is looked at, and its value at the start.
+    /// The speed with its derivatives, and the motion that it is of.
     #[inline]
-    fn velocity(
-        &self,
-        hint: F,
-        limit: Option<F>,
-    ) -> (Search<F>, Jet<F>, impl Fn(F) -> (Jet<F>, Motion<F>) + '_) {
-        let omega = self.equation.omega;
-        let sign = self.direction.sign::<F>();
-        let start = self.motion_at_start().velocity_jet(omega, sign);
-        let f = move |phi| {
+    fn velocity(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
+        let (omega, sign) = (self.equation.omega, self.direction.sign::<F>());
+        move |phi| {
             let m = self.motion(phi);
             (m.velocity_jet(omega, sign), m)
-        };
-        (self.velocity_search(hint, limit), start, f)
+        }
+    }
+
+    #[inline]
+    fn velocity_at_start(&self) -> Jet<F> {
+        self.motion_at_start().velocity_jet(self.equation.omega, self.direction.sign::<F>())
     }
 
     /// What is known of the velocity before it is looked at.

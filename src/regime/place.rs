@@ -49,8 +49,8 @@ impl<F: Float> Place<F> {
 
     /// The place of ratios that are exact as they stand.
     ///
-    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that
-    /// is 1/(2n) to within its rounding counts as degenerate: the motion would take 10¹⁵ cycles to tell.
+    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that is 1/(2n)
+    /// to within its rounding only has one limit, the symmetric cycle, though it takes 10¹⁵ cycles and more to come close to it.
     pub fn new(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
@@ -208,9 +208,8 @@ mod tests {
             assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
         }
         assert_eq!(verdict(0.5 * (1.0 - 1e-14), 4.0), Verdict::NonSticking);
-        match verdict(1.0 / 6.0, 70.0) {
-            Verdict::Degenerate(family) => assert!((family.greatest_shift() - 1.0).abs() < 1e-13),
-            other => panic!("{other:?}"),
+        for omega in [1.0 / 6.0, 0.5f64.next_down(), 0.5f64.next_up()] {
+            assert_eq!(verdict(omega, 70.0), Verdict::NonSticking);
         }
     }
 

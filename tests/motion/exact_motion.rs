@@ -207,7 +207,7 @@ fn what_has_no_unique_limit_is_named() {
 
 #[test]
 fn a_family_keeps_what_the_start_gave_it() {
-    for (omega, alpha) in [(0.5, 6.0), (0.25, 40.0), (0.125, 150.0), (0.5, 3.5)] {
+    for (omega, alpha) in [(0.5, 6.0), (0.25, 40.0), (0.5, 3.5)] {
         let amplitude: f64 = alpha / (1.0 - omega * omega);
         let room = omega * omega * amplitude - 1.0;
         let mut offsets = Vec::new();
@@ -297,6 +297,66 @@ fn next_to_no_speed_is_rest() {
             Trajectory::new(ratios, start).unwrap().nth(9).and_then(|phase| phase.unwrap().end()).unwrap();
         assert!(last.phase.since(start.phase) > 6.0, "{v:e}: {last:?}");
     }
+}
+
+/// One float off 1/(2n) there is no family: the closed-form cycle is the limit, however long the way there.
+#[test]
+fn beside_a_family_the_limit_is_symmetric() {
+    for omega in [0.5f64.next_down(), 0.5f64.next_up(), 1.0 / 6.0, 0.25 * (1.0 + 1e-14), 0.1] {
+        let alpha = 2.5 * Border::new(omega).unwrap().min_force_ratio();
+        let cycle = Cycle::new(ratios(omega, alpha)).unwrap();
+        for x in [0.0, 1.0, -30.0] {
+            let from = State::new(0.4, x, 0.0).unwrap();
+            for limit in [
+                LongRun::from_start(ratios(omega, alpha), from).unwrap(),
+                SteadyState::from_cycle(&cycle).unwrap(),
+            ] {
+                let LongRun::Periodic(s) = limit else { panic!("{omega} {alpha} {x}: {limit:?}") };
+                let size = cycle.max_displacement();
+                assert!((s.max_displacement() / size - 1.0).abs() < 1e-13, "{omega}: {s:?}");
+                assert!((s.min_displacement() / size + 1.0).abs() < 1e-13, "{omega}: {s:?}");
+                assert!(s.distance().0 < 1e-12 * size && s.periods() < 100.0, "{omega}: {s:?}");
+                assert!((s.contraction() - 1.0).abs() < 1e-9, "{omega}: {s:?}");
+            }
+        }
+    }
+}
+
+/// The outermost member of a family touches the bound of sticking: a stop of length zero is rounding.
+#[test]
+fn a_member_of_a_family_does_not_stop() {
+    let from = State::new(0.0, 22.80238925562624, 29.1982727281998).unwrap();
+    let limit = LongRun::from_start(ratios(0.25, 24.19078093433229), from).unwrap();
+    let LongRun::Family(s) = limit else { panic!("{limit:?}") };
+    assert_eq!(
+        (s.sticks_per_cycle(), s.velocity_zeros_per_cycle(), s.stick_fraction()),
+        (0, 2, 0.0),
+        "{s:?}"
+    );
+}
+
+/// The work of the drive keeps its digits where a motion is small beside the force, too.
+#[test]
+fn the_work_of_the_drive_keeps_its_digits() {
+    let mut random = Random(13);
+    let known = (1.010119046630832, 1.001103680808663);
+    let near = (0..4000).map(|_| {
+        let omega =
+            if random.next() < 0.5 { random.scale(0.05, 20.0) } else { 1.0 + random.between(-0.1, 0.1) };
+        (omega, 1.0 + random.scale(1e-4, 30.0))
+    });
+    let mut worst = (0.0f64, known);
+    for (omega, alpha) in core::iter::once(known).chain(near) {
+        let limit = LongRun::from_start(ratios(omega, alpha), State::rest()).unwrap();
+        let LongRun::Periodic(s) = limit else { continue };
+        let scale = (1.0 + s.max_displacement()) * (1.0 + 1.0 / omega);
+        // What the distance from the limit is worth.
+        let open = 4.0 * (s.distance().0 + s.distance().1) * (1.0 + alpha);
+        let error = ((s.energy_in() - s.energy_out()).abs() - open).max(0.0) / s.energy_out() / scale;
+        worst = if error > worst.0 { (error, (omega, alpha)) } else { worst };
+    }
+    println!("{worst:?}");
+    assert!(worst.0 < 1e-13, "{worst:?}");
 }
 
 /// A stop is counted once wherever the motion was cut, and no stop is without the velocity zero that it begins with.

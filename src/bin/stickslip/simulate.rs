@@ -8,6 +8,7 @@ use crate::interrupt;
 use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
+use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
@@ -54,11 +55,19 @@ impl<W: Write> Task for Run<'_, W> {
                 (begins < end).then(|| of_phase(&phase, machine))
             }),
             Some(n) => {
-                let samples = motion
+                let mut samples = motion
                     .samples(u32::try_from(n).unwrap_or(u32::MAX))
                     .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
                 // One more than the cycles hold: the end belongs to the picture.
                 let mut left = cycles.saturating_mul(n).saturating_add(1);
+                let heard = || {
+                    if interrupt::check().is_ok() {
+                        ControlFlow::Continue(())
+                    } else {
+                        ControlFlow::Break(())
+                    }
+                };
+                let samples = core::iter::from_fn(|| samples.next_while(heard));
                 stream(&mut sink, samples, |instant| {
                     clock.tick(instant.state.phase.cycles());
                     left = left.checked_sub(1)?;

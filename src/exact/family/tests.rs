@@ -9,9 +9,9 @@ use crate::exact::state::Point;
 use crate::exact::walk::walk;
 use crate::{Border, Ratios};
 
-/// The equation at Ω = 1/(2n), some times above the border, with α/(1 − Ω²) and the greatest |c|.
+/// The equation at Ω = 2⁻ⁿ, some times above the border, with α/(1 − Ω²) and the greatest |c|.
 fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
-    let omega = 1.0 / f64::from(2 * n);
+    let omega = 0.5f64.powi(i32::try_from(n).unwrap());
     let ratios = Ratios::new(omega, Border::new(omega).unwrap().min_force_ratio() * times).unwrap();
     assert!(is_one(ratios));
     let equation = Equation::new(ratios);
@@ -45,8 +45,9 @@ fn a_family_is_at_the_even_parts_of_one_above_the_border() {
         let least = Border::new(omega).unwrap().min_force_ratio();
         is_one(Ratios::new(omega, least * times).unwrap())
     };
-    assert!([0.5, 0.25, 1.0 / 6.0, 1e-3].into_iter().all(|omega| is(omega, 1.001) && !is(omega, 0.999)));
-    assert!([0.51, 1.0 / 3.0, 1.0, 2.0, 0.5 + 1e-9].into_iter().all(|omega| !is(omega, 1.5)));
+    assert!([0.5, 0.25, 2f64.powi(-10)].into_iter().all(|omega| is(omega, 1.001) && !is(omega, 0.999)));
+    let others = [0.51, 1.0 / 3.0, 1.0, 2.0, 0.5f64.next_up(), 0.5f64.next_down(), 1.0 / 6.0, 1e-3];
+    assert!(others.into_iter().all(|omega| !is(omega, 1.5)));
 }
 
 #[test]
