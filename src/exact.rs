@@ -7,14 +7,14 @@
 //! ```
 //!
 //! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof that none
-//! was missed: no step size, no tolerance.
+//! was missed: no step size, and no tolerance but rounding (`event` says where that enters).
 //!
 //! | file | what |
 //! |---|---|
 //! | [`DrivePhase`] | the phase of the drive, reduced |
 //! | `equation`, `motion`, [`Slide`], `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
 //! | [`Stick`] | sticking, and when friction gives way |
-//! | `event`, `stretch`, `velocity_zero` | the next velocity zero, never missed |
+//! | `event`, `stretch`, `velocity_zero` | the next velocity zero, with its proof |
 //! | `expect` | where it is looked for first |
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |

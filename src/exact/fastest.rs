@@ -2,8 +2,16 @@
 //!
 //! The acceleration of a slide obeys `f″ + f = g` as the velocity does, with `g ∝ −sin θ`: its zeros are found with the
 //! same proof, one after the other, and the greatest speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2 there can
-//! be as many as fast periods in the slide; but a point that lies a fast period or more from where the slow wave is greatest
-//! is exceeded by the one a fast period closer, so that only the neighbourhoods of that crest and of the ends count.
+//! be as many as fast periods in the slide; but only the neighbourhoods of its ends and of the crest of the slow wave count.
+//!
+//! # Why
+//!
+//! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest, is within (−π, π) for one
+//! period of the slow wave. Say a point of the slide is a fast period P or more from the crest and from both ends. One of the points P later
+//! and P earlier is in the slide, too, and has the same fast part and a slow angle that is closer to the crest, of the same sign: it is faster.
+//! So the greatest speed is within P of an end or of a crest. A slide holds one crest at most: its speed is positive, and from a crest of the
+//! slow wave to the next there is a zero. (In half of a slow period around its trough, longer than P, the slow wave is not positive, and
+//! the fast one is negative somewhere.)
 
 use super::event::{Found, Search, Verdict, next_zero};
 use super::motion::Motion;

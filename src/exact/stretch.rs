@@ -263,7 +263,11 @@ fn dip<F: Float, M: Copy>(
         }
         lowest = (phi, jet);
     }
-    let (phi, _) = lowest;
+    // The gap is closed to within ε² (`event`): the dip is here.
+    let (phi, jet) = lowest;
     let (_, motion) = f(phi);
+    if jet.value.abs() > search.noise_at(phi) {
+        return Verdict::Lost(phi);
+    }
     Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true })
 }

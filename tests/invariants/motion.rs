@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
+use core::ops::ControlFlow;
 use stickslip::design;
 use stickslip::exact::{End, Kind, LongRun, State, Trajectory};
 use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
@@ -49,11 +50,13 @@ pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
 /// As [`trajectory`].
 pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
     let (Ok(ratios), Ok(start)) = (Ratios::new(omega, alpha), State::new(theta, x, v)) else { return };
-    // Bounded work: the number of slides in a cycle is about 2 + 2/Ω.
-    if omega < 1e-3 {
-        return;
-    }
-    let limit = LongRun::within(ratios, start, 200);
+    // Bounded work: a cycle has up to 4 + 4/Ω slides.
+    let mut slides = 0;
+    let limit = LongRun::within_while(ratios, start, 200, &mut || {
+        slides += 1;
+        if slides < 5_000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(limit != Err(Error::Interrupted) || slides == 5_000);
     assert!(!matches!(limit, Err(Error::SearchBound { .. })), "{limit:?} of {ratios:?} from {start:?}");
     let Ok(limit) = limit else { return };
     match &limit {
@@ -67,6 +70,9 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
             assert!(steady.min_displacement() <= steady.max_displacement());
             assert!(steady.min_velocity() <= 0.0 && steady.max_velocity() >= 0.0);
             assert!((0.0..1.0).contains(&steady.stick_fraction()));
+            let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+            let most = 24.0 + 4.0 / omega;
+            assert!(sticks <= zeros && f64::from(zeros) <= most, "{steady:?}");
             assert!(steady.contraction() <= 1.0 + 1e-6, "{}", steady.contraction());
             let (work_in, work_out) = (steady.energy_in(), steady.energy_out());
             // What the distance from the limit is worth in energy, and rounding in the large terms.
@@ -80,6 +86,16 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
             );
         }
     }
+}
+
+/// The motion and its long run at a frequency ratio from 2⁻²⁰ to 2²⁰, the ends included, that `part` of 2³² is log-uniformly.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn any_frequency(part: u32, alpha: f64, theta: f64, x: f64, v: f64) {
+    let omega = (40.0 * f64::from(part) / f64::from(u32::MAX) - 20.0).exp2();
+    trajectory(omega, alpha, theta, x, v);
+    long_run(omega, alpha, theta, x, v);
 }
 
 /// What the rounding of α is worth in Δ₀, relative: `dΔ₀/Δ₀ = α² /((1 − Ω²) Δ₀)² · dα/α`, some units of it.
