@@ -299,7 +299,7 @@ mod tests {
             let way = |x: f64, w: f64| {
                 let start = State { x: from.x + x, v: from.v + w / omega, ..from };
                 let samples = Trajectory::new(ratios, start).unwrap().samples(20_000).unwrap();
-                let x: Vec<f64> = samples.take(20_001).map(|sample| sample.state.x).collect();
+                let x: Vec<f64> = samples.take(20_001).map(|sample| sample.unwrap().state.x).collect();
                 x.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>()
             };
             let usual = way(0.0, 0.0);

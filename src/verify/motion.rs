@@ -1,7 +1,7 @@
 //! The answers held against the exact motion, which takes none of them for granted: started from rest, followed slide by slide.
 
 use super::{Case, Digits, Identity, Standing};
-use crate::exact::{LongRun, State, SteadyState, Trajectory};
+use crate::exact::{LongRun, Phase, State, SteadyState, Trajectory};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -49,7 +49,8 @@ pub(super) fn third_of_digits<F: Float>() -> F {
 fn half_turn_on<F: Float>(ratios: Ratios<F>, start: State<F>) -> Option<(F, F)> {
     let end = start.phase.later_by_half_turns(1);
     let mut phases = Trajectory::new(ratios, start).ok()?;
-    let last = phases.find(|phase| phase.end().is_none_or(|e| e.phase.since(end) >= F::int(0)))?;
+    let reaches = |phase: &Phase<F>| phase.end().is_none_or(|e| e.phase.since(end) >= F::int(0));
+    let last = phases.find(|phase| phase.as_ref().is_ok_and(reaches))?.ok()?;
     let state = last.at(end).state;
     Some((state.x, state.v))
 }

@@ -355,7 +355,6 @@ fn the_work_of_the_drive_keeps_its_digits() {
         let error = ((s.energy_in() - s.energy_out()).abs() - open).max(0.0) / s.energy_out() / scale;
         worst = if error > worst.0 { (error, (omega, alpha)) } else { worst };
     }
-    println!("{worst:?}");
     assert!(worst.0 < 1e-13, "{worst:?}");
 }
 
@@ -371,10 +370,10 @@ fn a_stop_at_the_seam_is_one() {
     }
 }
 
-/// From starts all over the plane the motion comes to what it comes to from rest: how many differ, of how many.
-fn starts_lead_to_one_limit(starts: u64, seed: u64) -> (u64, u64) {
+/// From starts all over the plane the motion comes to what it comes to from rest: those that do not.
+fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
     let mut random = Random(seed);
-    let (mut compared, mut differ) = (0, 0);
+    let (mut compared, mut differ) = (0, Vec::new());
     while compared < starts {
         let (omega, alpha) = (random.scale(0.02, 50.0), 1.0 + random.scale(1e-3, 30.0));
         let from_rest = LongRun::from_start(ratios(omega, alpha), State::rest()).unwrap();
@@ -395,25 +394,23 @@ fn starts_lead_to_one_limit(starts: u64, seed: u64) -> (u64, u64) {
             let fast = (other.max_velocity() - from_rest.max_velocity()).abs() * omega.min(1.0);
             compared += 1;
             if counts(&other) != counts(&from_rest) || far > bound || fast > bound {
-                differ += 1;
-                println!(
+                differ.push(format!(
                     "Ω = {omega:?}, α = {alpha:?}, from {from:?}: {far:e} {fast:e} of {bound:e}: {other:?} {from_rest:?}"
-                );
+                ));
             }
         }
     }
-    (compared, differ)
+    differ
 }
 
 #[test]
 fn every_start_leads_to_the_limit_from_rest() {
-    let (compared, differ) = starts_lead_to_one_limit(3_000, 5);
-    assert!(differ == 0, "{differ} of {compared}");
+    assert_eq!(starts_lead_elsewhere(3_000, 5), Vec::<String>::new());
 }
 
 /// The campaign of docs/robustness.md.
 #[test]
 #[ignore = "minutes: the whole campaign"]
 fn campaign() {
-    println!("starts: {:?}", starts_lead_to_one_limit(100_000, 3));
+    assert_eq!(starts_lead_elsewhere(100_000, 3), Vec::<String>::new());
 }

@@ -170,10 +170,10 @@ fn no_slide_of_any_frequency_ends_early_or_late() {
     assert!(longest > 0.4 && shortest < 1e-3, "{longest} {shortest}");
 }
 
-/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many differ.
-fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, u64) {
+/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many were compared, and those that differ.
+fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, Vec<String>) {
     let mut random = Random(seed);
-    let (mut compared, mut differ) = (0, 0);
+    let (mut compared, mut differ) = (0, Vec::new());
     for _ in 0..states {
         let omega = 2f64.powf(random.between(-span, span));
         let alpha = 1.0 + random.scale(1e-2, 30.0);
@@ -184,8 +184,7 @@ fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, u64) {
         let counted = sampled::counts(omega, alpha, (state.phase.reduced(), state.x, state.v * omega));
         compared += 1;
         if counted != (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()) {
-            differ += 1;
-            println!("Ω = {omega:?}, α = {alpha:?}: sampled {counted:?}, {steady:?}");
+            differ.push(format!("Ω = {omega:?}, α = {alpha:?}: sampled {counted:?}, {steady:?}"));
         }
     }
     (compared, differ)
@@ -194,15 +193,16 @@ fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, u64) {
 #[test]
 fn stops_are_those_of_dense_sampling() {
     let (compared, differ) = steady_states_are_counted(300, 10.0, 11);
-    assert!(compared > 250 && differ == 0, "{differ} of {compared}");
+    assert!(compared > 250 && differ.is_empty(), "{differ:?} of {compared}");
 }
 
 /// The campaign of docs/robustness.md.
 #[test]
 #[ignore = "minutes: the whole campaign"]
 fn campaign() {
-    println!("slides: {:?}", slides_are_positive(100_000, 1));
-    println!("steady states: {:?}", steady_states_are_counted(2_000, 20.0, 2));
+    slides_are_positive(100_000, 1);
+    let (compared, differ) = steady_states_are_counted(2_000, 20.0, 2);
+    assert!(compared > 1_900 && differ.is_empty(), "{differ:?} of {compared}");
 }
 
 /// Stops and velocity zeros where thousands make a cycle: a window without zeros left out too little of was called clear.

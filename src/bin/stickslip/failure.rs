@@ -53,10 +53,12 @@ impl Failure {
 /// What the library says while it computes. What is wrong with an argument is said where its name is known.
 impl From<stickslip::Error> for Failure {
     fn from(error: stickslip::Error) -> Self {
-        match error {
-            stickslip::Error::Interrupted => Self::Interrupted,
-            stickslip::Error::SearchBound { .. } => Self::Verdict(error.to_string()),
-            _ => Self::Input(error.to_string()),
+        if error == stickslip::Error::Interrupted {
+            Self::Interrupted
+        } else if matches!(error, stickslip::Error::SearchBound { .. }) {
+            Self::Verdict(error.to_string())
+        } else {
+            Self::Input(error.to_string())
         }
     }
 }
