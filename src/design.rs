@@ -10,8 +10,8 @@
 //! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling (that with
-//! sticking allowed is the best to within a tolerance, which is proven, too). An
+//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. With
+//! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
 //! beside a pole reverses more often ([`crate::Verdict::Sticking`]). An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].

@@ -189,7 +189,7 @@ fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     if end < to { end } else { to }
 }
 
-/// Whether α is closer to the minimum of a lobe than the type can tell: the error bound of the border, and beside a corner
+/// Whether α is closer to the minimum of a lobe than the type can tell: what is allowed for the error of the border, and beside a corner
 /// what the border changes within the rounding of its Ω.
 fn is_too_close<F: Float>(alpha: F, least: F, omega: F) -> bool {
     let one = F::int(1);

@@ -2,7 +2,7 @@
 
 use crate::ulps::OUTPUTS;
 use crate::ulps::points::{ALPHAS, OMEGAS};
-use crate::ulps::reference::Narrow;
+use crate::ulps::reference::{Narrow, errors};
 use crate::ulps::worst::{Survey, hex};
 
 fn no_error_exceeds_its_allowance_and_no_allowance_is_stale<F: Narrow>() {
@@ -37,4 +37,40 @@ fn the_allowances_meet_the_goals() {
     for output in OUTPUTS {
         assert!(output.goal.is_none_or(|goal| output.allowed <= goal), "{}", output.name);
     }
+}
+
+/// `0x1.8p-3`.
+fn of_hex(text: &str) -> f64 {
+    let (digits, exponent) = text.strip_prefix("0x1").unwrap().split_once('p').unwrap();
+    let digits = digits.trim_start_matches('.');
+    let fraction = u64::from_str_radix(&format!("{digits:0<13}"), 16).unwrap();
+    f64::from_bits(fraction | (1023 << 52)) * 2f64.powi(exponent.parse().unwrap())
+}
+
+/// The errors in `docs/accuracy.md` are those at the points it names.
+#[test]
+fn the_page_has_the_errors_at_its_points() {
+    let page = include_str!("../../docs/accuracy.md");
+    let (f64_rows, f32_rows) = page.split_once("\nf32, ").unwrap();
+    let mut compared = 0;
+    let mut check = |rows: &str, errors_at: &dyn Fn(f64, f64) -> f64, output: usize| {
+        let name = format!("`{}`", OUTPUTS[output].name);
+        let row = rows.lines().find(|line| line.contains(&name)).unwrap_or_else(|| panic!("{name}"));
+        let cells: Vec<&str> =
+            row.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        let (printed, omega, alpha) = (cells[2].parse::<f64>().unwrap(), of_hex(cells[3]), of_hex(cells[4]));
+        let found = errors_at(omega, alpha);
+        // As many digits as are printed.
+        let last = if printed < 1e4 { 0.005_001 } else { 0.06 * printed };
+        assert!(
+            (found - printed).abs() <= last,
+            "{row}: now {found} ulp; `cargo bench --features mp --bench accuracy -- 10000000 1 --write` renews the page"
+        );
+        compared += 1;
+    };
+    for output in 0..OUTPUTS.len() {
+        check(f64_rows, &|omega, alpha| errors::<f64>(omega, alpha).unwrap()[output], output);
+        check(f32_rows, &|omega, alpha| errors::<f32>(omega as f32, alpha as f32).unwrap()[output], output);
+    }
+    assert_eq!(compared, 2 * OUTPUTS.len());
 }
