@@ -167,7 +167,8 @@ impl<R: Real> Given<R> {
             - self.offset(u).square()
     }
 
-    /// `V₀/ω_n` by eq. 37, corrected: `A Ω cos ω_d t₁ + sgn(1−Ω) √(ρ²)`; `sign` is sgn(1 − Ω).
+    /// `V₀/ω_n` by eq. 37, corrected: `A Ω cos ω_d t₁ + sgn(1−Ω) √(ρ²)`; `sign` is sgn(1 − Ω). With eq. 25 put
+    /// in for Δ₁ it is eq. 48.
     ///
     /// The paper prints the root with a plus sign, which is wrong for every Ω > 1.
     pub fn max_velocity(&self, u: &Unknowns<R>, sign: R) -> R {

@@ -92,3 +92,41 @@ fn every_item_named_exists() {
     }
     assert!(!known.contains("nonsticking::velocity::no_such_item"));
 }
+
+/// The numbers after each “eq.” of a text, ranges filled in: “eq. 21–25, 58 and 59”.
+fn equations_in(text: &str) -> BTreeSet<u32> {
+    let mut found = BTreeSet::new();
+    for list in text.to_lowercase().split("eq. ").skip(1) {
+        let end = list.find(|c: char| !(c.is_ascii_digit() || " ,–and".contains(c))).unwrap_or(list.len());
+        for part in list[..end].replace("and", ",").split(',') {
+            let mut ends = part.split('–').map(|number| number.trim().parse::<u32>());
+            if let Some(Ok(from)) = ends.next() {
+                let to = ends.next().and_then(Result::ok).unwrap_or(from);
+                found.extend(from..=to);
+            }
+        }
+    }
+    found
+}
+
+/// The file of an item of the library names the equation that the item is said to implement: in words, or as the name of an
+/// identity.
+#[test]
+fn every_item_says_which_equation_it_is() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut looked_at = 0;
+    for (number, items) in rows() {
+        for item in items.iter().filter(|item| !item.starts_with("tests::") && *item != "not yet") {
+            let parts: Vec<&str> = item.split("::").collect();
+            let file = (1..parts.len()).rev().map(|n| root.join(parts[..n].join("/")).with_extension("rs"));
+            let file = file.into_iter().find(|file| file.exists()).unwrap();
+            let source = std::fs::read_to_string(&file).unwrap();
+            let said = equations_in(&source).contains(&number) || source.contains(&format!("\"{number}\""));
+            assert!(said, "equation {number}: {} does not name it", file.display());
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 60);
+    assert_eq!(equations_in("Eq. 21–23, 58 and 59; see eq. 61."), BTreeSet::from([21, 22, 23, 58, 59, 61]));
+    assert!(!equations_in("in 1931, after eq. 7").contains(&31));
+}
