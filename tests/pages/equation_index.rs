@@ -99,7 +99,9 @@ fn equations_in(text: &str) -> BTreeSet<u32> {
     for list in text.to_lowercase().split("eq. ").skip(1) {
         let end = list.find(|c: char| !(c.is_ascii_digit() || " ,–and".contains(c))).unwrap_or(list.len());
         for part in list[..end].replace("and", ",").split(',') {
-            let mut ends = part.split('–').map(|number| number.trim().parse::<u32>());
+            let digits =
+                |text: &str| text.trim().split(|c: char| !c.is_ascii_digit()).next().unwrap_or("").to_owned();
+            let mut ends = part.split('–').map(|number| digits(number).parse::<u32>());
             if let Some(Ok(from)) = ends.next() {
                 let to = ends.next().and_then(Result::ok).unwrap_or(from);
                 found.extend(from..=to);
