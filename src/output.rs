@@ -140,6 +140,39 @@ impl Output {
 #[cfg(test)]
 mod tests {
     use super::Output;
+    use crate::Scales;
+
+    /// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by hand.
+    #[test]
+    fn each_has_the_unit_of_its_dimension() {
+        let scales = Scales::<f64> {
+            length: 3.0,
+            velocity: 5.0,
+            time: 7.0,
+            force: 11.0,
+            energy_stiffness: 13.0,
+            energy_inertia: 17.0,
+            mean_displacement: 19.0,
+        };
+        let expected = [
+            ("max_displacement", 3.0),
+            ("displacement_phase", 7.0),
+            ("max_velocity", 5.0),
+            ("velocity_phase", 7.0),
+            ("deviation", 3.0),
+            ("loop_size_stiffness", 13.0),
+            ("loop_size_inertia", 17.0),
+            ("contraction", 1.0),
+            ("margin", 1.0),
+            ("min_force_ratio", 11.0),
+            ("min_force_ratio_turning_point", 11.0),
+            ("least_displacement", 3.0),
+            ("border_phase", 7.0),
+            ("best_force_ratio", 11.0),
+            ("best_loop_size", 13.0),
+        ];
+        assert_eq!(Output::ALL.map(|output| (output.name(), output.unit(&scales))), expected);
+    }
 
     #[test]
     fn each_has_a_name_of_its_own() {

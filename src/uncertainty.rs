@@ -30,7 +30,8 @@
 //! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone: their ranges are **sampled**, at every corner of
 //! the box and at points spread over it, which is a range from the inside, and the result says so.
 //!
-//! Guaranteed means: apart from the rounding of the formulae themselves, a few units in the last place.
+//! Guaranteed means for the exact values: each range is wider at both ends by what the formulae can lose to rounding, some ten units in
+//! the last place.
 //!
 //! ```
 //! use stickslip::uncertainty::{Interval, MachineBox, Sticking};
@@ -130,9 +131,9 @@ impl<F: Float> Interval<F> {
 /// How a range is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Known {
-    /// No parameters in the box lead outside of it, apart from rounding. `sharp` where its ends are taken, too.
+    /// No parameters in the box give a value outside this range. `sharp` where its ends are taken, too.
     Guaranteed {
-        /// Whether both ends are values that are taken in the box.
+        /// Whether both ends are values that are taken in the box, but for the margin for rounding.
         sharp: bool,
     },
     /// The least and the greatest value found at some points: the range is at least that wide.

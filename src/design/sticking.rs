@@ -97,6 +97,12 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<LoopSize<F>, Erro
     }
 }
 
+/// No loop size A₁ at a share of friction between `low` and `high` is larger: A₁ = 2ρJ, and J does not grow with ρ.
+fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
+    // Two roundings.
+    at_low * (high / low) * (F::int(1) + F::int(2) * F::epsilon())
+}
+
 /// Greatest A₁ found, and where, with a bound on all that was looked at.
 struct Search<F> {
     omega: F,
@@ -135,8 +141,7 @@ impl<F: Float> Search<F> {
         }
         self.refine(low, high, (high - low) / F::int(COARSE))?;
         while let Some((low, high, at_low)) = left.pop() {
-            // Two roundings.
-            let bound = at_low * (high / low) * (one + F::int(2) * F::epsilon());
+            let bound = bound_between(at_low, low, high);
             if bound <= self.loop_size * (one + self.tolerance) {
                 self.bound = self.bound.or_larger(bound);
                 continue;
@@ -269,7 +274,8 @@ pub fn most_dissipating_friction_of_all<F: Float>(
 #[cfg(test)]
 mod tests {
     use super::{
-        LoopSize, loop_size_of_motion, most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all,
+        LoopSize, bound_between, loop_size_of_motion, most_dissipating_force_ratio_of_all,
+        most_dissipating_friction_of_all,
     };
     use crate::design::Optimum;
     use crate::exact::{LongRun, State, Trajectory};
@@ -319,6 +325,29 @@ mod tests {
         let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
         let again = loop_size_of_motion(0.3, best.force_ratio).unwrap();
         assert!(best.bound >= again.most && again.most > again.found);
+    }
+
+    /// The bound holds, and is nearly met where friction hardly shortens the way.
+    #[test]
+    fn no_loop_between_two_frictions_exceeds_the_bound() {
+        let loop_size = |omega: f64, share: f64| loop_size_of_motion(omega, 1.0 / share).unwrap();
+        let mut nearest = 0.0f64;
+        for omega in [0.13, 0.22, 0.3, 0.4, 0.7, 1.3, 4.0] {
+            for i in 1..25 {
+                let low = 0.04 * f64::from(i);
+                let at_low = loop_size(omega, low).most;
+                for j in 1..=4 {
+                    let high = low * (1.0 + 0.2 * f64::from(j));
+                    let bound = bound_between(at_low, low, high);
+                    for k in 1..=4 {
+                        let found = loop_size(omega, low + (high - low) * f64::from(k) / 4.0).found;
+                        assert!(found <= bound * (1.0 + 1e-12), "{omega} {low} {high}: {found} > {bound}");
+                        nearest = nearest.max(found / bound);
+                    }
+                }
+            }
+        }
+        assert!(nearest > 0.98, "{nearest}");
     }
 
     #[test]

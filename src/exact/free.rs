@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn the_closed_form_and_the_machinery_agree() {
-        let starts: [(f64, f64); 8] = [
+        let starts: [(f64, f64); 11] = [
             (12.0, 6.0),
             (0.3, 0.0),
             (-0.3, 0.2),
@@ -104,6 +104,9 @@ mod tests {
             (1.0, 0.0),
             (3.0, 0.0),
             (-2.5, 0.0),
+            (1.5, 0.0),
+            (-1.01, 0.0),
+            (2.0, 0.0),
         ];
         for (x, v) in starts {
             let decay = FreeDecay::new(x, v).unwrap();
@@ -125,6 +128,22 @@ mod tests {
         let decay = FreeDecay::new(12.0f64, 6.0).unwrap();
         assert_eq!(decay.half_cycles(), 8);
         assert!((decay.rest_position() - 0.682_178_936_723_647).abs() < 1e-14);
+    }
+
+    /// From between one and two B the spring wins over friction once, and the body stops on the other side.
+    #[test]
+    fn a_start_just_beyond_the_friction_bound_slides_once() {
+        for (x, rest) in
+            [(1.5, 0.5), (-1.5, -0.5), (1.01, 0.99), (-1.01, -0.99), (2.0, 0.0), (2.5, -0.5), (-3.0, 1.0)]
+        {
+            let decay = FreeDecay::new(x, 0.0f64).unwrap();
+            assert_eq!((decay.half_cycles(), decay.rest_time()), (1, std::f64::consts::PI), "{x}");
+            assert!((decay.rest_position() - rest).abs() < 1e-15, "{x}: {}", decay.rest_position());
+        }
+        for x in [1.0, -1.0, 0.999, 0.0] {
+            let decay = FreeDecay::new(x, 0.0f64).unwrap();
+            assert_eq!((decay.half_cycles(), decay.rest_position(), decay.rest_time()), (0, x, 0.0));
+        }
     }
 
     #[test]

@@ -30,16 +30,19 @@ pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> 
         ends.push(zero);
         ends.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
     }
-    let at =
-        |omega: F| (PhaseFunction::of_valid(omega).value().square(), one / one_minus_square(omega).abs());
+    // K² is zero at 1/(2n), which the type need not have.
+    let at = |omega: F| {
+        let k = if omega == zero { F::int(0) } else { PhaseFunction::of_valid(omega).value() };
+        (k.square(), one / one_minus_square(omega).abs())
+    };
     let pairs = ends.windows(2).filter_map(|pair| pair.first().copied().zip(pair.last().copied()));
     pairs
         .map(|(low, high)| {
             let ((k_low, q_low), (k_high, q_high)) = (at(low), at(high));
             Piece {
                 omega: Interval { low, high },
-                k_squared: ordered(k_low, k_high),
-                resonance: ordered(q_low, q_high),
+                k_squared: ordered(k_low, k_high).outward(10),
+                resonance: ordered(q_low, q_high).outward(4),
             }
         })
         .collect()
@@ -51,6 +54,7 @@ pub(super) fn hull<F: Float>(ranges: impl Iterator<Item = Interval<F>>, sharp: b
         low: if b.low < a.low { b.low } else { a.low },
         high: a.high.or_larger(b.high),
     })?;
+    let all = all.outward(8);
     Some(Range { low: all.low, high: all.high, known: Known::Guaranteed { sharp } })
 }
 
@@ -94,6 +98,15 @@ impl<F: Float> Piece<F> {
 }
 
 impl<F: Float> Interval<F> {
+    /// Wider by `n` times the type's ε at each end: by more than was lost to rounding on the way.
+    ///
+    /// K is right to 2 units in the last place, so that 10 of K² leave 3 for the products with it; 1/|1 − Ω²| is to 3, the border to 8, and
+    /// products, quotients and roots take half of one each.
+    pub(super) fn outward(self, n: i32) -> Self {
+        let share = F::int(n) * F::epsilon();
+        Self { low: self.low - share * self.low.abs(), high: self.high + share * self.high.abs() }
+    }
+
     /// The product of two intervals of numbers not below zero.
     pub(super) fn times(self, other: Self) -> Self {
         Self { low: self.low * other.low, high: self.high * other.high }

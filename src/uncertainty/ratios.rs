@@ -92,7 +92,8 @@ impl<F: Float> RatioBox<F> {
             let ends = samples::range(0, |[a]: [F; 1]| {
                 Ok(output.of(&Response::new(Ratios::new(omega.low, alpha.at(a))?)))
             })?;
-            return Ok(ends.map(|range| Range { known: Known::Guaranteed { sharp }, ..range }));
+            let ends = ends.map(|range| Interval { low: range.low, high: range.high });
+            return Ok(hull(ends.into_iter(), sharp));
         }
         // A₁ = 8 Δ₀/α² by the share ρ = 1/α of friction: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
         let loop_size = |piece: &Piece<F>| {
@@ -117,7 +118,8 @@ impl<F: Float> RatioBox<F> {
     fn border(&self, f: impl Fn(Interval<F>) -> Interval<F>, sharp: bool) -> Result<Range<F>, Error> {
         let border = border_range(self.omega.low, self.omega.high)?;
         let infinite = F::int(1) / F::int(0);
-        let interval = f(Interval { low: border.least, high: border.greatest.unwrap_or(infinite) });
+        let border = Interval { low: border.least, high: border.greatest.unwrap_or(infinite) };
+        let interval = f(border.outward(10)).outward(2);
         Ok(Range { low: interval.low, high: interval.high, known: Known::Guaranteed { sharp } })
     }
 

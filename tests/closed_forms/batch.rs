@@ -141,6 +141,22 @@ fn every_level_gives_the_same_bits() {
     }
 }
 
+/// What `.ci/run` asks again on a processor without AVX-512, naming the level that is then due.
+#[test]
+fn levels_are_those_of_the_processor() {
+    let best = Level::best();
+    assert_eq!(Batch::new().level(), best);
+    assert!(best.is_available() && levels().next() == Some(Level::Scalar));
+    if let Ok(due) = std::env::var("STICKSLIP_BEST_LEVEL") {
+        assert_eq!(format!("{best:?}"), due);
+    }
+    // What is not there gives way to the portable loops.
+    for level in Level::ALL {
+        let due = if level.is_available() { level } else { Level::Portable };
+        assert_eq!(Batch::new().at_level(level).level(), due);
+    }
+}
+
 /// The same loops, so the same bits, but for points of which the velocity is left to the careful path.
 #[test]
 fn the_peaks_are_those_of_all() {
@@ -172,7 +188,7 @@ fn the_loops_answer(low: f64, high: f64, alone_at_most: usize) {
         })
         .count();
     assert!(same < alone_at_most, "{same} of 1000");
-    within(worst(&answer, &omega, &alpha, alone), APART, &omega, &alpha);
+    within(worst(&answer, &omega, &alpha, |i| alone(omega[i], alpha[i])), APART, &omega, &alpha);
 }
 
 #[test]
@@ -263,11 +279,11 @@ fn worst(
     answer: &Answer,
     omega: &[f64],
     alpha: &[f64],
-    exact: impl Fn(f64, f64) -> Option<[f64; 9]>,
+    exact: impl Fn(usize) -> Option<[f64; 9]>,
 ) -> [(f64, usize); 9] {
     let mut worst = [(0.0, 0); 9];
     for i in 0..omega.len() {
-        let Some(exact) = exact(omega[i], alpha[i]) else { continue };
+        let Some(exact) = exact(i) else { continue };
         if answer.columns[0][i].is_nan() {
             continue; // which side of the border: decided by the border as rounded
         }
@@ -300,18 +316,83 @@ fn within(worst: [(f64, usize); 9], bounds: [f64; 9], omega: &[f64], alpha: &[f6
 fn as_one_point_alone() {
     let (omega, alpha) = points(60_000);
     let answer = cycles(Batch::new(), &omega, &alpha);
-    within(worst(&answer, &omega, &alpha, alone), APART, &omega, &alpha);
+    within(worst(&answer, &omega, &alpha, |i| alone(omega[i], alpha[i])), APART, &omega, &alpha);
 }
 
 #[cfg(feature = "mp")]
-#[test]
-fn against_256_bits() {
+fn at_256_bits(omega: f64, alpha: f64) -> Option<[f64; 9]> {
     use stickslip::Float;
     use stickslip::float::mp::Mp;
-    let exact = |omega, alpha| Some(alone(Mp::<4>::from_f64(omega), Mp::from_f64(alpha))?.map(Mp::to_f64));
+    Some(alone(Mp::<4>::from_f64(omega), Mp::from_f64(alpha))?.map(Mp::to_f64))
+}
+
+/// The whole range of Ω and α, all outputs and the three: every level.
+#[cfg(feature = "mp")]
+#[test]
+fn against_256_bits() {
     let (omega, alpha) = points(20_000);
-    let answer = cycles(Batch::new(), &omega, &alpha);
-    within(worst(&answer, &omega, &alpha, exact), BOUNDS, &omega, &alpha);
+    let exact: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| at_256_bits(omega, alpha)).collect();
+    for level in levels() {
+        let batch = Batch::new().at_level(level);
+        let mut answer = cycles(batch, &omega, &alpha);
+        within(worst(&answer, &omega, &alpha, |i| exact[i]), BOUNDS, &omega, &alpha);
+        // The three, among the others.
+        let three = triple(batch, &omega, &alpha);
+        for (column, place) in three.into_iter().zip([0, BORDER, 7]) {
+            answer.columns[place] = column;
+        }
+        within(worst(&answer, &omega, &alpha, |i| exact[i]), BOUNDS, &omega, &alpha);
+    }
+}
+
+/// Where an error of K counts κ = α²/(α² − K²) times and κ is more than 16, it must not: the errors, not divided by κ, stay below
+/// what κ = 16 allows.
+#[cfg(feature = "mp")]
+#[test]
+fn no_error_is_more_than_sixteen_times_that_of_k() {
+    let mut random = Random(19);
+    let (mut omega, mut alpha) = (Vec::new(), Vec::new());
+    while omega.len() < 3000 {
+        let beside = 1.0 + random.scale(1e-9, 0.2) * if omega.len() % 2 == 0 { 1.0 } else { -1.0 };
+        let k = stickslip::PhaseFunction::new(beside).unwrap().value();
+        // α² = K² κ/(κ − 1)
+        let factor: f64 = random.scale(4.0, 1e5);
+        let force = k.abs() * (factor / (factor - 1.0)).sqrt();
+        if Border::new(beside).unwrap().min_force_ratio() < force {
+            omega.push(beside);
+            alpha.push(force);
+        }
+    }
+    let exact: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| at_256_bits(omega, alpha)).collect();
+    for level in levels() {
+        let batch = Batch::new().at_level(level);
+        let answer = cycles(batch, &omega, &alpha);
+        let three = triple(batch, &omega, &alpha);
+        for i in 0..omega.len() {
+            let exact = exact[i].unwrap();
+            let units = units(omega[i], &exact);
+            let error = |found: f64, column: usize| (found - exact[column]).abs() / units[column];
+            // The contraction has a unit of its own.
+            for column in [0, 1, 2, 3, 4, 7, 8] {
+                let error = error(answer.columns[column][i], column);
+                assert!(
+                    error <= 16.0 * BOUNDS[column],
+                    "{column}, {level:?}: {error} at {} {}",
+                    omega[i],
+                    alpha[i]
+                );
+            }
+            for (three, column) in three.iter().zip([0, BORDER, 7]) {
+                let error = error(three[i], column);
+                assert!(
+                    error <= 16.0 * BOUNDS[column],
+                    "{column}, {level:?}: {error} at {} {}",
+                    omega[i],
+                    alpha[i]
+                );
+            }
+        }
+    }
 }
 
 #[test]
@@ -330,7 +411,7 @@ fn rows_of_one_frequency() {
             let free = cycles(batch, &omegas, &alpha);
             assert_eq!(answer.regime, free.regime, "{omega}");
             assert!(answer.bits() == free.bits() || omega > 0.5, "{omega}");
-            within(worst(&answer, &omegas, &alpha, alone), APART, &omegas, &alpha);
+            within(worst(&answer, &omegas, &alpha, |i| alone(omega, alpha[i])), APART, &omegas, &alpha);
 
             let mut columns = std::array::from_fn(|_| vec![0.0; alpha.len()]);
             batch.peaks_at(&row, &alpha, five(&mut columns)).unwrap();
@@ -400,4 +481,27 @@ fn threads_change_nothing() {
         many.steady(&omega[3000..3100], &alpha[3000..3100]),
     );
     assert_eq!(format!("{a:?}"), format!("{b:?}"));
+}
+
+#[cfg(feature = "generators")]
+mod any {
+    use arbitrary::{Arbitrary, Unstructured};
+    use proptest::prelude::*;
+    use stickslip::generators::Point;
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(100))]
+
+        /// Of any number of points, hard on purpose, wherever their slice begins.
+        #[test]
+        fn batches_keep_their_promises(bytes in prop::collection::vec(any::<u8>(), 0..600), offset in 0usize..16, length in 0usize..400) {
+            let mut from = Unstructured::new(&bytes);
+            let mut points = Vec::new();
+            while !from.is_empty() {
+                let Ok(Point { omega, alpha }) = Point::arbitrary(&mut from) else { break };
+                points.push((omega, alpha));
+            }
+            crate::batches::batches(&points, offset, length);
+        }
+    }
 }

@@ -10,12 +10,16 @@ mod ulps;
 mod accuracy;
 #[cfg(feature = "batch")]
 mod batch;
+#[cfg(all(feature = "batch", feature = "generators"))]
+#[path = "../invariants/batches.rs"]
+mod batches;
 mod design;
 #[cfg(feature = "mp")]
 mod design_wide;
 mod errata;
 #[cfg(feature = "matching")]
 mod identities;
+mod independent;
 #[cfg(feature = "generators")]
 mod ordinary_inputs;
 #[cfg(feature = "mp")]

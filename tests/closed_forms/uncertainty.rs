@@ -21,8 +21,7 @@ fn within(random: &mut Random, i: Interval<f64>) -> f64 {
 }
 
 fn holds(range: &Range<f64>, value: f64) -> bool {
-    let slack = 1e-11 * value.abs();
-    range.low <= value + slack && value <= range.high + slack
+    range.low <= value && value <= range.high
 }
 
 #[test]
@@ -61,6 +60,47 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
         }
     }
     assert!(guaranteed > 200_000, "{guaranteed}");
+}
+
+/// Guaranteed is every digit: the exact values at single points, at the ends of narrow boxes and beside 1, 1/n and the border.
+#[cfg(feature = "mp")]
+#[test]
+fn guaranteed_ranges_hold_the_exact_values() {
+    use stickslip::Float;
+    use stickslip::float::mp::Mp;
+    let mut random = Random(67);
+    let mut seen = 0;
+    for i in 0..2000 {
+        let omega = match i % 4 {
+            0 => random.scale(0.06, 20.0),
+            1 => (1.0 / f64::from(2 + i % 9)) * (1.0 + random.scale(1e-12, 1e-2)),
+            2 => 1.0 - random.scale(1e-9, 0.3),
+            _ => 1.0 + random.scale(1e-9, 0.3),
+        };
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * (1.0 + random.scale(1e-12, 8.0));
+        let width = if i % 3 == 0 { 0.0 } else { random.scale(1e-16, 1e-3) };
+        let (omega, alpha) = (interval(&mut random, omega, width), interval(&mut random, alpha, width));
+        let whole = RatioBox::new(omega, alpha).unwrap();
+        for output in Output::ALL {
+            let Some(range) = whole.range(output, 3).unwrap().filter(Range::is_guaranteed) else { continue };
+            let [low, high] = [range.low, range.high].map(Mp::<4>::from_f64);
+            for (omega, alpha) in [
+                (omega.low(), alpha.low()),
+                (omega.low(), alpha.high()),
+                (omega.high(), alpha.low()),
+                (omega.high(), alpha.high()),
+            ] {
+                let ratios = Ratios::new(Mp::<4>::from_f64(omega), Mp::from_f64(alpha)).unwrap();
+                let Some(value) = output.of(&Response::new(ratios)) else { continue };
+                assert!(
+                    low <= value && value <= high,
+                    "{output:?} at ({omega:e}, {alpha:e}): {range:?} without {value}"
+                );
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 20_000, "{seen}");
 }
 
 #[test]

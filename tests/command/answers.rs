@@ -128,6 +128,16 @@ fn the_border_in_all_its_forms() {
     let physical = json(&format!("border {PAPER} --omega 0.4 --format json"));
     let ratio = physical["physical"]["min_force_ratio"].as_f64().unwrap();
     assert!((ratio / (5.0 * 6.949737755908733) - 1.0).abs() < 1e-14);
+    // B = r_y/k with k = m (ω_d/Ω)², and a phase is ω_d t, ω_d = 2π.
+    let friction_displacement = 5.0 / (50.0 * (std::f64::consts::TAU / 0.4).powi(2));
+    for (name, due) in [
+        ("min_force_ratio_turning_point", 5.0 * 5.654423047491228),
+        ("border_phase", 0.471_787_094_713_988_6 / std::f64::consts::TAU),
+        ("least_displacement", 7.886_745_719_501_848 * friction_displacement),
+    ] {
+        let found = physical["physical"][name].as_f64().unwrap();
+        assert!((found / due - 1.0).abs() < 1e-13, "{name}: {found} for {due}");
+    }
     assert!(stdout("border --omega 0.4").contains("6.949738"));
     assert!(stdout("border --omega 1.5").contains("exact here"));
     let rows =

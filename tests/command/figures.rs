@@ -1,7 +1,7 @@
 //! `stickslip figure`, `figures` and `map` as a user meets them.
 
 use crate::command_line::{refused, stdout};
-use crate::kept::kept;
+use crate::kept::Kept;
 use std::path::PathBuf;
 
 /// A path for a file or a folder of one test.
@@ -108,6 +108,7 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
 /// Small ones, by names, by equal steps and by equal ratios; `STICKSLIP_WRITE=1` writes them.
 #[test]
 fn the_kept_maps_are_what_is_drawn() {
+    let mut kept = Kept::default();
     for (name, arguments) in [
         ("map-regime", "regime --omega 0.3:1.2:6 --alpha 0.6:4.6:5"),
         ("map-margin", "margin --omega 0.6:1.4:6 --alpha 1:2:4"),
@@ -117,7 +118,10 @@ fn the_kept_maps_are_what_is_drawn() {
         let drawn = place(&format!("kept-{name}.svg"));
         stdout(&format!("map {arguments} --out {}", drawn.display()));
         let drawing = std::fs::read_to_string(drawn).unwrap();
-        assert!(kept(&format!("tests/data/{name}.svg"), &drawing) == drawing, "{name} is not what is drawn");
+        assert!(
+            kept.at(&format!("tests/data/{name}.svg"), &drawing) == drawing,
+            "{name} is not what is drawn"
+        );
     }
 }
 

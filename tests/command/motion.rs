@@ -136,9 +136,9 @@ fn simulate_gives_the_phases_one_a_row() {
 fn phases_in_physical_units() {
     // ω_d = 2, B = 0.004
     let machine = "--mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6";
-    let csv = stdout(&format!("simulate {machine} --cycles 2 --x0 0.01 --format csv"));
+    let csv = stdout(&format!("simulate {machine} --cycles 2 --x0 0.01 --v0 0.03 --format csv"));
     let mut rows = csv::Reader::from_reader(csv.as_bytes());
-    let mut count = 0;
+    let (mut count, mut moving) = (0, 0);
     for row in rows.deserialize::<std::collections::HashMap<String, String>>() {
         let row = row.unwrap();
         let number = |name: &str| row[name].parse::<f64>().unwrap();
@@ -155,10 +155,12 @@ fn phases_in_physical_units() {
             is(&format!("{end}_displacement"), number(&format!("{end}_x")) * 0.004);
         }
         is("start_velocity", number("start_v") * 0.008);
+        moving += i32::from(number("start_velocity") != 0.0);
         is("duration", (number("end_time") - number("start_time")) * 2.0);
         count += 1;
     }
-    assert!(count > 4, "{csv}");
+    // All but the first begin at a turn.
+    assert!(count > 4 && moving == 1, "{csv}");
 }
 
 #[test]

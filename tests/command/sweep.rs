@@ -317,6 +317,7 @@ fn an_interrupted_sweep_can_be_gone_on_with() {
     let mut child =
         Command::new(assert_cmd::cargo::cargo_bin("stickslip")).args(sweep.split(' ')).spawn().unwrap();
     while std::fs::metadata(&file).map_or(0, |m| m.len()) < 100_000 {
+        assert_eq!(child.try_wait().unwrap(), None, "it ended before it was interrupted");
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());

@@ -2,12 +2,28 @@
 
 use std::path::Path;
 
-/// What is kept under this path of the repository; with `STICKSLIP_WRITE` set it is written first.
-pub(crate) fn kept(path: &str, given: &str) -> String {
-    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
-    if std::env::var_os("STICKSLIP_WRITE").is_some() {
-        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
-        std::fs::write(&file, given).unwrap();
+/// The files of one test. With `STICKSLIP_WRITE` set they are written, and the test fails: a run that compares nothing must not pass.
+#[derive(Default)]
+pub(crate) struct Kept {
+    written: usize,
+}
+
+impl Kept {
+    /// What is kept under this path of the repository.
+    pub(crate) fn at(&mut self, path: &str, given: &str) -> String {
+        let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+        if std::env::var_os("STICKSLIP_WRITE").is_some() {
+            std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+            std::fs::write(&file, given).unwrap();
+            self.written += 1;
+        }
+        std::fs::read_to_string(file).unwrap()
     }
-    std::fs::read_to_string(file).unwrap()
+}
+
+impl Drop for Kept {
+    fn drop(&mut self) {
+        let nothing_written = self.written == 0 || std::thread::panicking();
+        assert!(nothing_written, "{} files written and not compared: unset STICKSLIP_WRITE", self.written);
+    }
 }
