@@ -43,11 +43,16 @@ impl Row {
     }
 
     /// What one unit in the last place of an output is counted in, apart from the type's ε: of phases max(phase, 1), of Δ₁
-    /// max(|Δ₁|, V₀), of the contraction 1 at its double root and at most that of itself.
+    /// max(|Δ₁|, V₀), of the contraction 1 over the root that turns at gσ = 1.
     fn size(&self, name: &str) -> f64 {
         let value = self.value(name).unwrap().abs();
         if name.ends_with("phase") {
             value.max(1.0)
+        } else if name == "contraction" {
+            // It turns like a root where gσ = 1.
+            let g = self.omega * self.omega * self.value("max_displacement").unwrap();
+            let sine = (std::f64::consts::PI / self.omega).sin().abs();
+            (1.0 - g * sine).abs().sqrt().recip().max(1.0)
         } else if name == "deviation" {
             value.max(self.value("max_velocity").unwrap())
         } else {

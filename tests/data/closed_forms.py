@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes points.csv and cycles.csv, the values that the closed forms are held against.
 
-    python3 tests/data/closed_forms.py          # needs mpmath; takes about a minute
+    python3 tests/data/closed_forms.py          # needs mpmath; takes about ten minutes
     git diff --exit-code tests/data             # nothing changes
 
 Nothing here uses a formula of the paper or of the library. One half cycle between two reversals is solved as the linear equation
@@ -92,17 +92,19 @@ class Frequency:
         # At the end of the half cycle velocity and bound vanish as at its start: by symmetry the same, upside down.
         at_turn = least(mpf(0))
         count = 40 + int(60 / omega)
-        grid = [self.time * i / count for i in range(1, count)]
-        with mp.workdps(30):
+        # Closer and closer to the turn, where the touching begins as the frequency ratio falls below 1/(2n).
+        grid = [self.time / count / mpf(2) ** k for k in range(24, 0, -1)]
+        grid += [self.time * i / count for i in range(1, count)]
+        with mp.workdps(50):
             values = [least(+phi) for phi in grid]
         top = max(range(len(values)), key=values.__getitem__)
-        if values[top] <= at_turn * (1 + mpf(10) ** -12):
+        if values[top] <= at_turn * (1 + mpf(10) ** -25):
             return at_turn, mpf(0), at_turn
         # Golden sections until Newton's method on the derivative can take over.
         a, b = grid[max(top - 1, 0)], grid[min(top + 1, len(grid) - 1)]
         golden = (3 - sqrt(mpf(5))) / 2
-        with mp.workdps(40):
-            for _ in range(60):
+        with mp.workdps(60):
+            for _ in range(80):
                 p, q = a + golden * (b - a), b - golden * (b - a)
                 a, b = (a, q) if least(p) > least(q) else (p, b)
 
@@ -127,7 +129,11 @@ def multipliers(omega, s, c, d):
     s, c = s * cos(omega * half) + c * sin(omega * half), c * cos(omega * half) - s * sin(omega * half)
 
     def over(x, v):
-        phi = findroot(lambda phi: slide(omega, s, c, x, v, -1, phi)[1], (half, half * (1 + mpf(10) ** -20)), verify=False)
+        # The turn is beside that of the cycle itself, in the middle: Newton's method from there.
+        phi = half
+        for _ in range(6):
+            _, speed, slope = slide(omega, s, c, x, v, -1, phi)
+            phi -= speed / slope
         y, _, _ = slide(omega, s, c, x, v, -1, phi)
         so, co = s * cos(omega * phi) + c * sin(omega * phi), c * cos(omega * phi) - s * sin(omega * phi)
         x, v, _ = slide(omega, so, co, y, mpf(0), 1, 2 * half - phi)
@@ -236,10 +242,12 @@ def sensitivities(omega, alpha, names):
     return result
 
 
-def cycles():
+def cycles(only=None):
     lines = []
     head = None
     for i, omega in enumerate(OMEGAS):
+        if only is not None and omega not in only:
+            continue
         at = Frequency(mpf(omega))
         border = at.alpha(at.border()[0])
         for j, over in enumerate(OVERS):
@@ -259,10 +267,12 @@ def cycles():
                 for name in SLOPES:
                     key = f"{name}_by_{variable}"
                     row[key] = slopes.get(key)
-            head = head or list(row)
-            lines.append(",".join([omega, mp.nstr(alpha, 40)] + [text(row[k], 25) for k in head]))
+            head = head or ["omega", "alpha"] + list(row)
+            lines.append(",".join([omega, mp.nstr(alpha, 40)] + [text(row[k], 25) for k in head[2:]]))
             print(omega, over, flush=True)
-    (HERE / "cycles.csv").write_text("\n".join([",".join(["omega", "alpha"] + head)] + lines) + "\n")
+    if only is not None:
+        return lines
+    (HERE / "cycles.csv").write_text("\n".join([",".join(head)] + lines) + "\n")
 
 
 if __name__ == "__main__":
