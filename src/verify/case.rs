@@ -110,15 +110,31 @@ impl<'a, F: Float> Case<'a, F> {
 }
 
 impl<F: Solvable> Case<'_, F> {
-    /// The same with the exact motion and the solution of eq. 21–25 at its (Ω, α).
-    pub(super) fn with_motion(self) -> Self {
-        let ratios = self.cycle.ratios();
-        Self { motion: Motion::at(ratios), solved: F::solve(ratios).ok(), ..self }
+    /// What the exact motion and Newton's method add at (Ω, α), one after the other.
+    pub(super) const MOTION: [fn(Self) -> Self; 2] = [Self::with_motion, Self::with_solution];
+    /// What they add on the border at Ω.
+    pub(super) const BORDER: [fn(Self) -> Self; 3] =
+        [Self::with_border, Self::with_stops_beside_it, Self::with_optimum];
+
+    fn with_motion(self) -> Self {
+        Self { motion: Motion::at(self.cycle.ratios()), ..self }
     }
 
-    /// The same with what is found on the border at its Ω.
-    pub(super) fn with_border(self) -> Self {
+    fn with_solution(self) -> Self {
+        Self { solved: F::solve(self.cycle.ratios()).ok(), ..self }
+    }
+
+    fn with_border(self) -> Self {
         Self { on_border: Some(OnBorder::at(self.formulae, &self.phase_function)), ..self }
+    }
+
+    fn with_stops_beside_it(self) -> Self {
+        Self { on_border: self.on_border.map(|b| b.with_stops(self.omega())), ..self }
+    }
+
+    fn with_optimum(self) -> Self {
+        let best = self.formulae.best_force_ratio_at(&self.phase_function);
+        Self { on_border: self.on_border.map(|b| b.with_optimum(self.omega(), best)), ..self }
     }
 }
 

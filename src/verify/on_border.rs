@@ -37,9 +37,19 @@ impl<F: Solvable> OnBorder<F> {
             edge,
             solved: solved.filter(|s| s.lost_bits.saturating_mul(2) < F::PRECISION),
             turning_point: F::solve_border(omega).ok().map(|found| found.force_ratio),
-            stops: stops_beside(omega, edge.min_force_ratio),
-            optimum: optimum(omega, formulae.best_force_ratio_at(p)),
+            stops: None,
+            optimum: None,
         }
+    }
+
+    /// The same with the stops on either side.
+    pub(super) fn with_stops(self, omega: F) -> Self {
+        Self { stops: stops_beside(omega, self.edge.min_force_ratio), ..self }
+    }
+
+    /// The same with what is dissipated at the best force ratio.
+    pub(super) fn with_optimum(self, omega: F, best: F) -> Self {
+        Self { optimum: optimum(omega, best), ..self }
     }
 }
 
