@@ -10,6 +10,9 @@ mod ulps;
 mod accuracy;
 #[cfg(feature = "batch")]
 mod batch;
+#[cfg(all(feature = "batch", feature = "generators"))]
+#[path = "../invariants/batches.rs"]
+mod batches;
 mod design;
 #[cfg(feature = "mp")]
 mod design_wide;

@@ -1,0 +1,163 @@
+//! What holds of batches, whatever the points, their number and where a slice begins: shared by the tests and the fuzz target.
+
+use stickslip::batch::{Batch, Cycles, FixedOmega, Level, Peaks, Triple};
+use stickslip::{Border, Cycle, PhaseFunction, Ratios, Regime, regime};
+
+/// Outputs of a batch in the order of [`Cycles`]; of [`Triple`] and [`Peaks`] those at these places.
+const THREE: [usize; 3] = [0, 5, 7];
+const FIVE: [usize; 5] = [0, 5, 7, 2, 3];
+
+/// The outputs that are phases.
+const PHASES: [usize; 2] = [1, 3];
+
+/// How far a batch and one point's own code may be apart, in units in the last place, times κ below 16.
+const APART: [f64; 9] = [2.5, 2.0, 4.0, 3.0, 2.0, 4.0, 2.0, 2.5, 3.0];
+
+type Columns<const N: usize> = [Vec<f64>; N];
+
+fn cycles(omega: &[f64], run: impl FnOnce(Cycles<'_>)) -> (Vec<Option<Regime>>, Columns<9>) {
+    let mut regimes = vec![None; omega.len()];
+    let mut columns: Columns<9> = std::array::from_fn(|_| vec![0.0; omega.len()]);
+    let [a, b, c, d, e, f, g, h, i] = &mut columns;
+    run(Cycles {
+        regime: &mut regimes,
+        max_displacement: a,
+        displacement_phase: b,
+        max_velocity: c,
+        velocity_phase: d,
+        deviation: e,
+        min_force_ratio: f,
+        contraction: g,
+        loop_size_stiffness: h,
+        loop_size_inertia: i,
+    });
+    (regimes, columns)
+}
+
+fn triple(omega: &[f64], run: impl FnOnce(Triple<'_>)) -> Columns<3> {
+    let mut columns: Columns<3> = std::array::from_fn(|_| vec![0.0; omega.len()]);
+    let [a, b, c] = &mut columns;
+    run(Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c });
+    columns
+}
+
+fn peaks(omega: &[f64], run: impl FnOnce(Peaks<'_>)) -> Columns<5> {
+    let mut columns: Columns<5> = std::array::from_fn(|_| vec![0.0; omega.len()]);
+    let [a, b, c, d, e] = &mut columns;
+    run(Peaks {
+        max_displacement: a,
+        min_force_ratio: b,
+        loop_size_stiffness: c,
+        max_velocity: d,
+        velocity_phase: e,
+    });
+    columns
+}
+
+fn bits(x: f64) -> u64 {
+    if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
+}
+
+/// The outputs of one point's own code, and the unit of each one's error; `None` where there is no cycle.
+fn alone(omega: f64, alpha: f64) -> Option<[(f64, f64); 9]> {
+    let cycle = Cycle::new(Ratios::new(omega, alpha).ok()?).ok()?;
+    let values = [
+        cycle.max_displacement(),
+        cycle.displacement_phase(),
+        cycle.max_velocity(),
+        cycle.velocity_phase(),
+        cycle.deviation(),
+        Border::new(omega).ok()?.min_force_ratio(),
+        cycle.contraction(),
+        cycle.loop_size_stiffness(),
+        cycle.loop_size_inertia(),
+    ];
+    let k = PhaseFunction::new(omega).ok()?.value();
+    let factor = (alpha / (alpha - k) * (alpha / (alpha + k))).clamp(1.0, 16.0);
+    let mut units = values.map(|value| value.abs() * factor);
+    units[1] = units[1].max(factor);
+    units[3] = units[3].max(factor);
+    units[4] = units[4].max(values[2] * factor);
+    units[5] = values[5];
+    // The contraction turns like a root where gσ = 1.
+    let g_sine = omega * omega * values[0] * (std::f64::consts::PI / omega).sin().abs();
+    units[6] = (1.0 - g_sine).abs().max(1e-15).sqrt().recip().max(1.0) * factor;
+    Some(std::array::from_fn(|i| (values[i], units[i] * f64::EPSILON)))
+}
+
+/// Everything that batches promise of `length` points taken in turn from `points`, in a slice that begins at `offset` of its memory.
+///
+/// # Panics
+/// Where a promise is broken: that is the finding.
+pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
+    if points.is_empty() {
+        return;
+    }
+    let (omega, alpha): (Vec<f64>, Vec<f64>) = points.iter().cycle().take(offset + length).copied().unzip();
+    let (omega, alpha) = (&omega[offset..], &alpha[offset..]);
+    let row = omega.first().and_then(|&omega| FixedOmega::new(omega).ok());
+    let mut vectors: Option<(Vec<Option<Regime>>, Columns<9>)> = None;
+    for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
+        let batch = Batch::new().at_level(level);
+        let (regimes, columns) = cycles(omega, |out| batch.cycles(omega, alpha, out).unwrap());
+        let three = triple(omega, |out| batch.triple(omega, alpha, out).unwrap());
+        let five = peaks(omega, |out| batch.peaks(omega, alpha, out).unwrap());
+        check(omega, alpha, &regimes, &columns, level);
+        // The columns that are computed with fewer others beside them.
+        for (part, place) in three.iter().zip(THREE) {
+            check_column(omega, alpha, &regimes, part, place, level);
+        }
+        for (part, place) in five.iter().zip(FIVE) {
+            let same = part.iter().zip(&columns[place]).all(|(&x, &y)| bits(x) == bits(y));
+            assert!(same, "output {place} of the peaks, {level:?}");
+        }
+        if let Some(row) = &row {
+            let fixed = vec![row.omega(); alpha.len()];
+            let (regimes, columns) = cycles(&fixed, |out| batch.cycles_at(row, alpha, out).unwrap());
+            check(&fixed, alpha, &regimes, &columns, level);
+        }
+        if level != Level::Scalar {
+            let (first, values) = vectors.get_or_insert_with(|| (regimes.clone(), columns.clone()));
+            assert!(*first == regimes, "{level:?}");
+            for (place, (one, other)) in values.iter().zip(&columns).enumerate() {
+                let same = one.iter().zip(other).all(|(&x, &y)| bits(x) == bits(y));
+                assert!(same, "output {place}, {level:?}");
+            }
+        }
+    }
+}
+
+fn check(omega: &[f64], alpha: &[f64], regimes: &[Option<Regime>], columns: &Columns<9>, level: Level) {
+    for (i, found) in regimes.iter().enumerate() {
+        assert_eq!(*found, regime(omega[i], alpha[i]).ok(), "{level:?} at ({:e}, {:e})", omega[i], alpha[i]);
+    }
+    for (place, column) in columns.iter().enumerate() {
+        check_column(omega, alpha, regimes, column, place, level);
+    }
+}
+
+fn check_column(
+    omega: &[f64],
+    alpha: &[f64],
+    regimes: &[Option<Regime>],
+    column: &[f64],
+    place: usize,
+    level: Level,
+) {
+    const BORDER: usize = 5;
+    for (i, &found) in column.iter().enumerate() {
+        let at = || format!("output {place}, {level:?} at ({:e}, {:e})", omega[i], alpha[i]);
+        let exists = regimes[i] == Some(Regime::NonSticking) || place == BORDER && regimes[i].is_some();
+        assert_eq!(found.is_nan(), !exists, "{}: {found}", at());
+        let Some(values) = alone(omega[i], alpha[i]) else { continue };
+        let (value, unit) = values[place];
+        let apart = (found - value).abs();
+        // Phases just below 2π and at 0 are next to each other, a unit of the former apart.
+        let (apart, unit) = if PHASES.contains(&place) {
+            (apart.min(std::f64::consts::TAU - apart), unit.max(found * f64::EPSILON))
+        } else {
+            (apart, unit)
+        };
+        assert!(apart <= APART[place] * unit, "{}: {found} for {value}", at());
+    }
+}
