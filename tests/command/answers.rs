@@ -252,6 +252,43 @@ fn a_bad_row_stops_after_the_good_ones() {
 }
 
 #[test]
+fn a_column_is_there_once_and_a_header_alone_has_a_header() {
+    let (out, err, code) = points("csv", "omega,alpha,omega\n1,2,3\n");
+    assert_eq!((out.as_str(), code), ("", 2));
+    assert!(err.contains("column omega must be there once only"), "{err}");
+    for (command, header) in [
+        ("response", "omega,alpha,regime,max_displacement,"),
+        ("steady", "omega,alpha,regime,limit,"),
+        ("border", "omega,min_force_ratio,"),
+    ] {
+        let answer = stickslip(&format!("{command} --points - --format csv")).write_stdin("omega,alpha\n");
+        let answer = { answer }.assert().success().get_output().stdout.clone();
+        let answer = String::from_utf8(answer).unwrap();
+        assert!(answer.starts_with(header) && answer.lines().count() == 1, "{answer}");
+    }
+}
+
+/// A row that does not end is refused before it fills the memory, with as much of it as can be read.
+#[test]
+fn a_row_without_end_is_refused() {
+    let digits = "7".repeat(3_000_000);
+    for input in [
+        digits.clone(),
+        format!("omega,alpha\n1.5,2.5\n{digits}"),
+        format!("omega,alpha\n1.5,2.5\n\"{}", "7\n".repeat(1_000_000)),
+        format!("{}\n1\n", "column,".repeat(1_000_000)),
+    ] {
+        let (out, err, code) = points("jsonl", &input);
+        assert_eq!(code, 2, "{err}");
+        assert!(err.contains("must be ≤ 262144") && err.lines().count() == 1 && err.len() < 2_000, "{err}");
+        assert_eq!(out.lines().count(), usize::from(input.contains("2.5")));
+    }
+    // A long header that is no header is not repeated at length.
+    let (_, err, code) = points("jsonl", &format!("{}\n", "column,".repeat(20_000)));
+    assert!(code == 2 && err.contains("column omega is missing") && err.len() < 2_000, "{err}");
+}
+
+#[test]
 fn a_live_pipe_sees_each_answer_before_the_next_question() {
     use std::io::{BufRead, BufReader, Write};
     use std::process::{Command, Stdio};

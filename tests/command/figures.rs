@@ -125,6 +125,27 @@ fn the_kept_maps_are_what_is_drawn() {
     }
 }
 
+/// A picture that is there stays as it is unless it is to be replaced, and whatever fails.
+#[test]
+fn a_picture_is_replaced_where_that_is_asked_for() {
+    let file = place("replaced.svg");
+    let name = file.display();
+    std::fs::write(&file, "a picture").unwrap();
+    for arguments in ["figure 8", "map --omega 0.5:1:3 --alpha 2:3:3"] {
+        refused(&format!("{arguments} --out {name}"), &["replaced.svg", "must not exist yet", "--overwrite"]);
+    }
+    let tall = "map --omega 0.1:2:3 --alpha 1:1000:1000000 --overwrite";
+    refused(&format!("{tall} --out {name}"), &["--alpha: 1000000 values, must be ≤ 20000"]);
+    refused("map --out /nowhere/at/all.svg", &["--out /nowhere/at/all.svg"]);
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), "a picture");
+    stdout(&format!("figure 8 --overwrite --out {name}"));
+    assert!(std::fs::read_to_string(&file).unwrap().starts_with("<svg"));
+    // Nothing is left beside it.
+    let beside = std::fs::read_dir(file.parent().unwrap()).unwrap().map(|entry| entry.unwrap().file_name());
+    let left: Vec<_> = beside.filter(|name| name.to_string_lossy().starts_with("replaced.svg.")).collect();
+    assert!(left.is_empty(), "{left:?}");
+}
+
 #[test]
 fn bad_input_is_one_line_with_argument_value_and_inequality() {
     for (arguments, parts) in [

@@ -89,3 +89,26 @@ mod serialised {
         assert!(serde_json::from_str::<Mp<1>>("\"x\"").unwrap_err().to_string().contains("`x`"));
     }
 }
+
+/// Text is a number where `f64` says so, and nowhere else.
+#[test]
+fn the_grammar_is_that_of_f64() {
+    let pieces = ["", "1", "-", "+", ".", "5", "e", "E", "3", " ", "_", "@", "inf", "NaN", "x", "0", "\n"];
+    let mut read = 0;
+    for a in pieces {
+        for b in pieces {
+            for c in pieces {
+                for d in pieces {
+                    let text = [a, b, c, d].concat();
+                    let (number, double) = (text.parse::<Mp<2>>(), text.parse::<f64>());
+                    assert_eq!(number.is_ok(), double.is_ok(), "{text:?}");
+                    if let (Ok(number), Ok(double)) = (number, double) {
+                        assert!(number.to_f64() == double || double.is_nan() && number.is_nan(), "{text:?}");
+                        read += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(read > 1000, "{read}");
+}

@@ -33,7 +33,10 @@ impl<W: Write> Task for Run<'_, W> {
         let answer = at(point.omega).map_err(|e| Failure::Input(format!("--omega: {e}")))?;
         let record = Record::of_border(&answer);
         let record = match point.physical {
-            Some(scales) => record.with_border_scales(scales).finite()?,
+            Some(scales) => record
+                .with_border_scales(scales)
+                .finite()
+                .map_err(|failure| failure.about(&input::typed(&args.machine, &input::NO_FORCE)))?,
             None => record,
         };
         match args.output.format.unwrap_or(Format::Text) {

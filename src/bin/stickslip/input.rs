@@ -34,6 +34,9 @@ pub(crate) struct BorderScales<F> {
     pub(crate) frequency: F,
 }
 
+/// A border has no force.
+pub(crate) const NO_FORCE: ForceArgs = ForceArgs { alpha: None, force: None, base_motion: None };
+
 /// The ratios of `--omega` and `--alpha`, or the machine of the physical arguments.
 pub(crate) fn point<F: Value>(machine: &MachineArgs, force: &ForceArgs) -> Result<Point<F>, Failure> {
     if !is_physical(machine) && force.force.is_none() && force.base_motion.is_none() {
@@ -84,15 +87,14 @@ pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failur
 
 /// Ω of `--omega`, or of the physical arguments.
 pub(crate) fn border_point<F: Value>(machine: &MachineArgs) -> Result<BorderPoint<F>, Failure> {
-    let none = ForceArgs { alpha: None, force: None, base_motion: None };
-    let named = |e| at_fault(e, machine, &none);
+    let named = |e| at_fault(e, machine, &NO_FORCE);
     if !is_physical(machine) {
         let omega = required("--omega", machine.omega.as_ref())?;
         return PhaseFunction::new(omega)
             .map(|p| BorderPoint { omega: p.omega(), physical: None })
             .map_err(named);
     }
-    let oscillator = oscillator(machine, &none)?;
+    let oscillator = oscillator(machine, &NO_FORCE)?;
     let frequency = required("--frequency", machine.frequency.as_ref())?;
     // A force of r_y has α = 1: its scales are those of the border.
     let drive = Drive::force(oscillator.friction_bound(), frequency).map_err(named)?;
@@ -190,6 +192,14 @@ pub(crate) fn given<'a>(machine: &'a MachineArgs, force: &'a ForceArgs) -> [Give
         ),
         ("--base-motion", &force.base_motion, &[Q::BaseAmplitude, Q::ForceAmplitude, Q::ForceRatio]),
     ]
+}
+
+/// All that was typed of a machine and its drive.
+pub(crate) fn typed(machine: &MachineArgs, force: &ForceArgs) -> String {
+    let written = given(machine, force)
+        .into_iter()
+        .filter_map(|(name, value, _)| Some(format!("{name} {}", value.as_ref()?)));
+    written.collect::<Vec<_>>().join(" ")
 }
 
 /// The library's error behind the argument, or arguments, that it comes from.

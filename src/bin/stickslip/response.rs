@@ -31,7 +31,10 @@ impl<W: Write> Task for Run<'_, W> {
         let response = Response::guarded(point.ratios);
         let record = Record::of_response(&response);
         let record = match &point.machine {
-            Some(machine) => record.with_machine(machine).finite()?,
+            Some(machine) => record
+                .with_machine(machine)
+                .finite()
+                .map_err(|failure| failure.about(&input::typed(&args.machine, &args.force)))?,
             None => record,
         };
         match args.output.format.unwrap_or(Format::Text) {

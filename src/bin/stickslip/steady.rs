@@ -45,7 +45,9 @@ impl<W: Write> Task for Run<'_, W> {
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
         let record = record(point.ratios, &limit)?;
         let record = match &point.machine {
-            Some(machine) => with_machine(record, machine).finite()?,
+            Some(machine) => with_machine(record, machine)
+                .finite()
+                .map_err(|failure| failure.about(&input::typed(&args.machine, &args.force)))?,
             None => record,
         };
         match args.output.format.unwrap_or(Format::Text) {

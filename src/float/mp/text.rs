@@ -28,12 +28,18 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 }
 
-/// Decimal, with or without a point and an exponent (`1.5`, `-2e-3`), and `inf`, `nan`: the nearest number.
+/// Decimal, with or without a sign, a point and an exponent (`1.5`, `-2e-3`), and `inf`, `infinity`, `nan`: the nearest
+/// number. The grammar is that of `f64`: no white space, no underscores, no other mark of an exponent.
 impl<const LIMBS: usize> FromStr for Mp<LIMBS> {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        Self::parse_radix(text, 10)
+        // What `f64` reads is what a number is; its value counts only where it has no digits.
+        let double: f64 = text.parse().map_err(|_| ParseError { text: text.to_owned() })?;
+        if text.bytes().any(|byte| byte.is_ascii_digit()) {
+            return Self::parse_radix(text, 10);
+        }
+        Ok(<Self as crate::float::Float>::from_f64(double))
     }
 }
 
