@@ -27,7 +27,7 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, grid, input, interrupt, note, output, points, progress, record,
+    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, progress, record,
     response, sink, style,
 };
 use failure::Failure;
@@ -99,7 +99,10 @@ fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome
 /// A failure is one line that says something, and that a terminal can show.
 fn is_one_line(failure: &Failure) {
     let text = failure.message();
-    assert!(!text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000, "{text:?}");
+    assert!(
+        !text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000,
+        "{text:?}"
+    );
     assert!(!matches!(failure, Failure::System(_)), "{text}");
 }
 

@@ -261,8 +261,9 @@ fn a_column_is_there_once_and_a_header_alone_has_a_header() {
         ("steady", "omega,alpha,regime,limit,"),
         ("border", "omega,min_force_ratio,"),
     ] {
-        let answer = stickslip(&format!("{command} --points - --format csv")).write_stdin("omega,alpha\n");
-        let answer = { answer }.assert().success().get_output().stdout.clone();
+        let asked =
+            stickslip(&format!("{command} --points - --format csv")).write_stdin("omega,alpha\n").assert();
+        let answer = asked.success().get_output().stdout.clone();
         let answer = String::from_utf8(answer).unwrap();
         assert!(answer.starts_with(header) && answer.lines().count() == 1, "{answer}");
     }
