@@ -213,3 +213,46 @@ fn modulo_two<F: Float>(n: F) -> bool {
     let half = n / F::int(2);
     half != half.floor()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Jet, Search, Verdict, next_zero};
+    use std::cell::Cell;
+    use std::f64::consts::PI;
+
+    fn search(omega: f64, limit: Option<f64>) -> Search<f64> {
+        let (from_zero, safe, short_noise) = (false, None, None);
+        Search {
+            omega,
+            angle: 0.3,
+            helping: true,
+            from_zero,
+            limit,
+            hint: 1.0,
+            safe,
+            noise: 1e-15,
+            short_noise,
+        }
+    }
+
+    /// A function without a zero, which no slide's velocity is: the search ends, and not with an answer.
+    #[test]
+    fn a_search_that_passes_its_bound_says_so() {
+        for omega in [1e-3, 0.3, 0.7, 1.0, 1.9, 40.0] {
+            let jet = Jet { value: 1.0, first: 0.0, second: 0.0, third: 0.0 };
+            let evaluations = Cell::new(0);
+            let f = |_| {
+                evaluations.set(evaluations.get() + 1);
+                (jet, ())
+            };
+            let Verdict::Lost(phi) = next_zero(&search(omega, None), jet, f) else { panic!("Ω = {omega}") };
+            assert!(
+                phi > PI * (1.0 + 2.0 / omega) && phi < 300.0 + 2.0 * PI * (1.0 + 2.0 / omega),
+                "{omega}: {phi}"
+            );
+            assert!(f64::from(evaluations.get()) < 10.0 * (64.0 + omega + 1.0 / omega), "{omega}");
+            // With a limit that comes first there is nothing to look for beyond.
+            assert!(matches!(next_zero(&search(omega, Some(2.0)), jet, f), Verdict::Clear(_)), "{omega}");
+        }
+    }
+}

@@ -12,7 +12,7 @@ use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::long_run::{LongRun, unsettled};
 use super::measures::Tally;
-use super::shooting::{Budget, Residual};
+use super::shooting::{Budget, Residual, rate_noise};
 use super::slide::{Direction, Slide};
 use super::state::Point;
 use super::steady::{SteadyState, Summary};
@@ -93,11 +93,6 @@ fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
     let (one, omega) = (F::int(1), equation.omega);
     let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
     y.x.abs() + y.w.abs() <= F::int(8) * reach
-}
-
-/// The rounding of what a cycle of so many parts leaves of a disturbance, with room.
-fn rate_noise<F: Float>(parts: u64) -> F {
-    F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
 
 /// Half turns after which a motion of a family that still sticks is taken to creep.

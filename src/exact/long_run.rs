@@ -20,8 +20,8 @@ use core::ops::ControlFlow;
 /// What a motion tends to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LongRun<F> {
-    /// One periodic motion, the same from every start: its multipliers are inside the unit circle. Where Ω is 1/(2n) to within
-    /// rounding only, one of them rounds to 1: no start comes close to the limit in any time that a machine runs.
+    /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md). Where Ω is 1/(2n) to within
+    /// rounding only, one multiplier rounds to 1: no start comes close to the limit in any time that a machine runs.
     Periodic(SteadyState<F>),
     /// Ω = 1/(2n) exactly, without sticking: one of a family of periodic motions, the one that this start leads to.
     Family(SteadyState<F>),
@@ -100,13 +100,13 @@ impl<F: Float> LongRun<F> {
         if family::is_one(ratios) {
             return family::member(equation, section, hint, budget);
         }
-        let guess = || {
-            let ((at, hint), is_limit) = match Cycle::new(ratios) {
-                Ok(cycle) => (fastest_point(equation, &cycle), true),
+        let guess = || match Cycle::new(ratios) {
+            Ok(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
+            Err(_) => {
                 // A start far away: the limit is that from rest.
-                Err(_) => (settle_in(equation, State::rest(), &mut Budget::of(0))?, false),
-            };
-            Ok(Some(Guess { at, hint, is_limit }))
+                let (at, hint) = settle_in(equation, State::rest(), &mut Budget::of(0))?;
+                Ok(Some(Guess { at, hint, is_limit: false }))
+            }
         };
         Self::shot(equation, section, hint, guess, budget)
     }
@@ -192,6 +192,12 @@ fn settle_in<F: Float>(
     let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
     let half = length / F::int(2);
     Ok((slide.point(half), half))
+}
+
+/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force.
+pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
+    let (at, hint) = fastest_point(equation, cycle);
+    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) }
 }
 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.

@@ -9,10 +9,11 @@
 //!
 //! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from one half turn to
 //!   the next. A Newton step is kept where it halves the residual, and otherwise the motion is simply followed on.
-//! * Two periodic motions keep their distance for ever. If the multipliers of one are inside the unit circle it attracts a
-//!   neighbourhood, and then everything: **there is one limit only, and it is symmetric**, because a motion turned upside
-//!   down half a turn later is a motion, too. More than one limit needs a difference that is itself an undamped free
-//!   vibration of the drive's period: Ω = 1/n.
+//! * Two periodic motions keep their distance for ever. For α > 1 that leaves **one limit only, and it is symmetric**: proved in
+//!   docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the border on, and Ω = 1 with α ≥ 4/π. For α ≤ 1 the limit is
+//!   rest, anywhere in an interval (`rest`); nothing is shot for there.
+//! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle are not needed for that, but they say how
+//!   fast it is approached; beside 1/(2n) one of them rounds to 1, and the closed-form cycle is taken where its residual is rounding.
 
 use super::equation::Equation;
 use super::matrix::Matrix;
@@ -137,8 +138,14 @@ pub(crate) struct Guess<F> {
     pub(crate) at: Point<F>,
     /// Natural time to its first velocity zero.
     pub(crate) hint: F,
-    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it does not stick.
+    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it does not stick, and is not large
+    /// beside the force.
     pub(crate) is_limit: bool,
+}
+
+/// The rounding of what some parts of a motion leave of a disturbance, with room.
+pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
+    F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
 
 /// Newton's method from a start; `hint` is the natural time to its first velocity zero.
@@ -196,7 +203,8 @@ pub(crate) fn shoot<F: Float>(
             budget.walked(1);
             let after = residual(&equation, &elsewhere, &tried);
             // Beside 1/(2n) no residual can tell the limit from its neighbours; a proof can.
-            let proved = is_limit && after.is_rounding(4);
+            let seen = F::int(1) - tried.monodromy.determinant().abs() > rate_noise(tried.count);
+            let proved = is_limit && seen && after.is_rounding(4);
             if proved && !is_known(&elsewhere, tried.monodromy.inverse_of_one_plus(), &after) {
                 return Ok(Shot::Settled(Fixed { start: elsewhere, walk: tried, distance: after.bounds() }));
             }

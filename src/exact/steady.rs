@@ -3,9 +3,9 @@
 use super::confirm::confirmed;
 use super::equation::Equation;
 use super::family;
-use super::long_run::{DEFAULT_BUDGET, LongRun, fastest_point};
+use super::long_run::{DEFAULT_BUDGET, LongRun, cycle_guess, fastest_point};
 use super::measures::{ErrorMeasures, Extreme, Tally};
-use super::shooting::{Budget, Guess};
+use super::shooting::Budget;
 use super::state::Point;
 use super::state::State;
 use super::trajectory::resolved;
@@ -103,13 +103,7 @@ impl<F: Float> SteadyState<F> {
         if is_family {
             return family::member(equation, section, hint, budget);
         }
-        LongRun::shot(
-            equation,
-            section,
-            hint,
-            || Ok(Some(Guess { at: section, hint, is_limit: true })),
-            budget,
-        )
+        LongRun::shot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), budget)
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].

@@ -306,6 +306,46 @@ mod tests {
         assert!(sum <= 150_300 && sum_hinted <= 94_400, "{sum} {sum_hinted}");
     }
 
+    /// Over the whole range of Ω, with a free wave of any size beside the forced one: the windows without zeros are left out.
+    #[test]
+    fn the_work_is_bounded_at_any_frequency() {
+        let spread = |i: u32, step: f64| (f64::from(i) * step).fract();
+        let (mut most, mut sum, slides) = (0, 0, 20_000);
+        for i in 0..slides {
+            let omega = 2f64.powf(40.0 * spread(i, 0.618_034) - 20.0);
+            let alpha = 1.0 + 10f64.powf(3.0 * spread(i, 0.754_878) - 2.0);
+            let theta = 2.0 * PI * spread(i, 0.569_841);
+            let forced = alpha / ((1.0 - omega) * (1.0 + omega));
+            let free = forced.abs() * omega * 10f64.powf(6.0 * spread(i, 0.437_016) - 3.0);
+            let (sine, cosine) = (2.0 * PI * spread(i, 0.324_718)).sin_cos();
+            let w = forced * omega * theta.cos() + free * cosine;
+            let (direction, x) = (Direction::of(w), forced * theta.sin() + free * sine);
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let x = x - direction.sign::<f64>();
+            let slide = Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, direction);
+            let evaluations = Cell::new(0);
+            let f = slide.velocity();
+            let verdict =
+                next_zero(&slide.velocity_search(PI / omega, None), slide.velocity_at_start(), |phi| {
+                    evaluations.set(evaluations.get() + 1);
+                    f(phi)
+                });
+            assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
+            (most, sum) = (most.max(evaluations.get()), sum + evaluations.get());
+        }
+        assert!(most <= 24 && sum <= 7 * slides, "{most} {sum}");
+    }
+
+    #[test]
+    fn the_error_names_the_slide() {
+        let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
+        let slide = Slide::new(equation, DrivePhase::new(7.5).unwrap(), -0.4, 1.1, Direction::Forward);
+        let message = slide.lost("the velocity zero").to_string();
+        let start =
+            "the velocity zero from phase ω_d t = 7.5 on at Ω = 0.7, α = 2.5 must be found within π(1 + 2/Ω)";
+        assert!(message.starts_with(start), "{message}");
+    }
+
     #[test]
     fn a_wrong_hint_changes_nothing() {
         for (omega, alpha, theta, x, w) in [

@@ -163,12 +163,14 @@ pub(crate) fn follow<F: Float>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Part, walk};
+    use super::{MOST_KEPT, Part, follow, walk};
+    use crate::Error;
     use crate::Ratios;
     use crate::exact::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::shooting::Budget;
     use crate::exact::state::Point;
+    use core::ops::ControlFlow;
 
     #[test]
     fn the_monodromy_is_the_derivative_of_the_walk() {
@@ -194,6 +196,47 @@ mod tests {
             }
         }
     }
+
+    /// Of a walk of many parts the first are kept, and all are met again where they are asked for.
+    #[test]
+    fn parts_that_are_not_kept_are_met_again() {
+        let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
+        let from = Point { phase: DrivePhase::new(0.1).unwrap(), x: 0.2, w: 0.3 };
+        let mut budget = Budget::of(0);
+        let walk = walk(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
+        let mut starts = Vec::new();
+        let visit = |part: &Part<f64>| {
+            starts.push(match part {
+                Part::Slide(slide, _) | Part::Onward(slide, ..) => slide.start,
+                Part::Stick(stick, _) => stick.start,
+            });
+            Ok(())
+        };
+        walk.each_part(equation, from, 1, &mut budget, visit).unwrap();
+        assert!(walk.parts.len() == MOST_KEPT && walk.count > 300 && walk.sticks, "{}", walk.count);
+        assert_eq!(starts.len() as u64, walk.count);
+        assert!(starts.windows(2).all(|pair| pair[1].since(pair[0]) > 0.0));
+    }
+
+    #[test]
+    fn a_walk_is_broken_off() {
+        let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
+        let from = Point { phase: DrivePhase::new(0.1).unwrap(), x: 0.2, w: 0.3 };
+        let mut asked = 0;
+        let mut keep_going = || {
+            asked += 1;
+            if asked < 7 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        let mut parts = 0;
+        let mut budget = Budget::of(0).with(&mut keep_going);
+        let count = |_| {
+            parts += 1;
+            Ok(())
+        };
+        let broken = follow(equation, from, 1, 1.0, &mut budget, count);
+        assert_eq!((broken.err(), parts, asked), (Some(Error::Interrupted), 6, 7));
+    }
+
     /// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for ever.
     #[test]
     fn a_turn_at_the_end_ends_it() {

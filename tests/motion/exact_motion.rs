@@ -345,6 +345,8 @@ fn the_work_of_the_drive_keeps_its_digits() {
             if random.next() < 0.5 { random.scale(0.05, 20.0) } else { 1.0 + random.between(-0.1, 0.1) };
         (omega, 1.0 + random.scale(1e-4, 30.0))
     });
+    let there = steady(known.0, known.1);
+    assert!((there.energy_in() / there.energy_out() - 1.0).abs() < 1e-13, "{there:?}");
     let mut worst = (0.0f64, known);
     for (omega, alpha) in core::iter::once(known).chain(near) {
         let limit = LongRun::from_start(ratios(omega, alpha), State::rest()).unwrap();

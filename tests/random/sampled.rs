@@ -112,7 +112,8 @@ pub(crate) fn counts(omega: f64, alpha: f64, start: (f64, f64, f64)) -> (u32, u3
                 if seam.is_some_and(|seam| theta > seam + TAU) {
                     break;
                 }
-                if release - theta > 1e-9 {
+                // Shorter than a millionth of a natural unit of time it is rounding.
+                if release - theta > 1e-6 * omega.min(1e-3) {
                     stops += u32::from(seam.is_some());
                 }
                 theta = release;
