@@ -5,6 +5,8 @@
 //! | least force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`least_force`], [`least_base_amplitude`] | `force.rs` |
 //! | greatest friction that lets it slide | the same, p₀/α_min | [`greatest_friction`] | `friction.rs` |
 //! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
+//! | forces without any stop, two or six reversals | [`crate::regime::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
+//! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
@@ -14,12 +16,13 @@
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
-//! beside a pole reverses more often ([`crate::Verdict::Sticking`]). An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+//! beside a pole reverses six times ([`crate::nonsticking::six_reversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
 mod bands;
 mod dissipation;
 mod force;
 mod friction;
+mod no_stop;
 mod sticking;
 mod target;
 mod tuning;
@@ -30,6 +33,7 @@ pub use dissipation::{
 };
 pub use force::{least_base_amplitude, least_force};
 pub use friction::greatest_friction;
+pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use sticking::{
     BestOfAllForceRatio, BestOfAllFriction, most_dissipating_force_ratio_of_all,
     most_dissipating_friction_of_all,

@@ -9,6 +9,7 @@
 //! | `border` | 8: the least force ratio without sticking |
 //! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
 //! | `stops` | the map of stops per cycle |
+//! | `poles` | beside the poles 1/3 and 1/5 |
 //! | `portrait` | two motions in the phase plane |
 //! | `accuracy` | digits lost beside Ω = 1 |
 //! | `multipliers` | how fast the motion settles |
@@ -30,6 +31,7 @@ mod draw;
 mod multipliers;
 mod oscillator;
 mod plane;
+mod poles;
 mod portrait;
 mod response;
 mod stops;
@@ -40,7 +42,7 @@ pub use plane::{Plane, Scale};
 use std::io::{self, Write};
 
 /// The names of all figures, in order: those of the paper by their numbers.
-pub const NAMES: [&str; 16] = [
+pub const NAMES: [&str; 17] = [
     "1",
     "2",
     "3",
@@ -57,6 +59,7 @@ pub const NAMES: [&str; 16] = [
     "portrait",
     "accuracy",
     "multipliers",
+    "poles",
 ];
 
 /// The figure of that name, one of [`NAMES`].
@@ -79,6 +82,7 @@ pub fn figure(name: &str) -> Option<Figure> {
         "portrait" => portrait::two_motions(),
         "accuracy" => accuracy::beside_one(),
         "multipliers" => multipliers::of_the_cycle(),
+        "poles" => poles::beside(),
         _ => return None,
     })
 }

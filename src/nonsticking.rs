@@ -26,6 +26,7 @@ pub mod matching;
 mod phase;
 pub mod printed;
 mod reversal;
+pub mod six_reversals;
 pub mod stability;
 mod velocity;
 
@@ -40,6 +41,7 @@ pub use displacement::{
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
 pub use reversal::{Reversal, max_displacement_at};
+pub use six_reversals::SixReversals;
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::{Error, written};

@@ -13,6 +13,7 @@ pages! {
     Velocity: "../docs/theory/velocity.md",
     DenHartog: "../docs/theory/den-hartog.md",
     Border: "../docs/theory/border.md",
+    SixReversals: "../docs/theory/six-reversals.md",
     Dissipation: "../docs/theory/dissipation.md",
     Stability: "../docs/theory/stability.md",
     ExactMotion: "../docs/theory/exact-motion.md",

@@ -3,17 +3,21 @@
 //! [`Regime`] names it, by comparison with the border as rounded; [`Place`] says where in the plane the point lies, how
 //! far from the border, and admits that it cannot tell where the arithmetic cannot.
 
+mod no_stop;
+mod observed;
 mod place;
 mod stops;
 mod verdict;
 
+pub use no_stop::{NoStop, no_stop_force_ratios};
+pub use observed::{Observed, observed};
 pub use place::Place;
 pub use stops::{Stops, stops_per_cycle};
 pub use verdict::{Family, Verdict};
 
 use crate::error::Error;
 use crate::float::Float;
-use crate::nonsticking::Border;
+use crate::nonsticking::{Border, six_reversals};
 use crate::ratios::Ratios;
 
 /// What the body does in the long run.
@@ -21,10 +25,10 @@ use crate::ratios::Ratios;
 pub enum Regime {
     /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
     Stuck,
-    /// 1 < α < α_min(Ω): the body stops, for a while, in every cycle; within about 1 % of a pole 1/(2n+1) it may instead
-    /// reverse six times a cycle without stopping ([`Verdict::Sticking`]).
+    /// α > 1 and no motion without a stop: the body stops, for a while, in every cycle.
     Sticking,
-    /// α ≥ α_min(Ω): the body never stops for longer than an instant, and reverses twice a cycle.
+    /// The body never stops for longer than an instant: α ≥ α_min(Ω), where it reverses twice a cycle, or α within the force ratios of six
+    /// reversals a cycle beside a pole 1/(2n+1) ([`crate::nonsticking::six_reversals`]).
     NonSticking,
     /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
     Unbounded,
@@ -48,14 +52,14 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
     regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio())
 }
 
-/// The regime at (Ω, α) where the least force ratio without sticking is `least`.
+/// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.
 #[inline]
 pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, least: F) -> Regime {
     let one = F::int(1);
     if alpha <= one {
         Regime::Stuck
     } else if alpha < least {
-        Regime::Sticking
+        if six_reversals::is_within(omega, alpha) { Regime::NonSticking } else { Regime::Sticking }
     } else if omega == one {
         Regime::Unbounded
     } else {
@@ -63,7 +67,15 @@ pub(crate) fn regime_above<F: Float>(omega: F, alpha: F, least: F) -> Regime {
     }
 }
 
-/// The regime at (Ω, α).
+/// Whether the two-reversal cycle exists at (Ω, α), where its border is `least`.
+#[inline]
+pub(crate) fn has_two_reversals<F: Float>(omega: F, alpha: F, least: F) -> bool {
+    alpha >= least && omega != F::int(1)
+}
+
+/// The regime at (Ω, α): what the body does, whatever the number of reversals.
+///
+/// The borders are those that [`no_stop_force_ratios`] gives, and belong to what slides.
 ///
 /// # Errors
 /// Where a ratio is outside its domain.
@@ -85,6 +97,25 @@ mod tests {
             assert_eq!(regime(omega, least.next_down()), Ok(Regime::Sticking));
         }
         assert_eq!((regime(0.7, 1.0f64), regime(1.0, 1.3f64)), (Ok(Regime::Stuck), Ok(Regime::Unbounded)));
+    }
+
+    /// Stops and velocity zeros a cycle of the exact motion as α grows, at Ω = 0.331 and 0.336.
+    #[test]
+    fn beside_a_pole_there_is_a_second_region_without_stops() {
+        for (omega, alpha, expected) in [
+            (0.331, 53.5, Regime::Sticking),
+            (0.331, 61.6, Regime::NonSticking),
+            (0.331, 155.0, Regime::NonSticking),
+            (0.331, 157.5, Regime::Sticking),
+            (0.331, 179.0, Regime::Sticking),
+            (0.331, 180.0, Regime::NonSticking),
+            (0.336, 100.0, Regime::Sticking),
+            (1.0 / 3.0, 68.0, Regime::Sticking),
+            (1.0 / 3.0, 69.0, Regime::NonSticking),
+            (1.0 / 3.0, 1e15, Regime::NonSticking),
+        ] {
+            assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
+        }
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::float::{AtPrecision, Float};
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
-use crate::regime::{Regime, regime_of};
+use crate::regime::{Regime, has_two_reversals, regime_of};
 
 /// The answer at one (Ω, α).
 ///
@@ -35,10 +35,8 @@ impl<F: Float> Response<F> {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
         let regime = regime_of(ratios, &border);
-        let cycle = match regime {
-            Regime::NonSticking => Some(Cycle::at(&p, ratios)),
-            Regime::Stuck | Regime::Sticking | Regime::Unbounded => None,
-        };
+        let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio());
+        let cycle = slides.then(|| Cycle::at(&p, ratios));
         Self {
             ratios,
             regime,
@@ -87,12 +85,22 @@ impl<F: Float> Response<F> {
         self.regime
     }
 
-    /// The border at this Ω: the least force ratio without sticking, exact and by eq. 61.
+    /// Reversals in a cycle of the motion without a stop: 2, or 6 beside a pole below the border, where the closed forms do not hold
+    /// ([`crate::nonsticking::SixReversals`] does); `None` where it stops or grows without bound.
+    pub fn reversals_per_cycle(&self) -> Option<u32> {
+        match (self.regime, &self.cycle) {
+            (_, Some(_)) => Some(2),
+            (Regime::NonSticking, None) => Some(6),
+            (Regime::Stuck | Regime::Sticking | Regime::Unbounded, None) => None,
+        }
+    }
+
+    /// The border of the two-reversal cycle at this Ω, exact and by eq. 61.
     pub const fn border(&self) -> &Border<F> {
         &self.border
     }
 
-    /// The non-sticking cycle, where there is one.
+    /// The two-reversal cycle, where there is one.
     pub const fn cycle(&self) -> Option<&Cycle<F>> {
         self.cycle.as_ref()
     }

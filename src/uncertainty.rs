@@ -166,7 +166,7 @@ impl<F: Float> Range<F> {
 /// Whether the body sticks, over a whole box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Sticking {
-    /// For all parameters of the box the body is below the border: at rest, or it stops or turns back within every half cycle.
+    /// For all parameters of the box: the body ends at rest, or stops in every cycle.
     Always,
     /// It is not, for any.
     Never,
@@ -182,6 +182,7 @@ impl Sticking {
                 Self::Always
             }
             Verdict::NonSticking
+            | Verdict::SixReversals
             | Verdict::Degenerate(_)
             | Verdict::Unbounded
             | Verdict::Undecided(Regime::NonSticking, Regime::Unbounded) => Self::Never,

@@ -3,7 +3,7 @@
 use crate::nonsticking::{Border, Reversal};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
-use crate::regime::{Regime, regime_above};
+use crate::regime::has_two_reversals;
 use crate::response::Response;
 
 /// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂} at (Ω, α): NaN what does not exist.
@@ -34,7 +34,7 @@ pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
     let Ok(ratios) = Ratios::new(omega, alpha) else { return [nan; 3] };
     let p = PhaseFunction::of_valid(ratios.omega());
     let border = Border::least_force_ratio(&p);
-    if regime_above(omega, alpha, border) != Regime::NonSticking {
+    if !has_two_reversals(omega, alpha, border) {
         return [nan, border, nan];
     }
     let reversal = Reversal::new(&p, alpha).of_sliding(omega);

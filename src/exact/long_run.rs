@@ -13,7 +13,7 @@ use super::steady::{SteadyState, Summary};
 use super::trajectory::{Body, Trajectory, resolved};
 use crate::error::Error;
 use crate::float::Float;
-use crate::nonsticking::Cycle;
+use crate::nonsticking::{Cycle, SixReversals};
 use crate::ratios::Ratios;
 use core::ops::ControlFlow;
 
@@ -103,8 +103,11 @@ impl<F: Float> LongRun<F> {
         let guess = || match Cycle::new(ratios) {
             Ok(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
             Err(_) => {
-                // A start far away: the limit is that from rest.
-                let (at, hint) = settle_in(equation, State::rest(), &mut Budget::of(0))?;
+                // Below the border, of six reversals or with stops: then the limit is that from rest.
+                let (at, hint) = match SixReversals::new(ratios) {
+                    Some(cycle) => on_six_reversals(equation, &cycle),
+                    None => settle_in(equation, State::rest(), &mut Budget::of(0))?,
+                };
                 Ok(Some(Guess { at, hint, is_limit: false }))
             }
         };
@@ -209,13 +212,23 @@ pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -
     (point, lag / equation.omega)
 }
 
+/// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to that.
+fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
+    let [first, _, third] = cycle.reversal_phases();
+    let next = first + F::pi();
+    let theta = (third + next) / F::int(2);
+    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);
+    let (x, w) = (cycle.displacement_at(theta), cycle.velocity_at(theta) * equation.omega);
+    (Point { phase, x, w }, (next - theta) / equation.omega)
+}
+
 #[cfg(test)]
 mod tests {
     use super::{LongRun, fastest_point};
     use crate::exact::State;
     use crate::exact::equation::Equation;
     use crate::exact::slide::{Direction, Slide};
-    use crate::nonsticking::Cycle;
+    use crate::nonsticking::{Cycle, SixReversals};
     use crate::{Border, Ratios};
 
     /// From the fastest point of a cycle the body comes to its maximum displacement in the time named.

@@ -5,6 +5,7 @@ use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::nonsticking::border::{BorderRange, border_range};
+use crate::nonsticking::six_reversals::{Within, within};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
@@ -60,9 +61,7 @@ impl<F: Float> Place<F> {
             degenerate(ratios)
         } else {
             let line = BorderRange { least, greatest: Some(least) };
-            let verdict = decide((omega, omega), (alpha, alpha), &line);
-            let is_family = matches!(verdict, Verdict::NonSticking) && p.is_even_subharmonic();
-            if is_family { Verdict::Degenerate(Family::at(ratios, least)) } else { verdict }
+            decide((omega, omega), (alpha, alpha), &line)
         };
         Self { ratios, border, verdict }
     }
@@ -154,14 +153,18 @@ fn decide<F: Float>(omega: (F, F), alpha: (F, F), border: &BorderRange<F>) -> Ve
         return Verdict::AtRest;
     }
     if alpha.0 <= one {
-        return if alpha.1 < border.least {
+        return if alpha.1 < border.least && within(omega, alpha) == Within::None {
             Verdict::Undecided(Regime::Stuck, Regime::Sticking)
         } else {
             Verdict::Undecided(Regime::Stuck, Regime::NonSticking)
         };
     }
     if alpha.1 < border.least * (one - error) {
-        return Verdict::Sticking;
+        return match within(omega, alpha) {
+            Within::None => Verdict::Sticking,
+            Within::All => Verdict::SixReversals,
+            Within::Some => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),
+        };
     }
     let (at_resonance, may_resonate) = (omega.0 == one && omega.1 == one, omega.0 <= one && omega.1 >= one);
     let slides = border.greatest.is_some_and(|greatest| alpha.0 > greatest * (one + error));
@@ -207,9 +210,9 @@ mod tests {
             assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
             assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
         }
-        assert_eq!(verdict(0.5 * (1.0 - 1e-14), 4.0), Verdict::NonSticking);
-        for omega in [1.0 / 6.0, 0.5f64.next_down(), 0.5f64.next_up()] {
-            assert_eq!(verdict(omega, 70.0), Verdict::NonSticking);
+        // Beside it, too, there is one limit only.
+        for omega in [0.5 * (1.0 - 1e-14), 0.5f64.next_down(), 0.5f64.next_up(), 1.0 / 6.0] {
+            assert_eq!(verdict(omega, 1.5 / (omega * omega)), Verdict::NonSticking, "{omega}");
         }
     }
 
@@ -222,6 +225,34 @@ mod tests {
             }
             assert_eq!(verdict(omega, least * (1.0 + 1e-14)), Verdict::NonSticking, "{omega}");
             assert_eq!(verdict(omega, least * (1.0 - 1e-14)), Verdict::Sticking, "{omega}");
+        }
+    }
+
+    #[test]
+    fn beside_a_pole_it_may_reverse_six_times() {
+        let (low, high) = crate::nonsticking::six_reversals::force_ratios(0.331).unwrap().unwrap();
+        for (alpha, expected) in [
+            (low * 0.999, Verdict::Sticking),
+            (low * (1.0 - 1e-15), EITHER),
+            (low, EITHER),
+            (low * 1.001, Verdict::SixReversals),
+            (high * 0.999, Verdict::SixReversals),
+            (high, EITHER),
+            (high * 1.001, Verdict::Sticking),
+        ] {
+            assert_eq!(verdict(0.331, alpha), expected, "{alpha}");
+        }
+        let within = |omega, alpha| Place::<f64>::within(omega, alpha).unwrap().verdict();
+        for (omega, alpha, expected) in [
+            ((0.3305, 0.3325), (80.0, 100.0), Verdict::SixReversals),
+            ((0.332, 0.334), (80.0, 100.0), Verdict::SixReversals),
+            ((0.3305, 0.3306), (40.0, 50.0), Verdict::Sticking),
+            ((0.332, 0.334), (50.0, 100.0), EITHER),
+            ((0.336, 0.337), (50.0, 100.0), Verdict::Sticking),
+            ((0.326, 0.337), (50.0, 51.0), EITHER),
+            ((0.21, 0.32), (10.4, 10.5), Verdict::Sticking),
+        ] {
+            assert_eq!(within(omega, alpha), expected, "{omega:?} {alpha:?}");
         }
     }
 

@@ -1,5 +1,6 @@
 //! How often the body stops in a cycle, by the exact motion.
 
+use super::{no_stop_force_ratios, observed};
 use crate::error::{Error, written};
 use crate::exact::{LongRun, State};
 use crate::float::Float;
@@ -19,11 +20,10 @@ pub struct Stops {
 /// above the border.
 ///
 /// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all members but for those at its
-/// edge. The exact motion finds every stop, however short: beside the border [`crate::Place`] says whether the arithmetic can
-/// tell at all.
+/// edge. A stop that is shorter than the motion is known to, beside a border, is an error, not a count ([`observed`]).
 ///
-/// There may be no stop although α is below the border, beside a pole 1/(2n+1): more than two velocity zeros tell
-/// ([`crate::Verdict::Sticking`]).
+/// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity zeros
+/// ([`crate::Verdict::SixReversals`]).
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -37,10 +37,21 @@ pub struct Stops {
 /// ```
 ///
 /// # Errors
+/// [`Error::Undecided`] where a stop, or the clearance without one, is smaller than the motion is known to;
 /// [`Error::NotSettled`] where the motion creeps for longer than [`crate::exact::DEFAULT_BUDGET`] periods, and as for
 /// [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
-    match LongRun::from_start(ratios, State::rest())? {
+    let limit = LongRun::from_start(ratios, State::rest())?;
+    if observed(ratios, &limit).by_border {
+        let alpha = ratios.alpha();
+        let away = |x: &F| (*x - alpha).abs();
+        let edges = no_stop_force_ratios(ratios.omega())?;
+        let all = edges.intervals().flat_map(|(low, high)| [Some(low), high]).flatten();
+        let nearest = all.fold(edges.border(), |best, x| if away(&x) < away(&best) { x } else { best });
+        let (alpha, omega) = (written(alpha), written(ratios.omega()));
+        return Err(Error::Undecided { alpha, least: written(nearest), omega });
+    }
+    match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(Some(Stops {
             sticks: steady.sticks_per_cycle(),
             velocity_zeros: steady.velocity_zeros_per_cycle(),

@@ -11,14 +11,15 @@ use crate::ratios::Ratios;
 pub enum Verdict<F> {
     /// α ≤ 1: it ends at rest.
     AtRest,
-    /// 1 < α < α_min(Ω): the motion that reverses twice a cycle and never stops does not exist. The body stops for a while in
-    /// every cycle, but for one exception: within about 1 % of a pole 1/(2n+1) there are α well below the border with which it
-    /// never stops and reverses six times a cycle, as at (0.334325, 149.563). Just below the border it always stops:
-    /// where the velocity first touches zero, so does the acceleration, and the force is within the friction bound.
+    /// α > 1, below the border of the two-reversal cycle and not within the force ratios of six reversals: the body stops for a while in every
+    /// cycle. That there is no motion without a stop of more reversals is searched, not proved.
     Sticking,
     /// α ≥ α_min(Ω): it never stops for longer than an instant, reverses twice a cycle, and settles on one symmetric cycle.
     NonSticking,
-    /// The same at Ω = 1/(2n), to within the rounding of Ω, where it settles on a member of a family of cycles, which one depending on the start.
+    /// Beside a pole 1/(2n+1), below the border: it never stops, reverses six times a cycle, and settles on one symmetric cycle
+    /// ([`crate::nonsticking::SixReversals`]).
+    SixReversals,
+    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles, which one depending on the start.
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
     Unbounded,
@@ -33,7 +34,7 @@ impl<F: Float> Verdict<F> {
         match self {
             Self::AtRest => Some(Regime::Stuck),
             Self::Sticking => Some(Regime::Sticking),
-            Self::NonSticking | Self::Degenerate(_) => Some(Regime::NonSticking),
+            Self::NonSticking | Self::SixReversals | Self::Degenerate(_) => Some(Regime::NonSticking),
             Self::Unbounded => Some(Regime::Unbounded),
             Self::Undecided(..) => None,
         }
@@ -46,6 +47,7 @@ impl<F: Float> Verdict<F> {
             Self::AtRest => "at rest",
             Self::Sticking => "sticking",
             Self::NonSticking => "non-sticking",
+            Self::SixReversals => "non-sticking, six reversals",
             Self::Degenerate(_) => "degenerate",
             Self::Unbounded => "unbounded",
             Self::Undecided(..) => "undecided",
@@ -130,6 +132,7 @@ mod tests {
             (Verdict::AtRest, "at rest", Some(Regime::Stuck)),
             (Verdict::Sticking, "sticking", Some(Regime::Sticking)),
             (Verdict::NonSticking, "non-sticking", Some(Regime::NonSticking)),
+            (Verdict::SixReversals, "non-sticking, six reversals", Some(Regime::NonSticking)),
             (Verdict::Degenerate(family), "degenerate", Some(Regime::NonSticking)),
             (Verdict::Unbounded, "unbounded", Some(Regime::Unbounded)),
             (Verdict::Undecided(Regime::Sticking, Regime::NonSticking), "undecided", None),

@@ -44,13 +44,16 @@ fn json_has_the_agreed_keys_in_every_regime() {
         "best_force_ratio",
         "best_loop_size",
         "contraction",
+        "reversals_per_cycle",
+        "best_force_ratio_slides",
     ];
     for (args, regime, absent) in [
         ("--omega 1.5 --alpha 2.5", "non-sticking", 0),
-        ("--omega 0.4 --alpha 6", "sticking", 8),
-        ("--omega 0.4 --alpha 0.9", "stuck", 8),
-        ("--omega 1 --alpha 2", "unbounded", 9),
+        ("--omega 0.4 --alpha 6", "sticking", 9),
+        ("--omega 0.4 --alpha 0.9", "stuck", 9),
+        ("--omega 1 --alpha 2", "unbounded", 10),
         ("--omega 0.5 --alpha 4", "non-sticking", 1),
+        ("--omega 0.331 --alpha 61.6", "non-sticking", 8),
     ] {
         let answer = json(&format!("response {args} --format json"));
         let object = answer.as_object().unwrap();
@@ -59,6 +62,61 @@ fn json_has_the_agreed_keys_in_every_regime() {
         assert_eq!(object["regime"], regime);
         assert_eq!(object.values().filter(|v| v.is_null()).count(), absent, "{args}: {answer}");
     }
+}
+
+/// Beside a pole, below the border of the two-reversal cycle: every command says the same.
+#[test]
+fn six_reversals_have_one_verdict() {
+    let point = "--omega 0.331 --alpha 61.6";
+    for command in ["response", "steady"] {
+        let answer = json(&format!("{command} {point} --format json"));
+        assert_eq!(answer["regime"], "non-sticking", "{command}");
+        assert_eq!(answer["reversals_per_cycle"], 6, "{command}");
+        let text = stdout(&format!("{command} {point}"));
+        assert!(text.contains("never stops; it reverses six times") || text.contains("reverses 6 times"), "{text}");
+    }
+    assert!(stdout(&format!("response {point}")).contains("`stickslip steady` gives this motion"));
+    assert_eq!(json("response --omega 0.7 --alpha 2 --format json")["reversals_per_cycle"], 2);
+    let map = stdout("map regime --omega 0.331,0.336 --alpha 61.6");
+    assert!(map.contains("0.331,61.6,non-sticking") && map.contains("0.336,61.6,sticking"), "{map}");
+}
+
+#[test]
+fn the_force_ratios_without_a_stop() {
+    let answer = json("border --omega 0.331 --no-stop --format json");
+    let found = &answer["no_stop_force_ratios"];
+    let number = |i: usize, j: usize| found[i][j].as_f64().unwrap();
+    for (got, expected) in
+        [(number(0, 0), 53.67330651204315), (number(0, 1), 155.36188887727886), (number(1, 0), 179.87627993590212)]
+    {
+        assert!((got / expected - 1.0).abs() < 1e-14, "{answer}");
+    }
+    assert!(found[1][1].is_null() && found.as_array().unwrap().len() == 2);
+    assert_eq!(answer["min_force_ratio"], found[1][0]);
+    let single = json("border --omega 0.4 --no-stop --format json");
+    assert_eq!(single["no_stop_force_ratios"][0][0], single["min_force_ratio"]);
+    assert!(json("border --omega 0.331 --format json").get("no_stop_force_ratios").is_none());
+    let force = json("design force --omega 0.331 --no-stop --format json");
+    assert_eq!((&force["no_stop_force_ratios"], &force["force_ratio"]), (found, &found[0][0]));
+    let bands = json("design bands --alpha 80 --from 0.3 --to 0.4 --no-stop --format json");
+    let counts: Vec<_> = bands.as_array().unwrap().iter().map(|b| b["reversals_per_cycle"].as_u64()).collect();
+    assert_eq!(counts, [Some(2), Some(6), Some(2)]);
+    refused("design friction --omega 0.331 --no-stop", &["--no-stop"]);
+}
+
+/// What is beside a pole or a zero of K is said to be so; the symmetric cycle of a family is.
+#[test]
+fn numbers_that_no_machine_can_use_are_said_to_be_so() {
+    let says = |arguments: &str| stdout(arguments).contains("no machine can use this");
+    assert!(says("response --omega 0.2 --alpha 300") && says("border --omega 0.2"));
+    assert!(says("response --omega 0.16666666666666666 --alpha 70") || !says("response --omega 0.3 --alpha 70"));
+    assert!(!says("response --omega 0.21 --alpha 300") && !says("border --omega 0.331"));
+    let eq_65 = |omega: &str| {
+        json(&format!("response --omega {omega} --alpha 3 --format json"))["best_force_ratio_slides"].as_bool()
+    };
+    assert_eq!((eq_65("1.5"), eq_65("0.6")), (Some(true), Some(false)));
+    assert!(stdout("response --omega 0.5 --alpha 4").contains("family of cycles"));
+    assert!(!stdout("response --omega 0.4999999999999999 --alpha 4").contains("family"));
 }
 
 #[test]

@@ -18,3 +18,5 @@ mod properties;
 mod regime;
 #[cfg(feature = "mp")]
 mod regime_exact;
+#[cfg(feature = "mp")]
+mod six_reversals;

@@ -9,14 +9,13 @@ use stickslip::float::mp::Mp;
 use stickslip::regime::{Stops, stops_per_cycle};
 use stickslip::{Border, Cycle, Error, Float, Place, Ratios, Regime, Verdict};
 
-/// What the exact motion does in the long run; `None` where it does not say. More than two velocity zeros a cycle are below the
-/// border, stops or not.
+/// What the exact motion does in the long run; `None` where it does not say.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
     match LongRun::from_start(ratios, State::rest()).unwrap() {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
             assert!(zeros >= 2, "{ratios:?}");
-            Some(if sticks > 0 || zeros > 2 { Regime::Sticking } else { Regime::NonSticking })
+            Some(if sticks > 0 { Regime::Sticking } else { Regime::NonSticking })
         }
         LongRun::Rest(_) => Some(Regime::Stuck),
         LongRun::Unbounded { .. } => Some(Regime::Unbounded),

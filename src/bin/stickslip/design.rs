@@ -1,6 +1,7 @@
 //! `stickslip design`.
 
 mod best;
+mod no_stop;
 
 use crate::args::{Format, Question, QuestionArgs, UnitNames};
 use crate::bits::{self, Task, Value};
@@ -47,8 +48,13 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(question, out) = self;
         let args = arguments(question);
+        if args.no_stop && !matches!(question, Question::Force(_) | Question::Bands(_)) {
+            return Err(Failure::Input("--no-stop: is for design force and design bands".to_owned()));
+        }
         let asked = Asked::<F>::new(args)?;
         let answer = match question {
+            Question::Force(_) if args.no_stop => asked.forces_without_stop(),
+            Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
             Question::Force(_) => asked.least_force(),
             Question::Friction(_) => asked.greatest_friction(),
             Question::Bands(_) => asked.bands(),

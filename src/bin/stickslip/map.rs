@@ -54,7 +54,7 @@ impl<'a> Quantity<'a> {
         };
         let record = rows::answer(question, omega, alpha).map_err(|e| Failure::Input(e.to_string()))?;
         let found = record.fields.iter().find(|(found, _)| *found == name);
-        Ok(found.map(|(_, cell)| *cell).filter(|cell| !matches!(cell, Cell::Pairs(_))))
+        Ok(found.map(|(_, cell)| *cell).filter(|cell| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
     }
 
     /// What the colours stand for, with its unit.
@@ -193,7 +193,8 @@ fn picture(
                 whole = false;
                 number.unwrap_or(f64::NAN)
             }
-            Cell::Pairs(_) => f64::NAN,
+            Cell::Flag(flag) => f64::from(u8::from(flag)),
+            Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
         });
         Ok(())
     })?;

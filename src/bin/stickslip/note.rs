@@ -5,7 +5,8 @@ use crate::bits::Value;
 use crate::input::{BorderScales, Machine};
 use crate::style;
 use std::io::{self, Write};
-use stickslip::{Cycle, Regime, Response, nonsticking};
+use stickslip::regime::{NoStop, no_stop_force_ratios};
+use stickslip::{Cycle, PhaseFunction, Regime, Response, nonsticking};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
@@ -47,6 +48,9 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
         Regime::Sticking => format!(
             "Sticking: the body does not slide through its cycle; the force is {margin} of what it would take."
         ),
+        Regime::NonSticking if response.cycle().is_none() => format!(
+            "Non-sticking: the body never stops; it reverses six times a cycle, with {margin} of the force for two."
+        ),
         Regime::NonSticking => {
             format!("Non-sticking: the body never stops; the force is {margin} times the least that does it.")
         }
@@ -76,6 +80,22 @@ pub(crate) fn response<F: Value>(
     }
     if let Some(cycle) = response.cycle() {
         motion(cycle, machine, units, out)?;
+    } else if response.regime() == Regime::NonSticking {
+        writeln!(
+            out,
+            "\nThe closed forms are those of two reversals; `stickslip steady` gives this motion."
+        )?;
+    }
+    if response.regime() == Regime::NonSticking
+        && PhaseFunction::new(omega).is_ok_and(|p| p.value() == F::int(0))
+    {
+        let (one, least) = (F::int(1), response.border().min_force_ratio());
+        let shift = digits(alpha / least - one);
+        writeln!(
+            out,
+            "\nAt Ω = 1/(2n) this is the symmetric one of a family of cycles, whose middles lie within"
+        )?;
+        writeln!(out, "±{shift} B; the start decides which is reached, see `stickslip steady`.")?;
     }
     needed_force(response, machine, units, out)
 }
@@ -120,7 +140,17 @@ fn needed_force<F: Value>(
     let border = response.border();
     let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), &units.force);
     writeln!(out, "\nForce")?;
-    writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?;
+    let no_stop = no_stop_force_ratios(response.ratios().omega());
+    match no_stop.ok().as_ref().and_then(NoStop::six_reversals) {
+        None => writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?,
+        Some((low, high)) => {
+            writeln!(out, "  least without any stop   {}", forces(low))?;
+            writeln!(out, "    up to                  {}  (six reversals a cycle)", forces(high))?;
+            writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
+            writeln!(out, "    between these two it stops; from the border on it does not")?;
+        }
+    }
+    not_to_be_held(response.ratios().omega(), border.min_force_ratio(), out)?;
     if border.turning_point() < border.min_force_ratio() {
         let eq_61 = digits(border.turning_point());
         writeln!(out, "    (eq. 61 asks for {eq_61} r_y only, which does not suffice below Ω = 1/2)")?;
@@ -128,7 +158,14 @@ fn needed_force<F: Value>(
     match response.best_loop_size() {
         Some(size) if response.best_is_reached() => {
             writeln!(out, "  of the largest loop A₁   {}", forces(response.best_force_ratio()))?;
-            writeln!(out, "    which is A₁ =          {}", digits(size))
+            writeln!(out, "    which is A₁ =          {}", digits(size))?;
+            if size.to_f64() > ABSURD {
+                writeln!(
+                    out,
+                    "    (Ω is so close to 1/(2n), where it is infinite, that no machine can use this)"
+                )?;
+            }
+            Ok(())
         }
         None if response.best_is_reached() => {
             writeln!(
@@ -144,9 +181,38 @@ fn needed_force<F: Value>(
     }
 }
 
+/// Beyond this a force ratio or a loop size is that of a pole, which no machine's frequency comes so close to.
+const ABSURD: f64 = 1e6;
+
+/// Says so where Ω is so close to a pole that no machine can be held there.
+fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
+    // Away from the poles the border is 1/Ω² or a few times that.
+    if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
+        writeln!(
+            out,
+            "    (Ω is so close to 1/(2n+1), where the border is infinite, that no machine can use this)"
+        )?;
+    }
+    Ok(())
+}
+
+/// With which forces the body does not stop, as the end of a sentence.
+pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
+    let border = digits(found.border());
+    match found.six_reversals() {
+        None => format!("from a force of {border} {unit} on"),
+        Some((low, high)) => format!(
+            "with a force of {} to {} {unit}, where it reverses six times a cycle, and from {border} {unit} on",
+            digits(low),
+            digits(high)
+        ),
+    }
+}
+
 /// The note on a border.
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
+    found: &NoStop<F>,
     scales: Option<BorderScales<F>>,
     units: &UnitNames,
     out: &mut impl Write,
@@ -155,13 +221,17 @@ pub(crate) fn border<F: Value>(
     let forces = |x| both(x, "r_y", scales.map(|s| s.force), &units.force);
     let lengths = |x| both(x, "B", scales.map(|s| s.length), &units.length);
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    writeln!(
-        out,
-        "At Ω = {} the body does not stick from a force of {} r_y on.\n",
-        digits(omega),
-        digits(border.min_force_ratio())
-    )?;
-    writeln!(out, "  least force              {}", forces(border.min_force_ratio()))?;
+    let (verb, name) = match found.six_reversals() {
+        None => ("stick", "least force"),
+        Some(_) => ("stop", "two-reversal border"),
+    };
+    writeln!(out, "At Ω = {} the body does not {verb} {}.\n", digits(omega), no_stop(found, "r_y"))?;
+    if let Some((low, high)) = found.six_reversals() {
+        writeln!(out, "  six reversals from       {}", forces(low))?;
+        writeln!(out, "    up to                  {}", forces(high))?;
+    }
+    writeln!(out, "  {name:<25}{}", forces(border.min_force_ratio()))?;
+    not_to_be_held(omega, border.min_force_ratio(), out)?;
     writeln!(out, "  at the turning point     {}", forces(border.turning_point()))?;
     writeln!(
         out,

@@ -7,6 +7,7 @@ use crate::note;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 use stickslip::Response;
+use stickslip::regime::NoStop;
 
 /// A value of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +17,10 @@ pub(crate) enum Cell<F> {
     Number(Option<F>),
     /// A whole number.
     Count(Option<u64>),
+    /// Whether something holds.
+    Flag(bool),
+    /// Two intervals at most, the greatest of the last one missing.
+    Intervals([Option<(F, Option<F>)>; 2]),
     /// Two complex numbers, each as its real and imaginary part.
     Pairs(Option<[(F, F); 2]>),
 }
@@ -32,7 +37,11 @@ impl<F: Value> Cell<F> {
             Self::Pairs(pairs) => {
                 pairs.iter().flatten().try_for_each(|&(re, im)| one(re).and_then(|()| one(im)))
             }
-            Self::Text(_) | Self::Count(_) => Ok(()),
+            Self::Intervals(intervals) => intervals
+                .iter()
+                .flatten()
+                .try_for_each(|&(low, high)| one(low).and_then(|()| high.map_or(Ok(()), one))),
+            Self::Text(_) | Self::Count(_) | Self::Flag(_) => Ok(()),
         }
     }
 
@@ -43,6 +52,14 @@ impl<F: Value> Cell<F> {
             Self::Text(text) => (*text).to_owned(),
             Self::Number(number) => number.map_or_else(dash, note::digits),
             Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
+            Self::Flag(flag) => flag.to_string(),
+            Self::Intervals(intervals) => {
+                let text = |&(low, high): &(F, Option<F>)| match high {
+                    Some(high) => format!("{} to {}", note::digits(low), note::digits(high)),
+                    None => format!("{} and more", note::digits(low)),
+                };
+                intervals.iter().flatten().map(text).collect::<Vec<_>>().join(", ")
+            }
             Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
                 pairs.map(|(re, im)| format!("{} {} i", note::digits(re), note::digits(im))).join(", ")
             }),
@@ -60,6 +77,10 @@ impl<F: Value> Serialize for Cell<F> {
             }
             Self::Number(number) => number.map(F::to_f64).serialize(serializer),
             Self::Count(count) => count.serialize(serializer),
+            Self::Flag(flag) => flag.serialize(serializer),
+            Self::Intervals(intervals) => serializer.collect_seq(
+                intervals.iter().flatten().map(|&(low, high)| [Some(low), high].map(Self::Number)),
+            ),
             Self::Pairs(None) => serializer.serialize_none(),
             Self::Pairs(Some(pairs)) => {
                 serializer.collect_seq(pairs.map(|(re, im)| [re, im].map(|x| Self::Number(Some(x)))))
@@ -118,6 +139,8 @@ impl<F: Value> Record<F> {
                 ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
                 ("best_loop_size", Cell::Number(response.best_loop_size())),
                 ("contraction", of_cycle(|c| c.contraction())),
+                ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
+                ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
             ],
             physical: Vec::new(),
         }
@@ -137,6 +160,18 @@ impl<F: Value> Record<F> {
             ],
             physical: Vec::new(),
         }
+    }
+
+    /// The same with the force ratios without any stop.
+    pub(crate) fn with_no_stop(mut self, no_stop: &NoStop<F>) -> Self {
+        self.fields.push(("no_stop_force_ratios", Self::intervals(no_stop)));
+        self
+    }
+
+    /// Its intervals as a value.
+    pub(crate) fn intervals(no_stop: &NoStop<F>) -> Cell<F> {
+        let mut intervals = no_stop.intervals();
+        Cell::Intervals([intervals.next(), intervals.next()])
     }
 
     /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and loop sizes as the energy
@@ -169,7 +204,10 @@ impl<F: Value> Record<F> {
     /// The border in the machine's units.
     pub(crate) fn with_border_scales(mut self, scales: BorderScales<F>) -> Self {
         self.physical = self.rescaled(|name| match name {
-            "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
+            "min_force_ratio"
+            | "min_force_ratio_turning_point"
+            | "best_force_ratio"
+            | "no_stop_force_ratios" => Some(scales.force),
             "border_phase" => Some(scales.time),
             "least_displacement" => Some(scales.length),
             _ => None,
@@ -181,7 +219,11 @@ impl<F: Value> Record<F> {
     pub(crate) fn rescaled(&self, scale: impl Fn(&str) -> Option<F>) -> Vec<(&'static str, Cell<F>)> {
         let rescale = |&(name, cell): &(&'static str, Cell<F>)| match cell {
             Cell::Number(value) => scale(name).map(|unit| (name, Cell::Number(value.map(|v| v * unit)))),
-            Cell::Text(_) | Cell::Count(_) | Cell::Pairs(_) => None,
+            Cell::Intervals(intervals) => scale(name).map(|unit| {
+                let scaled = |(low, high): (F, Option<F>)| (low * unit, high.map(|x| x * unit));
+                (name, Cell::Intervals(intervals.map(|interval| interval.map(scaled))))
+            }),
+            Cell::Text(_) | Cell::Count(_) | Cell::Flag(_) | Cell::Pairs(_) => None,
         };
         self.fields.iter().filter_map(rescale).collect()
     }
@@ -227,7 +269,15 @@ impl<F: Value> Record<F> {
                     number(|[_, (_, im)]| im),
                 ]
             }
-            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => single(cell),
+            Cell::Intervals(intervals) => intervals
+                .map(|interval| {
+                    let (low, high) = interval.map_or((None, None), |(low, high)| (Some(low), high));
+                    [Some(Cell::Number(low)), Some(Cell::Number(high))]
+                })
+                .as_flattened()
+                .try_into()
+                .unwrap_or([None; 4]),
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) | Cell::Flag(_) => single(cell),
         };
         self.fields.iter().flat_map(cells).flatten()
     }
@@ -236,7 +286,10 @@ impl<F: Value> Record<F> {
     pub(crate) fn names(&self) -> Vec<String> {
         let names = |(name, cell): &(&'static str, Cell<F>)| match cell {
             Cell::Pairs(_) => ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("{name}_{part}")).to_vec(),
-            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) => vec![(*name).to_owned()],
+            Cell::Intervals(_) => {
+                ["1_low", "1_high", "2_low", "2_high"].map(|part| format!("{name}_{part}")).to_vec()
+            }
+            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) | Cell::Flag(_) => vec![(*name).to_owned()],
         };
         self.fields.iter().flat_map(names).collect()
     }

@@ -11,7 +11,8 @@ use crate::response::single_format;
 use crate::style;
 use std::io::{self, Write};
 use stickslip::exact::{LongRun, SteadyState};
-use stickslip::{Error, Ratios};
+use stickslip::regime::{Observed, observed};
+use stickslip::{Error, Ratios, Regime};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
@@ -59,15 +60,15 @@ impl<W: Write> Task for Run<'_, W> {
 }
 
 /// The regime that the motion itself shows, and what kind of limit it has.
-fn names<F: Value>(limit: &LongRun<F>) -> (&'static str, &'static str) {
-    let moving = |s: &SteadyState<F>| if s.sticks_per_cycle() > 0 { "sticking" } else { "non-sticking" };
-    match limit {
-        LongRun::Periodic(s) => (moving(s), "periodic"),
-        LongRun::Family(s) => (moving(s), "family"),
-        LongRun::Rest(_) => ("stuck", "rest"),
-        LongRun::Unbounded { .. } => ("unbounded", "none"),
-        LongRun::NotConverged { .. } => ("undecided", "not-converged"),
-    }
+fn names<F: Value>(limit: &LongRun<F>, seen: &Observed) -> (&'static str, &'static str) {
+    let kind = match limit {
+        LongRun::Periodic(_) => "periodic",
+        LongRun::Family(_) => "family",
+        LongRun::Rest(_) => "rest",
+        LongRun::Unbounded { .. } => "none",
+        LongRun::NotConverged { .. } => "not-converged",
+    };
+    (seen.regime.map_or("undecided", Regime::name), kind)
 }
 
 /// All outputs of a steady state.
@@ -76,7 +77,8 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
     let errors = steady.map(SteadyState::errors).transpose()?;
-    let (regime, kind) = names(limit);
+    let seen = observed(ratios, limit);
+    let (regime, kind) = names(limit, &seen);
     let (periods, rest) = match limit {
         LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
         LongRun::Rest(rest) => (Some(rest.periods), Some(rest.position)),
@@ -97,7 +99,7 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
             ("max_velocity_phase", number(|s| s.max_velocity_phase())),
             ("min_velocity", number(|s| s.min_velocity())),
             ("min_velocity_phase", number(|s| s.min_velocity_phase())),
-            ("sticks_per_cycle", count(|s| s.sticks_per_cycle())),
+            ("sticks_per_cycle", Cell::Count(seen.sticks.map(u64::from))),
             ("velocity_zeros_per_cycle", count(|s| s.velocity_zeros_per_cycle())),
             ("stick_fraction", number(|s| s.stick_fraction())),
             ("error_1", Cell::Number(errors.map(|e| e.error_1))),
@@ -110,6 +112,7 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
             ("distance", number(|s| s.distance().0)),
             ("rest_position", Cell::Number(rest)),
             ("periods", Cell::Number(periods)),
+            ("reversals_per_cycle", Cell::Count(seen.reversals.map(u64::from))),
         ],
         physical: Vec::new(),
     })
@@ -138,16 +141,18 @@ fn note<F: Value>(
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
     let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let seen = observed(point.ratios, limit);
     match limit {
         LongRun::Periodic(steady) => {
-            writeln!(out, "{} One periodic motion, from every start.\n", style::verdict(&verdict(steady)))?;
+            let verdict = style::verdict(&verdict(steady, &seen));
+            writeln!(out, "{verdict} One periodic motion, from every start.\n")?;
             motion(steady, point, units, out)
         }
         LongRun::Family(steady) => {
             writeln!(
                 out,
                 "{} At Ω = 1/(2n) the periodic motions are a family; this is the one that the start leads to.\n",
-                style::verdict(&verdict(steady))
+                style::verdict(&verdict(steady, &seen))
             )?;
             motion(steady, point, units, out)
         }
@@ -176,9 +181,16 @@ fn note<F: Value>(
     }
 }
 
-fn verdict<F: Value>(steady: &SteadyState<F>) -> String {
-    match steady.sticks_per_cycle() {
-        0 => "Non-sticking: the body never stops.".to_owned(),
+fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
+    match seen.sticks.unwrap_or_default() {
+        0 if seen.regime == Some(Regime::Sticking) => {
+            "Sticking: α is so close below the border that the stops are too short for this arithmetic."
+                .to_owned()
+        }
+        0 => match seen.reversals {
+            Some(n) if n > 2 => format!("Non-sticking: the body never stops; it reverses {n} times a cycle."),
+            Some(_) | None => "Non-sticking: the body never stops.".to_owned(),
+        },
         n => {
             let part = digits((steady.stick_fraction().to_f64() * 1e4).round() / 1e2);
             format!("Sticking: {n} stops in a cycle, {part} % of the time.")

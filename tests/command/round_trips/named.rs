@@ -37,7 +37,7 @@ where
     F::Err: Debug,
 {
     let cell = match name {
-        "regime" | "limit" | "kind" | "ends_by" => Cell::text(text),
+        "regime" | "limit" | "kind" | "ends_by" | "best_force_ratio_slides" => Cell::text(text),
         _ if text.is_empty() => Cell::Absent,
         _ => Cell::of(text.parse::<F>().unwrap()),
     };
@@ -59,6 +59,7 @@ pub(crate) fn of_json<F: FromStr<Err: Debug> + LowerExp>(object: &Value) -> Name
         // As any reader of JSON has it, as f64.
         Value::Number(number) => (name.to_owned(), Cell::of(number.as_f64().unwrap())),
         Value::String(text) => read::<F>(name, text),
+        Value::Bool(flag) => (name.to_owned(), Cell::text(&flag.to_string())),
         other => panic!("{name}: {other}"),
     };
     let parts = ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("multipliers_{part}"));
@@ -101,6 +102,8 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("best_force_ratio", Cell::of(response.best_force_ratio())),
         ("best_loop_size", Cell::or_absent(response.best_loop_size())),
         ("contraction", Cell::or_absent(cycle.map(|c| c.contraction()))),
+        ("reversals_per_cycle", Cell::or_absent(response.reversals_per_cycle())),
+        ("best_force_ratio_slides", Cell::text(&response.best_is_reached().to_string())),
     ])
 }
 
@@ -119,6 +122,8 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
+    let of_slides = |s: &&SteadyState<f64>| s.sticks_per_cycle() == 0;
+    let reversals = steady.filter(of_slides).map(SteadyState::velocity_zeros_per_cycle);
     let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
     let moving = steady.map_or("undecided", |s| match s.sticks_per_cycle() {
         0 => "non-sticking",
@@ -160,6 +165,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("distance", number(|s| s.distance().0)),
         ("rest_position", Cell::or_absent(rest)),
         ("periods", Cell::or_absent(periods)),
+        ("reversals_per_cycle", Cell::or_absent(reversals)),
     ])
 }
 

@@ -13,6 +13,7 @@ Examples:
 pub(crate) const BORDER_EXAMPLES: &str = "\
 Examples:
   stickslip border --omega 0.4
+  stickslip border --omega 0.331 --no-stop
   stickslip border --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --format json
   stickslip border --points - --format csv < frequencies.csv";
 
@@ -36,6 +37,9 @@ pub(crate) struct ResponseArgs {
 pub(crate) struct BorderArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
+    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside Ω = 1/3, 1/5, … count
+    #[arg(long)]
+    pub(crate) no_stop: bool,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }

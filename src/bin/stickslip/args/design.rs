@@ -8,6 +8,7 @@ Examples:
   stickslip design force --mass 50 --stiffness 1000 --friction 5 --frequency 6
   stickslip design friction --mass 50 --stiffness 1000 --frequency 6 --force 12
   stickslip design bands --alpha 12 --from 0.1 --to 2
+  stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
   stickslip design displacement --omega 1.5 --target 2
   stickslip design dissipation --mass 50 --stiffness 1000 --frequency 6 --force 12 --units kN,m
   stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500";
@@ -46,6 +47,9 @@ pub(crate) struct QuestionArgs {
     /// Of dissipation: sticking allowed, to a proven tolerance of 1e-6
     #[arg(long)]
     pub(crate) sticking: bool,
+    /// Of force and bands: any motion without a stop counts, also of six reversals a cycle beside 1/3, 1/5, …
+    #[arg(long)]
+    pub(crate) no_stop: bool,
     /// What is to be reached: in units of B or B ω_d, or of length or length per time
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) target: Option<String>,

@@ -31,11 +31,13 @@ impl Column {
     /// The column of the cells that are like this one.
     pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
         let values = match cell {
-            Cell::Number(_) | Cell::Pairs(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
+            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
                 Values::Doubles(Vec::new())
             }
             Cell::Count(_) => Values::Counts(Vec::new()),
-            Cell::Number(_) | Cell::Pairs(_) | Cell::Text(_) => Values::Texts(Vec::new()),
+            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) | Cell::Text(_) | Cell::Flag(_) => {
+                Values::Texts(Vec::new())
+            }
         };
         Self { name, values, there: Vec::new(), bytes: 0 }
     }
@@ -60,7 +62,7 @@ impl Column {
             (Values::Counts(values), Cell::Count(count)) => {
                 values.extend(count.and_then(|n| i64::try_from(n).ok()));
             }
-            (Values::Texts(values), Cell::Number(Some(_)) | Cell::Text(_)) => {
+            (Values::Texts(values), Cell::Number(Some(_)) | Cell::Text(_) | Cell::Flag(_)) => {
                 let text = cell.text();
                 self.bytes += text.len();
                 values.push(text.into_bytes().into());
@@ -147,8 +149,8 @@ pub(super) fn is<F: Value>(row: &Row, record: &Record<F>) -> bool {
     let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
-        Cell::Number(Some(_)) | Cell::Text(_) => Field::Str(cell.text()),
-        Cell::Number(None) | Cell::Count(None) | Cell::Pairs(_) => Field::Null,
+        Cell::Number(Some(_)) | Cell::Text(_) | Cell::Flag(_) => Field::Str(cell.text()),
+        Cell::Number(None) | Cell::Count(None) | Cell::Pairs(_) | Cell::Intervals(_) => Field::Null,
     };
     row.get_column_iter().map(|(_, field)| field.clone()).eq(record.cells().map(field))
 }

@@ -1,0 +1,222 @@
+//! Without any stop, whatever the number of reversals: the least force, and the bands of frequency.
+
+use super::bands::{Edge, bands, frequency_bands};
+use super::force::frequency_ratio_of;
+use crate::error::{Error, Quantity};
+use crate::float::Float;
+use crate::nonsticking::border::Lobe;
+use crate::nonsticking::six_reversals;
+use crate::oscillator::{Drive, Oscillator};
+use crate::phase_function::PhaseFunction;
+use crate::ratios::positive;
+use crate::regime::{NoStop, no_stop_force_ratios};
+use crate::root;
+
+/// The forces p₀ with which `body` never stops at ω_d: r_y times [`no_stop_force_ratios`].
+///
+/// Unit of force. Proved and searched as there.
+///
+/// # Errors
+/// As [`super::least_force`].
+pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
+    let found = no_stop_force_ratios(frequency_ratio_of(body, angular_frequency)?)?;
+    let forces = found.map(|x| body.friction_bound() * x);
+    positive(Quantity::ForceAmplitude, forces.least())?;
+    positive(Quantity::ForceAmplitude, forces.border())?;
+    Ok(forces)
+}
+
+/// A band of frequency ratios, or of angular frequencies, in which the body never stops; its ends belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoStopBand<F> {
+    /// Lower end.
+    pub low: F,
+    /// Upper end.
+    pub high: F,
+    /// What the lower end is.
+    pub low_edge: Edge,
+    /// What the upper end is.
+    pub high_edge: Edge,
+    /// 2, or 6 beside a pole.
+    pub reversals_per_cycle: u32,
+}
+
+/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α, by increasing Ω.
+///
+/// Those of [`bands`], of two reversals a cycle, and one around or just below each pole 1/(2n+1) with
+/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six.
+/// The first are all there are; of the second that is searched ([`six_reversals`]). Their ends are to a few floats.
+///
+/// ```
+/// use stickslip::design::bands_without_stop;
+/// let found = bands_without_stop(80.0f64, 0.3, 0.4)?;
+/// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
+/// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
+/// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`bands`].
+pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoStopBand<F>>, Error> {
+    let mut found = Vec::new();
+    for band in bands(alpha, low, high)? {
+        let band = band?;
+        found.push(NoStopBand {
+            low: band.low,
+            high: band.high,
+            low_edge: band.low_edge,
+            high_edge: band.high_edge,
+            reversals_per_cycle: 2,
+        });
+    }
+    // √(1 + α/5) is above 1/Ω at the last pole that can have one. The casts of a float to an integer saturate.
+    let last = ((1.0 + alpha.to_f64() / 5.0).sqrt() / 2.0) as u16;
+    for index in 1..=last {
+        let Some(pole) = Lobe::new(index).high_pole::<F>() else { continue };
+        let (from, to) = reach(pole);
+        let outside = to < low || from > high;
+        if !outside
+            && let Some((start, end)) = around(pole, alpha)
+            && start <= high
+            && end >= low
+        {
+            let (is_cut_below, is_cut_above) = (start < low, end > high);
+            let edge = |is_cut| if is_cut { Edge::Range } else { Edge::Border };
+            found.push(NoStopBand {
+                low: if is_cut_below { low } else { start },
+                high: if is_cut_above { high } else { end },
+                low_edge: edge(is_cut_below),
+                high_edge: edge(is_cut_above),
+                reversals_per_cycle: 6,
+            });
+        }
+    }
+    found.sort_by(|a, b| a.low.partial_cmp(&b.low).unwrap_or(core::cmp::Ordering::Equal));
+    Ok(found)
+}
+
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping: as [`bands_without_stop`].
+///
+/// Of the drive only its amplitude counts, as for [`frequency_bands`].
+///
+/// # Errors
+/// As [`frequency_bands`].
+pub fn frequency_bands_without_stop<F: Float>(
+    body: &Oscillator<F>,
+    drive: &Drive<F>,
+    low: F,
+    high: F,
+) -> Result<Vec<NoStopBand<F>>, Error> {
+    // Its errors, in the units of the question.
+    let _ = frequency_bands(body, drive, low, high)?;
+    let natural = body.natural_frequency();
+    let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
+    let (from, to) = (frequency_ratio_of(body, low)?, frequency_ratio_of(body, high)?);
+    let end = |edge, range: F, ratio: F| if edge == Edge::Range { range } else { ratio * natural };
+    let in_units = |band: NoStopBand<F>| NoStopBand {
+        low: end(band.low_edge, low, band.low),
+        high: end(band.high_edge, high, band.high),
+        ..band
+    };
+    Ok(bands_without_stop(alpha, from, to)?.into_iter().map(in_units).collect())
+}
+
+/// Beyond these frequency ratios, below and above a pole, there is no six-reversal cycle that belongs to it.
+fn reach<F: Float>(pole: F) -> (F, F) {
+    let one = F::int(1);
+    (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
+}
+
+/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio.
+fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
+    // Not negative within the edges, relative to α.
+    let excess = |omega: F| match six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)) {
+        Some((low, high)) => {
+            let (above, below) = ((alpha - low) / alpha, (high - alpha) / alpha);
+            if above < below { above } else { below }
+        }
+        None => F::int(-1),
+    };
+    let (from, to) = reach(pole);
+    let inside = if excess(pole) >= F::int(0) { pole } else { lowest(pole, from) };
+    if excess(inside) < F::int(0) {
+        return None;
+    }
+    Some((root::enclosed(from, inside, excess).1, root::enclosed(inside, to, excess).0))
+}
+
+/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole: between `from` and the pole.
+///
+/// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the corner's own sharpness.
+fn lowest<F: Float>(pole: F, from: F) -> F {
+    let least =
+        |omega: F| six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)).map(|(low, _)| low);
+    let (mut low, mut high) = (from, pole);
+    for _ in 0..F::PRECISION.saturating_mul(2) {
+        let third = (high - low) / F::int(3);
+        let (left, right) = (low + third, high - third);
+        let falls = match (least(left), least(right)) {
+            (Some(a), Some(b)) => a > b,
+            // Beyond the region's end.
+            (None, _) => true,
+            (Some(_), None) => false,
+        };
+        if falls {
+            low = left;
+        } else {
+            high = right;
+        }
+    }
+    (low + high) / F::int(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{bands_without_stop, forces_without_stop, frequency_bands_without_stop};
+    use crate::{Drive, Oscillator, Regime, regime};
+
+    #[test]
+    fn inside_and_at_its_ends_the_body_never_stops_and_outside_it_does() {
+        for alpha in [52.0, 60.0, 70.0, 100.0, 150.0, 400.0, 2000.0] {
+            let found = bands_without_stop(alpha, 0.05, 2.0).unwrap();
+            let six = found.iter().filter(|band| band.reversals_per_cycle == 6).count();
+            assert!(six >= 1, "{alpha}: {found:?}");
+            for pair in found.windows(2) {
+                assert!(pair[0].high < pair[1].low, "{alpha}: {pair:?}");
+                let gap = pair[1].low - pair[0].high;
+                for share in [1e-9, 0.1, 0.5, 0.9, 1.0 - 1e-9] {
+                    assert_eq!(
+                        regime(pair[0].high + gap * share, alpha),
+                        Ok(Regime::Sticking),
+                        "{alpha}: {pair:?}"
+                    );
+                }
+            }
+            for band in &found {
+                for share in [0.0, 1e-9, 0.3, 0.7, 1.0] {
+                    let omega = f64::clamp(band.low + (band.high - band.low) * share, band.low, band.high);
+                    let at = regime(omega, alpha);
+                    assert!(
+                        omega == 1.0 || at == Ok(Regime::NonSticking),
+                        "{alpha} {omega}: {at:?} {band:?}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn in_physical_units() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+        let forces = forces_without_stop(&body, 2.0 * 0.331).unwrap();
+        assert!((forces.least() / 161.019_919_536_129_45f64 - 1.0).abs() < 1e-13);
+        let drive = Drive::force(240.0, 1.0).unwrap();
+        let found = frequency_bands_without_stop(&body, &drive, 0.6, 0.8).unwrap();
+        let ratios = bands_without_stop(80.0f64, 0.3, 0.4).unwrap();
+        assert_eq!(found.len(), ratios.len());
+        for (a, b) in found.iter().zip(&ratios) {
+            assert!((a.low - 2.0 * b.low).abs() < 1e-14 && (a.high - 2.0 * b.high).abs() < 1e-14);
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! Over intervals of Ω and α: whether the six-reversal cycle exists for all of them, or for none.
+//!
+//! Beside each pole its region in the plane is cut by every line of constant Ω in one interval, and by every line of constant α: so it holds all of a
+//! box whose corners it holds. On one side of the pole the greatest α rises towards the pole, and the least is monotone on each of the two
+//! edges that it consists of. Both are seen in the curves themselves, not proved.
+
+use super::edges::{Edges, edges, is_strong_enough, may_exist};
+use crate::float::Float;
+use crate::phase_function::PhaseFunction;
+
+/// What holds over a box.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Within {
+    /// The cycle exists for all.
+    All,
+    /// For none.
+    None,
+    /// For some, or it is too close to tell.
+    Some,
+}
+
+/// Over `omega` × `alpha`, each (low, high).
+pub(crate) fn within<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
+    if !is_strong_enough(omega.1, alpha.1) || omega.0 * F::int(2) >= F::int(1) || !meets_a_pole(omega) {
+        return Within::None;
+    }
+    let at = |omega: F| {
+        let p = PhaseFunction::of_valid(omega);
+        (edges(&p), p.tangent() > F::int(0), may_exist(&p))
+    };
+    let ((left, left_side, left_near), (right, right_side, right_near)) = (at(omega.0), at(omega.1));
+    // On one side of one pole, not far from it.
+    let is_one_side =
+        left_side == right_side && left_near && right_near && omega.1 - omega.0 < omega.0.square();
+    match (left, right) {
+        (None, None) if omega.0 == omega.1 || is_one_side => Within::None,
+        (Some(left), Some(right)) => between(&left, &right, alpha, is_one_side),
+        (None | Some(_), None) | (None, Some(_)) => Within::Some,
+    }
+}
+
+fn between<F: Float>(left: &Edges<F>, right: &Edges<F>, alpha: (F, F), is_one_side: bool) -> Within {
+    let error = F::int(EDGE_ERROR) * F::epsilon();
+    let (one, larger) = (F::int(1), |a: F, b: F| a.or_larger(b));
+    let smaller = |a: F, b: F| if b < a { b } else { a };
+    let low = (smaller(left.low, right.low), larger(left.low, right.low));
+    let high = (smaller(left.high, right.high), larger(left.high, right.high));
+    if alpha.0 > low.1 * (one + error) && alpha.1 < high.0 * (one - error) {
+        Within::All
+    } else if !is_one_side || left.least != right.least {
+        Within::Some
+    } else if alpha.1 < low.0 * (one - error) || alpha.0 > high.1 * (one + error) {
+        Within::None
+    } else {
+        Within::Some
+    }
+}
+
+/// Relative error bound of the edges, in units of [`Float::epsilon`].
+const EDGE_ERROR: i32 = 64;
+
+/// Whether 1/Ω comes within reach of an odd integer, 3 or more: 0.0213 below and 0.0375 above it.
+fn meets_a_pole<F: Float>((low, high): (F, F)) -> bool {
+    let (from, to) = (1.0 / high.to_f64() - 0.0375, 1.0 / low.to_f64() + 0.0213);
+    let last = 2.0 * ((to - 1.0) / 2.0).floor() + 1.0;
+    last >= 3.0 && last >= from
+}

@@ -1,0 +1,113 @@
+//! The force ratios with which the body never stops.
+
+use crate::error::Error;
+use crate::float::{AtPrecision, Float};
+use crate::nonsticking::{Border, six_reversals};
+use crate::phase_function::PhaseFunction;
+
+/// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a cycle: see [`no_stop_force_ratios`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NoStop<F> {
+    six_reversals: Option<(F, F)>,
+    border: F,
+}
+
+impl<F: Float> NoStop<F> {
+    /// From the least to the greatest force ratio of the six-reversal cycle, where there is one.
+    pub const fn six_reversals(&self) -> Option<(F, F)> {
+        self.six_reversals
+    }
+
+    /// The border of the two-reversal cycle: from it on the body never stops.
+    pub const fn border(&self) -> F {
+        self.border
+    }
+
+    /// The least force ratio without a stop.
+    pub fn least(&self) -> F {
+        self.six_reversals.map_or(self.border, |(low, _)| low)
+    }
+
+    /// The same in another unit.
+    pub(crate) fn map(self, to: impl Fn(F) -> F) -> Self {
+        Self {
+            six_reversals: self.six_reversals.map(|(low, high)| (to(low), to(high))),
+            border: to(self.border),
+        }
+    }
+
+    /// The intervals (least, greatest) by increasing force ratio, their ends included; the last has no greatest.
+    pub fn intervals(&self) -> impl Iterator<Item = (F, Option<F>)> {
+        let below = self.six_reversals.map(|(low, high)| (low, Some(high)));
+        below.into_iter().chain([(self.border, None)])
+    }
+}
+
+/// The force ratios with which the body never stops at Ω, as intervals with their ends.
+///
+/// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of six reversals a cycle
+/// ([`crate::nonsticking::six_reversals`]). At Ω = 1 the motion from the border on is unbounded, and does not stop either.
+///
+/// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other α > 1; no motion of
+/// ten reversals or more without a stop was found, nor one of six elsewhere (`docs/theory/six-reversals.md`).
+///
+/// ```
+/// use stickslip::regime::no_stop_force_ratios;
+/// let found = no_stop_force_ratios(0.331f64)?;
+/// let (low, high) = found.six_reversals().unwrap();
+/// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);
+/// assert!((found.border() - 179.87627993590212).abs() < 1e-11);
+/// assert_eq!(no_stop_force_ratios(0.4f64)?.intervals().count(), 1);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// Accuracy as of [`Border::min_force_ratio`] and [`six_reversals::force_ratios`]; with the guard bits that the type has.
+///
+/// # Errors
+/// Where Ω is outside the domain of [`crate::Ratios`].
+pub fn no_stop_force_ratios<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
+    struct Task<F>(F);
+
+    impl<F: Float> AtPrecision<F> for Task<F> {
+        type Output = Result<NoStop<F>, Error>;
+
+        fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
+            let p = PhaseFunction::new(there(self.0))?;
+            Ok(NoStop {
+                six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
+                border: back(Border::at(&p).min_force_ratio()),
+            })
+        }
+    }
+
+    F::guarded(Task(omega))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::no_stop_force_ratios;
+
+    #[test]
+    fn away_from_the_poles_it_is_the_border_alone() {
+        for omega in [0.01f64, 0.22, 0.3, 0.336, 0.3295, 0.4, 0.5, 0.7, 1.0, 3.0] {
+            let found = no_stop_force_ratios(omega).unwrap();
+            let intervals: Vec<_> = found.intervals().collect();
+            assert_eq!(intervals, [(found.border(), None)], "{omega}");
+            assert_eq!(found.least(), found.border());
+        }
+    }
+
+    #[test]
+    fn beside_every_pole_there_is_an_interval_below_the_border() {
+        for n in 1..40 {
+            for off in [-0.019, -1e-3, -1e-9, 1e-13, 1e-6, 0.01, 0.024, 0.031] {
+                if n == 1 && off == -0.019 {
+                    continue;
+                }
+                let found = no_stop_force_ratios(1.0 / (f64::from(2 * n + 1) + off)).unwrap();
+                let (low, high) = found.six_reversals().unwrap();
+                assert!(low < high && high < found.border() && found.least() == low, "{n} {off}: {found:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,76 @@
+//! The regime that the exact motion shows, one with that of the closed forms.
+
+use super::{NoStop, Regime, no_stop_force_ratios, regime_of};
+use crate::exact::{LongRun, SteadyState};
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::ratios::Ratios;
+
+/// What the exact motion does in the long run, in the terms of [`Regime`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Observed {
+    /// The regime; `None` where the motion has not settled.
+    pub regime: Option<Regime>,
+    /// Stops in a cycle, where there is a cycle.
+    pub sticks: Option<u32>,
+    /// Reversals in a cycle, where there is a cycle without a stop.
+    pub reversals: Option<u32>,
+    /// Whether stops or their absence are too small for the arithmetic, so that the borders decided.
+    pub by_border: bool,
+}
+
+/// The regime of a long run at (Ω, α).
+///
+/// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A stop, or the clearance of a
+/// velocity that nearly vanishes, may be smaller than that, within about 1e-10 of a border beside a pole and a few units in the last place
+/// elsewhere. There the borders decide, which are known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So this and
+/// [`crate::regime()`] agree.
+pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
+    let nothing = Observed { regime: None, sticks: None, reversals: None, by_border: false };
+    let steady = match limit {
+        LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
+        LongRun::Rest(_) => return Observed { regime: Some(Regime::Stuck), ..nothing },
+        LongRun::Unbounded { .. } => return Observed { regime: Some(Regime::Unbounded), ..nothing },
+        LongRun::NotConverged { .. } => return nothing,
+    };
+    let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+    let seen = if sticks > 0 { Regime::Sticking } else { Regime::NonSticking };
+    let of = |regime, sticks, by_border| Observed {
+        regime: Some(regime),
+        sticks: Some(sticks),
+        reversals: (regime == Regime::NonSticking).then_some(zeros),
+        by_border,
+    };
+    let Ok(border) = Border::new(ratios.omega()) else { return of(seen, sticks, false) };
+    let expected = regime_of(ratios, &border);
+    if expected == seen || !is_hidden(ratios, &border, steady) {
+        return of(seen, sticks, false);
+    }
+    match expected {
+        Regime::NonSticking => {
+            let two = ratios.alpha() >= border.min_force_ratio();
+            Observed { reversals: Some(if two { 2 } else { 6 }), ..of(expected, 0, true) }
+        }
+        Regime::Stuck | Regime::Sticking | Regime::Unbounded => of(expected, sticks, true),
+    }
+}
+
+/// The border next to α, where what decides is smaller than what the motion is known to.
+pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady: &SteadyState<F>) -> bool {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    let (x, v) = steady.distance();
+    let known = F::int(16) * x.or_larger(v);
+    let rounding = F::int(64) * F::epsilon() * alpha;
+    let at_turn = omega.square() / (F::int(1) + omega.square());
+    let close = |edge: F, share: F| {
+        let gap = (alpha - edge).abs();
+        gap <= rounding || gap * share <= known
+    };
+    // A velocity that nearly vanishes inside of a slide clears zero by |α − α_min| sin τ*; the force left over at a reversal grows as α Ω².
+    let touching = if border.is_turning_point() { at_turn } else { border.phase().sin().abs() };
+    if close(border.min_force_ratio(), touching) {
+        return true;
+    }
+    let six = no_stop_force_ratios(omega).ok().as_ref().and_then(NoStop::six_reversals);
+    six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
+}

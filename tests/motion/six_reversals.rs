@@ -1,0 +1,198 @@
+//! The motion of six reversals beside the poles 1/(2n+1), against the exact motion; one verdict for one point.
+
+#![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
+
+use super::random::Random;
+use std::f64::consts::PI;
+use stickslip::exact::{LongRun, State, Trajectory};
+use stickslip::float::mp::Mp;
+use stickslip::nonsticking::SixReversals;
+use stickslip::nonsticking::six_reversals::force_ratios;
+use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
+use stickslip::{Border, Error, Float, Ratios, Real, Regime, Response, regime};
+
+fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
+    LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap()
+}
+
+/// (stops, velocity zeros) of the exact motion from rest.
+fn counts<F: Float>(omega: F, alpha: F) -> Option<(u32, u32)> {
+    let motion = long_run(omega, alpha);
+    motion.steady_state().map(|s| (s.sticks_per_cycle(), s.velocity_zeros_per_cycle()))
+}
+
+/// Frequency ratios beside the poles, with the edges there.
+fn beside_poles() -> impl Iterator<Item = (f64, f64, f64)> {
+    let mut random = Random(61);
+    let points = std::iter::from_fn(move || {
+        let pole = 3.0 + 2.0 * random.between(0.0, 8.0).floor();
+        let off = random.between(-0.0207, 0.0346);
+        let off = if random.between(0.0, 1.0) < 0.3 { off * random.scale(1e-6, 1.0) } else { off };
+        Some(1.0 / (pole + off))
+    });
+    points.filter_map(|omega| force_ratios(omega).unwrap().map(|(low, high)| (omega, low, high)))
+}
+
+#[test]
+fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops() {
+    let mut random = Random(62);
+    for (omega, low, high) in beside_poles().take(300) {
+        let border = Border::new(omega).unwrap().min_force_ratio();
+        assert!(high < border, "{omega}");
+        for share in [1e-7, random.between(0.0, 1.0), 1.0 - 1e-7] {
+            // Evenly in the logarithm: the greatest may be 10⁶ times the least.
+            let alpha = low * (high / low).powf(share);
+            assert_eq!(counts(omega, alpha), Some((0, 6)), "{omega} {alpha} of {low} to {high}");
+        }
+        for alpha in
+            [low * (1.0 - 1e-7), high * (1.0 + 1e-7), f64::midpoint(high, border), border * (1.0 - 1e-7)]
+        {
+            if alpha < border && alpha > high {
+                assert!(counts(omega, alpha).unwrap().0 > 0, "{omega} {alpha} of {low} to {high}, {border}");
+            }
+        }
+        assert!(counts(omega, low * (1.0 - 1e-7)).unwrap().0 > 0, "{omega} {low}");
+    }
+}
+
+#[test]
+fn its_matching_problem_gives_the_exact_motion() {
+    let mut random = Random(63);
+    for (omega, low, high) in beside_poles().take(200) {
+        let alpha = low * (high / low).powf(random.between(0.001, 0.999));
+        let ratios = Ratios::new(omega, alpha).unwrap();
+        let cycle = SixReversals::new(ratios).unwrap_or_else(|| panic!("{omega} {alpha} of {low} to {high}"));
+        let motion = long_run(omega, alpha);
+        let steady = motion.steady_state().unwrap();
+        let (start, size) = (steady.state(), steady.max_displacement());
+        let close = |a: f64, b: f64| {
+            let error = 1e-9 * size + steady.distance().0;
+            assert!((a - b).abs() < error, "{omega} {alpha}: {a} {b}");
+        };
+        for sample in Trajectory::new(ratios, start).unwrap().samples(97).unwrap().take(97) {
+            let theta = sample.state.phase.reduced();
+            close(cycle.displacement_at(theta), sample.state.x);
+            close(cycle.velocity_at(theta), sample.state.v);
+        }
+        assert!(cycle.forces().into_iter().all(|force| force > 1.0));
+        let [first, second, third] = cycle.reversal_phases();
+        assert!(0.0 < first && first < second && second < third && third < PI, "{omega} {alpha}");
+        let most = cycle.displacement_at(first).max(cycle.displacement_at(third));
+        close(most, size);
+    }
+}
+
+/// The edges at f64 against those at 512 bits, and these against the exact motion at 512 bits.
+#[test]
+fn the_edges_are_sharp_at_any_precision() {
+    let mut worst = 0.0;
+    for (i, (omega, low, high)) in beside_poles().take(150).enumerate() {
+        let wide = no_stop_force_ratios(Mp::<8>::from(omega)).unwrap();
+        let (wide_low, wide_high) = wide.six_reversals().unwrap();
+        let ulps = |a: f64, b: Mp<8>| ((Mp::from(a) - b) / b).to_f64().abs() / f64::EPSILON;
+        let error = ulps(low, wide_low).max(ulps(high, wide_high));
+        // Where the two meet, a root of rounding.
+        if high > low * 1.2 {
+            assert!(error < 40.0, "{omega}: {error}");
+            worst = f64::max(worst, error);
+        }
+        if i < 6 {
+            let off = Mp::<8>::exp2i(-200);
+            let one = Mp::int(1);
+            for (edge, inward) in [(wide_low, one + off), (wide_high, one - off)] {
+                let outward = one + one - inward;
+                assert_eq!(counts(Mp::from(omega), edge * inward), Some((0, 6)), "{omega}");
+                assert!(counts(Mp::from(omega), edge * outward).unwrap().0 > 0, "{omega}");
+            }
+        }
+    }
+    println!("edges at f64: {worst} ulp");
+}
+
+/// `response`, `steady` and `stops_per_cycle` at one point.
+fn agree(omega: f64, alpha: f64) {
+    let ratios = Ratios::new(omega, alpha).unwrap();
+    let answer = Response::new(ratios);
+    assert_eq!(Ok(answer.regime()), regime(omega, alpha));
+    let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+    let seen = observed(ratios, &limit);
+    if seen.regime.is_none() {
+        return;
+    }
+    assert_eq!(seen.regime, Some(answer.regime()), "({omega:?}, {alpha:?}): {limit:?}");
+    assert_eq!(seen.reversals, answer.reversals_per_cycle(), "({omega:?}, {alpha:?}): {limit:?}");
+    match stops_per_cycle(ratios) {
+        Ok(Some(stops)) => {
+            assert_eq!(stops.sticks > 0, answer.regime() == Regime::Sticking, "({omega:?}, {alpha:?})")
+        }
+        Ok(None) => assert_eq!(answer.regime(), Regime::Stuck),
+        Err(Error::Undecided { .. }) => assert!(seen.by_border, "({omega:?}, {alpha:?})"),
+        Err(other) => panic!("({omega:?}, {alpha:?}): {other}"),
+    }
+}
+
+/// A point below Ω = 1/2, of six in ten beside a pole.
+fn point(random: &mut Random, i: u32) -> (f64, f64) {
+    let omega = if i % 10 < 6 {
+        let pole = 3.0 + 2.0 * random.between(0.0, 6.0).floor();
+        let off = random.scale(1e-12, 0.3);
+        1.0 / if i % 2 == 0 { pole + off } else { pole - off }
+    } else {
+        random.between(0.05, 0.5)
+    };
+    let border = Border::new(omega).unwrap().min_force_ratio();
+    let edges = force_ratios(omega).unwrap();
+    let alpha = match (i % 5, edges) {
+        (0, _) => random.scale(1.0, border),
+        (1, _) => border * random.between(0.9, 1.1),
+        (2, Some((low, high))) => low * (high / low).powf(random.between(-0.2, 1.2)),
+        (3, Some((low, high))) => {
+            let edge = if random.between(0.0, 1.0) < 0.5 { low } else { high };
+            edge * (1.0 + (random.between(0.0, 2.0) - 1.0) * random.scale(1e-14, 1e-2))
+        }
+        _ => random.scale(1.0, 30.0 * border),
+    };
+    (omega, alpha)
+}
+
+#[test]
+fn one_verdict_for_one_point() {
+    let count: u32 = std::env::var("VERDICTS").map_or(1500, |n| n.parse().unwrap());
+    let mut random = Random(64);
+    for i in 0..count {
+        let (omega, alpha) = point(&mut random, i);
+        agree(omega, alpha);
+    }
+}
+
+/// A border or edge as rounded, its neighbours and a little further.
+#[test]
+fn one_verdict_on_a_border_and_beside_it() {
+    let mut random = Random(65);
+    for i in 0..150 {
+        let omega = if i % 3 == 0 { random.scale(0.05, 20.0) } else { beside_poles().nth(i).unwrap().0 };
+        for edge in no_stop_force_ratios(omega).unwrap().intervals().flat_map(|(low, high)| [Some(low), high])
+        {
+            let Some(edge) = edge else { continue };
+            for alpha in [edge, edge.next_up(), edge.next_down(), edge * (1.0 + 1e-11), edge * (1.0 - 1e-11)]
+            {
+                agree(omega, alpha);
+            }
+        }
+    }
+}
+
+/// Points at which `response` said "sticking" and the exact motion "non-sticking", or the reverse.
+#[test]
+fn found_points_have_one_verdict() {
+    for (omega, alpha, expected) in [
+        (0.331, 61.6, Regime::NonSticking),
+        (0.334_325, 149.563, Regime::NonSticking),
+        (0.33333, 0.999 * Border::new(0.33333f64).unwrap().min_force_ratio(), Regime::NonSticking),
+        (1.0 / 3.0, 80.0, Regime::NonSticking),
+        (0.066_658_079_476_532_49, 42_358.137_294_718_49, Regime::NonSticking),
+    ] {
+        assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
+        agree(omega, alpha);
+    }
+}
