@@ -228,7 +228,7 @@ mod tests {
     use crate::exact::State;
     use crate::exact::equation::Equation;
     use crate::exact::slide::{Direction, Slide};
-    use crate::nonsticking::{Cycle, SixReversals};
+    use crate::nonsticking::Cycle;
     use crate::{Border, Ratios};
 
     /// From the fastest point of a cycle the body comes to its maximum displacement in the time named.

@@ -43,14 +43,13 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     };
     let Ok(border) = Border::new(ratios.omega()) else { return of(seen, sticks, false) };
     let expected = regime_of(ratios, &border);
-    if expected == seen || !is_hidden(ratios, &border, steady) {
+    let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
+    let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
+    if agrees || !is_hidden(ratios, &border, steady) {
         return of(seen, sticks, false);
     }
     match expected {
-        Regime::NonSticking => {
-            let two = ratios.alpha() >= border.min_force_ratio();
-            Observed { reversals: Some(if two { 2 } else { 6 }), ..of(expected, 0, true) }
-        }
+        Regime::NonSticking => Observed { reversals: Some(reversals), ..of(expected, 0, true) },
         Regime::Stuck | Regime::Sticking | Regime::Unbounded => of(expected, sticks, true),
     }
 }
