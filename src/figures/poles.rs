@@ -42,10 +42,10 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
         y: Axis::logarithmic("force ratio α = p₀/r_y", low, high),
         plane: None,
         series: vec![
-            Series::new("no stop, two reversals", Style::Dots, 5, dots(2)),
-            Series::new("no stop, six reversals", Style::Dots, 2, dots(6)),
+            Series::new("two reversals", Style::Dots, 5, dots(2)),
+            Series::new("six reversals", Style::Dots, 2, dots(6)),
             Series::new("border α_min", Style::Thick, 1, border.map(shown)),
-            Series::new("edges of six reversals", Style::Line, 0, around.map(shown)),
+            Series::new("edges of six", Style::Line, 0, around.map(shown)),
         ],
     }
 }

@@ -4,18 +4,19 @@ use super::{NoStop, Regime, no_stop_force_ratios, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
+use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
 /// What the exact motion does in the long run, in the terms of [`Regime`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Observed {
-    /// The regime; `None` where the motion has not settled.
-    pub regime: Option<Regime>,
+    /// The regime.
+    pub regime: Regime,
     /// Stops in a cycle, where there is a cycle.
     pub sticks: Option<u32>,
     /// Reversals in a cycle, where there is a cycle without a stop.
     pub reversals: Option<u32>,
-    /// Whether stops or their absence are too small for the arithmetic, so that the borders decided.
+    /// Whether the borders decided: stops, or their absence, are too small for the arithmetic, or the motion has not settled.
     pub by_border: bool,
 }
 
@@ -23,27 +24,30 @@ pub struct Observed {
 ///
 /// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A stop, or the clearance of a
 /// velocity that nearly vanishes, may be smaller than that, within about 1e-10 of a border beside a pole and a few units in the last place
-/// elsewhere. There the borders decide, which are known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So this and
-/// [`crate::regime()`] agree.
+/// elsewhere. There the borders decide, which are known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So they do where
+/// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`] agree.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
-    let nothing = Observed { regime: None, sticks: None, reversals: None, by_border: false };
+    let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
+    let border = Border::at(&PhaseFunction::of_valid(ratios.omega()));
+    let expected = regime_of(ratios, &border);
+    let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
-        LongRun::Rest(_) => return Observed { regime: Some(Regime::Stuck), ..nothing },
-        LongRun::Unbounded { .. } => return Observed { regime: Some(Regime::Unbounded), ..nothing },
-        LongRun::NotConverged { .. } => return nothing,
+        LongRun::Rest(_) => return by_name(Regime::Stuck),
+        LongRun::Unbounded { .. } => return by_name(Regime::Unbounded),
+        LongRun::NotConverged { .. } => {
+            let reversals = (expected == Regime::NonSticking).then_some(reversals);
+            return Observed { reversals, by_border: true, ..by_name(expected) };
+        }
     };
     let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
     let seen = if sticks > 0 { Regime::Sticking } else { Regime::NonSticking };
     let of = |regime, sticks, by_border| Observed {
-        regime: Some(regime),
+        regime,
         sticks: Some(sticks),
         reversals: (regime == Regime::NonSticking).then_some(zeros),
         by_border,
     };
-    let Ok(border) = Border::new(ratios.omega()) else { return of(seen, sticks, false) };
-    let expected = regime_of(ratios, &border);
-    let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
     let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
     if agrees || !is_hidden(ratios, &border, steady) {
         return of(seen, sticks, false);

@@ -42,7 +42,7 @@ pub struct Stops {
 /// [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
     let limit = LongRun::from_start(ratios, State::rest())?;
-    if observed(ratios, &limit).by_border {
+    if limit.steady_state().is_some() && observed(ratios, &limit).by_border {
         let alpha = ratios.alpha();
         let away = |x: &F| (*x - alpha).abs();
         let edges = no_stop_force_ratios(ratios.omega())?;

@@ -58,7 +58,7 @@ fn every_float_beside_a_pole_has_its_border() {
             let cycle = answer.cycle().unwrap();
             assert!(cycle.max_displacement() > border.least_displacement());
             assert!(cycle.max_velocity().is_finite() && cycle.velocity_phase().is_finite());
-            assert_eq!(response(omega, border.min_force_ratio() * 0.99).regime(), Regime::Sticking);
+            assert_eq!(response(omega, border.min_force_ratio() * 0.99).reversals_per_cycle(), Some(6));
         }
     }
 }

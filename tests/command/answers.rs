@@ -73,7 +73,10 @@ fn six_reversals_have_one_verdict() {
         assert_eq!(answer["regime"], "non-sticking", "{command}");
         assert_eq!(answer["reversals_per_cycle"], 6, "{command}");
         let text = stdout(&format!("{command} {point}"));
-        assert!(text.contains("never stops; it reverses six times") || text.contains("reverses 6 times"), "{text}");
+        assert!(
+            text.contains("never stops; it reverses six times") || text.contains("reverses 6 times"),
+            "{text}"
+        );
     }
     assert!(stdout(&format!("response {point}")).contains("`stickslip steady` gives this motion"));
     assert_eq!(json("response --omega 0.7 --alpha 2 --format json")["reversals_per_cycle"], 2);
@@ -86,9 +89,11 @@ fn the_force_ratios_without_a_stop() {
     let answer = json("border --omega 0.331 --no-stop --format json");
     let found = &answer["no_stop_force_ratios"];
     let number = |i: usize, j: usize| found[i][j].as_f64().unwrap();
-    for (got, expected) in
-        [(number(0, 0), 53.67330651204315), (number(0, 1), 155.36188887727886), (number(1, 0), 179.87627993590212)]
-    {
+    for (got, expected) in [
+        (number(0, 0), 53.67330651204315),
+        (number(0, 1), 155.36188887727886),
+        (number(1, 0), 179.87627993590212),
+    ] {
         assert!((got / expected - 1.0).abs() < 1e-14, "{answer}");
     }
     assert!(found[1][1].is_null() && found.as_array().unwrap().len() == 2);
@@ -99,7 +104,8 @@ fn the_force_ratios_without_a_stop() {
     let force = json("design force --omega 0.331 --no-stop --format json");
     assert_eq!((&force["no_stop_force_ratios"], &force["force_ratio"]), (found, &found[0][0]));
     let bands = json("design bands --alpha 80 --from 0.3 --to 0.4 --no-stop --format json");
-    let counts: Vec<_> = bands.as_array().unwrap().iter().map(|b| b["reversals_per_cycle"].as_u64()).collect();
+    let counts: Vec<_> =
+        bands.as_array().unwrap().iter().map(|b| b["reversals_per_cycle"].as_u64()).collect();
     assert_eq!(counts, [Some(2), Some(6), Some(2)]);
     refused("design friction --omega 0.331 --no-stop", &["--no-stop"]);
 }
@@ -109,10 +115,13 @@ fn the_force_ratios_without_a_stop() {
 fn numbers_that_no_machine_can_use_are_said_to_be_so() {
     let says = |arguments: &str| stdout(arguments).contains("no machine can use this");
     assert!(says("response --omega 0.2 --alpha 300") && says("border --omega 0.2"));
-    assert!(says("response --omega 0.16666666666666666 --alpha 70") || !says("response --omega 0.3 --alpha 70"));
+    assert!(
+        says("response --omega 0.16666666666666666 --alpha 70") || !says("response --omega 0.3 --alpha 70")
+    );
     assert!(!says("response --omega 0.21 --alpha 300") && !says("border --omega 0.331"));
     let eq_65 = |omega: &str| {
-        json(&format!("response --omega {omega} --alpha 3 --format json"))["best_force_ratio_slides"].as_bool()
+        json(&format!("response --omega {omega} --alpha 3 --format json"))["best_force_ratio_slides"]
+            .as_bool()
     };
     assert_eq!((eq_65("1.5"), eq_65("0.6")), (Some(true), Some(false)));
     assert!(stdout("response --omega 0.5 --alpha 4").contains("family of cycles"));

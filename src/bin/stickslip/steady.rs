@@ -68,7 +68,7 @@ fn names<F: Value>(limit: &LongRun<F>, seen: &Observed) -> (&'static str, &'stat
         LongRun::Unbounded { .. } => "none",
         LongRun::NotConverged { .. } => "not-converged",
     };
-    (seen.regime.map_or("undecided", Regime::name), kind)
+    (seen.regime.name(), kind)
 }
 
 /// All outputs of a steady state.
@@ -174,7 +174,8 @@ fn note<F: Value>(
         LongRun::NotConverged { residual, periods, .. } => {
             let (periods, left) = (digits(periods.to_f64()), length(*residual));
             let sentence = format!(
-                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with --max-periods."
+                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with --max-periods. By the borders its limit is {}.",
+                seen.regime.name()
             );
             writeln!(out, "{}", style::verdict(&sentence))
         }
@@ -183,7 +184,7 @@ fn note<F: Value>(
 
 fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
     match seen.sticks.unwrap_or_default() {
-        0 if seen.regime == Some(Regime::Sticking) => {
+        0 if seen.regime == Regime::Sticking => {
             "Sticking: α is so close below the border that the stops are too short for this arithmetic."
                 .to_owned()
         }

@@ -123,7 +123,10 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
     let of_slides = |s: &&SteadyState<f64>| s.sticks_per_cycle() == 0;
-    let reversals = steady.filter(of_slides).map(SteadyState::velocity_zeros_per_cycle);
+    let reversals = match limit {
+        LongRun::NotConverged { .. } => Response::new(ratios).reversals_per_cycle(),
+        _ => steady.filter(of_slides).map(SteadyState::velocity_zeros_per_cycle),
+    };
     let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
     let moving = steady.map_or("undecided", |s| match s.sticks_per_cycle() {
         0 => "non-sticking",
@@ -134,7 +137,9 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         LongRun::Family(s) => (moving, "family", Some(s.periods()), None),
         LongRun::Rest(rest) => ("stuck", "rest", Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => ("unbounded", "none", None, None),
-        LongRun::NotConverged { periods, .. } => ("undecided", "not-converged", Some(*periods), None),
+        LongRun::NotConverged { periods, .. } => {
+            (Response::new(ratios).regime().name(), "not-converged", Some(*periods), None)
+        }
     };
     named([
         ("omega", Cell::of(ratios.omega())),
