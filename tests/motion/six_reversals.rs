@@ -72,6 +72,7 @@ fn its_matching_problem_gives_the_exact_motion() {
             assert!((a - b).abs() < error, "{omega} {alpha}: {a} {b}");
         };
         for sample in Trajectory::new(ratios, start).unwrap().samples(97).unwrap().take(97) {
+            let sample = sample.unwrap();
             let theta = sample.state.phase.reduced();
             close(cycle.displacement_at(theta), sample.state.x);
             close(cycle.velocity_at(theta), sample.state.v);
