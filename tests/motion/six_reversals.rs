@@ -36,7 +36,7 @@ fn beside_poles() -> impl Iterator<Item = (f64, f64, f64)> {
 #[test]
 fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops() {
     let mut random = Random(62);
-    for (omega, low, high) in beside_poles().take(300) {
+    for (omega, low, high) in beside_poles().take(100) {
         let border = Border::new(omega).unwrap().min_force_ratio();
         assert!(high < border, "{omega}");
         for share in [1e-7, random.between(0.0, 1.0), 1.0 - 1e-7] {
@@ -89,7 +89,7 @@ fn its_matching_problem_gives_the_exact_motion() {
 #[test]
 fn the_edges_are_sharp_at_any_precision() {
     let mut worst = 0.0;
-    for (i, (omega, low, high)) in beside_poles().take(150).enumerate() {
+    for (i, (omega, low, high)) in beside_poles().take(40).enumerate() {
         let wide = no_stop_force_ratios(Mp::<8>::from(omega)).unwrap();
         let (wide_low, wide_high) = wide.six_reversals().unwrap();
         let ulps = |a: f64, b: Mp<8>| ((Mp::from(a) - b) / b).to_f64().abs() / f64::EPSILON;
@@ -99,7 +99,7 @@ fn the_edges_are_sharp_at_any_precision() {
             assert!(error < 40.0, "{omega}: {error}");
             worst = f64::max(worst, error);
         }
-        if i < 6 {
+        if i < 2 {
             let off = Mp::<8>::exp2i(-200);
             let one = Mp::int(1);
             for (edge, inward) in [(wide_low, one + off), (wide_high, one - off)] {
@@ -171,8 +171,8 @@ fn one_verdict_for_one_point() {
 #[test]
 fn one_verdict_on_a_border_and_beside_it() {
     let mut random = Random(65);
-    for i in 0..150 {
-        let omega = if i % 3 == 0 { random.scale(0.05, 20.0) } else { beside_poles().nth(i).unwrap().0 };
+    for (i, (beside, ..)) in beside_poles().take(40).enumerate() {
+        let omega = if i % 3 == 0 { random.scale(0.05, 20.0) } else { beside };
         for edge in no_stop_force_ratios(omega).unwrap().intervals().flat_map(|(low, high)| [Some(low), high])
         {
             let Some(edge) = edge else { continue };
