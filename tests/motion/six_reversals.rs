@@ -138,7 +138,7 @@ fn point(random: &mut Random, i: u32) -> (f64, f64) {
     let omega = if i % 10 < 6 {
         let pole = 3.0 + 2.0 * random.between(0.0, 6.0).floor();
         let off = random.scale(1e-12, 0.3);
-        1.0 / if i % 2 == 0 { pole + off } else { pole - off }
+        1.0 / if i.is_multiple_of(2) { pole + off } else { pole - off }
     } else {
         random.between(0.05, 0.5)
     };
