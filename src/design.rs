@@ -10,7 +10,11 @@
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
+//! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
+//!
+//! With a damper: the least force and amplitude, the greatest friction, the force for a displacement and the friction that
+//! dissipates most. The other questions refuse it ([`crate::Error::Damped`]).
 //!
 //! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. With
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
@@ -22,6 +26,9 @@ mod bands;
 mod dissipation;
 mod force;
 mod friction;
+#[cfg(feature = "dual")]
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
+mod identify;
 mod no_stop;
 mod sticking;
 mod target;
@@ -31,8 +38,10 @@ pub use bands::{Band, Bands, Edge, bands, frequency_bands};
 pub use dissipation::{
     BestForceRatio, BestFriction, Optimum, most_dissipating_force_ratio, most_dissipating_friction,
 };
-pub use force::{least_base_amplitude, least_force};
+pub use force::{least_amplitude, least_base_amplitude, least_force};
 pub use friction::greatest_friction;
+#[cfg(feature = "dual")]
+pub use identify::{Estimate, Identified, Measurement, identify};
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use sticking::{
     BestOfAllForceRatio, BestOfAllFriction, most_dissipating_force_ratio_of_all,

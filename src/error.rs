@@ -251,6 +251,19 @@ pub enum Error {
         /// What was asked for.
         quantity: Quantity,
     },
+    /// A response curve with too few measurements of cycles that do not stick.
+    #[error(
+        "response curve: {count} of {of} measurements are of motion without sticking; 3 at least must be"
+    )]
+    TooFewMeasurements {
+        /// How many there are.
+        count: usize,
+        /// Of how many in all.
+        of: usize,
+    },
+    /// A response curve that no friction and damping explain.
+    #[error("response curve: no friction and damping explain it; the search does not settle")]
+    NotIdentified,
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
         "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the frequency"
@@ -314,6 +327,8 @@ impl Error {
             Self::Damped { .. } => Some(Quantity::DampingRatio),
             Self::TargetSticks { .. }
             | Self::ForceOfFrequency { .. }
+            | Self::TooFewMeasurements { .. }
+            | Self::NotIdentified
             | Self::AtResonance { .. }
             | Self::Sticks { .. }
             | Self::SticksThroughout { .. }

@@ -16,6 +16,7 @@ use num_traits::NumOps;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
+mod exponential;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),
@@ -147,6 +148,15 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     #[inline]
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<Self>(|x| x, |x| x)
+    }
+
+    /// `eˣ` of the number x; a type may have a better way than the series that this is.
+    fn exp(self) -> Self {
+        exponential::exp(self)
+    }
+    /// `eˣ − 1` of the number x, which keeps its digits for a small x; a type may have a better way than the series that this is.
+    fn exp_m1(self) -> Self {
+        exponential::exp_m1(self)
     }
 
     /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself otherwise.

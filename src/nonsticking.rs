@@ -10,6 +10,7 @@
 //! | [`border`] | 57–62 | the least force ratio without sticking |
 //! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
 //! | [`stability`] | beyond the paper | multipliers, contraction |
+//! | `damped` | beyond the paper | all of it with viscous damping |
 //! | [`printed`] | 43, 49 | the formulae that are wrong as printed |
 //!
 //! [`Cycle`] has them all for one (Ω, α). Lengths are in units of B = r_y/k, velocities in B ω_d, phases
@@ -17,12 +18,14 @@
 
 mod amplitude;
 pub mod border;
+pub(crate) mod damped;
 pub mod den_hartog;
 mod deviation;
 mod displacement;
 mod dissipation;
 mod half_cycle;
 pub mod matching;
+mod motion;
 mod phase;
 pub mod printed;
 mod reversal;
@@ -48,10 +51,12 @@ use crate::error::{Error, written};
 use crate::float::{Float, pair::Pair};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
+use damped::DampedCycle;
 use half_cycle::HalfCycle;
+use motion::Motion;
 use phase::reduce;
 
-/// The steady non-sticking motion at one (Ω, α), with all its outputs.
+/// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
 /// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it counts as on the
 /// border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or nothing
@@ -67,9 +72,8 @@ use phase::reduce;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cycle<F> {
     ratios: Ratios<F>,
-    half: HalfCycle<F>,
+    motion: Motion<F>,
     max_displacement: F,
-    reversal: Reversal<F>,
     displacement_phase: F,
     max_velocity: F,
     velocity_phase: F,
@@ -84,6 +88,9 @@ impl<F: Float> Cycle<F> {
     /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above it.
     #[inline]
     pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
+        if ratios.is_damped() {
+            return Self::damped(ratios);
+        }
         let p = PhaseFunction::of_valid(ratios.omega());
         let least = Border::least_force_ratio(&p);
         if ratios.alpha() < least || ratios.omega() == F::int(1) {
@@ -93,7 +100,32 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// The cycle at (Ω, α) known to be on or above the border, Ω ≠ 1; `p` is the phase function at Ω.
+    /// The cycle with damping.
+    #[cold]
+    fn damped(ratios: Ratios<F>) -> Result<Self, Error> {
+        let half = damped::half_period(&ratios);
+        let least = damped::border(&half).min_force_ratio();
+        if ratios.alpha() < least {
+            return Err(no_cycle(ratios, least));
+        }
+        Ok(Self::of_damped(DampedCycle::at(half, ratios.alpha()), ratios))
+    }
+
+    /// The cycle with damping that was found at these ratios.
+    pub(crate) fn of_damped(found: DampedCycle<F>, ratios: Ratios<F>) -> Self {
+        Self {
+            ratios,
+            motion: Motion::Damped(found),
+            max_displacement: found.max_displacement,
+            displacement_phase: found.displacement_phase,
+            max_velocity: found.max_velocity,
+            velocity_phase: found.velocity_phase,
+            deviation: found.deviation,
+            contraction: found.contraction(),
+        }
+    }
+
+    /// The cycle at (Ω, α) known to be on or above the border, Ω ≠ 1, ζ = 0; `p` is the phase function at Ω.
     #[inline]
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
@@ -111,9 +143,8 @@ impl<F: Float> Cycle<F> {
         let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);
         Self {
             ratios,
-            half,
+            motion: Motion::Undamped { half, reversal },
             max_displacement,
-            reversal,
             displacement_phase,
             max_velocity: fastest.velocity,
             velocity_phase,
@@ -126,9 +157,8 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Cycle<G> {
         Cycle {
             ratios: self.ratios.map(&to),
-            half: self.half.map(&to),
+            motion: self.motion.map(&to),
             max_displacement: to(self.max_displacement),
-            reversal: self.reversal.map(&to),
             displacement_phase: to(self.displacement_phase),
             max_velocity: to(self.max_velocity),
             velocity_phase: to(self.velocity_phase),
@@ -140,7 +170,10 @@ impl<F: Float> Cycle<F> {
     /// `(sin β, cos β)`, β = π/2Ω.
     #[inline]
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {
-        self.half.sin_cos_beta()
+        match &self.motion {
+            Motion::Undamped { half, .. } => half.sin_cos_beta(),
+            Motion::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
+        }
     }
 
     /// The ratios (Ω, α).
@@ -184,18 +217,28 @@ impl<F: Float> Cycle<F> {
 
     /// Loop size A₁ ([`loop_size_stiffness`], eq. 64). Accuracy at f64: 2 ulp.
     pub fn loop_size_stiffness(&self) -> F {
-        self.reversal.loop_size_stiffness()
+        self.motion.loop_sizes(&self.ratios).0
     }
 
     /// Loop size A₂ ([`loop_size_inertia`], eq. 67). Accuracy at f64: 2 ulp.
     pub fn loop_size_inertia(&self) -> F {
-        self.reversal.loop_size_inertia(self.ratios.omega())
+        self.motion.loop_sizes(&self.ratios).1
     }
 
-    /// What the matching problem is given here: A/B, B/B = 1 and Ω.
+    /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.
+    ///
+    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of `docs/theory/damping.md`.
+    pub fn damper_work(&self) -> F {
+        match &self.motion {
+            Motion::Undamped { .. } => F::int(0),
+            Motion::Damped(cycle) => cycle.damper_work(),
+        }
+    }
+
+    /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is NaN with it.
     pub fn given(&self) -> matching::Given<F> {
         matching::Given {
-            amplitude: self.ratios.forced_amplitude(),
+            amplitude: self.undamped_amplitude(),
             friction_displacement: F::int(1),
             omega: self.ratios.omega(),
         }
@@ -215,11 +258,11 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// Den Hartog's half cycle of the same motion (eq. 54), in units of B.
+    /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. Without damping: NaN with it.
     pub fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
         let one = F::int(1);
         den_hartog::FallingHalf {
-            amplitude: self.ratios.forced_amplitude(),
+            amplitude: self.undamped_amplitude(),
             friction_displacement: one,
             omega: self.ratios.omega(),
             phase_lag: den_hartog::phase_lag(self.displacement_phase),
@@ -233,24 +276,17 @@ impl<F: Float> Cycle<F> {
     /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite. A
     /// large phase is reduced exactly as it is given.
     pub fn displacement_at(&self, phase: F) -> F {
-        let (psi, rising) = self.centred(phase);
-        let x = self.half.displacement(psi);
-        if rising { x } else { -x }
+        self.motion.at(self.ratios.omega(), phase - self.displacement_phase).0
     }
 
     /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
     pub fn velocity_at(&self, phase: F) -> F {
-        let (psi, rising) = self.centred(phase);
-        let v = self.half.velocity(psi).value;
-        if rising { v } else { -v }
+        self.motion.at(self.ratios.omega(), phase - self.displacement_phase).1
     }
 
-    /// Centred time ψ of a phase within its half cycle, and whether that is the one with x′ > 0.
-    fn centred(&self, phase: F) -> (F, bool) {
-        let after_maximum = reduce(phase - self.displacement_phase);
-        let rising = after_maximum >= F::pi();
-        let turns = if rising { F::int(3) } else { F::int(1) };
-        ((turns * F::pi() / F::int(2) - after_maximum) / self.ratios.omega(), rising)
+    /// A/B of the equations that know no damping, NaN with it.
+    fn undamped_amplitude(&self) -> F {
+        if self.ratios.is_damped() { F::int(0) / F::int(0) } else { self.ratios.forced_amplitude() }
     }
 }
 
@@ -312,3 +348,7 @@ mod tests {
         assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
     }
 }
+
+#[cfg(all(test, feature = "mp"))]
+#[path = "../tests/closed_forms/damped.rs"]
+mod damped_tests;

@@ -16,6 +16,7 @@ pages! {
     SixReversals: "../docs/theory/six-reversals.md",
     Dissipation: "../docs/theory/dissipation.md",
     Stability: "../docs/theory/stability.md",
+    Damping: "../docs/theory/damping.md",
     ExactMotion: "../docs/theory/exact-motion.md",
 }
 

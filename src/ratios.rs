@@ -32,11 +32,9 @@ impl<F: Float> Ratios<F> {
     /// The same with viscous damping of the ratio ζ.
     ///
     /// # Errors
-    /// Where ζ is outside its domain; [`Error::Damped`] for any ζ > 0, as long as no part of this crate computes with it.
+    /// Where ζ is outside its domain.
     pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
-        let damping_ratio = valid_damping_ratio(damping_ratio)?;
-        without_damping(damping_ratio)?;
-        Ok(Self { damping_ratio, ..self })
+        Ok(Self { damping_ratio: valid_damping_ratio(damping_ratio)?, ..self })
     }
 
     /// Ratios that are known to be in the domain.
@@ -76,9 +74,13 @@ impl<F: Float> Ratios<F> {
         Ratios { omega: to(self.omega), alpha: to(self.alpha), damping_ratio: to(self.damping_ratio) }
     }
 
-    /// Amplitude of the frictionless response without damping in units of B: `A/B = α/(1 − Ω²)` (eq. 5, 6). Negative
-    /// above the natural frequency; infinite at Ω = 1.
+    /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6), negative above the
+    /// natural frequency and infinite at Ω = 1; with it `α/q`, `q = √((1 − Ω²)² + 4ζ²Ω²)`, behind the force by a lag in (0, π).
     pub fn forced_amplitude(&self) -> F {
+        if self.is_damped() {
+            let damper = F::int(2) * self.damping_ratio * self.omega;
+            return self.alpha / damper.hypot((F::int(1) - self.omega) * (F::int(1) + self.omega));
+        }
         self.alpha / ((F::int(1) - self.omega) * (F::int(1) + self.omega))
     }
 }
@@ -194,12 +196,12 @@ mod tests {
     fn damping_is_zero_or_of_ordinary_size() {
         let with = |zeta| Ratios::new(1.5, 2.0).unwrap().with_damping_ratio(zeta);
         assert_eq!(Ratios::new(1.5, 2.0).unwrap().damping_ratio(), 0.0);
-        assert!(!with(0.0).unwrap().is_damped());
+        assert!(with(0.05).unwrap().is_damped() && !with(0.0).unwrap().is_damped());
         let message = |zeta| with(zeta).unwrap_err().to_string();
         assert_eq!(message(-0.5), "damping ratio ζ = -0.5 must be ≥ 0");
         assert_eq!(message(f64::NAN), "damping ratio ζ = NaN must be finite");
         assert!(matches!(with(1e-80), Err(Error::OutOfRange { quantity: Quantity::DampingRatio, .. })));
-        assert!(matches!(with(0.1), Err(Error::Damped { .. })));
+        assert!(matches!(with(0.1).unwrap().undamped(), Err(Error::Damped { .. })));
         assert!(with(0.0).unwrap().undamped().is_ok());
     }
 

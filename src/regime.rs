@@ -49,7 +49,9 @@ impl Regime {
 
 /// The regime at (Ω, α), given the border at Ω.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
-    regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio())
+    // Damping bounds the motion at Ω = 1.
+    let omega = if ratios.is_damped() { F::int(2) } else { ratios.omega() };
+    regime_above(omega, ratios.alpha(), border.min_force_ratio())
 }
 
 /// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.

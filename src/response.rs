@@ -1,7 +1,7 @@
 //! The whole answer at one (Ω, α): the regime, and what exists there.
 
 use crate::float::{AtPrecision, Float};
-use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at};
+use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use crate::regime::{Regime, has_two_reversals, regime_of};
@@ -32,6 +32,9 @@ impl<F: Float> Response<F> {
     /// The regime is decided by comparing α with the border as rounded: within a few units in the last place of the
     /// border, either side may be named.
     pub fn new(ratios: Ratios<F>) -> Self {
+        if ratios.is_damped() {
+            return Self::damped(ratios);
+        }
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
         let regime = regime_of(ratios, &border);
@@ -45,6 +48,26 @@ impl<F: Float> Response<F> {
             loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
             best_force_ratio: best_force_ratio_at(&p),
             best_loop_size: best_loop_size_at(&p),
+        }
+    }
+
+    /// The answer with damping.
+    #[cold]
+    fn damped(ratios: Ratios<F>) -> Self {
+        let half = damped::half_period(&ratios);
+        let border = damped::border(&half);
+        let regime = regime_of(ratios, &border);
+        let cycle = (regime == Regime::NonSticking)
+            .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
+        let (best_force_ratio, best_loop_size) = damped::best(&half);
+        Self {
+            ratios,
+            regime,
+            border,
+            cycle,
+            loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
+            best_force_ratio,
+            best_loop_size,
         }
     }
 
@@ -115,7 +138,8 @@ impl<F: Float> Response<F> {
         self.loop_sizes.map(|(_, a2)| a2)
     }
 
-    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65); it counts where it is not below
+    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`,
+    /// Q = hypot(K, qG); it counts where it is not below
     /// the border ([`Response::best_is_reached`]).
     pub const fn best_force_ratio(&self) -> F {
         self.best_force_ratio

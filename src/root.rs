@@ -48,6 +48,41 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
     x
 }
 
+/// A zero in `[low, high]` of an `f` that falls through it there; `f` gives (value, slope).
+///
+/// Newton's method with the bracket kept: where a step leaves it, or is not half of the last but one, it is halved instead. So the
+/// number of steps is bounded by twice the bits between the ends.
+pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
+    let (mut low, mut high, two) = (low, high, F::int(2));
+    let mut x = low + (high - low) / two;
+    let (mut last, mut last_but_one) = (high - low, high - low);
+    loop {
+        let (value, slope) = f(x);
+        if value == F::int(0) {
+            return x;
+        }
+        if value > F::int(0) {
+            low = x;
+        } else {
+            high = x;
+        }
+        let mut next = x - value / slope;
+        let fast = (next - x).abs() * two <= last_but_one;
+        let inside = next > low && next < high;
+        if !(fast && inside) {
+            next = low + (high - low) / two;
+            if !(next > low && next < high) {
+                return x;
+            }
+        }
+        (last_but_one, last) = (last, (next - x).abs());
+        if next == x || last <= F::epsilon() * next.abs() / two {
+            return next;
+        }
+        x = next;
+    }
+}
+
 /// The two numbers, next to each other but for rounding, between which `f` changes sign in `[low, high]`: the first
 /// on the side of `low`, the second on that of `high`. A zero counts as positive.
 ///
@@ -110,7 +145,7 @@ pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> 
 
 #[cfg(test)]
 mod tests {
-    use super::{bracketed, enclosed, newton};
+    use super::{bracketed, enclosed, newton, newton_within};
 
     #[test]
     fn the_enclosure_is_two_neighbours() {
@@ -166,6 +201,22 @@ mod tests {
             let root = newton(exact * (1.0 + 1e-7), size, 2.0 * size, |x| (x * x - two, 2.0 * x));
             assert!((root / exact - 1.0).abs() <= f64::EPSILON, "{size:e}: {:e}", root / exact - 1.0);
         }
+    }
+
+    #[test]
+    fn newton_within_a_bracket_finds_what_newton_alone_does_not() {
+        for (low, high) in [(-8.0, 0.5), (-0.1, 90.0), (-1e-9, 1e9), (-3.0, 3.0)] {
+            // Flat far off: Newton's method alone leaves for infinity from |x| > 1.39.
+            let calls = core::cell::Cell::new(0);
+            let root = newton_within(low, high, |x: f64| {
+                calls.set(calls.get() + 1);
+                (-(x - 0.125).atan(), -1.0 / (1.0 + (x - 0.125) * (x - 0.125)))
+            });
+            assert!((root - 0.125).abs() <= f64::EPSILON && calls.get() < 80, "{root} {}", calls.get());
+        }
+        // A jump, where the slope says nothing.
+        let root = newton_within(0.0, 1.0, |x: f64| (if x < 0.3 { 1.0 } else { -1.0 }, 0.0));
+        assert!((root - 0.3).abs() < 1e-15, "{root}");
     }
 
     #[test]

@@ -10,13 +10,13 @@
 //! stick are those with α ≥ α_min(Ω). So the best of them is α* where α* ≥ α_min, and else the border itself, A₁ falling on
 //! all of α ≥ α_min: the larger of the two, and nothing else can be better.
 
-use super::force::frequency_ratio_of;
+use super::force::ratios_of;
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::nonsticking::{Border, best_force_ratio, best_loop_size, loop_size_stiffness};
+use crate::nonsticking::{Border, best_force_ratio, best_loop_size, damped, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::positive;
+use crate::ratios::{Ratios, positive};
 
 /// What makes a best value the best.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -73,6 +73,24 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<BestForceRatio
     })
 }
 
+/// The same with damping, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`.
+///
+/// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one change of sign for
+/// y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there on, as without damping.
+fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> BestForceRatio<F> {
+    let half = damped::half_period(ratios);
+    let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
+    let least = border.min_force_ratio();
+    if force_ratio >= least {
+        return BestForceRatio { force_ratio, loop_size, optimum: Optimum::Interior };
+    }
+    BestForceRatio {
+        force_ratio: least,
+        loop_size: loop_size_stiffness(border.least_displacement(), least),
+        optimum: Optimum::Border,
+    }
+}
+
 /// The friction bound that dissipates most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BestFriction<F> {
@@ -86,16 +104,22 @@ pub struct BestFriction<F> {
 
 /// The friction bound with which `drive` dissipates most in a cycle, of those with which the body does not stick.
 ///
-/// Mass and stiffness are those of `body`; its own friction bound plays no part. [`most_dissipating_force_ratio`] in
-/// physical units: r_y = p₀/α.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. [`most_dissipating_force_ratio`] in
+/// physical units: r_y = p₀/α. With a damper it is the energy that friction takes; what the damper takes besides
+/// ([`crate::Cycle::damper_work`]) does not count.
 ///
 /// # Errors
-/// As there, and where r_y or the energy over- or underflows.
+/// As there (but at Ω = 1 there is an answer with damping), and where r_y or the energy over- or underflows.
 pub fn most_dissipating_friction<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
 ) -> Result<BestFriction<F>, Error> {
-    let best = most_dissipating_force_ratio(frequency_ratio_of(body, drive.angular_frequency())?)?;
+    let ratios = ratios_of(body, drive.angular_frequency())?;
+    let best = if ratios.is_damped() {
+        most_dissipating_with_damping(&ratios)
+    } else {
+        most_dissipating_force_ratio(ratios.omega())?
+    };
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let energy = best.loop_size * (p0 / F::int(2) * (p0 / body.stiffness()));
     Ok(BestFriction {
@@ -139,6 +163,26 @@ mod tests {
         let at_half = most_dissipating_force_ratio(0.5f64).unwrap();
         assert_eq!((at_half.force_ratio, at_half.loop_size), (3.0, 8.0 * 4.0 / 9.0));
         assert!(matches!(most_dissipating_force_ratio(1.0), Err(Error::AtResonance { .. })));
+    }
+
+    #[test]
+    fn with_damping_none_is_better() {
+        for (omega, zeta) in [(0.4, 0.05), (0.7, 0.1), (1.0, 0.02), (1.5, 0.05), (2.5, 1.2)] {
+            let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(zeta).unwrap();
+            let drive = Drive::force(12.0, 2.0 * omega).unwrap();
+            let best = most_dissipating_friction(&body, &drive).unwrap();
+            let energy = |friction: f64| {
+                let body = Oscillator::new(2.0, 8.0, friction).unwrap().with_damping_ratio(zeta).unwrap();
+                let cycle = Cycle::new(drive.ratios(&body).unwrap()).ok()?;
+                Some(4.0 * friction * cycle.max_displacement() * friction / 8.0)
+            };
+            let at_best: f64 = energy(best.friction_bound * (1.0 - 1e-13)).unwrap();
+            assert!((at_best / best.energy - 1.0).abs() < 1e-11, "{omega} {zeta}");
+            for i in 1..300 {
+                let other = energy(best.friction_bound * 0.01 * f64::from(i));
+                assert!(other.is_none_or(|e| e <= best.energy * (1.0 + 1e-13)), "{omega} {zeta} {i}");
+            }
+        }
     }
 
     #[test]

@@ -3,8 +3,8 @@
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::nonsticking::Border;
-use crate::oscillator::{Drive, Oscillator};
-use crate::ratios::positive;
+use crate::oscillator::{Drive, Excitation, Oscillator};
+use crate::ratios::{Ratios, positive};
 
 /// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
 ///
@@ -30,21 +30,62 @@ pub fn least_base_amplitude<F: Float>(body: &Oscillator<F>, angular_frequency: F
     positive(Quantity::BaseAmplitude, body.friction_displacement() * border.min_force_ratio())
 }
 
-/// The border of `body` at ω_d.
+/// The least amplitude of an excitation that keeps `body` sliding at ω_d, whatever shakes it: that with `p₀ = r_y α_min(Ω)`.
+///
+/// In the unit of the amplitude, such as that of an acceleration. Every excitation is proportional to its amplitude, and the border does
+/// not depend on it: otherwise as [`least_force`].
+///
+/// # Errors
+/// As [`least_force`].
+pub fn least_amplitude<F: Float>(
+    body: &Oscillator<F>,
+    excitation: Excitation,
+    angular_frequency: F,
+) -> Result<F, Error> {
+    let unit = Drive::new(excitation, F::int(1), angular_frequency)?.force_amplitude(body);
+    let amplitude = least_force(body, angular_frequency)? / unit;
+    Ok(Drive::new(excitation, amplitude, angular_frequency)?.amplitude())
+}
+
+/// The border of `body`, with its damping, at ω_d.
 pub(super) fn border_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Border<F>, Error> {
-    Border::new(frequency_ratio_of(body, angular_frequency)?)
+    Ok(Border::of(&ratios_of(body, angular_frequency)?))
+}
+
+/// Ω and ζ of `body` at ω_d, with a force ratio of 1.
+pub(super) fn ratios_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Ratios<F>, Error> {
+    Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)
 }
 
 /// Ω of `body`, which has no damper, at ω_d, validated by a drive of ratio 1.
 pub(super) fn frequency_ratio_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
-    let drive = Drive::force(body.friction_bound(), angular_frequency)?;
-    Ok(drive.ratios(body)?.undamped()?.omega())
+    Ok(ratios_of(body, angular_frequency)?.undamped()?.omega())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{least_base_amplitude, least_force};
-    use crate::{Error, Oscillator, Quantity};
+    use super::{least_amplitude, least_base_amplitude, least_force};
+    use crate::{Border, Drive, Error, Excitation, Oscillator, Quantity};
+
+    #[test]
+    fn with_damping_and_whatever_shakes_it() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
+        for omega in [0.4, 0.7, 1.0, 3.0] {
+            let least = Border::with_damping(omega, 0.05).unwrap().min_force_ratio();
+            let force: f64 = least_force(&body, 2.0 * omega).unwrap();
+            assert!((force / (3.0 * least) - 1.0).abs() < 1e-13, "{omega}: {force}");
+            for excitation in [
+                Excitation::Force,
+                Excitation::DampedFootMotion,
+                Excitation::SurfaceMotion,
+                Excitation::SurfaceAcceleration,
+            ] {
+                let amplitude = least_amplitude(&body, excitation, 2.0 * omega).unwrap();
+                let drive = Drive::new(excitation, amplitude, 2.0 * omega).unwrap();
+                assert!((drive.force_amplitude(&body) / force - 1.0).abs() < 1e-14, "{omega}");
+            }
+        }
+    }
 
     #[test]
     fn at_the_values_of_the_border() {

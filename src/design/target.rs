@@ -1,12 +1,12 @@
 //! The force for a target displacement or velocity.
 
-use super::force::frequency_ratio_of;
+use super::force::{frequency_ratio_of, ratios_of};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
-use crate::nonsticking::{Border, force_ratio_from_displacement, max_velocity_from_displacement};
+use crate::nonsticking::{Border, damped, force_ratio_from_displacement, max_velocity_from_displacement};
 use crate::oscillator::Oscillator;
 use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::positive;
+use crate::ratios::{Ratios, positive};
 
 /// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
 ///
@@ -21,7 +21,8 @@ pub fn force_ratio_for_displacement<F: Float>(omega: F, max_displacement: F) -> 
 
 /// The force amplitude p₀ with which `body` at ω_d has the maximum displacement Δ₀ (unit of length).
 ///
-/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
+/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k. With a damper `α = hypot(K, q (Δ₀/B + G))`, at
+/// Ω = 1 too.
 ///
 /// # Errors
 /// As there, the values in physical units.
@@ -30,9 +31,13 @@ pub fn force_for_displacement<F: Float>(
     angular_frequency: F,
     max_displacement: F,
 ) -> Result<F, Error> {
-    let omega = frequency_ratio_of(body, angular_frequency)?;
+    let ratios = ratios_of(body, angular_frequency)?;
     let length = positive(Quantity::FrictionDisplacement, body.friction_displacement())?;
-    let alpha = displacement_target(omega, max_displacement, length, Quantity::MaxDisplacement)?;
+    let alpha = if ratios.is_damped() {
+        damped_displacement_target(&ratios, max_displacement, length)?
+    } else {
+        displacement_target(ratios.omega(), max_displacement, length, Quantity::MaxDisplacement)?
+    };
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
@@ -53,7 +58,7 @@ pub fn force_ratio_for_velocity<F: Float>(omega: F, max_velocity: F) -> Result<F
 /// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
-/// As there, the values in physical units.
+/// As there, the values in physical units; [`Error::Damped`] for a body with a damper.
 pub fn force_for_velocity<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -74,6 +79,20 @@ fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quanti
         return Err(sticks(quantity, target, least * scale, omega));
     }
     force_ratio_at(&p, displacement)
+}
+
+/// α for the displacement `target` with damping, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
+///
+/// The only one, Δ₀ growing with α.
+fn damped_displacement_target<F: Float>(ratios: &Ratios<F>, target: F, scale: F) -> Result<F, Error> {
+    let half = damped::half_period(ratios);
+    let displacement = positive(Quantity::MaxDisplacement, target)? / scale;
+    let least = damped::border(&half).least_displacement();
+    if displacement < least {
+        return Err(sticks(Quantity::MaxDisplacement, target, least * scale, ratios.omega()));
+    }
+    let alpha = force_ratio_from_displacement(half.k, displacement + half.shift, half.stiffness);
+    Ok(Ratios::new(ratios.omega(), alpha)?.alpha())
 }
 
 /// α for the velocity `target`, given in units of `scale`.
@@ -131,6 +150,21 @@ mod tests {
         assert!((alpha - 2.5).abs() < 1e-15);
         let alpha: f64 = force_ratio_for_velocity(1.5, 1.654_152_276_482_076).unwrap();
         assert!((alpha - 2.5).abs() < 1e-15, "{alpha}");
+    }
+
+    #[test]
+    fn a_displacement_with_damping() {
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
+        for (omega, target) in [(0.4, 12.0), (0.7, 2.6), (1.0, 4.0), (3.0, 0.2)] {
+            let (scale, frequency) = (body.friction_displacement(), 2.0 * omega);
+            let force: f64 = force_for_displacement(&body, frequency, target * scale).unwrap();
+            let drive = crate::Drive::force(force, frequency).unwrap();
+            let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
+            assert!((cycle.max_displacement() / target - 1.0).abs() < 1e-13, "{omega}");
+        }
+        let error = force_for_displacement(&body, 1.4, 0.1).unwrap_err();
+        assert!(matches!(error, Error::TargetSticks { .. }));
+        assert!(matches!(force_for_velocity(&body, 1.4, 9.0), Err(Error::Damped { .. })));
     }
 
     #[test]

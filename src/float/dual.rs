@@ -220,6 +220,15 @@ impl<const N: usize> Float for Dual<N> {
         self.value().is_finite()
     }
     #[inline]
+    fn exp(self) -> Self {
+        let power = Float::exp(self.value());
+        self.chained(power, power)
+    }
+    #[inline]
+    fn exp_m1(self) -> Self {
+        self.chained(Float::exp_m1(self.value()), Float::exp(self.value()))
+    }
+    #[inline]
     fn constant(self) -> Self {
         Self::of(self.value())
     }
@@ -238,7 +247,7 @@ mod tests {
 
     #[test]
     fn derivatives_are_those_of_differences() {
-        let functions: [Function<2>; 14] = [
+        let functions: [Function<2>; 16] = [
             |[x, y]| x + y,
             |[x, y]| x - y,
             |[x, y]| x * y,
@@ -253,6 +262,8 @@ mod tests {
             |[x, y]| (x / y).sin() * (x * y).cos(),
             |[x, y]| x.with_sign_of(-y).or_larger(y),
             |[x, y]| x.floor() + y.round() + x,
+            |[x, y]| (-x * y).exp(),
+            |[x, y]| (x / y).exp_m1(),
         ];
         let h = 1e-6;
         for (i, f) in functions.iter().enumerate() {

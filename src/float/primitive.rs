@@ -4,7 +4,7 @@ use super::{Float, Real};
 
 macro_rules! primitive {
     ($float:ident, $bits:ty, low_half: $low:literal, ratio_exponent: $ratio_exponent:literal,
-     pi_rest: $second:literal $third:literal) => {
+     pi_rest: $second:literal $third:literal, exp: $exp:ident $expm1:ident) => {
         impl Real for $float {
             #[inline]
             fn int(n: i32) -> Self {
@@ -109,12 +109,21 @@ macro_rules! primitive {
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
+            #[inline]
+            fn exp(self) -> Self {
+                libm::$exp(self)
+            }
+            #[inline]
+            fn exp_m1(self) -> Self {
+                libm::$expm1(self)
+            }
         }
     };
 }
 
-primitive!(f32, u32, low_half: 0xfff, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced);
-primitive!(f64, u64, low_half: 0x7ff_ffff, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc);
+primitive!(f32, u32, low_half: 0xfff, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, exp: expf expm1f);
+primitive!(f64, u64, low_half: 0x7ff_ffff, ratio_exponent: 250,
+    pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc, exp: exp expm1);
 
 #[cfg(test)]
 mod tests {

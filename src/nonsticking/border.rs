@@ -143,6 +143,36 @@ impl<F: Float> Border<F> {
         PhaseFunction::new(omega).map(|p| Self::at(&p))
     }
 
+    /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
+    ///
+    /// Exact: every maximum of Den Hartog's condition is known (`src/nonsticking/damped/border.rs`). The analogue of eq. 61 suffices
+    /// for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
+    ///
+    /// # Errors
+    /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
+    pub fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
+        crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
+    }
+
+    /// The border at Ω and ζ of `ratios`.
+    pub(crate) fn of(ratios: &crate::Ratios<F>) -> Self {
+        if ratios.is_damped() {
+            super::damped::border(&super::damped::half_period(ratios))
+        } else {
+            Self::at(&PhaseFunction::of_valid(ratios.omega()))
+        }
+    }
+
+    /// The border with its parts as found.
+    pub(super) const fn of_parts(
+        min_force_ratio: F,
+        turning_point: F,
+        phase: F,
+        least_displacement: F,
+    ) -> Self {
+        Self { min_force_ratio, turning_point, phase, least_displacement }
+    }
+
     /// The same border in another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Border<G> {
         Border {

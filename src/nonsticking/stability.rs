@@ -139,6 +139,11 @@ impl<F: Float> Multipliers<F> {
         Self { half_cycle }
     }
 
+    /// Of a pair that is known.
+    pub(super) const fn of_half_cycle(half_cycle: Pair<F>) -> Self {
+        Self { half_cycle }
+    }
+
     /// Of half a cycle, from one reversal to the next: λ.
     pub const fn half_cycle(&self) -> Pair<F> {
         self.half_cycle
@@ -194,7 +199,7 @@ impl<F: Float> Multipliers<F> {
 impl<F: Float> Cycle<F> {
     /// The multipliers of this cycle.
     pub fn multipliers(&self) -> Multipliers<F> {
-        Multipliers::new(self.ratios.omega(), self.max_displacement, self.half.sin_cos_beta())
+        self.motion.multipliers(self.ratios.omega(), self.max_displacement)
     }
 }
 

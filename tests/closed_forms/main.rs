@@ -13,6 +13,8 @@ mod batch;
 #[cfg(all(feature = "batch", feature = "generators"))]
 #[path = "../invariants/batches.rs"]
 mod batches;
+#[cfg(feature = "mp")]
+mod damped;
 mod design;
 #[cfg(feature = "mp")]
 mod design_wide;

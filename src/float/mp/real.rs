@@ -98,6 +98,14 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     fn is_finite(self) -> bool {
         self.is_finite()
     }
+    #[inline]
+    fn exp(self) -> Self {
+        self.exp()
+    }
+    #[inline]
+    fn exp_m1(self) -> Self {
+        self.exp_m1()
+    }
 
     /// At the least of a few widths that has a quarter of the bits and a guard limb.
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {

@@ -133,7 +133,7 @@ impl<F: Float + RealField> Solvable for F {
 /// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
 /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
 pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
-    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    let (omega, alpha) = (ratios.undamped()?.omega(), ratios.alpha());
     if omega == <F as Real>::int(1) {
         return Err(MatchingError::Resonance);
     }

@@ -1,0 +1,363 @@
+//! Friction and damping from a measured response curve, by least squares on the closed forms.
+//!
+//! With mass, stiffness and the amplitude of the force known, the maximum displacement at a frequency is, in
+//! the symbols of `docs/theory/damping.md` and with κ = r_y/p₀,
+//!
+//! ```text
+//! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK):
+//! ```
+//!
+//! smooth in κ and in ζ, which G, K, q and δ depend on. κ and ζ are found by the method of Levenberg and
+//! Marquardt, with the derivatives of dual numbers. The two parameters make the normal equations 2 by 2, so
+//! that no linear algebra is needed.
+//!
+//! Only cycles that do not stick follow these formulae. A measurement at which the body would stick with the
+//! parameters found is left out, and the rest fitted again, until the choice does not change.
+
+use crate::error::{Error, Quantity};
+use crate::float::Real;
+use crate::float::dual::Dual;
+use crate::nonsticking::damped;
+use crate::oscillator::{Drive, Excitation, Oscillator};
+use crate::ratios::{Ratios, finite, positive};
+
+/// One point of a measured response curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Measurement {
+    /// Angular frequency ω_d.
+    pub angular_frequency: f64,
+    /// Maximum displacement, half of peak to peak.
+    pub amplitude: f64,
+    /// Phase ω_d t₂ of the maximum displacement, if it was measured: radians behind that of the force at ω_d
+    /// t = 0.
+    pub phase: Option<f64>,
+}
+
+/// An estimate with its standard error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Estimate {
+    /// The value that explains the measurements best.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+    degrees_of_freedom: usize,
+}
+
+impl Estimate {
+    /// The interval that holds the true value in 95 % of such measurements, if their errors are independent
+    /// and normal.
+    ///
+    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 %
+    /// from 3 of them on.
+    #[must_use]
+    pub fn interval(&self) -> (f64, f64) {
+        let half = student(self.degrees_of_freedom) * self.standard_error;
+        (self.value - half, self.value + half)
+    }
+}
+
+/// What a measured response curve says of friction and damping.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Identified {
+    /// The friction bound r_y.
+    pub friction_bound: Estimate,
+    /// The damping ratio ζ; `c = 2ζ√(k m)`.
+    pub damping_ratio: Estimate,
+    /// The relative standard error of one amplitude, and that of a phase in radians, as the residuals have
+    /// it.
+    pub noise: f64,
+    /// Measured less computed amplitude, as a share of the measured one; `None` where the body sticks and the
+    /// measurement was left out.
+    pub residuals: Vec<Option<f64>>,
+}
+
+/// The friction bound and the damping ratio that explain a response curve of `body` under a force of
+/// amplitude p₀.
+///
+/// Mass and stiffness are those of `body`; its own friction bound and damping play no part. Errors of the
+/// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation,
+/// which the residuals give.
+///
+/// It is the least sum of squares that the search meets: from the best of a grid of κ and ζ, then downhill.
+/// No proof says that there is no other.
+///
+/// # Errors
+/// Where a measurement is not finite or not > 0, where fewer than three measurements are of a cycle that does
+/// not stick ([`Error::TooFewMeasurements`]), and where the search does not settle
+/// ([`Error::NotIdentified`]).
+pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Result<Identified, Error> {
+    let (force, natural) = (positive(Quantity::ForceAmplitude, force)?, body.natural_frequency());
+    let mut points = Vec::with_capacity(curve.len());
+    for measured in curve {
+        let drive = Drive::new(Excitation::Force, force, measured.angular_frequency)?;
+        let omega = Ratios::new(drive.angular_frequency() / natural, 1.0)?.omega();
+        let amplitude = positive(Quantity::MaxDisplacement, measured.amplitude)? * body.stiffness() / force;
+        let phase = measured.phase.map(|phase| finite(Quantity::DrivePhase, phase)).transpose()?;
+        points.push(Point { omega, amplitude, phase });
+    }
+    let mut parameters = best_of_grid(&points)?;
+    let mut used: Vec<bool> = Vec::new();
+    for _ in 0..ROUNDS {
+        let slides: Vec<bool> = points.iter().map(|p| p.slides(parameters)).collect();
+        let count = slides.iter().filter(|&&slides| slides).count();
+        if count < 3 {
+            return Err(Error::TooFewMeasurements { count, of: points.len() });
+        }
+        if slides == used {
+            return Ok(report(&points, &used, parameters, force));
+        }
+        used = slides;
+        parameters = descend(&points, &used, parameters)?;
+    }
+    Err(Error::NotIdentified)
+}
+
+/// Choices of measurements that are tried.
+const ROUNDS: usize = 50;
+/// Steps of a descent.
+const STEPS: usize = 200;
+/// The least damping ratio that is told from none.
+const LEAST_DAMPING: f64 = 1e-9;
+
+/// κ = r_y/p₀ and ζ.
+type Parameters = [f64; 2];
+
+/// One measurement in ratios: Ω, k Δ₀/p₀ and ω_d t₂.
+#[derive(Debug, Clone, Copy)]
+struct Point {
+    omega: f64,
+    amplitude: f64,
+    phase: Option<f64>,
+}
+
+/// A residual and its derivatives by κ and ζ.
+type Residual = (f64, [f64; 2]);
+
+impl Point {
+    /// Whether the body slides throughout here with these parameters.
+    fn slides(&self, [kappa, zeta]: Parameters) -> bool {
+        let Ok(ratios) = Ratios::new(self.omega, 1.0 / kappa).and_then(|r| r.with_damping_ratio(zeta)) else {
+            return false;
+        };
+        1.0 / kappa >= damped::border(&damped::half_period(&ratios)).min_force_ratio()
+    }
+
+    /// The residuals of amplitude and phase, relative and in radians.
+    fn residuals(&self, parameters: Parameters) -> [Option<Residual>; 2] {
+        let [kappa, zeta] = Dual::parameters(parameters);
+        let half = damped::half_period_at(Dual::of(self.omega), zeta);
+        let (one, friction) = (Dual::of(1.0), kappa * half.k);
+        // √(1 − κ²K²)
+        let sine = ((one - friction) * (one + friction)).sqrt();
+        let found = sine / half.stiffness - kappa * half.shift;
+        let as_residual = |x: Dual<2>| (x.value(), x.derivatives());
+        let of_phase = self.phase.map(|measured| {
+            let difference = Dual::of(measured) - half.phase_lag() - sine.atan2(friction);
+            // The same angle within half a turn.
+            let (s, c) = difference.sin_cos();
+            as_residual(s.atan2(c))
+        });
+        let of_amplitude = as_residual((Dual::of(self.amplitude) - found) / Dual::of(self.amplitude));
+        [Some(of_amplitude), of_phase]
+    }
+}
+
+/// Sum of squares, gradient and normal matrix (κκ, κζ, ζζ) of the chosen points, and how many residuals there
+/// are.
+struct Normal {
+    sum: f64,
+    gradient: [f64; 2],
+    matrix: [f64; 3],
+    count: usize,
+}
+
+fn normal(points: &[Point], used: &[bool], parameters: Parameters) -> Normal {
+    let mut n = Normal { sum: 0.0, gradient: [0.0; 2], matrix: [0.0; 3], count: 0 };
+    let chosen = points.iter().zip(used).filter(|(_, used)| **used);
+    for (r, [by_kappa, by_zeta]) in chosen.flat_map(|(p, _)| p.residuals(parameters)).flatten() {
+        n.sum += r * r;
+        n.gradient = [n.gradient[0] + r * by_kappa, n.gradient[1] + r * by_zeta];
+        let [a, b, c] = n.matrix;
+        n.matrix = [a + by_kappa * by_kappa, b + by_kappa * by_zeta, c + by_zeta * by_zeta];
+        n.count = n.count.saturating_add(1);
+    }
+    n
+}
+
+/// The best of a grid, of those at which the most measurements slide.
+fn best_of_grid(points: &[Point]) -> Result<Parameters, Error> {
+    let mut best: Option<(usize, f64, Parameters)> = None;
+    for i in 0..10 {
+        for j in 0..6 {
+            // κ between 0.01 and 0.63, ζ between 1e-4 and 3.
+            let parameters = [10f64.powf(-2.0 + 0.2 * f64::from(i)), 10f64.powf(-4.0 + 0.9 * f64::from(j))];
+            let used: Vec<bool> = points.iter().map(|p| p.slides(parameters)).collect();
+            let count = used.iter().filter(|&&slides| slides).count();
+            let sum = normal(points, &used, parameters).sum;
+            // A point left out counts as one that is off by all of its amplitude.
+            let penalised = sum + points.len().saturating_sub(count) as f64;
+            let better = best.is_none_or(|(_, least, _)| penalised < least);
+            if count >= 3 && better {
+                best = Some((count, penalised, parameters));
+            }
+        }
+    }
+    let few = Error::TooFewMeasurements { count: 0, of: points.len() };
+    best.map(|(_, _, parameters)| parameters).ok_or(few)
+}
+
+/// The method of Levenberg and Marquardt, in the logarithms of both parameters, which keeps them positive.
+fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Parameters, Error> {
+    let (mut at, mut damping) = (start, 1e-3);
+    let mut here = normal(points, used, at);
+    for _ in 0..STEPS {
+        let [kappa, zeta] = at;
+        let [a, b, c] = here.matrix;
+        let (a, b, c) = (a * kappa * kappa, b * kappa * zeta, c * zeta * zeta);
+        let (g, h) = (here.gradient[0] * kappa, here.gradient[1] * zeta);
+        let (p, q) = (a * (1.0 + damping), c * (1.0 + damping));
+        let determinant = p * q - b * b;
+        let step = [(b * h - q * g) / determinant, (b * g - p * h) / determinant];
+        if !step.iter().all(|s| s.is_finite()) {
+            return Err(Error::NotIdentified);
+        }
+        // No further than by a factor of e at a time.
+        let most = step[0].abs().max(step[1].abs()).max(1.0);
+        let next =
+            [kappa * (step[0] / most).exp(), (zeta * (step[1] / most).exp()).clamp(LEAST_DAMPING, 1e3)];
+        let there = normal(points, used, next);
+        if there.sum <= here.sum {
+            let settled = step.iter().all(|s| s.abs() < 1e-11) || (next == at);
+            (at, here, damping) = (next, there, (damping * 0.1).max(1e-15));
+            if settled {
+                return Ok(at);
+            }
+        } else if damping > 1e12 {
+            // No smaller step goes down: the least to rounding.
+            return Ok(at);
+        } else {
+            damping *= 10.0;
+        }
+    }
+    Err(Error::NotIdentified)
+}
+
+/// The estimates with their errors.
+fn report(points: &[Point], used: &[bool], parameters: Parameters, force: f64) -> Identified {
+    let n = normal(points, used, parameters);
+    let degrees_of_freedom = n.count.saturating_sub(2);
+    let variance = n.sum / degrees_of_freedom as f64;
+    let [a, b, c] = n.matrix;
+    let determinant = a * c - b * b;
+    let estimate =
+        |value: f64, variance: f64| Estimate { value, standard_error: variance.sqrt(), degrees_of_freedom };
+    let friction = parameters[0] * force;
+    let residual = |(point, used): (&Point, &bool)| {
+        let [of_amplitude, _] = point.residuals(parameters);
+        of_amplitude.filter(|_| *used).map(|(r, _)| r)
+    };
+    Identified {
+        friction_bound: estimate(friction, variance * c / determinant * force * force),
+        damping_ratio: estimate(parameters[1], variance * a / determinant),
+        noise: variance.sqrt(),
+        residuals: points.iter().zip(used).map(residual).collect(),
+    }
+}
+
+/// The 97.5 % quantile of Student's distribution (Abramowitz and Stegun, 26.7.5).
+fn student(degrees_of_freedom: usize) -> f64 {
+    let (z, n) = (1.959_963_984_540_054_f64, degrees_of_freedom as f64);
+    let square = z * z;
+    let first = z * (square + 1.0) / 4.0;
+    let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
+    let third = z * (((3.0 * square + 19.0) * square + 17.0) * square - 15.0) / 384.0;
+    z + first / n + second / (n * n) + third / (n * n * n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Identified, Measurement, identify, student};
+    use crate::{Cycle, Drive, Error, Oscillator};
+
+    const FORCE: f64 = 12.0;
+
+    fn body(friction: f64, zeta: f64) -> Oscillator<f64> {
+        Oscillator::new(2.0, 8.0, friction).unwrap().with_damping_ratio(zeta).unwrap()
+    }
+
+    /// The exact curve between two frequencies.
+    fn curve(
+        friction: f64,
+        zeta: f64,
+        (low, high): (f64, f64),
+        count: u32,
+        phases: bool,
+    ) -> Vec<Measurement> {
+        let body = body(friction, zeta);
+        let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(count - 1);
+        (0..count)
+            .map(|i| {
+                let drive = Drive::force(FORCE, at(i)).unwrap();
+                let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
+                Measurement {
+                    angular_frequency: at(i),
+                    amplitude: cycle.max_displacement() * body.friction_displacement(),
+                    phase: phases.then_some(cycle.displacement_phase()),
+                }
+            })
+            .collect()
+    }
+
+    fn found(curve: &[Measurement]) -> Identified {
+        identify(&body(1.0, 0.0), FORCE, curve).unwrap()
+    }
+
+    #[test]
+    fn an_exact_curve_gives_its_parameters_back() {
+        for (friction, zeta) in [(3.0, 0.05), (1.5, 0.01), (4.0, 0.2), (0.5, 0.03)] {
+            for phases in [false, true] {
+                let fit = found(&curve(friction, zeta, (1.2, 3.6), 20, phases));
+                assert!(
+                    (fit.friction_bound.value / friction - 1.0).abs() < 1e-8,
+                    "{friction} {zeta}: {fit:?}"
+                );
+                assert!((fit.damping_ratio.value / zeta - 1.0).abs() < 1e-8, "{friction} {zeta}: {fit:?}");
+                assert!(fit.noise < 1e-9 && fit.residuals.iter().all(Option::is_some));
+            }
+        }
+    }
+
+    #[test]
+    fn where_the_body_sticks_a_measurement_is_left_out() {
+        let (friction, zeta) = (6.0, 0.05);
+        let mut measured = curve(friction, zeta, (1.3, 2.6), 12, false);
+        let least = crate::design::least_force(&body(friction, zeta), 0.3).unwrap();
+        assert!(least > FORCE);
+        measured.push(Measurement { angular_frequency: 0.3, amplitude: 0.7, phase: None });
+        let fit = found(&measured);
+        assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-8, "{fit:?}");
+        assert_eq!(fit.residuals.iter().filter(|r| r.is_none()).count(), 1);
+    }
+
+    #[test]
+    fn too_little_or_bad_input_is_refused() {
+        let few = curve(3.0, 0.05, (1.2, 3.6), 2, false);
+        assert!(matches!(
+            identify(&body(1.0, 0.0), FORCE, &few),
+            Err(Error::TooFewMeasurements { of: 2, .. })
+        ));
+        let mut bad = curve(3.0, 0.05, (1.2, 3.6), 5, false);
+        bad[2].amplitude = -1.0;
+        assert!(identify(&body(1.0, 0.0), FORCE, &bad).is_err());
+    }
+
+    #[test]
+    fn quantiles_of_students_distribution() {
+        // From tables.
+        for (n, exact) in [(3, 3.182_446), (5, 2.570_582), (10, 2.228_139), (28, 2.048_407), (100, 1.983_972)]
+        {
+            assert!((student(n) / exact - 1.0).abs() < 0.01, "{n}: {}", student(n));
+        }
+        assert!((student(28) - 2.048_407).abs() < 1e-5);
+    }
+}

@@ -1,0 +1,177 @@
+//! The non-sticking cycle with viscous damping, ζ > 0, in closed form.
+//!
+//! The equation of motion in natural time, `x″ + 2ζx′ + x + sgn x′ = α sin θ` (units of B = r_y/k), has
+//! between its reversals a driven and a free part, and the cycle with two reversals and no stop follows from
+//! its matching conditions as without damping ([`half_period`]). With `K = qH` the table of ζ = 0 holds with
+//! q for |1 − Ω²| and a shift G of the displacement:
+//!
+//! | | ζ = 0 | ζ > 0 |
+//! |---|---|---|
+//! | Δ₀/B | √(α² − K²)/\|1 − Ω²\| | a − G, a = √(α² − K²)/q |
+//! | ω_d t₂ | cos ω_d t₂ = K/α, sign of the sine that of 1 − Ω | cos(ω_d t₂ − δ) = K/α, sin(ω_d t₂ − δ) = qa/α |
+//! | border | hypot(K, (1 − Ω²) S), S ≥ 1/Ω² | hypot(K, qS), S ≥ (1 + G + 2ζΩH)/Ω² |
+//! | A₁ | 8(Δ₀/B)/α² | the same, friction's part |
+//! | α*, A₁max | √2 \|K\|, 4/(\|K\| \|1 − Ω²\|) | √(2Q(Q + qG)), 4/(q(Q + qG)), Q = hypot(K, qG) |
+//! | λ | λ² + (1 + s) cos(π/Ω) λ + s = 0 | λ² + (M₁₁ + sM₂₂) λ + s e^{−2ζT} = 0 |
+
+mod border;
+mod fastest;
+mod free;
+mod half_period;
+mod rising;
+
+use super::Border;
+use super::displacement::max_displacement;
+use super::phase::reduce;
+use super::stability::Pair;
+use crate::float::Float;
+use crate::ratios::Ratios;
+use border::{supremum, turning_point};
+use half_period::HalfPeriod;
+use rising::Rising;
+
+/// The steady non-sticking motion with damping: the outputs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct DampedCycle<F> {
+    pub(crate) rising: Rising<F>,
+    pub(crate) max_displacement: F,
+    pub(crate) displacement_phase: F,
+    pub(crate) max_velocity: F,
+    pub(crate) velocity_phase: F,
+    pub(crate) deviation: F,
+}
+
+impl<F: Float> DampedCycle<F> {
+    /// The cycle at ratios on or above the border.
+    pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
+        // a = √(α² − K²)/q, Δ₀/B = a − G
+        let amplitude = max_displacement(half.k, alpha, half.stiffness);
+        let rising = Rising { half, amplitude };
+        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
+        let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));
+        let tau = fastest::fastest_time(&rising);
+        let moment = half.at(tau);
+        let [velocity, ..] = rising.velocity(&moment);
+        Self {
+            rising,
+            max_displacement: amplitude - half.shift,
+            displacement_phase,
+            max_velocity: velocity / half.omega,
+            velocity_phase: reduce(displacement_phase - F::pi() + half.omega * tau),
+            deviation: rising.displacement(&moment),
+        }
+    }
+
+    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, of which the force of friction is 1.
+    fn deceleration(&self) -> F {
+        let half = &self.rising.half;
+        half.omega.square() * self.rising.amplitude - (half.holding() - F::int(1))
+    }
+
+    /// Multipliers per half cycle.
+    ///
+    /// ```text
+    /// λ = [−(RC + Z) ± √(E² − R² S² + Z (Z + 2RC))]/(R + 1),
+    /// ```
+    ///
+    /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
+    pub(crate) fn multipliers(&self) -> Pair<F> {
+        let (half, one) = (&self.rising.half, F::int(1));
+        let r = self.deceleration();
+        let (inverse, zeta) = (one / r, half.free.zeta);
+        let (c, z) = (half.cosine, zeta * half.sine);
+        // All divided by R, so that an infinite R gives the limit.
+        let mean = -((c + z * inverse) / (one + inverse));
+        let discriminant = (half.decay * inverse).square() - half.free.square * half.sine.square()
+            + z * inverse * (z * inverse + F::int(2) * c);
+        let spread = discriminant.abs().sqrt() / (one + inverse);
+        if discriminant < F::int(0) {
+            return Pair::Complex { re: mean, im: spread };
+        }
+        let larger = mean + spread.with_sign_of(mean);
+        let product = (one - inverse) / (one + inverse) * half.decay.square();
+        Pair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+    }
+
+    /// What half a cycle leaves of a small disturbance, max |λ|.
+    pub(crate) fn contraction(&self) -> F {
+        let (half, one) = (&self.rising.half, F::int(1));
+        match self.multipliers() {
+            Pair::Complex { .. } => {
+                let inverse = one / self.deceleration();
+                half.decay * ((one - inverse) / (one + inverse)).sqrt()
+            }
+            Pair::Real(larger, _) => larger.abs(),
+        }
+    }
+
+    /// The energy that the damper takes in a cycle, in units of r_y B.
+    ///
+    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both.
+    pub(crate) fn damper_work(&self) -> F {
+        let (half, two) = (&self.rising.half, F::int(2));
+        let q2 = half.stiffness.square();
+        let driven = self.rising.swing().square();
+        let mixed = two * half.omega * (half.h * half.lag.1 - half.lag.0 * self.rising.amplitude) / q2;
+        let zeta = half.free.zeta;
+        two * zeta * half.period * driven + F::int(4) * half.shift + F::int(8) * zeta * mixed
+    }
+
+    /// Displacement x/B and velocity x′/(Bω_d) of the rising half cycle, at the phase since its start.
+    pub(crate) fn rising_at(&self, phase: F) -> (F, F) {
+        let half = &self.rising.half;
+        let moment = half.at(phase / half.omega);
+        (self.rising.displacement(&moment), self.rising.velocity(&moment)[0] / half.omega)
+    }
+
+    /// The same cycle in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> DampedCycle<G> {
+        DampedCycle {
+            rising: self.rising.map(&to),
+            max_displacement: to(self.max_displacement),
+            displacement_phase: to(self.displacement_phase),
+            max_velocity: to(self.max_velocity),
+            velocity_phase: to(self.velocity_phase),
+            deviation: to(self.deviation),
+        }
+    }
+}
+
+/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (1 + G + 2ζΩH)/Ω².
+pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
+    let found = supremum(half);
+    let force_ratio = |amplitude: F| half.k.hypot(half.stiffness * amplitude);
+    let turning_point = force_ratio(turning_point(half));
+    match found.touch {
+        Some(touch) => {
+            let least = turning_point.or_larger(force_ratio(found.amplitude));
+            Border::of_parts(least, turning_point, touch.phase(half.omega), found.amplitude - half.shift)
+        }
+        None => {
+            // S − G = [1 + G (1 − Ω²) + 2ζΩH]/Ω²
+            let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h;
+            Border::of_parts(turning_point, turning_point, F::int(0), held / half.omega.square())
+        }
+    }
+}
+
+/// The force ratio of the largest loop A₁ and that loop, both by `Q = hypot(K, qG)`.
+///
+/// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
+pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+    let shift = half.stiffness * half.shift;
+    let q = half.k.hypot(shift);
+    let two = F::int(2);
+    ((two * q * (q + shift)).sqrt(), F::int(4) / (half.stiffness * (q + shift)))
+}
+
+/// The half period at ratios with ζ > 0.
+pub(crate) fn half_period<F: Float>(ratios: &Ratios<F>) -> HalfPeriod<F> {
+    HalfPeriod::new(ratios.omega(), ratios.damping_ratio())
+}
+
+/// The half period at an Ω and a ζ > 0 that are in their domains.
+#[cfg(feature = "dual")]
+pub(crate) fn half_period_at<F: Float>(omega: F, zeta: F) -> HalfPeriod<F> {
+    HalfPeriod::new(omega, zeta)
+}

@@ -1,0 +1,161 @@
+//! The greatest velocity of the half cycle, among however many maxima.
+//!
+//! The half period is divided until each part is decided. From both ends of a part, with bounds of the
+//! derivatives that hold from its left end on (the energy of free vibration and of its derivatives only
+//! falls), follows either that no velocity in it exceeds the greatest one found, or that the velocity has one
+//! sign of its slope, or that it is concave, so that it holds one maximum at most: a bracketed root of the
+//! acceleration. No sampling, no count of maxima, for any Ω and ζ; proved but for rounding.
+
+use super::rising::{Moment, Rising};
+use crate::float::{AtPrecision, Float};
+use crate::root::{newton, newton_within};
+
+/// The time τ of the greatest velocity.
+pub(crate) fn fastest_time<F: Float>(rising: &Rising<F>) -> F {
+    let slope = |tau: F| {
+        let [_, slope, curvature] = rising.velocity(&rising.half.at(tau));
+        (slope, curvature)
+    };
+    let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
+        Search::new(rising).run()
+    } else {
+        F::narrowed(AtLess(*rising))
+    };
+    let polished = newton(start, F::int(0), rising.half.period, slope);
+    // Where the velocity is so flat that a step goes astray, the start is as good as the type can tell.
+    let speed = |tau: F| rising.velocity(&rising.half.at(tau))[0];
+    let noise = F::int(64) * F::epsilon() * rising.swing();
+    let time = if speed(polished) + noise >= speed(start) { polished } else { start };
+    time.implicit_root(slope)
+}
+
+/// The search at a lower precision.
+struct AtLess<F>(Rising<F>);
+
+impl<F: Float> AtPrecision<F> for AtLess<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(fastest_time(&self.0.map(there)))
+    }
+}
+
+/// The velocity at one end of a part.
+#[derive(Clone, Copy)]
+struct End<F> {
+    at: Moment<F>,
+    velocity: [F; 3],
+    driven: F,
+}
+
+struct Search<'a, F> {
+    rising: &'a Rising<F>,
+    best: End<F>,
+    /// What rounding may hide.
+    noise: F,
+    swing: F,
+    /// When the drive alone is fastest.
+    turn: F,
+}
+
+impl<'a, F: Float> Search<'a, F> {
+    fn new(rising: &'a Rising<F>) -> Self {
+        let start = end(rising, F::int(0));
+        let swing = rising.swing();
+        let noise = F::int(2) * F::epsilon() * (swing + start.at.free.velocity_bound());
+        let turn = (F::pi() / F::int(2) + rising.half.h.atan2(rising.amplitude)) / rising.half.omega;
+        Self { rising, best: start, noise, swing, turn }
+    }
+
+    fn run(mut self) -> F {
+        let (rising, half) = (self.rising, &self.rising.half);
+        // Where the drive alone is fastest, and the crests of the free vibration around it.
+        let summit = self.consider(self.turn);
+        if half.free.swings() {
+            let (v, a, d) = (summit.at.free.v, summit.at.free.a, half.free.frequency);
+            let crest = ((a + half.free.zeta * v) / d).atan2(v);
+            for turns in [-1, 0, 1] {
+                let tau = summit.at.tau + (crest + F::int(2 * turns) * F::pi()) / d;
+                if tau > F::int(0) && tau < half.period {
+                    self.consider(tau);
+                }
+            }
+        }
+        let (first, last) = (end(rising, F::int(0)), end(rising, half.period));
+        let mut parts = vec![(summit, last), (first, summit)];
+        while let Some((left, right)) = parts.pop() {
+            if self.is_decided(&left, &right) {
+                continue;
+            }
+            let middle = left.at.tau + (right.at.tau - left.at.tau) / F::int(2);
+            if middle <= left.at.tau || middle >= right.at.tau {
+                continue;
+            }
+            let middle = self.consider(middle);
+            parts.extend([(middle, right), (left, middle)]);
+        }
+        self.best.at.tau
+    }
+
+    /// The velocity at τ, kept if it is the greatest.
+    fn consider(&mut self, tau: F) -> End<F> {
+        let found = end(self.rising, tau);
+        if found.velocity[0] > self.best.velocity[0] {
+            self.best = found;
+        }
+        found
+    }
+
+    /// Whether nothing in the part is to be found, or what is has been.
+    fn is_decided(&mut self, left: &End<F>, right: &End<F>) -> bool {
+        let (zero, two, omega) = (F::int(0), F::int(2), self.rising.half.omega);
+        let half = (right.at.tau - left.at.tau) / two;
+        let least = self.best.velocity[0] + self.noise;
+        // No more than the drive alone and the free vibration give.
+        let driven = if left.at.tau < self.turn && right.at.tau > self.turn {
+            self.swing
+        } else {
+            left.driven.or_larger(right.driven)
+        };
+        if driven + left.at.free.velocity_bound() <= least {
+            return true;
+        }
+        // Bounds of |x‴| and |x⁗| in the part.
+        let bend = self.swing * omega.square() + left.at.free.acceleration_bound();
+        let change = self.swing * omega.square() * omega + left.at.free.jerk_bound();
+        let ([v, slope, second], [w, slope_right, second_right]) = (left.velocity, right.velocity);
+        let rise = |v: F, slope: F, second: F| {
+            let straight = v + slope.or_larger(zero) * half;
+            let by_bend = straight + bend * half.square() / two;
+            let by_change = straight
+                + second.or_larger(zero) * half.square() / two
+                + change * half.square() * half / F::int(6);
+            if by_change < by_bend { by_change } else { by_bend }
+        };
+        if rise(v, slope, second) <= least && rise(w, -slope_right, second_right) <= least {
+            return true;
+        }
+        // One sign of the slope.
+        let lower = if slope < slope_right { slope } else { slope_right };
+        if lower > bend * half || slope.or_larger(slope_right) < -(bend * half) {
+            return true;
+        }
+        // Concave.
+        if second.or_larger(second_right) + change * half >= zero {
+            return false;
+        }
+        if slope > zero && slope_right < zero {
+            let tau = newton_within(left.at.tau, right.at.tau, |tau| {
+                let [_, slope, curvature] = self.rising.velocity(&self.rising.half.at(tau));
+                (slope, curvature)
+            });
+            self.consider(tau);
+        }
+        true
+    }
+}
+
+fn end<F: Float>(rising: &Rising<F>, tau: F) -> End<F> {
+    let at = rising.half.at(tau);
+    End { at, velocity: rising.velocity(&at), driven: rising.driven(&at).0 }
+}

@@ -1,0 +1,126 @@
+//! Free vibration with viscous damping: `x″ + 2ζx′ + x = 0` in natural time.
+
+use crate::float::Float;
+
+/// Free vibration at a damping ratio ζ > 0, below, at and above ζ = 1.
+///
+/// With `d = √(1 − ζ²)` its two waves are `e^{−ζt} cos dt` and `e^{−ζt} sin(dt)/d`; above ζ = 1 d is
+/// imaginary, and they are `e^{−ζt} cosh |d|t` and `e^{−ζt} sinh(|d|t)/|d|`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Free<F> {
+    pub(crate) zeta: F,
+    /// `d² = 1 − ζ²`.
+    pub(crate) square: F,
+    /// `|d|`.
+    pub(crate) frequency: F,
+}
+
+/// `e^{−ζt} cos dt` and `e^{−ζt} sin(dt)/d`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Waves<F> {
+    pub(crate) cosine: F,
+    pub(crate) sine: F,
+}
+
+/// Displacement, velocity and their derivatives at one time.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct State<F> {
+    pub(crate) x: F,
+    pub(crate) v: F,
+    pub(crate) a: F,
+    /// The third and the fourth derivative.
+    pub(crate) jerk: F,
+    pub(crate) snap: F,
+}
+
+impl<F: Float> State<F> {
+    /// No velocity later on is larger than this: `x′` is free vibration, too, whose energy `(x′² + x″²)/2`
+    /// only falls.
+    #[inline]
+    pub(crate) fn velocity_bound(&self) -> F {
+        self.v.hypot(self.a)
+    }
+
+    /// No acceleration later on is larger than this.
+    #[inline]
+    pub(crate) fn acceleration_bound(&self) -> F {
+        self.a.hypot(self.jerk)
+    }
+
+    /// No third derivative later on is larger than this.
+    #[inline]
+    pub(crate) fn jerk_bound(&self) -> F {
+        self.jerk.hypot(self.snap)
+    }
+}
+
+impl<F: Float> Free<F> {
+    pub(crate) fn new(zeta: F) -> Self {
+        let one = F::int(1);
+        let square = (one - zeta) * (one + zeta);
+        Self { zeta, square, frequency: square.abs().sqrt() }
+    }
+
+    /// The same in another number type.
+    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
+        Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }
+    }
+
+    /// Whether the body swings: ζ < 1.
+    #[inline]
+    pub(crate) fn swings(&self) -> bool {
+        self.square > F::int(0)
+    }
+
+    /// `1/(ζ + |d|)`, the slower of the two rates of decay above ζ = 1: `ζ − |d|` without cancellation.
+    #[inline]
+    pub(super) fn slow_rate(&self) -> F {
+        F::int(1) / (self.zeta + self.frequency)
+    }
+
+    /// Both waves at t ≥ 0.
+    #[inline]
+    pub(crate) fn waves(&self, t: F) -> Waves<F> {
+        if self.swings() {
+            let (decay, (s, c)) = ((-(self.zeta * t)).exp(), (self.frequency * t).sin_cos());
+            return Waves { cosine: decay * c, sine: decay * (s / self.frequency) };
+        }
+        self.decaying(t)
+    }
+
+    /// `e^{−ζt} cos dt − 1` without cancellation, at t ≥ 0.
+    pub(crate) fn cosine_less_one(&self, t: F) -> F {
+        let (half, two) = (F::ratio(1, 2), F::int(2));
+        if self.swings() {
+            let fall = (-(self.zeta * t)).exp_m1();
+            return fall - two * (F::int(1) + fall) * (self.frequency * t * half).sin().square();
+        }
+        let (slow, gap) = ((-(self.slow_rate() * t)).exp_m1(), (-(self.frequency * t * two)).exp_m1());
+        slow + (F::int(1) + slow) * gap * half
+    }
+
+    /// Both waves at t ≥ 0 from ζ = 1 on.
+    fn decaying(&self, t: F) -> Waves<F> {
+        let (zero, half) = (F::int(0), F::ratio(1, 2));
+        if self.frequency == zero {
+            let decay = (-t).exp();
+            return Waves { cosine: decay, sine: decay * t };
+        }
+        // e^{−ζt} cosh |d|t = e^{−t/(ζ+|d|)} (1 + e^{−2|d|t})/2, and so for the sine.
+        let (slow, gap) = ((-(self.slow_rate() * t)).exp(), -(-(self.frequency * t * F::int(2))).exp_m1());
+        Waves { cosine: slow * (F::int(1) - gap * half), sine: slow * (gap * half / self.frequency) }
+    }
+
+    /// The motion from (x₀, v₀) after the time t whose waves are given.
+    #[inline]
+    pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> State<F> {
+        let (zeta, two) = (self.zeta, F::int(2));
+        let Waves { cosine, sine } = waves;
+        let x = x0 * cosine + (v0 + zeta * x0) * sine;
+        let v = v0 * cosine - (zeta * v0 + x0) * sine;
+        let next = |x: F, v: F| -(x + two * zeta * v);
+        let a = next(x, v);
+        let jerk = next(v, a);
+        State { x, v, a, jerk, snap: next(a, jerk) }
+    }
+}

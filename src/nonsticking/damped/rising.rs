@@ -1,0 +1,85 @@
+//! The half cycle with x′ > 0, from the minimum of x (τ = 0) to its maximum (τ = T = π/Ω), in natural time.
+//!
+//! ```text
+//! x = −1 − a cos Ωτ − H sin Ωτ + h,    x′ = aΩ sin Ωτ − b cos Ωτ + h′,    b = ΩH,
+//! ```
+//!
+//! h being free vibration from `(1 + G, b)`, a = √((α/q)² − H²).
+
+use super::free::{State, Waves};
+use super::half_period::HalfPeriod;
+use crate::float::Float;
+
+/// One half cycle: the half period and the amplitude a.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rising<F> {
+    pub(crate) half: HalfPeriod<F>,
+    /// a.
+    pub(crate) amplitude: F,
+}
+
+/// The half cycle at one time: sine and cosine of Ωτ, and the free vibration.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Moment<F> {
+    pub(crate) tau: F,
+    pub(crate) drive: (F, F),
+    pub(crate) waves: Waves<F>,
+    pub(crate) free: State<F>,
+}
+
+impl<F: Float> HalfPeriod<F> {
+    /// The parts of the half cycle at τ in [0, T] that do not depend on the amplitude.
+    #[inline]
+    pub(crate) fn at(&self, tau: F) -> Moment<F> {
+        let waves = self.free.waves(tau);
+        let free = self.free.after(waves, F::int(1) + self.shift, self.omega * self.h);
+        Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
+    }
+
+    /// The same at T − u, by free vibration back from `(1 − G, −b)`; for ζ < 1.
+    pub(crate) fn before_end(&self, u: F) -> Moment<F> {
+        let waves = self.free.waves(-u);
+        let free = self.free.after(waves, F::int(1) - self.shift, -(self.omega * self.h));
+        let (s, c) = (self.omega * u).sin_cos();
+        Moment { tau: self.period - u, drive: (s, -c), waves, free }
+    }
+}
+
+impl<F: Float> Rising<F> {
+    /// The same in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
+        Rising { amplitude: to(self.amplitude), half: self.half.map(to) }
+    }
+
+    /// x/B.
+    ///
+    /// `h − 1 = G + (1 + G)(e^{−ζτ} cos dτ − 1) + (b + ζ(1 + G)) e^{−ζτ} sin(dτ)/d`: far above Ω = 1 it is
+    /// small.
+    pub(crate) fn displacement(&self, at: &Moment<F>) -> F {
+        let ((s, c), half) = (at.drive, &self.half);
+        let start = F::int(1) + half.shift;
+        let sine = (half.omega * half.h + half.free.zeta * start) * at.waves.sine;
+        let free = half.shift + (start * half.free.cosine_less_one(at.tau) + sine);
+        free - self.amplitude * c - half.h * s
+    }
+
+    /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
+    #[inline]
+    pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
+        let ((s, c), omega, h) = (at.drive, self.half.omega, self.half.h);
+        (omega * (self.amplitude * s - h * c), omega.square() * (self.amplitude * c + h * s))
+    }
+
+    /// `x′/(B ω_n)` and its first two derivatives by τ.
+    #[inline]
+    pub(crate) fn velocity(&self, at: &Moment<F>) -> [F; 3] {
+        let (value, slope) = self.driven(at);
+        let curvature = -(self.half.omega.square() * value);
+        [value + at.free.v, slope + at.free.a, curvature + at.free.jerk]
+    }
+
+    /// `Ω√(a² + H²) = Ωα/q`, the velocity amplitude of the drive alone.
+    pub(crate) fn swing(&self) -> F {
+        self.half.omega * self.amplitude.hypot(self.half.h)
+    }
+}

@@ -1,0 +1,67 @@
+//! The motion of a cycle between its reversals, without damping or with it.
+
+use super::damped::DampedCycle;
+use super::dissipation::{loop_size_inertia, loop_size_stiffness};
+use super::half_cycle::HalfCycle;
+use super::phase::reduce;
+use super::reversal::Reversal;
+use super::stability::Multipliers;
+use crate::float::Float;
+use crate::ratios::Ratios;
+
+/// What a cycle's waveform, loop sizes and multipliers are computed from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Motion<F> {
+    Undamped { half: HalfCycle<F>, reversal: Reversal<F> },
+    Damped(DampedCycle<F>),
+}
+
+impl<F: Float> Motion<F> {
+    /// The same in another number type.
+    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Motion<G> {
+        match self {
+            Self::Undamped { half, reversal } => {
+                Motion::Undamped { half: half.map(&to), reversal: reversal.map(&to) }
+            }
+            Self::Damped(cycle) => Motion::Damped(cycle.map(to)),
+        }
+    }
+
+    /// Loop sizes A₁ (eq. 64) and A₂ (eq. 67).
+    pub(super) fn loop_sizes(&self, ratios: &Ratios<F>) -> (F, F) {
+        match self {
+            Self::Undamped { reversal, .. } => {
+                (reversal.loop_size_stiffness(), reversal.loop_size_inertia(ratios.omega()))
+            }
+            Self::Damped(cycle) => {
+                let a1 = loop_size_stiffness(cycle.max_displacement, ratios.alpha());
+                (a1, loop_size_inertia(a1, ratios.omega()))
+            }
+        }
+    }
+
+    /// Displacement x/B and velocity x′/(Bω_d) at the phase since the maximum displacement.
+    pub(super) fn at(&self, omega: F, since_maximum: F) -> (F, F) {
+        let after_maximum = reduce(since_maximum);
+        let rising = after_maximum >= F::pi();
+        let (x, v) = match self {
+            Self::Undamped { half, .. } => {
+                let turns = if rising { F::int(3) } else { F::int(1) };
+                let psi = (turns * F::pi() / F::int(2) - after_maximum) / omega;
+                (half.displacement(psi), half.velocity(psi).value)
+            }
+            Self::Damped(cycle) => {
+                cycle.rising_at(if rising { after_maximum - F::pi() } else { after_maximum })
+            }
+        };
+        if rising { (x, v) } else { (-x, -v) }
+    }
+
+    /// The multipliers per half cycle.
+    pub(super) fn multipliers(&self, omega: F, max_displacement: F) -> Multipliers<F> {
+        match self {
+            Self::Undamped { half, .. } => Multipliers::new(omega, max_displacement, half.sin_cos_beta()),
+            Self::Damped(cycle) => Multipliers::of_half_cycle(cycle.multipliers()),
+        }
+    }
+}
