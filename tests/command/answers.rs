@@ -257,7 +257,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         #[cfg(not(feature = "mp"))]
         ("response --omega 1 --alpha 2 --bits 256", vec!["--bits 256", "mp"]),
         #[cfg(feature = "mp")]
-        ("response --omega 1 --alpha 2 --bits 0", vec!["--bits 0", "≥ 1"]),
+        ("response --omega 1 --alpha 2 --bits 0", vec!["'0'", "--bits", "≥ 1"]),
         ("response --omega 1.5 --alpha 2.5 --format csv", vec!["--points"]),
         ("response --points no-such-file.csv", vec!["no-such-file.csv"]),
         ("response --points - --omega 2", vec!["--points"]),

@@ -48,9 +48,6 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(question, out) = self;
         let args = arguments(question);
-        if args.no_stop && !matches!(question, Question::Force(_) | Question::Bands(_)) {
-            return Err(Failure::Input("--no-stop: is for design force and design bands".to_owned()));
-        }
         let asked = Asked::<F>::new(args)?;
         let answer = match question {
             Question::Force(_) if args.no_stop => asked.forces_without_stop(),

@@ -4,6 +4,7 @@ use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{Direction, End, Kind, LongRun, Phase, SteadyState};
+use stickslip::regime::observed;
 use stickslip::{Drive, Float, Oscillator, Ratios, Response, Scales};
 
 /// A value: of numbers the digits of `{:e}`, which no two of a type share, the sign of zero included.
@@ -122,29 +123,19 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
-    let of_slides = |s: &&SteadyState<f64>| s.sticks_per_cycle() == 0;
-    let reversals = match limit {
-        LongRun::NotConverged { .. } => Response::new(ratios).reversals_per_cycle(),
-        _ => steady.filter(of_slides).map(SteadyState::velocity_zeros_per_cycle),
-    };
+    let seen = observed(ratios, limit);
     let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
-    let moving = steady.map_or("undecided", |s| match s.sticks_per_cycle() {
-        0 => "non-sticking",
-        _ => "sticking",
-    });
-    let (regime, kind, periods, rest) = match limit {
-        LongRun::Periodic(s) => (moving, "periodic", Some(s.periods()), None),
-        LongRun::Family(s) => (moving, "family", Some(s.periods()), None),
-        LongRun::Rest(rest) => ("stuck", "rest", Some(rest.periods), Some(rest.position)),
-        LongRun::Unbounded { .. } => ("unbounded", "none", None, None),
-        LongRun::NotConverged { periods, .. } => {
-            (Response::new(ratios).regime().name(), "not-converged", Some(*periods), None)
-        }
+    let (kind, periods, rest) = match limit {
+        LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
+        LongRun::Family(s) => ("family", Some(s.periods()), None),
+        LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
+        LongRun::Unbounded { .. } => ("none", None, None),
+        LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
     };
     named([
         ("omega", Cell::of(ratios.omega())),
         ("alpha", Cell::of(ratios.alpha())),
-        ("regime", Cell::text(regime)),
+        ("regime", Cell::text(seen.regime.name())),
         ("limit", Cell::text(kind)),
         ("max_displacement", number(|s| s.max_displacement())),
         ("max_displacement_phase", number(|s| s.max_displacement_phase())),
@@ -154,7 +145,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("max_velocity_phase", number(|s| s.max_velocity_phase())),
         ("min_velocity", number(|s| s.min_velocity())),
         ("min_velocity_phase", number(|s| s.min_velocity_phase())),
-        ("sticks_per_cycle", Cell::or_absent(steady.map(|s| s.sticks_per_cycle()))),
+        ("sticks_per_cycle", Cell::or_absent(seen.sticks)),
         ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle()))),
         ("stick_fraction", number(|s| s.stick_fraction())),
         ("error_1", number(|s| s.errors().unwrap().error_1)),
@@ -170,7 +161,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("distance", number(|s| s.distance().0)),
         ("rest_position", Cell::or_absent(rest)),
         ("periods", Cell::or_absent(periods)),
-        ("reversals_per_cycle", Cell::or_absent(reversals)),
+        ("reversals_per_cycle", Cell::or_absent(seen.reversals)),
     ])
 }
 
