@@ -71,7 +71,7 @@ pub(crate) use range::{Within, within};
 /// ```
 /// use stickslip::nonsticking::six_reversals::force_ratios;
 /// let (low, high) = force_ratios(0.331f64)?.unwrap();
-/// assert!((low - 53.9).abs() < 0.1 && (high - 157.1).abs() < 0.1);
+/// assert!((low - 53.67331).abs() < 1e-5 && (high - 155.36189).abs() < 1e-5);
 /// assert_eq!(force_ratios(0.336)?, None);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
