@@ -61,6 +61,7 @@ impl Row {
     }
 
     /// How many times an error of K counts in Δ₀, where nothing more is done about it: κ = α²/(α² − K²).
+    #[cfg(feature = "batch")]
     fn amplification(&self) -> f64 {
         let k = self.value("best_force_ratio").unwrap() / std::f64::consts::SQRT_2;
         self.alpha * self.alpha / ((self.alpha - k) * (self.alpha + k))
