@@ -2,7 +2,7 @@
 //!
 //! The equation of motion in natural time, `x″ + 2ζx′ + x + sgn x′ = α sin θ` (units of B = r_y/k), has
 //! between its reversals a driven and a free part, and the cycle with two reversals and no stop follows from
-//! its matching conditions as without damping ([`half_period`]). With `K = qH` the table of ζ = 0 holds with
+//! its matching conditions as without damping ([`mod@half_period`]). With `K = qH` the table of ζ = 0 holds with
 //! q for |1 − Ω²| and a shift G of the displacement:
 //!
 //! | | ζ = 0 | ζ > 0 |

@@ -20,7 +20,7 @@ pub struct Stops {
 /// above the border.
 ///
 /// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all members but for those at its
-/// edge. A stop that is shorter than the motion is known to, beside a border, is an error, not a count ([`observed`]).
+/// edge. A stop that is shorter than the motion is known to, beside a border, is an error, not a count ([`observed()`]).
 ///
 /// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity zeros
 /// ([`crate::Verdict::SixReversals`]).
