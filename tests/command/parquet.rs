@@ -144,16 +144,17 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
-    use std::time::Duration;
-    let sweep = "sweep steady --omega 0.05:1.3:130 --alpha 0.9:8:230";
+    let sweep = "sweep steady --omega 0.05:1.3:230 --alpha 0.9:8:330";
     let whole = fresh("all.parquet");
+    let begin = std::time::Instant::now();
     stdout(&format!("{sweep} --out {}", whole.display()));
+    let usual = begin.elapsed();
     let whole = text(&whole);
     let file = fresh("broken-off.parquet");
     let goes_on = format!("{sweep} --out {} --resume", file.display());
     let mut kept = 0;
-    for (round, signal) in ["-KILL", "-INT", "-KILL", "-TERM", "-KILL", "-KILL"].into_iter().enumerate() {
-        let status = broken_off(&goes_on, signal, Duration::from_millis(500 + 331 * round as u64 % 700));
+    for (round, signal) in (2u32..).zip(["-INT", "-KILL", "-TERM", "-KILL", "-INT", "-KILL"]) {
+        let status = broken_off(&goes_on, signal, usual / round);
         if status == Some(0) {
             break;
         }
