@@ -153,8 +153,8 @@ fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
     let file = fresh("broken-off.parquet");
     let goes_on = format!("{sweep} --out {} --resume", file.display());
     let mut kept = 0;
-    for (round, signal) in (2u32..).zip(["-INT", "-KILL", "-TERM", "-KILL", "-INT", "-KILL"]) {
-        let status = broken_off(&goes_on, signal, usual / round);
+    for (round, signal) in (1u32..).zip(["-INT", "-KILL", "-TERM", "-KILL", "-INT", "-KILL"]) {
+        let status = broken_off(&goes_on, signal, usual * round / 12);
         if status == Some(0) {
             break;
         }
