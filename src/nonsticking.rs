@@ -363,7 +363,3 @@ mod tests {
         assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
     }
 }
-
-#[cfg(all(test, feature = "mp"))]
-#[path = "../tests/closed_forms/damped.rs"]
-mod damped_tests;
