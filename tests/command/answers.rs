@@ -79,26 +79,33 @@ fn physical_units_are_the_ratios_times_their_scales() {
         json(&format!("response {PAPER} --stiffness 3084.25137534 --base-motion 0.00405285 --format json"));
     for (answer, tolerance) in [(&by_ratio, 1e-11f64), (&by_force, 1e-11), (&by_base, 1e-6)] {
         let physical = &answer["physical"];
-        for (name, scale) in [
-            ("max_displacement", length),
-            ("deviation", length),
-            ("max_velocity", length * frequency),
-            ("displacement_phase", 1.0 / frequency),
-            ("velocity_phase", 1.0 / frequency),
-            ("min_force_ratio", 5.0),
-            ("best_force_ratio", 5.0),
+        for (field, name, scale, unit) in [
+            ("max_displacement", "max_displacement", length, "m"),
+            ("deviation", "deviation", length, "m"),
+            ("max_velocity", "max_velocity", length * frequency, "m/s"),
+            ("displacement_phase", "displacement_time", 1.0 / frequency, "s"),
+            ("velocity_phase", "velocity_time", 1.0 / frequency, "s"),
+            ("min_force_ratio", "min_force", 5.0, "N"),
+            ("best_force_ratio", "best_force", 5.0, "N"),
         ] {
-            let (ratio, value) = (answer[name].as_f64().unwrap(), physical[name].as_f64().unwrap());
+            let (ratio, value) = (answer[field].as_f64().unwrap(), physical[name].as_f64().unwrap());
+            assert_eq!(physical["units"][name], unit, "{name}");
             assert!((value / (ratio * scale) - 1.0).abs() < tolerance.max(1e-11), "{name}");
             let reference = by_ratio["physical"][name].as_f64().unwrap();
             assert!((value / reference - 1.0).abs() < tolerance * 100.0, "{name}");
         }
-        // Both loop sizes are the energy 4 r_y Δ₀ of a cycle.
+        // The energy 4 r_y Δ₀ of a cycle.
         let energy = 4.0 * 5.0 * physical["max_displacement"].as_f64().unwrap();
-        for name in ["loop_size_stiffness", "loop_size_inertia"] {
-            assert!((physical[name].as_f64().unwrap() / energy - 1.0).abs() < 1e-11, "{name}");
-        }
-        assert_eq!(physical["omega"].as_f64(), Some(frequency));
+        assert!((physical["energy_per_cycle"].as_f64().unwrap() / energy - 1.0).abs() < 1e-11);
+        assert_eq!(physical["angular_frequency"].as_f64(), Some(frequency));
+        // No phase, ratio or count is among them, and each value has its unit.
+        let names: Vec<_> =
+            physical.as_object().unwrap().keys().filter(|k| *k != "drive" && *k != "units").collect();
+        let units = physical["units"].as_object().unwrap();
+        assert!(
+            names.len() == units.len() && names.iter().all(|name| units.contains_key(*name)),
+            "{names:?}"
+        );
     }
     assert!(by_ratio.get("physical").is_some());
     assert!(json("response --omega 0.8 --alpha 2.5 --format json").get("physical").is_none());
@@ -126,7 +133,7 @@ fn the_border_in_all_its_forms() {
     );
     assert!((answer["border_phase"].as_f64().unwrap() - 0.471_787_094_713_988_6).abs() < 1e-13);
     let physical = json(&format!("border {PAPER} --omega 0.4 --format json"));
-    let ratio = physical["physical"]["min_force_ratio"].as_f64().unwrap();
+    let ratio = physical["physical"]["min_force"].as_f64().unwrap();
     assert!((ratio / (5.0 * 6.949737755908733) - 1.0).abs() < 1e-14);
     // B = r_y/k with k = m (ω_d/Ω)², and a phase is ω_d t, ω_d = 2π.
     let friction_displacement = 5.0 / (50.0 * (std::f64::consts::TAU / 0.4).powi(2));
@@ -175,7 +182,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --mass 1 --stiffness 1 --friction 1 --frequency 1 --force 0", vec!["--force 0", "> 0"]),
         (
             "response --mass 1 --stiffness 1 --friction 1 --frequency 1 --base-motion -1",
-            vec!["--base-motion -1", "> 0"],
+            vec!["--foot-displacement -1", "> 0"],
         ),
         ("response --mass 1 --stiffness 1 --friction 1 --frequency 1", vec!["--force", "missing"]),
         ("response --mass 1 --friction 1 --frequency 1 --force 1", vec!["--stiffness", "missing"]),
@@ -338,7 +345,7 @@ fn a_closed_pipe_ends_quietly() {
 #[test]
 fn help_and_version_go_to_standard_output() {
     assert!(stdout("--version").contains(env!("CARGO_PKG_VERSION")));
-    assert!(stdout("response --help").contains("--base-motion"));
+    assert!(stdout("response --help").contains("--foot-displacement"));
 }
 
 #[test]

@@ -20,7 +20,7 @@ use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, StartArgs, SteadyArgs};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
 pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Picture};
-pub(crate) use shared::{ForceArgs, Format, MachineArgs, OutputArgs, UnitNames};
+pub(crate) use shared::{ForceArgs, Format, Header, MachineArgs, OutputArgs, UnitArgs};
 use shell::{COMPLETIONS_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
