@@ -118,8 +118,8 @@ fn the_best_force_has_the_best_loop() {
         |force: f64| json(&format!("response {PAPER} --omega 1.5 --alpha {} --format json", force / 5.0));
     for force in [12.5, 40.0] {
         let best = at(force)["physical"].clone();
-        let there = at(best["best_force_ratio"].as_f64().unwrap());
-        let (energy, size) = (&best["best_loop_size"], &there["physical"]["loop_size_stiffness"]);
+        let there = at(best["best_force"].as_f64().unwrap());
+        let (energy, size) = (&best["best_force_energy"], &there["physical"]["energy_per_cycle"]);
         assert!((energy.as_f64().unwrap() / size.as_f64().unwrap() - 1.0).abs() < 1e-12, "{energy} {size}");
     }
 }

@@ -76,7 +76,7 @@ impl Parameter {
     }
 
     /// What it is called where it is checked here and not by the library.
-    const fn symbol(self) -> &'static str {
+    pub(crate) const fn symbol(self) -> &'static str {
         match self {
             P::Omega => "frequency ratio Ω",
             P::Mass => "mass m",
@@ -171,6 +171,26 @@ impl<F: Value> Given<F> {
             }
         }
         Ok(given)
+    }
+
+    pub(crate) const fn empty(system: System) -> Self {
+        Self { system, values: Vec::new() }
+    }
+
+    /// What was typed, in order.
+    pub(crate) fn typed<'a>(
+        machine: &'a MachineArgs,
+        force: &'a ForceArgs,
+    ) -> impl Iterator<Item = (Parameter, &'a str)> {
+        Parameter::ALL.into_iter().filter_map(move |p| Some((p, typed(machine, force, p)?.as_str())))
+    }
+
+    /// Gives a value that was typed.
+    pub(crate) fn set_typed(&mut self, parameter: Parameter, value: F, text: &str) {
+        self.set(parameter, value);
+        if let Some((.., typed)) = self.values.iter_mut().find(|(p, ..)| *p == parameter) {
+            *typed = Some(format!("{} {text}", parameter.option()));
+        }
     }
 
     pub(crate) fn get(&self, parameter: Parameter) -> Option<F> {

@@ -16,6 +16,7 @@
 mod args;
 mod bits;
 mod border;
+mod curve;
 mod decay;
 mod design;
 mod failure;
@@ -26,6 +27,7 @@ mod input;
 mod interrupt;
 mod machine;
 mod map;
+mod motion_plot;
 mod note;
 mod output;
 mod physical;
@@ -88,6 +90,8 @@ fn run(command: &Command) -> Outcome {
         Command::Figures(args) => figure::run_all(args, &mut out)?,
         Command::Sweep(args) => sweep::run(args, &mut out)?,
         Command::Map(args) => map::run(args, &mut out)?,
+        Command::ResponseCurve(args) => curve::run(args, &mut out)?,
+        Command::MotionPlot(args) => motion_plot::run(args, &mut out)?,
         Command::Completions(args) => shell::completions(args, &mut out)?,
         Command::Man(args) => shell::man(args, &mut out)?,
     }

@@ -1,6 +1,6 @@
 //! Many points from a file or standard input, answered row by row in bounded memory.
 
-use crate::args::{Format, OutputArgs};
+use crate::args::{Format, Header, OutputArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
@@ -88,7 +88,7 @@ fn answer_all<F: Value, W: Write>(
     sink: &RefCell<Sink<W>>,
     answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
-    let Asked { mut given, used, ratios, reader: units, .. } = asked;
+    let Asked { mut given, used, ratios, reader: units, output, .. } = asked;
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
     let columns = columns(&header, name, used, &given, units)?;
@@ -98,6 +98,14 @@ fn answer_all<F: Value, W: Write>(
         let found = header.iter().collect::<Vec<_>>().join(",");
         let column = missing.column();
         return Err(Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”")));
+    }
+    if !is_machine && output.units.units.is_some() {
+        return Err(Failure::Input(
+            "--units: the file gives ratios, which have no unit; leave it out".to_owned(),
+        ));
+    }
+    if output.header == Header::Units && output.format != Some(Format::Csv) {
+        return Err(Failure::Input("--header units: only CSV has a header; add --format csv".to_owned()));
     }
     let counted = progress::counter("points");
     let mut row = StringRecord::new();

@@ -45,6 +45,10 @@ impl<W: Write> Task for Run<'_, W> {
         };
         let reader = args.units.reader();
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        if args.units.units.is_some() && !reader.has_converted() {
+            let text = "--units: no value has a unit to convert; bare numbers are in any one system already";
+            return Err(Failure::Input(text.to_owned()));
+        }
         let point = input::point(&given)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
         let start = input::start(&args.start, point.machine.as_ref(), &reader)?;

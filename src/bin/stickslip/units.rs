@@ -64,6 +64,17 @@ impl Reader {
         Ok(factor)
     }
 
+    /// Whether a text has a unit behind its number.
+    pub(crate) fn has_unit(text: &str) -> bool {
+        let (digits, unit) = split(text);
+        !digits.is_empty() && !unit.is_empty()
+    }
+
+    /// Whether a value had a unit.
+    pub(crate) fn has_converted(&self) -> bool {
+        self.first_with_unit.borrow().is_some()
+    }
+
     fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, Failure> {
         let read = table::parse(unit);
         let found = read.iter().find(|read| read.dimension == kind.dimension());
@@ -82,7 +93,7 @@ impl Reader {
     }
 
     fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), Failure> {
-        if self.named || kind.is_dimensionless() || (kind == Kind::Frequency && !with_unit) {
+        if kind.is_dimensionless() || (kind == Kind::Frequency && !with_unit) {
             return Ok(());
         }
         let (own, other) = if with_unit {
@@ -91,7 +102,7 @@ impl Reader {
             (&self.first_bare, &self.first_with_unit)
         };
         own.borrow_mut().get_or_insert_with(|| format!("{name} {text}"));
-        if other.borrow().is_none() {
+        if self.named || other.borrow().is_none() {
             return Ok(());
         }
         let words = |cell: &RefCell<Option<String>>| cell.borrow().clone().unwrap_or_default();

@@ -63,7 +63,7 @@ const USED: &[(&str, Mode, &str)] = &[
     ("design friction", Ratios, "omega format bits"),
     ("design friction", Machine, "mass stiffness period gravity frequency DRIVE format bits units"),
     ("design bands", Ratios, "alpha from to format bits"),
-    ("design bands", Machine, "BODY DRIVE from to format bits units"),
+    ("design bands", Machine, "BODY DRIVE from to format bits"),
     ("design displacement", Ratios, "omega target format bits"),
     ("design displacement", Machine, "BODY frequency target format bits units"),
     ("design velocity", Ratios, "omega target format bits"),
