@@ -4,6 +4,7 @@ use super::slide::Slide;
 use super::steady::SteadyState;
 use super::stick::Stick;
 use super::trajectory::{Body, Trajectory};
+use crate::error::Error;
 use crate::float::Float;
 use crate::greatest::{Jet, greatest};
 use std::f64::consts::TAU;
@@ -24,13 +25,20 @@ impl<F: Float> SteadyState<F> {
     ///
     /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`: both have a bounded second
     /// derivative, by which the greatest is found without sampling. Accuracy at f64: 1e-13 of max x/B + α/Ω².
-    pub fn peaks(&self) -> Peaks<F> {
+    ///
+    /// # Errors
+    /// Those of the motion ([`Trajectory`]).
+    pub fn peaks(&self) -> Result<Peaks<F>, Error> {
         let zero = F::int(0);
         let reach = self.max_displacement().abs().or_larger(self.min_displacement().abs());
         let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
         let start = self.state();
         let phases = Trajectory::of(self.equation, start);
-        for phase in phases.take_while(|p| p.start().phase.since(start.phase).to_f64() < TAU) {
+        for phase in phases {
+            let phase = phase?;
+            if phase.start().phase.since(start.phase).to_f64() >= TAU {
+                break;
+            }
             let Some(length) = phase.duration() else { break };
             match &phase.body {
                 Body::Slide(slide, _) => peaks.slide(slide, length, reach),
@@ -38,7 +46,7 @@ impl<F: Float> SteadyState<F> {
             }
         }
         let square = self.equation.omega.square();
-        Peaks { acceleration: peaks.acceleration / square, ..peaks }
+        Ok(Peaks { acceleration: peaks.acceleration / square, ..peaks })
     }
 }
 
@@ -118,7 +126,7 @@ mod tests {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let found = LongRun::from_start(ratios, State::rest()).unwrap();
             let steady = found.steady_state().unwrap();
-            let peaks = steady.peaks();
+            let peaks = steady.peaks().unwrap();
             let (mut acceleration, mut force, mut absolute) = (0.0f64, 0.0f64, 0.0f64);
             let count = 100_000u32;
             for i in Trajectory::new(ratios, steady.state()).unwrap().samples(count).unwrap().take(100_001) {
@@ -154,7 +162,7 @@ mod tests {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let cycle = Cycle::new(ratios).unwrap();
             let found = LongRun::from_start(ratios, State::rest()).unwrap();
-            let peaks = found.steady_state().unwrap().peaks();
+            let peaks = found.steady_state().unwrap().peaks().unwrap();
             for (exact, closed) in [
                 (peaks.acceleration, cycle.max_acceleration()),
                 (peaks.transmitted_force, cycle.transmitted_force()),

@@ -206,12 +206,14 @@ impl Asked {
                 match (limit.steady_state(), &limit) {
                     (Some(s), _) => {
                         let sticks = s.sticks_per_cycle() > 0;
+                        let peaks =
+                            s.peaks().map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
                         let of_motion = match self.what {
                             Curve::Displacement => s.max_displacement().abs().max(s.min_displacement().abs()),
                             Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
-                            Curve::Acceleration => s.peaks().acceleration,
-                            Curve::Force | Curve::Transmissibility => s.peaks().transmitted_force,
-                            Curve::Absolute => s.peaks().absolute_displacement,
+                            Curve::Acceleration => peaks.acceleration,
+                            Curve::Force | Curve::Transmissibility => peaks.transmitted_force,
+                            Curve::Absolute => peaks.absolute_displacement,
                         };
                         (Some(of_motion), if sticks { "sticking" } else { "non-sticking" }, sticks)
                     }

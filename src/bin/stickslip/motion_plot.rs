@@ -32,7 +32,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         .and_then(|motion| motion.samples(PER_CYCLE))
         .map_err(named)?
         .take((PER_CYCLE * CYCLES + 1) as usize)
-        .collect();
+        .collect::<Result<_, _>>()
+        .map_err(named)?;
     let system = given.system;
     let scale =
         |of: fn(&stickslip::Scales<f64>) -> f64| point.machine.as_ref().map_or(1.0, |m| of(&m.scales));

@@ -25,7 +25,9 @@ impl<W: Write> Task for Run<'_, W> {
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
             let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
-            return points::run(asked, out, |given| answer(given, &input::point(given)?).map(|(_, record)| record));
+            return points::run(asked, out, |given| {
+                answer(given, &input::point(given)?).map(|(_, record)| record)
+            });
         }
         let point = input::point(&given)?;
         let (response, record) = answer(&given, &point)?;

@@ -14,8 +14,8 @@ use crate::response::single_format;
 use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
-use stickslip::Ratios;
 use stickslip::exact::{LongRun, Peaks, SteadyState};
+use stickslip::{Error, Ratios};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
@@ -36,16 +36,20 @@ impl<W: Write> Task for Run<'_, W> {
             let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
             let limit = LongRun::within(point.ratios, start, args.max_periods)
                 .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
-            let record = record(point.ratios, &limit);
+            let record = record(point.ratios, &limit).map_err(|e| given.at_fault(e))?;
             Ok::<_, Failure>(match &point.machine {
-                Some(machine) => (limit, with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?),
+                Some(machine) => {
+                    (limit, with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?)
+                }
                 None => (limit, record),
             })
         };
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
             let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
-            return points::run(asked, out, |given| answer(given, &input::point(given)?).map(|(_, record)| record));
+            return points::run(asked, out, |given| {
+                answer(given, &input::point(given)?).map(|(_, record)| record)
+            });
         }
         let point = input::point(&given)?;
         let (limit, record) = answer(&given, &point)?;
@@ -74,8 +78,8 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
-    let errors = steady.map(SteadyState::errors);
-    let peaks = steady.map(SteadyState::peaks);
+    let errors = steady.map(SteadyState::errors).transpose()?;
+    let peaks = steady.map(SteadyState::peaks).transpose()?;
     let larger = |a: F, b: F| if a > b { a } else { b };
     let amplitude = steady.map(|s| larger(s.max_displacement().abs(), s.min_displacement().abs()));
     let (regime, kind) = names(limit);
@@ -119,7 +123,7 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
             ("max_absolute_displacement", Cell::Number(peaks.map(|p| p.absolute_displacement))),
         ],
         physical: Physical::default(),
-    }
+    })
 }
 
 /// With the machine and the answer in its units.
@@ -233,7 +237,9 @@ fn motion<F: Value>(
     writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity_phase()))?;
     writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity()))?;
     writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity_phase()))?;
-    peaks(&steady.peaks(), point, units, out)?;
+    if let Ok(found) = steady.peaks() {
+        peaks(&found, point, units, out)?;
+    }
     writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
     writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
     writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;

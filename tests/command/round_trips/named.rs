@@ -171,10 +171,13 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
                 steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()) / ratios.alpha()),
             ),
         ),
-        ("max_acceleration", number(|s| s.peaks().acceleration)),
-        ("transmitted_force", number(|s| s.peaks().transmitted_force)),
-        ("transmissibility", Cell::or_absent(steady.map(|s| s.peaks().transmitted_force / ratios.alpha()))),
-        ("max_absolute_displacement", number(|s| s.peaks().absolute_displacement)),
+        ("max_acceleration", number(|s| s.peaks().unwrap().acceleration)),
+        ("transmitted_force", number(|s| s.peaks().unwrap().transmitted_force)),
+        (
+            "transmissibility",
+            Cell::or_absent(steady.map(|s| s.peaks().unwrap().transmitted_force / ratios.alpha())),
+        ),
+        ("max_absolute_displacement", number(|s| s.peaks().unwrap().absolute_displacement)),
     ])
 }
 
