@@ -136,6 +136,7 @@ pub mod figures;
 pub mod float;
 #[cfg(feature = "generators")]
 pub mod generators;
+mod greatest;
 #[cfg_attr(
     not(test),
     allow(

@@ -9,6 +9,7 @@
 //! | [`max_velocity_from_phase`], [`deviation()`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
 //! | [`border`] | 57–62 | the least force ratio without sticking |
 //! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
+//! | [`arrival_acceleration`] … [`transmissibility`] | beyond the paper | acceleration, transmitted force, absolute motion |
 //! | [`stability`] | beyond the paper | multipliers, contraction |
 //! | `damped` | beyond the paper | all of it with viscous damping |
 //! | [`printed`] | 43, 49 | the formulae that are wrong as printed |
@@ -26,6 +27,7 @@ mod dissipation;
 mod half_cycle;
 pub mod matching;
 mod motion;
+mod peaks;
 mod phase;
 pub mod printed;
 mod reversal;
@@ -43,6 +45,7 @@ pub use displacement::{
 };
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
+pub use peaks::{arrival_acceleration, dynamic_amplification, transmissibility, transmitted_force};
 pub use reversal::{Reversal, max_displacement_at};
 pub use six_reversals::SixReversals;
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};

@@ -41,11 +41,21 @@ pub enum Output {
     BestForceRatio,
     /// Loop size A₁max there (p₀²/2k; energy).
     BestLoopSize,
+    /// Dynamic amplification k Δ₀/p₀ (1; 1).
+    DynamicAmplification,
+    /// Maximum acceleration |x″| (B ω_d²; acceleration).
+    MaxAcceleration,
+    /// Greatest force of spring and friction on what carries them (r_y; force).
+    TransmittedForce,
+    /// That force over p₀ (1; 1).
+    Transmissibility,
+    /// Greatest absolute displacement under a base that carries the surface (B; length).
+    MaxAbsoluteDisplacement,
 }
 
 impl Output {
     /// All of them, in order.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 20] = [
         Self::MaxDisplacement,
         Self::DisplacementPhase,
         Self::MaxVelocity,
@@ -61,6 +71,11 @@ impl Output {
         Self::TouchingPhase,
         Self::BestForceRatio,
         Self::BestLoopSize,
+        Self::DynamicAmplification,
+        Self::MaxAcceleration,
+        Self::TransmittedForce,
+        Self::Transmissibility,
+        Self::MaxAbsoluteDisplacement,
     ];
 
     /// Its name, as the command prints it.
@@ -82,6 +97,11 @@ impl Output {
             Self::TouchingPhase => "border_phase",
             Self::BestForceRatio => "best_force_ratio",
             Self::BestLoopSize => "best_loop_size",
+            Self::DynamicAmplification => "dynamic_amplification",
+            Self::MaxAcceleration => "max_acceleration",
+            Self::TransmittedForce => "transmitted_force",
+            Self::Transmissibility => "transmissibility",
+            Self::MaxAbsoluteDisplacement => "max_absolute_displacement",
         }
     }
 
@@ -98,6 +118,11 @@ impl Output {
                 | Self::LoopSizeStiffness
                 | Self::LoopSizeInertia
                 | Self::Contraction
+                | Self::DynamicAmplification
+                | Self::MaxAcceleration
+                | Self::TransmittedForce
+                | Self::Transmissibility
+                | Self::MaxAbsoluteDisplacement
         )
     }
 
@@ -120,19 +145,33 @@ impl Output {
             Self::TouchingPhase => Some(border.phase()),
             Self::BestForceRatio => Some(response.best_force_ratio()),
             Self::BestLoopSize => response.best_loop_size(),
+            Self::DynamicAmplification => cycle.map(Cycle::dynamic_amplification),
+            Self::MaxAcceleration => cycle.map(Cycle::max_acceleration),
+            Self::TransmittedForce => cycle.map(Cycle::transmitted_force),
+            Self::Transmissibility => cycle.map(Cycle::transmissibility),
+            Self::MaxAbsoluteDisplacement => cycle.map(Cycle::max_absolute_displacement),
         }
     }
 
     /// The physical size of one unit of it.
     pub fn unit<F: Float>(self, scales: &Scales<F>) -> F {
         match self {
-            Self::MaxDisplacement | Self::Deviation | Self::LeastDisplacement => scales.length,
+            Self::MaxDisplacement
+            | Self::Deviation
+            | Self::LeastDisplacement
+            | Self::MaxAbsoluteDisplacement => scales.length,
+            Self::MaxAcceleration => scales.velocity / scales.time,
             Self::MaxVelocity => scales.velocity,
             Self::DisplacementPhase | Self::VelocityPhase | Self::TouchingPhase => scales.time,
             Self::LoopSizeStiffness | Self::BestLoopSize => scales.energy_stiffness,
             Self::LoopSizeInertia => scales.energy_inertia,
-            Self::MinForceRatio | Self::TurningPointForceRatio | Self::BestForceRatio => scales.force,
-            Self::Contraction | Self::Margin => F::int(1),
+            Self::MinForceRatio
+            | Self::TurningPointForceRatio
+            | Self::BestForceRatio
+            | Self::TransmittedForce => scales.force,
+            Self::Contraction | Self::Margin | Self::DynamicAmplification | Self::Transmissibility => {
+                F::int(1)
+            }
         }
     }
 }
@@ -170,6 +209,11 @@ mod tests {
             ("border_phase", 7.0),
             ("best_force_ratio", 11.0),
             ("best_loop_size", 13.0),
+            ("dynamic_amplification", 1.0),
+            ("max_acceleration", 5.0 / 7.0),
+            ("transmitted_force", 11.0),
+            ("transmissibility", 1.0),
+            ("max_absolute_displacement", 3.0),
         ];
         assert_eq!(Output::ALL.map(|output| (output.name(), output.unit(&scales))), expected);
     }

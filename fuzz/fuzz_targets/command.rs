@@ -12,17 +12,21 @@ mod command {
     pub(crate) mod decay;
     pub(crate) mod design;
     pub(crate) mod failure;
+    pub(crate) mod given;
     pub(crate) mod grid;
     pub(crate) mod input;
     pub(crate) mod interrupt;
+    pub(crate) mod machine;
     pub(crate) mod note;
     pub(crate) mod output;
+    pub(crate) mod physical;
     pub(crate) mod points;
     pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
     pub(crate) mod sink;
     pub(crate) mod style;
+    pub(crate) mod units;
 }
 
 use command::args::{Command, NoCommand, OutputArgs, Question};

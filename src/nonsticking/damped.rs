@@ -18,6 +18,7 @@ mod border;
 mod fastest;
 mod free;
 mod half_period;
+mod peaks;
 mod rising;
 
 use super::Border;

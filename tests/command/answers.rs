@@ -46,14 +46,19 @@ fn json_has_the_agreed_keys_in_every_regime() {
         "contraction",
         "reversals_per_cycle",
         "best_force_ratio_slides",
+        "dynamic_amplification",
+        "max_acceleration",
+        "transmitted_force",
+        "transmissibility",
+        "max_absolute_displacement",
     ];
     for (args, regime, absent) in [
         ("--omega 1.5 --alpha 2.5", "non-sticking", 0),
-        ("--omega 0.4 --alpha 6", "sticking", 9),
-        ("--omega 0.4 --alpha 0.9", "stuck", 9),
-        ("--omega 1 --alpha 2", "unbounded", 10),
+        ("--omega 0.4 --alpha 6", "sticking", 14),
+        ("--omega 0.4 --alpha 0.9", "stuck", 14),
+        ("--omega 1 --alpha 2", "unbounded", 15),
         ("--omega 0.5 --alpha 4", "non-sticking", 1),
-        ("--omega 0.331 --alpha 61.6", "non-sticking", 8),
+        ("--omega 0.331 --alpha 61.6", "non-sticking", 13),
     ] {
         let answer = json(&format!("response {args} --format json"));
         let object = answer.as_object().unwrap();
@@ -146,26 +151,33 @@ fn physical_units_are_the_ratios_times_their_scales() {
         json(&format!("response {PAPER} --stiffness 3084.25137534 --base-motion 0.00405285 --format json"));
     for (answer, tolerance) in [(&by_ratio, 1e-11f64), (&by_force, 1e-11), (&by_base, 1e-6)] {
         let physical = &answer["physical"];
-        for (name, scale) in [
-            ("max_displacement", length),
-            ("deviation", length),
-            ("max_velocity", length * frequency),
-            ("displacement_phase", 1.0 / frequency),
-            ("velocity_phase", 1.0 / frequency),
-            ("min_force_ratio", 5.0),
-            ("best_force_ratio", 5.0),
+        for (field, name, scale, unit) in [
+            ("max_displacement", "max_displacement", length, "m"),
+            ("deviation", "deviation", length, "m"),
+            ("max_velocity", "max_velocity", length * frequency, "m/s"),
+            ("displacement_phase", "displacement_time", 1.0 / frequency, "s"),
+            ("velocity_phase", "velocity_time", 1.0 / frequency, "s"),
+            ("min_force_ratio", "min_force", 5.0, "N"),
+            ("best_force_ratio", "best_force", 5.0, "N"),
         ] {
-            let (ratio, value) = (answer[name].as_f64().unwrap(), physical[name].as_f64().unwrap());
+            let (ratio, value) = (answer[field].as_f64().unwrap(), physical[name].as_f64().unwrap());
+            assert_eq!(physical["units"][name], unit, "{name}");
             assert!((value / (ratio * scale) - 1.0).abs() < tolerance.max(1e-11), "{name}");
             let reference = by_ratio["physical"][name].as_f64().unwrap();
             assert!((value / reference - 1.0).abs() < tolerance * 100.0, "{name}");
         }
-        // Both loop sizes are the energy 4 r_y Δ₀ of a cycle.
+        // The energy 4 r_y Δ₀ of a cycle.
         let energy = 4.0 * 5.0 * physical["max_displacement"].as_f64().unwrap();
-        for name in ["loop_size_stiffness", "loop_size_inertia"] {
-            assert!((physical[name].as_f64().unwrap() / energy - 1.0).abs() < 1e-11, "{name}");
-        }
-        assert_eq!(physical["omega"].as_f64(), Some(frequency));
+        assert!((physical["energy_per_cycle"].as_f64().unwrap() / energy - 1.0).abs() < 1e-11);
+        assert_eq!(physical["angular_frequency"].as_f64(), Some(frequency));
+        // No phase, ratio or count is among them, and each value has its unit.
+        let names: Vec<_> =
+            physical.as_object().unwrap().keys().filter(|k| *k != "drive" && *k != "units").collect();
+        let units = physical["units"].as_object().unwrap();
+        assert!(
+            names.len() == units.len() && names.iter().all(|name| units.contains_key(*name)),
+            "{names:?}"
+        );
     }
     assert!(by_ratio.get("physical").is_some());
     assert!(json("response --omega 0.8 --alpha 2.5 --format json").get("physical").is_none());
@@ -178,8 +190,8 @@ fn the_best_force_has_the_best_loop() {
         |force: f64| json(&format!("response {PAPER} --omega 1.5 --alpha {} --format json", force / 5.0));
     for force in [12.5, 40.0] {
         let best = at(force)["physical"].clone();
-        let there = at(best["best_force_ratio"].as_f64().unwrap());
-        let (energy, size) = (&best["best_loop_size"], &there["physical"]["loop_size_stiffness"]);
+        let there = at(best["best_force"].as_f64().unwrap());
+        let (energy, size) = (&best["best_force_energy"], &there["physical"]["energy_per_cycle"]);
         assert!((energy.as_f64().unwrap() / size.as_f64().unwrap() - 1.0).abs() < 1e-12, "{energy} {size}");
     }
 }
@@ -193,13 +205,13 @@ fn the_border_in_all_its_forms() {
     );
     assert!((answer["border_phase"].as_f64().unwrap() - 0.471_787_094_713_988_6).abs() < 1e-13);
     let physical = json(&format!("border {PAPER} --omega 0.4 --format json"));
-    let ratio = physical["physical"]["min_force_ratio"].as_f64().unwrap();
+    let ratio = physical["physical"]["min_force"].as_f64().unwrap();
     assert!((ratio / (5.0 * 6.949737755908733) - 1.0).abs() < 1e-14);
     // B = r_y/k with k = m (ω_d/Ω)², and a phase is ω_d t, ω_d = 2π.
     let friction_displacement = 5.0 / (50.0 * (std::f64::consts::TAU / 0.4).powi(2));
     for (name, due) in [
-        ("min_force_ratio_turning_point", 5.0 * 5.654423047491228),
-        ("border_phase", 0.471_787_094_713_988_6 / std::f64::consts::TAU),
+        ("min_force_turning_point", 5.0 * 5.654423047491228),
+        ("border_time", 0.471_787_094_713_988_6 / std::f64::consts::TAU),
         ("least_displacement", 7.886_745_719_501_848 * friction_displacement),
     ] {
         let found = physical["physical"][name].as_f64().unwrap();
@@ -242,7 +254,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --mass 1 --stiffness 1 --friction 1 --frequency 1 --force 0", vec!["--force 0", "> 0"]),
         (
             "response --mass 1 --stiffness 1 --friction 1 --frequency 1 --base-motion -1",
-            vec!["--base-motion -1", "> 0"],
+            vec!["--foot-displacement -1", "> 0"],
         ),
         ("response --mass 1 --stiffness 1 --friction 1 --frequency 1", vec!["--force", "missing"]),
         ("response --mass 1 --friction 1 --frequency 1 --force 1", vec!["--stiffness", "missing"]),
@@ -260,7 +272,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega 1 --alpha 2 --bits 0", vec!["'0'", "--bits", "≥ 1"]),
         ("response --omega 1.5 --alpha 2.5 --format csv", vec!["--points"]),
         ("response --points no-such-file.csv", vec!["no-such-file.csv"]),
-        ("response --points - --omega 2", vec!["--points"]),
+        ("response --points - --x0 2", vec!["--x0"]),
         ("response --points - --format json", vec!["jsonl"]),
         ("response --omega 1 --alpha 2 --units kN", vec!["--units", "kN"]),
         ("border --omega -1", vec!["--omega -1", "> 0"]),
@@ -315,7 +327,10 @@ fn a_bad_row_stops_after_the_good_ones() {
     }
     let (out, err, code) = points("jsonl", "omega,force\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
-    assert!(err.contains("column alpha is missing"), "{err}");
+    assert!(err.contains("column mass (or --mass) is missing; the header is “omega,force”"), "{err}");
+    let (out, err, code) = points("jsonl", "omega,beta\n1,2\n");
+    assert_eq!((out.as_str(), code), ("", 2));
+    assert!(err.contains("column alpha (or --alpha) is missing"), "{err}");
 }
 
 #[test]
@@ -353,7 +368,7 @@ fn a_row_without_end_is_refused() {
     }
     // A long header that is no header is not repeated at length.
     let (_, err, code) = points("jsonl", &format!("{}\n", "column,".repeat(20_000)));
-    assert!(code == 2 && err.contains("column omega is missing") && err.len() < 2_000, "{err}");
+    assert!(code == 2 && err.contains("column omega (or --omega) is missing") && err.len() < 2_000, "{err}");
 }
 
 #[test]
@@ -405,7 +420,7 @@ fn a_closed_pipe_ends_quietly() {
 #[test]
 fn help_and_version_go_to_standard_output() {
     assert!(stdout("--version").contains(env!("CARGO_PKG_VERSION")));
-    assert!(stdout("response --help").contains("--base-motion"));
+    assert!(stdout("response --help").contains("--foot-displacement"));
 }
 
 #[test]

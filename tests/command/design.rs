@@ -21,8 +21,10 @@ const BODY: &str = "--mass 50 --stiffness 1000 --friction 5";
 fn least_force_and_greatest_friction_are_the_border() {
     let force = json(&format!("design force {BODY} --frequency 6"));
     let border = json(&format!("border {BODY} --frequency 6"));
-    close(number(&force["force"]), number(&border["physical"]["min_force_ratio"]));
-    close(number(&force["base_motion"]) * 1000.0, number(&force["force"]));
+    close(number(&force["force"]), number(&border["physical"]["min_force"]));
+    close(number(&force["foot_displacement"]) * 1000.0, number(&force["force"]));
+    close(number(&force["base_displacement"]) * 50.0 * 36.0, number(&force["force"]));
+    close(number(&force["base_acceleration"]) * 50.0, number(&force["force"]));
     let friction =
         json(&format!("design friction --mass 50 --stiffness 1000 --frequency 6 --force {}", force["force"]));
     close(number(&friction["friction"]), 5.0);
@@ -106,7 +108,8 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
     assert!(text.starts_with(
-        "It does not stick from a force of 7.393705 kN, or a base motion of 0.007393705 m, on."
+        "It does not stick from a force of 7.393705 kN on: a motion of 0.007393705 m of the spring's foot over a surface \
+         that stays, or of 0.004107614 m of a base that carries the surface."
     ));
     assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));
 }

@@ -18,3 +18,4 @@ mod parquet;
 mod round_trips;
 mod shell;
 mod sweep;
+mod units;

@@ -77,17 +77,19 @@ fn steady_in_physical_units_and_for_many_points() {
     let answer = json("steady --mass 50 --friction 5 --frequency 2 --omega 0.4 --alpha 6 --format json");
     // k = m (ω_d/Ω)² = 1250, B = 5/1250
     let physical = answer["physical"].as_object().unwrap();
+    let mut seen = 0;
     for (name, value) in physical {
-        let unit = match name.as_str() {
-            "max_displacement" | "min_displacement" | "distance" | "rest_position" => 0.004,
-            "max_velocity" | "min_velocity" => 0.008,
-            "energy_in" | "energy_out" => 0.02,
+        let (field, unit) = match name.as_str() {
+            "max_displacement" | "min_displacement" | "distance" | "rest_position" => (name.clone(), 0.004),
+            "max_velocity" | "min_velocity" => (name.clone(), 0.008),
+            "energy_in" | "energy_out" => (name.clone(), 0.02),
             // 2π/ω_d
-            "periods" => std::f64::consts::PI,
-            _ if name.ends_with("_phase") => 0.5,
-            _ => panic!("{name}"),
+            "followed_for" => ("periods".to_owned(), std::f64::consts::PI),
+            _ if name.ends_with("_time") => (name.replace("_time", "_phase"), 0.5),
+            _ => continue,
         };
-        let Some(number) = answer[name].as_f64() else {
+        seen += 1;
+        let Some(number) = answer[&field].as_f64() else {
             assert!(value.is_null() && name == "rest_position", "{name}");
             continue;
         };
@@ -97,7 +99,12 @@ fn steady_in_physical_units_and_for_many_points() {
             "{name}: {value} {expected}"
         );
     }
-    assert_eq!(physical.len(), 13, "{physical:?}");
+    assert_eq!(seen, 13, "{physical:?}");
+    assert!((physical["stiffness"].as_f64().unwrap() - 1250.0).abs() < 1e-9);
+    assert_eq!(
+        (&physical["units"]["followed_for"], &physical["drive"]),
+        (&"s".into(), &"force on the body".into())
+    );
     let csv = stickslip("steady --points - --format csv")
         .write_stdin("omega,alpha\n0.4,6\n0.7,0.5\n1,2\n")
         .assert()

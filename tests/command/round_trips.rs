@@ -4,7 +4,9 @@ mod named;
 
 use crate::command_line::{json, refused, stdout, stickslip};
 use arbitrary::{Arbitrary, Unstructured};
-use named::{Named, cells, of_border, of_csv, of_json, of_machine, of_phase, of_response, of_steady, sorted};
+use named::{
+    Named, cells, foot, of_border, of_csv, of_json, of_machine, of_phase, of_response, of_steady, sorted,
+};
 use proptest::prelude::*;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
@@ -135,7 +137,8 @@ proptest! {
 fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let (Ok(ratios), Ok(scales)) = (drive.ratios(body), Scales::new(body, drive)) else { return };
     let response = Response::new(ratios);
-    let due = of_machine(&response, body, drive, &scales);
+    let mut due = of_machine(&response, body, drive, &scales);
+    due.extend(foot(drive));
     let line = format!(
         "response --mass={} --stiffness={:e} --friction={} --{}={} --frequency={:e} --format json",
         body.mass(),
@@ -149,7 +152,10 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
         return refused(&line, &[&format!("{name} = inf must be finite")]);
     }
     let mut answer = json(&line);
-    let physical = answer.as_object_mut().unwrap().remove("physical").unwrap();
+    let mut physical = answer.as_object_mut().unwrap().remove("physical").unwrap();
+    for words in ["drive", "units"] {
+        physical.as_object_mut().unwrap().remove(words).unwrap();
+    }
     assert_eq!(of_json::<f64>(&physical), sorted(cells(&due)), "{line}");
     assert_eq!(of_json::<f64>(&answer), sorted(of_response(&response)), "{line}");
 }
@@ -163,7 +169,7 @@ fn what_the_units_have_no_number_for_is_refused() {
         (format!("steady {near}"), "max_displacement"),
         (format!("simulate {near} --cycles 2 --x0 -1e308 --v0 1.7e308"), "end_displacement"),
         (format!("simulate {near} --cycles 2 --samples 3 --x0 1.7e308 --v0 1.7e308"), "velocity"),
-        (format!("border {stiff}"), "min_force_ratio"),
+        (format!("border {stiff}"), "min_force"),
         ("decay --mass 1 --stiffness 1 --friction 1e300 --x0 1.7e308 --v0 1.7e308".to_owned(), "first_turn"),
     ] {
         let formats: &[&str] =

@@ -60,7 +60,7 @@ fn completions_know_the_commands_and_the_figures() {
         ("powershell", "Register-ArgumentCompleter"),
     ] {
         let script = stdout(&format!("completions {shell}"));
-        for due in COMMANDS.iter().chain(&["base-motion", own]) {
+        for due in COMMANDS.iter().chain(&["base-acceleration", own]) {
             assert!(script.contains(due), "{shell}: {due}");
         }
         // The others complete no values of arguments without a name.

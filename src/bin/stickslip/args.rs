@@ -1,6 +1,7 @@
 //! What can be typed.
 
 mod closed;
+mod curve;
 mod design;
 mod motion;
 mod pictures;
@@ -14,13 +15,15 @@ use crate::style::STYLES;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
+use curve::{CURVE_EXAMPLES, MOTION_EXAMPLES};
+pub(crate) use curve::{Curve, CurveArgs, MotionPlotArgs};
 use design::DESIGN_EXAMPLES;
 pub(crate) use design::{Question, QuestionArgs};
 use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, StartArgs, SteadyArgs};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
 pub(crate) use pictures::{FigureArgs, FiguresArgs, MapArgs, Picture};
-pub(crate) use shared::{ForceArgs, Format, MachineArgs, OutputArgs, UnitNames};
+pub(crate) use shared::{ForceArgs, Format, Header, MachineArgs, OutputArgs, UnitArgs};
 use shell::{COMPLETIONS_EXAMPLES, MAN_EXAMPLES};
 pub(crate) use shell::{CompletionsArgs, ManArgs};
 use std::ffi::OsString;
@@ -35,8 +38,9 @@ Examples:
 
 Units:
   Without a machine everything is a ratio: lengths in B = r_y/k, velocities in B ω_d, forces in r_y, energies in r_y B,
-  phases ω_d t in rad. With a machine (--mass, --stiffness, --friction, --frequency) quantities are in any one
-  consistent system, such as kg, N/m, N, rad/s, and the answers in the same.
+  phases ω_d t in rad. A machine (--mass, --stiffness, --friction, --frequency) may be given with units: 800kg, 12kN/mm,
+  5kN, 2Hz, 0.15g; answers are in SI, or in those of --units, such as kN,mm. Bare numbers are in any one consistent
+  system, that of --units if given; a bare frequency is in rad/s.
 
 Exit status:
   0    success; also where the reader of a pipe has gone, or standard output is closed (>&-) and the answer discarded
@@ -97,6 +101,12 @@ pub(crate) enum Command {
     /// The plane of Ω and α by regime, margin, stops or any output, as CSV or a picture.
     #[command(after_help = MAP_EXAMPLES)]
     Map(MapArgs),
+    /// A response curve: an amplitude over the frequency for one machine or several, as CSV or a picture.
+    #[command(after_help = CURVE_EXAMPLES)]
+    ResponseCurve(CurveArgs),
+    /// A steady motion over time and its friction loop, as a picture or CSV.
+    #[command(after_help = MOTION_EXAMPLES)]
+    MotionPlot(MotionPlotArgs),
     /// What a shell needs to complete this command's arguments.
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(CompletionsArgs),

@@ -1,8 +1,10 @@
 //! `stickslip border`.
 
-use crate::args::{BorderArgs, Format};
+use crate::args::{BorderArgs, ForceArgs, Format};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
+use crate::given::{Given, Parameter};
+use crate::input::BorderPoint;
 use crate::record::Record;
 use crate::response::single_format;
 use crate::{input, note, points};
@@ -22,30 +24,43 @@ fn at<F: Value>(omega: F) -> Result<Response<F>, Error> {
     Ratios::new(omega, F::int(1)).map(Response::guarded)
 }
 
+/// The answer at a point, and its record.
+fn record<F: Value>(
+    given: &Given<F>,
+    point: &BorderPoint<F>,
+    with_no_stop: bool,
+) -> Result<(Response<F>, Record<F>), Failure> {
+    let answer = at(point.omega).map_err(|e| given.at_fault(e))?;
+    let mut record = Record::of_border(&answer);
+    if with_no_stop {
+        record = record.with_no_stop(&no_stop_force_ratios(point.omega).map_err(|e| given.at_fault(e))?);
+    }
+    let record = match &point.physical {
+        Some(scales) => record.with_border_scales(scales).finite().map_err(|e| given.behind_all(e))?,
+        None => record,
+    };
+    Ok((answer, record))
+}
+
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
+        let reader = args.output.units.reader();
+        let given = Given::<F>::of(&args.machine, &ForceArgs::default(), &reader)?;
         if let Some(file) = &args.output.points {
-            return points::run::<F, 1>(file, args.output.format, ["omega"], out, |[omega]| {
-                let record = Record::of_border(&at(omega)?);
-                Ok(if args.no_stop { record.with_no_stop(&no_stop_force_ratios(omega)?) } else { record })
+            let (used, ratios) = (&Parameter::BORDER, &[Parameter::Omega]);
+            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            return points::run(asked, out, |given| {
+                record(given, &input::border_point(given)?, args.no_stop).map(|(_, record)| record)
             });
         }
-        let point = input::border_point::<F>(&args.machine)?;
-        let answer = at(point.omega).map_err(|e| Failure::Input(format!("--omega: {e}")))?;
-        let no_stop =
-            no_stop_force_ratios(point.omega).map_err(|e| Failure::Input(format!("--omega: {e}")))?;
-        let record = Record::of_border(&answer);
-        let record = if args.no_stop { record.with_no_stop(&no_stop) } else { record };
-        let record = match point.physical {
-            Some(scales) => record
-                .with_border_scales(scales)
-                .finite()
-                .map_err(|failure| failure.about(&input::typed(&args.machine, &input::NO_FORCE)))?,
-            None => record,
-        };
+        let point = input::border_point(&given)?;
+        let (answer, record) = record(&given, &point, args.no_stop)?;
         match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note::border(&answer, &no_stop, point.physical, &args.output.units, out)?),
+            Format::Text => {
+                let no_stop = no_stop_force_ratios(point.omega).map_err(|e| given.at_fault(e))?;
+                Ok(note::border(&answer, &no_stop, point.physical, &given.system, out)?)
+            }
             Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }

@@ -3,9 +3,10 @@
 use crate::args::{DecayArgs, Format};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::input::number;
 use crate::note::both;
+use crate::physical::Physical;
 use crate::record::{Cell, Record};
+use crate::units::{Kind, Reader, System};
 use std::io::Write;
 use stickslip::exact::FreeDecay;
 use stickslip::{Oscillator, Quantity};
@@ -21,13 +22,18 @@ pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
 struct Scales<F> {
     length: F,
     time: F,
+    system: System,
 }
 
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        let scales = scales::<F>(args)?;
-        let (x0, v0) = (number::<F>("--x0", &args.x0)?, number::<F>("--v0", &args.v0)?);
+        let reader = args.units.reader();
+        let scales = scales::<F>(args, &reader)?;
+        let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
+        let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
+        let v0: F =
+            if args.v0 == "0" { F::int(0) } else { reader.value("--v0", &args.v0, kind(Kind::Velocity))? };
         let (x, v) = match &scales {
             Some(s) => (x0 / s.length, v0 * s.time / s.length),
             None => (x0, v0),
@@ -43,7 +49,14 @@ impl<W: Write> Task for Run<'_, W> {
         match args.format {
             Format::Json => record.write_pretty(out),
             Format::Text => {
-                let length = |x| both(x, "B", scales.as_ref().map(|s| s.length), &args.units.length);
+                let length = |x| {
+                    both(
+                        x,
+                        "B",
+                        scales.as_ref().map(|s| s.length),
+                        scales.as_ref().map_or("", |s| s.system.length),
+                    )
+                };
                 let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
                 writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles())?;
                 writeln!(out, "  turns first at           {}", length(decay.first_turn()))?;
@@ -66,12 +79,13 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<
             ("rest_position", Cell::Number(Some(decay.rest_position()))),
             ("rest_time", Cell::Number(Some(decay.rest_time()))),
         ],
-        physical: Vec::new(),
+        physical: Physical::default(),
     };
     if let Some(scales) = scales {
-        record.physical = record.rescaled(|name| match name {
-            "first_turn" | "rest_position" => Some(scales.length),
-            "rest_time" => Some(scales.time),
+        record.physical = Physical::of(scales.system).with(&record.fields, |name| match name {
+            "first_turn" => Some(("first_turn", Kind::Length, scales.length)),
+            "rest_position" => Some(("rest_position", Kind::Length, scales.length)),
+            "rest_time" => Some(("rest_time", Kind::Time, scales.time)),
             _ => None,
         });
     }
@@ -79,16 +93,17 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<
 }
 
 /// The scales of the machine, where there is one.
-fn scales<F: Value>(args: &DecayArgs) -> Result<Option<Scales<F>>, Failure> {
+fn scales<F: Value>(args: &DecayArgs, reader: &Reader) -> Result<Option<Scales<F>>, Failure> {
     match (&args.mass, &args.stiffness, &args.friction) {
         (None, None, None) => Ok(None),
         (Some(m), Some(k), Some(r)) => {
-            let (mass, stiffness, friction) =
-                (number("--mass", m)?, number("--stiffness", k)?, number("--friction", r)?);
+            let mass = reader.value("--mass", m, Kind::Mass)?;
+            let stiffness = reader.value("--stiffness", k, Kind::Stiffness)?;
+            let friction = reader.value("--friction", r, Kind::Force)?;
             let body = Oscillator::new(mass, stiffness, friction)
                 .map_err(|e| Failure::Input(format!("--mass {m} --stiffness {k} --friction {r}: {e}")))?;
             let time = F::int(1) / body.natural_frequency();
-            Ok(Some(Scales { length: body.friction_displacement(), time }))
+            Ok(Some(Scales { length: body.friction_displacement(), time, system: reader.system }))
         }
         _ => Err(Failure::Input("--mass, --stiffness and --friction: give all three or none".to_owned())),
     }

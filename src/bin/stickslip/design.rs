@@ -3,15 +3,18 @@
 mod best;
 mod no_stop;
 
-use crate::args::{Format, Question, QuestionArgs, UnitNames};
+use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::input::{behind, given, is_physical, number, required};
+use crate::given::{Given, Parameter as P};
+use crate::machine::base_motion;
 use crate::note::digits;
-use crate::record::{Cell, Record};
+use crate::record::Cell;
+use crate::units::{Kind, Reader, System};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
-use stickslip::{Border, Drive, Error, Oscillator, Quantity};
+use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity};
 
 /// The question and where its answer goes.
 struct Run<'a, W>(&'a Question, &'a mut W);
@@ -32,14 +35,17 @@ const fn arguments(question: &Question) -> &QuestionArgs {
     }
 }
 
+/// A row of an answer: name, kind and value of each number.
+type Row<F> = Vec<(&'static str, Kind, Cell<F>)>;
+
 /// An answer: what it says in a sentence, and its numbers.
 struct Answer<F> {
     sentence: String,
-    rows: Vec<Vec<(&'static str, Cell<F>)>>,
+    rows: Vec<Row<F>>,
 }
 
 impl<F: Value> Answer<F> {
-    fn one(sentence: String, fields: Vec<(&'static str, Cell<F>)>) -> Self {
+    fn one(sentence: String, fields: Row<F>) -> Self {
         Self { sentence, rows: vec![fields] }
     }
 }
@@ -48,7 +54,8 @@ impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(question, out) = self;
         let args = arguments(question);
-        let asked = Asked::<F>::new(args)?;
+        let reader = args.units.reader();
+        let asked = Asked::<F>::new(args, &reader)?;
         let answer = match question {
             Question::Force(_) if args.no_stop => asked.forces_without_stop(),
             Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
@@ -60,21 +67,11 @@ impl<W: Write> Task for Run<'_, W> {
             Question::Dissipation(_) => asked.dissipation(),
             Question::Stiffness(_) => asked.stiffness(),
         }?;
-        answer.rows.iter().flatten().try_for_each(|(name, cell)| cell.finite(name))?;
+        answer.rows.iter().flatten().try_for_each(|(name, _, cell)| cell.finite(name))?;
         match args.format {
-            Format::Text => {
-                writeln!(out, "{}", answer.sentence)?;
-                for row in &answer.rows {
-                    writeln!(out)?;
-                    for (name, cell) in row {
-                        writeln!(out, "  {:<22} {}", name.replace('_', " "), cell.text())?;
-                    }
-                }
-                Ok(())
-            }
+            Format::Text => asked.text(&answer, out),
             Format::Json => {
-                let records = answer.rows.into_iter().map(|fields| Record { fields, physical: Vec::new() });
-                let records: Vec<Record<F>> = records.collect();
+                let records: Vec<_> = answer.rows.iter().map(|row| asked.named(row)).collect();
                 match (question, records.first()) {
                     (Question::Bands(_), _) => serde_json::to_writer_pretty(&mut *out, &records)?,
                     (_, Some(record)) => serde_json::to_writer_pretty(&mut *out, record)?,
@@ -89,85 +86,166 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
+/// A row as JSON: in physical units with the kind of base motion and the unit of each value.
+struct Named<'a, F> {
+    row: &'a Row<F>,
+    system: Option<System>,
+    base_motion: Option<&'static str>,
+}
+
+impl<F: Value> Serialize for Named<'_, F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, _, cell) in self.row {
+            map.serialize_entry(name, cell)?;
+        }
+        if let Some(base) = self.base_motion {
+            map.serialize_entry("base_motion", base)?;
+        }
+        if let Some(system) = self.system {
+            let numbers =
+                self.row.iter().filter(|(_, _, cell)| matches!(cell, Cell::Number(_) | Cell::Intervals(_)));
+            let units: Vec<_> = numbers.map(|(name, kind, _)| (*name, system.name(*kind))).collect();
+            map.serialize_entry("units", &Units(&units))?;
+        }
+        map.end()
+    }
+}
+
+struct Units<'a>(&'a [(&'static str, String)]);
+
+impl Serialize for Units<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|(name, unit)| (name, unit)))
+    }
+}
+
 /// The arguments of a question, ready to be read as its answer needs them.
 struct Asked<'a, F> {
     args: &'a QuestionArgs,
+    reader: &'a Reader,
+    given: Given<F>,
     physical: bool,
     one: F,
 }
 
 impl<'a, F: Value> Asked<'a, F> {
-    fn new(args: &'a QuestionArgs) -> Result<Self, Failure> {
-        let physical = is_physical(&args.machine);
-        if physical && (args.machine.omega.is_some() || args.force.alpha.is_some()) {
+    fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
+        let given = Given::of(&args.machine, &args.force, reader)?;
+        let physical = given.is_physical();
+        if physical && (given.has(P::Omega) || given.has(P::Alpha)) {
             let text = "--omega and --alpha: a question is asked in ratios or in physical units, not in both";
             return Err(Failure::Input(text.to_owned()));
         }
-        Ok(Self { args, physical, one: F::int(1) })
+        Ok(Self { args, reader, given, physical, one: F::int(1) })
+    }
+
+    /// The sentence, what base motion it is about, and a line for each number with its unit.
+    fn text(&self, answer: &Answer<F>, out: &mut impl Write) -> Outcome {
+        writeln!(out, "{}", answer.sentence)?;
+        if let Some(base) = self.base_motion() {
+            writeln!(out, "Base motion {base}.")?;
+        }
+        for row in &answer.rows {
+            writeln!(out)?;
+            for (name, kind, cell) in row {
+                let is_number = matches!(cell, Cell::Number(_) | Cell::Intervals(_)) && *kind != Kind::Ratio;
+                let unit = if is_number { format!(" {}", self.system().name(*kind)) } else { String::new() };
+                writeln!(out, "  {:<22} {}{unit}", name.replace('_', " "), cell.text())?;
+            }
+        }
+        Ok(())
+    }
+
+    fn named<'r>(&self, row: &'r Row<F>) -> Named<'r, F> {
+        Named { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
+    }
+
+    /// Which kind of base motion the question is about, if any.
+    fn base_motion(&self) -> Option<&'static str> {
+        let given = |several: &[P]| several.iter().any(|p| self.given.has(*p));
+        if given(&[P::FootDisplacement]) {
+            base_motion(Excitation::FootMotion)
+        } else if given(&[P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement]) {
+            base_motion(Excitation::SurfaceMotion)
+        } else {
+            None
+        }
     }
 
     /// The error behind the arguments of the machine, the range and the target that it comes from.
     fn fail(&self, error: Error) -> Failure {
         use Quantity as Q;
-        let QuestionArgs { machine, force, from, to, target, .. } = self.args;
-        let mut given = given(machine, force).to_vec();
+        let QuestionArgs { from, to, target, .. } = self.args;
+        let quantity = error.quantity();
         // The range is of what is asked for, which no other argument gives.
-        let of_range: &[Q] = &[Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
-        let targets: &[Q] =
-            &[Q::MaxDisplacement, Q::MaxDisplacementRatio, Q::MaxVelocity, Q::MaxVelocityRatio];
-        given.extend([("--from", from, of_range), ("--to", to, of_range), ("--target", target, targets)]);
-        behind(error, &given)
+        let of_range = [Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
+        let targets = [Q::MaxDisplacement, Q::MaxDisplacementRatio, Q::MaxVelocity, Q::MaxVelocityRatio];
+        let own: [(&str, &Option<String>, &[Q]); 3] =
+            [("--from", from, &of_range), ("--to", to, &of_range), ("--target", target, &targets)];
+        let named: Vec<String> = own
+            .iter()
+            .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
+            .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
+            .collect();
+        match (named.join(" "), self.given.at_fault(error.clone())) {
+            (arguments, Failure::Input(text)) if !arguments.is_empty() && text == error.to_string() => {
+                Failure::Input(format!("{arguments}: {error}"))
+            }
+            (arguments, Failure::Input(text)) if !arguments.is_empty() => {
+                Failure::Input(text.replacen(": ", &format!(" {arguments}: "), 1))
+            }
+            (_, failure) => failure,
+        }
+    }
+
+    fn system(&self) -> &System {
+        &self.given.system
     }
 
     fn omega(&self) -> Result<F, Failure> {
-        required("--omega", self.args.machine.omega.as_ref())
+        self.given.required(P::Omega)
     }
 
     fn alpha(&self) -> Result<F, Failure> {
-        required("--alpha", self.args.force.alpha.as_ref())
+        self.given.required(P::Alpha)
     }
 
     fn frequency(&self) -> Result<F, Failure> {
-        required("--frequency", self.args.machine.frequency.as_ref())
+        self.given.required(P::Frequency)
     }
 
-    fn range(&self) -> Result<(F, F), Failure> {
-        Ok((required("--from", self.args.from.as_ref())?, required("--to", self.args.to.as_ref())?))
+    /// `--from` and `--to`, in units of this kind where the question is physical.
+    fn range(&self, kind: Kind) -> Result<(F, F), Failure> {
+        Ok((self.read("--from", &self.args.from, kind)?, self.read("--to", &self.args.to, kind)?))
     }
 
-    fn target(&self) -> Result<F, Failure> {
-        required("--target", self.args.target.as_ref())
+    fn target(&self, kind: Kind) -> Result<F, Failure> {
+        self.read("--target", &self.args.target, kind)
+    }
+
+    fn read(&self, name: &str, text: &Option<String>, kind: Kind) -> Result<F, Failure> {
+        match text {
+            Some(text) => self.reader.value(name, text, if self.physical { kind } else { Kind::Ratio }),
+            None => Err(Failure::Input(format!("{name} is missing"))),
+        }
     }
 
     /// The body; what the question does not need may be missing, and is then 1.
     fn body(&self, needs_stiffness: bool, needs_friction: bool) -> Result<Oscillator<F>, Failure> {
-        let machine = &self.args.machine;
-        let or_one = |needed: bool, name: &str, given: &Option<String>| match given {
-            None if !needed => Ok(self.one),
-            given => required(name, given.as_ref()),
+        let or_one = |found: Option<F>, needed: bool, names: &str| match found {
+            None if needed => Err(Failure::Input(format!("{names} is missing"))),
+            found => Ok(found.unwrap_or(self.one)),
         };
-        let mass = required("--mass", machine.mass.as_ref())?;
-        let stiffness = or_one(needs_stiffness, "--stiffness", &machine.stiffness)?;
-        let friction = or_one(needs_friction, "--friction", &machine.friction)?;
+        let mass = self.given.mass()?;
+        let stiffness = or_one(self.given.stiffness()?, needs_stiffness, "--stiffness (or --period)")?;
+        let friction =
+            or_one(self.given.friction()?, needs_friction, "--friction (or --friction-coefficient)")?;
         Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))
     }
 
-    fn drive(&self, frequency: F) -> Result<Drive<F>, Failure> {
-        match (&self.args.force.force, &self.args.force.base_motion) {
-            (Some(p0), None) => Drive::force(number("--force", p0)?, frequency),
-            (None, Some(ug)) => Drive::base_motion(number("--base-motion", ug)?, frequency),
-            (None, None) => {
-                return Err(Failure::Input("--force (or --base-motion) is missing".to_owned()));
-            }
-            (Some(_), Some(_)) => {
-                return Err(Failure::Input("--force and --base-motion: give one of the two".to_owned()));
-            }
-        }
-        .map_err(|e| self.fail(e))
-    }
-
-    fn units(&self) -> &UnitNames {
-        &self.args.units
+    fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
+        self.given.drive(body, frequency)
     }
 
     fn least_force(&self) -> Result<Answer<F>, Failure> {
@@ -176,18 +254,25 @@ impl<'a, F: Value> Asked<'a, F> {
             let border = Border::new(omega).map_err(|e| self.fail(e))?;
             let least = border.min_force_ratio();
             let sentence = format!("It does not stick from a force of {} r_y on.", digits(least));
-            return Ok(Answer::one(sentence, vec![("omega", some(omega)), ("force_ratio", some(least))]));
+            return Ok(Answer::one(
+                sentence,
+                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))],
+            ));
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::least_force(&body, frequency).map_err(|e| self.fail(e))?;
-        let base = design::least_base_amplitude(&body, frequency).map_err(|e| self.fail(e))?;
-        let UnitNames { force: newton, length } = self.units();
+        let System { force: newton, length, .. } = *self.system();
+        let fields = force_and_base_motions(&body, frequency, force);
+        let of =
+            |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
         let sentence = format!(
-            "It does not stick from a force of {} {newton}, or a base motion of {} {length}, on.",
-            digits(force),
-            digits(base)
+            "It does not stick from a force of {} {newton} on: a motion of {} {length} of the spring's foot over a surface \
+             that stays, or of {} {length} of a base that carries the surface.",
+            of("force"),
+            of("foot_displacement"),
+            of("base_displacement")
         );
-        Ok(Answer::one(sentence, vec![("force", some(force)), ("base_motion", some(base))]))
+        Ok(Answer::one(sentence, fields))
     }
 
     fn greatest_friction(&self) -> Result<Answer<F>, Failure> {
@@ -198,29 +283,36 @@ impl<'a, F: Value> Asked<'a, F> {
             let sentence = format!("It does not stick up to a friction bound of {} p₀.", digits(ratio));
             return Ok(Answer::one(
                 sentence,
-                vec![("omega", some(omega)), ("friction_to_force", some(ratio))],
+                vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))],
             ));
         }
-        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
+        let body = self.body(true, false)?;
+        let drive = self.drive(&body, self.frequency()?)?;
         let friction = design::greatest_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let sentence = format!(
             "It does not stick up to a friction bound of {} {}.",
             digits(friction),
-            self.units().force
+            self.system().force
         );
-        Ok(Answer::one(sentence, vec![("friction", some(friction))]))
+        let coefficient = friction / (body.mass() * self.given.gravity()?);
+        let fields = vec![
+            ("friction", Kind::Force, some(friction)),
+            ("friction_coefficient", Kind::Ratio, some(coefficient)),
+        ];
+        Ok(Answer::one(sentence, fields))
     }
 
     fn bands(&self) -> Result<Answer<F>, Failure> {
-        let (low, high) = self.range()?;
+        let (low, high) = self.range(Kind::Frequency)?;
         let (found, unit) = if self.physical {
             let body = self.body(true, true)?;
             // The frequency of the drive is what is asked for: its amplitude alone counts.
-            let drive = self.drive(self.one)?;
+            let drive = self.drive(&body, self.one)?;
             (design::frequency_bands(&body, &drive, low, high), "frequency")
         } else {
             (design::bands(self.alpha()?, low, high), "omega")
         };
+        let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
         let names =
             if unit == "omega" { ["omega_from", "omega_to"] } else { ["frequency_from", "frequency_to"] };
         let edge = |edge: Edge| if edge == Edge::Range { "end-of-range" } else { "border" };
@@ -229,10 +321,10 @@ impl<'a, F: Value> Asked<'a, F> {
             .map(|band| {
                 band.map(|b| {
                     vec![
-                        (names[0], some(b.low)),
-                        (names[1], some(b.high)),
-                        ("low_edge", Cell::Text(edge(b.low_edge))),
-                        ("high_edge", Cell::Text(edge(b.high_edge))),
+                        (names[0], kind, some(b.low)),
+                        (names[1], kind, some(b.high)),
+                        ("low_edge", Kind::Ratio, Cell::Text(edge(b.low_edge))),
+                        ("high_edge", Kind::Ratio, Cell::Text(edge(b.high_edge))),
                     ]
                 })
             })
@@ -247,7 +339,7 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     fn displacement(&self) -> Result<Answer<F>, Failure> {
-        let target = self.target()?;
+        let target = self.target(Kind::Length)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             return self.force_for(design::force_for_displacement(&body, frequency, target));
@@ -256,7 +348,7 @@ impl<'a, F: Value> Asked<'a, F> {
     }
 
     fn velocity(&self) -> Result<Answer<F>, Failure> {
-        let target = self.target()?;
+        let target = self.target(Kind::Velocity)?;
         if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             return self.force_for(design::force_for_velocity(&body, frequency, target));
@@ -266,15 +358,26 @@ impl<'a, F: Value> Asked<'a, F> {
 
     fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {
         let force = force.map_err(|e| self.fail(e))?;
-        let sentence = format!("It takes a force of {} {}.", digits(force), self.units().force);
-        Ok(Answer::one(sentence, vec![("force", some(force))]))
+        let sentence = format!("It takes a force of {} {}.", digits(force), self.system().force);
+        Ok(Answer::one(sentence, vec![("force", Kind::Force, some(force))]))
     }
 
     fn ratio_for(&self, ratio: Result<F, Error>) -> Result<Answer<F>, Failure> {
         let ratio = ratio.map_err(|e| self.fail(e))?;
         let sentence = format!("It takes a force of {} r_y.", digits(ratio));
-        Ok(Answer::one(sentence, vec![("force_ratio", some(ratio))]))
+        Ok(Answer::one(sentence, vec![("force_ratio", Kind::Ratio, some(ratio))]))
     }
+}
+
+/// A force, and the amplitude of either kind of base motion that is this force on the body.
+fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> Row<F> {
+    let acceleration = force / body.mass();
+    vec![
+        ("force", Kind::Force, some(force)),
+        ("foot_displacement", Kind::Length, some(force / body.stiffness())),
+        ("base_displacement", Kind::Length, some(acceleration / frequency.square())),
+        ("base_acceleration", Kind::Acceleration, some(acceleration)),
+    ]
 }
 
 fn some<F: Value>(x: F) -> Cell<F> {

@@ -3,6 +3,7 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::input;
+use crate::units::{Kind, Reader};
 
 /// The values of one argument.
 pub(crate) enum Grid<F> {
@@ -16,9 +17,30 @@ const MOST: u64 = 1_000_000_000;
 impl<F: Value> Grid<F> {
     /// `FROM:TO:COUNT`, `FROM:TO:COUNT:log` or `A,B,C`.
     pub(crate) fn parse(name: &str, text: &str) -> Result<Self, Failure> {
+        let number = |part: &str| {
+            let bad = || Failure::Input(format!("{name} {text}: each value must be a number"));
+            part.trim().parse().map_err(|_| bad())
+        };
+        Self::read(name, text, number)
+    }
+
+    /// The same of values that may have units: all of them, or none.
+    pub(crate) fn with_units(name: &str, text: &str, reader: &Reader, kind: Kind) -> Result<Self, Failure> {
+        let ends: Vec<&str> = match text.split_once(':') {
+            Some((from, rest)) => [from].into_iter().chain(rest.split(':').next()).collect(),
+            None => text.split(',').collect(),
+        };
+        let with_unit = ends.iter().filter(|part| Reader::has_unit(part)).count();
+        if with_unit != 0 && with_unit != ends.len() {
+            return Err(Failure::Input(format!("{name} {text}: give each value a unit, or none")));
+        }
+        Self::read(name, text, |part| reader.value(name, part, kind))
+    }
+
+    fn read(name: &str, text: &str, number: impl Fn(&str) -> Result<F, Failure>) -> Result<Self, Failure> {
         let bad = |what: &str| Failure::Input(format!("{name} {text}: {what}"));
         let value = |part: &str| -> Result<F, Failure> {
-            let value: F = part.trim().parse().map_err(|_| bad("each value must be a number"))?;
+            let value: F = number(part)?;
             if value.is_finite() { Ok(value) } else { Err(bad("each value must be finite")) }
         };
         let parts: Vec<&str> = text.split(':').collect();

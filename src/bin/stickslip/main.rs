@@ -16,16 +16,21 @@
 mod args;
 mod bits;
 mod border;
+mod curve;
 mod decay;
 mod design;
 mod failure;
 mod figure;
+mod given;
 mod grid;
 mod input;
 mod interrupt;
+mod machine;
 mod map;
+mod motion_plot;
 mod note;
 mod output;
+mod physical;
 mod points;
 mod progress;
 mod record;
@@ -36,6 +41,7 @@ mod sink;
 mod steady;
 mod style;
 mod sweep;
+mod units;
 mod verify;
 
 use args::Command;
@@ -84,6 +90,8 @@ fn run(command: &Command) -> Outcome {
         Command::Figures(args) => figure::run_all(args, &mut out)?,
         Command::Sweep(args) => sweep::run(args, &mut out)?,
         Command::Map(args) => map::run(args, &mut out)?,
+        Command::ResponseCurve(args) => curve::run(args, &mut out)?,
+        Command::MotionPlot(args) => motion_plot::run(args, &mut out)?,
         Command::Completions(args) => shell::completions(args, &mut out)?,
         Command::Man(args) => shell::man(args, &mut out)?,
     }

@@ -1,9 +1,10 @@
 //! The answer as an engineer's note: the regime first, then the numbers, then the force it would need.
 
-use crate::args::UnitNames;
 use crate::bits::Value;
-use crate::input::{BorderScales, Machine};
+use crate::input::BorderScales;
+use crate::machine::{Machine, base_motion};
 use crate::style;
+use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::{Cycle, PhaseFunction, Regime, Response, nonsticking};
@@ -64,19 +65,15 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
 pub(crate) fn response<F: Value>(
     response: &Response<F>,
     machine: Option<&Machine<F>>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
     writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
-    if let Some(Machine { oscillator, drive, scales }) = machine {
-        let UnitNames { force, length } = units;
-        writeln!(out, "  natural frequency ω_n    {} rad/s", digits(oscillator.natural_frequency()))?;
-        writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
-        writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
-        writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))?;
+    if let Some(machine) = machine {
+        given(machine, out)?;
     }
     if let Some(cycle) = response.cycle() {
         motion(cycle, machine, units, out)?;
@@ -100,15 +97,43 @@ pub(crate) fn response<F: Value>(
     needed_force(response, machine, units, out)
 }
 
+/// The machine and its drive, so that a reader sees how the arguments were understood.
+pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
+    let Machine { oscillator, drive, scales, system } = machine;
+    let System { force, length, .. } = *system;
+    let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
+    let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());
+    if let Some(base) = base_motion(drive.excitation()) {
+        writeln!(out, "  base motion              {base}")?;
+    }
+    writeln!(
+        out,
+        "  drive frequency ω_d      {:<22} = {} Hz",
+        format!("{} rad/s", digits(driven)),
+        hertz(driven)
+    )?;
+    writeln!(
+        out,
+        "  natural frequency ω_n    {:<22} = {} Hz",
+        format!("{} rad/s", digits(natural)),
+        hertz(natural)
+    )?;
+    writeln!(out, "  mass m                   {} {}", digits(oscillator.mass()), system.name(Kind::Mass))?;
+    writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
+    writeln!(out, "  friction bound r_y       {} {force}", digits(oscillator.friction_bound()))?;
+    writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
+    writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))
+}
+
 /// The numbers of a non-sticking cycle.
 fn motion<F: Value>(
     cycle: &Cycle<F>,
     machine: Option<&Machine<F>>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = machine.map(|m| &m.scales);
-    let UnitNames { force, length } = units;
+    let System { force, length, .. } = *units;
     let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
     let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = both(cycle.max_velocity(), "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
@@ -118,6 +143,14 @@ fn motion<F: Value>(
     writeln!(out, "  maximum velocity         {speed}")?;
     writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase()))?;
     writeln!(out, "    where x = Δ₁           {}", lengths(cycle.deviation()))?;
+    let acceleration = scales.map(|s| s.velocity / s.time);
+    let acceleration =
+        both(cycle.max_acceleration(), "B ω_d²", acceleration, &units.name(Kind::Acceleration));
+    writeln!(out, "  maximum acceleration     {acceleration}")?;
+    if machine.is_some_and(Machine::is_carried) {
+        writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
+    }
+    writeln!(out, "  dynamic amplification    k Δ₀/p₀ = {}", digits(cycle.dynamic_amplification()))?;
     let left = digits(cycle.contraction());
     writeln!(out, "  a disturbance shrinks to {left} of itself in half a cycle")?;
     writeln!(out, "\nDissipation in a cycle")?;
@@ -134,12 +167,16 @@ fn motion<F: Value>(
 fn needed_force<F: Value>(
     response: &Response<F>,
     machine: Option<&Machine<F>>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let border = response.border();
-    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), &units.force);
+    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force);
     writeln!(out, "\nForce")?;
+    if let Some(cycle) = response.cycle() {
+        writeln!(out, "  transmitted, maximum     {}", forces(cycle.transmitted_force()))?;
+        writeln!(out, "    per p₀                 {}", digits(cycle.transmissibility()))?;
+    }
     let no_stop = no_stop_force_ratios(response.ratios().omega());
     match no_stop.ok().as_ref().and_then(NoStop::six_reversals) {
         None => writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?,
@@ -214,12 +251,12 @@ pub(crate) fn border<F: Value>(
     answer: &Response<F>,
     found: &NoStop<F>,
     scales: Option<BorderScales<F>>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (omega, border) = (answer.ratios().omega(), answer.border());
-    let forces = |x| both(x, "r_y", scales.map(|s| s.force), &units.force);
-    let lengths = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force);
+    let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length);
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let (verb, name) = match found.six_reversals() {
         None => ("stick", "least force"),

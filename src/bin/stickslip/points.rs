@@ -1,67 +1,120 @@
 //! Many points from a file or standard input, answered row by row in bounded memory.
 
-use crate::args::Format;
+use crate::args::{Format, Header, OutputArgs};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
+use crate::given::{Given, Parameter};
 use crate::input::number;
 use crate::interrupt;
 use crate::progress;
 use crate::record::Record;
 use crate::sink::Sink;
+use crate::units::{Factor, Reader};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
-use stickslip::Error;
 
 /// Bytes of a row, at most: some hundred numbers of 8192 bits.
 const LONGEST_ROW: u64 = 1 << 18;
 
-/// Answers each row of `file` with the record that `answer` makes of its `columns`.
+/// What a file of points is asked with.
+pub(crate) struct Asked<'a, F> {
+    pub(crate) file: &'a Path,
+    pub(crate) output: &'a OutputArgs,
+    pub(crate) reader: &'a Reader,
+    /// What every row has in common.
+    pub(crate) given: Given<F>,
+    /// The columns that are read; all others are left alone.
+    pub(crate) used: &'a [Parameter],
+    /// Those that a file of ratios cannot do without.
+    pub(crate) ratios: &'a [Parameter],
+}
+
+/// Answers each row of a file with the record that `answer` makes of what is given in it.
 ///
 /// At a row that cannot be answered it stops: the rows before it are written whole, and the failure names the
 /// line and the value.
-pub(crate) fn run<F: Value, const N: usize>(
-    file: &Path,
-    format: Option<Format>,
-    columns: [&str; N],
+pub(crate) fn run<F: Value>(
+    asked: Asked<'_, F>,
     out: &mut impl Write,
-    answer: impl Fn([F; N]) -> Result<Record<F>, Error>,
+    answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
+    let Asked { file, output, .. } = asked;
     let name = file.display().to_string();
     let source: Box<dyn Read> = if file == Path::new("-") {
         Box::new(io::stdin().lock())
     } else {
         Box::new(File::open(file).map_err(|e| Failure::Input(format!("--points {name}: {e}")))?)
     };
-    let sink = RefCell::new(match format.unwrap_or(Format::Jsonl) {
+    let sink = RefCell::new(match output.format.unwrap_or(Format::Jsonl) {
         Format::Jsonl => Sink::lines(out),
-        Format::Csv => Sink::rows(out),
+        Format::Csv => Sink::rows(out, output.header),
         Format::Text | Format::Json => {
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
     });
     let ahead = Cell::new(0);
     let source = FlushFirst { source, sink: &sink, ahead: &ahead };
-    let outcome = answer_all(source, &ahead, &name, columns, &sink, answer);
+    let outcome = answer_all(source, &ahead, &name, asked, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome
 }
 
-fn answer_all<F: Value, const N: usize, W: Write>(
+/// A column that is read.
+struct Column {
+    parameter: Parameter,
+    place: usize,
+    name: String,
+    /// Of the unit in its header; without one a value may have its own.
+    factor: Option<Factor>,
+}
+
+impl Column {
+    fn value<F: Value>(&self, reader: &Reader, name: &str, text: &str) -> Result<F, Failure> {
+        match self.factor {
+            Some(factor) => Ok(factor.times(number(name, text)?)),
+            None => reader.value(name, text, self.parameter.kind()),
+        }
+    }
+}
+
+fn answer_all<F: Value, W: Write>(
     source: impl Read,
     ahead: &Cell<u64>,
     name: &str,
-    columns: [&str; N],
+    asked: Asked<'_, F>,
     sink: &RefCell<Sink<W>>,
-    answer: impl Fn([F; N]) -> Result<Record<F>, Error>,
+    answer: impl Fn(&Given<F>) -> Result<Record<F>, Failure>,
 ) -> Outcome {
+    let Asked { mut given, used, ratios, reader: units, output, .. } = asked;
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(source);
     let header = reader.headers().map_err(|e| unreadable(name, e))?.clone();
-    let mut places = [0; N];
-    for (place, column) in places.iter_mut().zip(columns) {
-        *place = place_of(column, &header, name)?;
+    let columns = columns(&header, name, used, &given, units)?;
+    let has = |p: Parameter| given.has(p) || columns.iter().any(|column| column.parameter == p);
+    let is_machine = used.iter().any(|p| p.is_physical() && has(*p));
+    let needed: Vec<&[Parameter]> = if is_machine {
+        let is_needed = |several: &&[Parameter]| several.iter().any(|p| used.contains(p));
+        Parameter::OF_A_MACHINE.into_iter().filter(is_needed).collect()
+    } else {
+        ratios.chunks(1).collect()
+    };
+    if let Some(missing) = needed.into_iter().find(|several| !several.iter().any(|p| has(*p))) {
+        let found = header.iter().collect::<Vec<_>>().join(",");
+        let names: Vec<_> = missing.iter().map(|p| format!("{} (or {})", p.column(), p.option())).collect();
+        return Err(Failure::Input(format!(
+            "{name}: column {} is missing; the header is “{found}”",
+            names.join(", or ")
+        )));
+    }
+    if !is_machine && output.units.units.is_some() {
+        return Err(Failure::Input(
+            "--units: the file gives ratios, which have no unit; leave it out".to_owned(),
+        ));
+    }
+    if output.header == Header::Units && output.format != Some(Format::Csv) {
+        return Err(Failure::Input("--header units: only CSV has a header; add --format csv".to_owned()));
     }
     let counted = progress::counter("points");
     let mut row = StringRecord::new();
@@ -73,37 +126,55 @@ fn answer_all<F: Value, const N: usize, W: Write>(
         ahead.set(ahead.get() - (end - begin));
         begin = end;
         let line = row.position().map_or(0, csv::Position::line);
-        let mut values = [F::int(0); N];
-        for ((value, place), column) in values.iter_mut().zip(places).zip(columns) {
-            let text = row.get(place).unwrap_or_default();
-            *value = number(&format!("{name} line {line}: {column}"), text)?;
+        for column in &columns {
+            let text = row.get(column.place).unwrap_or_default();
+            let value = column.value(units, &format!("{name} line {line}: {}", column.name), text)?;
+            given.set(column.parameter, value);
         }
-        let record = answer(values).map_err(|e| Failure::Input(format!("{name} line {line}: {e}")))?;
+        let placed = |failure: Failure| failure.about(&format!("{name} line {line}"));
+        let record = answer(&given).map_err(placed)?;
         sink.borrow_mut().write(&record)?;
         any = true;
         counted.inc(1);
         interrupt::check()?;
     }
     if !any {
-        // Rows without a point still have a header.
-        let some = answer([F::int(2); N]).map_err(|e| Failure::Input(e.to_string()))?;
-        sink.borrow_mut().write_header(&some)?;
+        // Rows without a point still have a header. Any point has the same.
+        columns.iter().for_each(|column| given.set(column.parameter, F::int(2)));
+        sink.borrow_mut().write_header(&answer(&given)?)?;
     }
     Ok(())
 }
 
-/// The one place of a column in the header.
-fn place_of(column: &str, header: &StringRecord, name: &str) -> Result<usize, Failure> {
-    let is = |found: &str| found.trim_start_matches('\u{feff}') == column;
-    let mut places = header.iter().enumerate().filter(|(_, found)| is(found)).map(|(place, _)| place);
-    match (places.next(), places.next()) {
-        (Some(place), None) => Ok(place),
-        (Some(_), Some(_)) => Err(Failure::Input(format!("{name}: column {column} must be there once only"))),
-        (None, _) => {
-            let found = header.iter().collect::<Vec<_>>().join(",");
-            Err(Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”")))
+/// The columns that are read, each there once, and none of what an argument gives.
+fn columns<F: Value>(
+    header: &StringRecord,
+    name: &str,
+    used: &[Parameter],
+    given: &Given<F>,
+    reader: &Reader,
+) -> Result<Vec<Column>, Failure> {
+    let mut columns: Vec<Column> = Vec::new();
+    for (place, text) in header.iter().enumerate() {
+        let text = text.trim_start_matches('\u{feff}').trim();
+        let (own, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
+            Some((own, unit)) => (own.trim(), Some(unit.trim())),
+            None => (text, None),
+        };
+        let Some(&parameter) = used.iter().find(|p| p.column() == own.replace('-', "_")) else { continue };
+        let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
+        if columns.iter().any(|column| column.parameter == parameter) {
+            return refused("must be there once only");
         }
+        if given.has(parameter) {
+            return refused(&format!("is given by {} too; leave one of them out", parameter.option()));
+        }
+        let in_header =
+            |unit| reader.factor_of_column(&format!("{name}: column {own}"), unit, parameter.kind());
+        let factor = unit.map(in_header).transpose()?;
+        columns.push(Column { parameter, place, name: own.to_owned(), factor });
     }
+    Ok(columns)
 }
 
 /// What the reader could not make a row of.

@@ -1,9 +1,13 @@
 //! Answers as records: one list of names and values, written as JSON or CSV.
 
+use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::input::{BorderScales, Machine};
+use crate::input::BorderScales;
+use crate::machine::Machine;
 use crate::note;
+use crate::physical::Physical;
+use crate::units::Kind;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 use stickslip::Response;
@@ -67,6 +71,44 @@ impl<F: Value> Cell<F> {
     }
 }
 
+impl<F: Value> Cell<F> {
+    /// The cells of one value each that it is written as in a row: four for a pair of complex numbers or two intervals.
+    fn parts(self) -> [Option<Self>; 4] {
+        match self {
+            Self::Pairs(pairs) => {
+                let number = |part: fn([(F, F); 2]) -> F| Some(Self::Number(pairs.map(part)));
+                [
+                    number(|[(re, _), _]| re),
+                    number(|[(_, im), _]| im),
+                    number(|[_, (re, _)]| re),
+                    number(|[_, (_, im)]| im),
+                ]
+            }
+            Self::Intervals([first, second]) => {
+                let ends = |interval: Option<(F, Option<F>)>| {
+                    let (low, high) = interval.map_or((None, None), |(low, high)| (Some(low), high));
+                    (Some(Self::Number(low)), Some(Self::Number(high)))
+                };
+                let ((a, b), (c, d)) = (ends(first), ends(second));
+                [a, b, c, d]
+            }
+            Self::Text(_) | Self::Number(_) | Self::Count(_) | Self::Flag(_) => {
+                [Some(self), None, None, None]
+            }
+        }
+    }
+
+    /// The names of these.
+    pub(crate) fn part_names(&self, name: &str) -> Vec<String> {
+        let parts = match self {
+            Self::Pairs(_) => ["_1_re", "_1_im", "_2_re", "_2_im"].as_slice(),
+            Self::Intervals(_) => &["_1_low", "_1_high", "_2_low", "_2_high"],
+            Self::Text(_) | Self::Number(_) | Self::Count(_) | Self::Flag(_) => &[""],
+        };
+        parts.iter().map(|part| format!("{name}{part}")).collect()
+    }
+}
+
 /// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
 impl<F: Value> Serialize for Cell<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -93,7 +135,7 @@ impl<F: Value> Serialize for Cell<F> {
 #[derive(Debug)]
 pub(crate) struct Record<F> {
     pub(crate) fields: Vec<(&'static str, Cell<F>)>,
-    pub(crate) physical: Vec<(&'static str, Cell<F>)>,
+    pub(crate) physical: Physical<F>,
 }
 
 impl<F: Value> Serialize for Record<F> {
@@ -103,17 +145,9 @@ impl<F: Value> Serialize for Record<F> {
             map.serialize_entry(name, cell)?;
         }
         if !self.physical.is_empty() {
-            map.serialize_entry("physical", &Nested(&self.physical))?;
+            map.serialize_entry("physical", &self.physical)?;
         }
         map.end()
-    }
-}
-
-struct Nested<'a, F>(&'a [(&'static str, Cell<F>)]);
-
-impl<F: Value> Serialize for Nested<'_, F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|(name, cell)| (name, cell)))
     }
 }
 
@@ -141,8 +175,13 @@ impl<F: Value> Record<F> {
                 ("contraction", of_cycle(|c| c.contraction())),
                 ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
                 ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
+                ("dynamic_amplification", of_cycle(|c| c.dynamic_amplification())),
+                ("max_acceleration", of_cycle(|c| c.max_acceleration())),
+                ("transmitted_force", of_cycle(|c| c.transmitted_force())),
+                ("transmissibility", of_cycle(|c| c.transmissibility())),
+                ("max_absolute_displacement", of_cycle(|c| c.max_absolute_displacement())),
             ],
-            physical: Vec::new(),
+            physical: Physical::default(),
         }
     }
 
@@ -158,7 +197,7 @@ impl<F: Value> Record<F> {
                 ("least_displacement", Cell::Number(Some(border.least_displacement()))),
                 ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
             ],
-            physical: Vec::new(),
+            physical: Physical::default(),
         }
     }
 
@@ -174,63 +213,57 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// The same names in the machine's units: ω_d, p₀, lengths, velocities, times, forces, and loop sizes as the energy
-    /// of a cycle, the best one at the best force.
+    /// With the machine and the answer in its units; both loop sizes are the energy of a cycle.
     pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
-        let scales = &machine.scales;
-        let ratio = |name: &str| match self.fields.iter().find(|(found, _)| *found == name) {
-            Some((_, Cell::Number(Some(number)))) => *number,
-            Some(_) | None => F::int(1),
+        let (scales, carried) = (&machine.scales, machine.is_carried());
+        let best = self.fields.iter().find(|(name, _)| *name == "best_force_ratio").map(|(_, cell)| *cell);
+        let best_force = match best {
+            Some(Cell::Number(Some(ratio))) => ratio * scales.force,
+            _ => F::int(0),
         };
-        // A₁ is in units of p₀²/(2k), p₀ = α r_y, and at the best force of (α* r_y)²/(2k).
-        let best = ratio("best_force_ratio") / ratio("alpha");
-        let p0 = machine.drive.force_amplitude(&machine.oscillator);
-        self.physical = self.rescaled(|name| match name {
-            "max_displacement" | "deviation" => Some(scales.length),
-            "max_velocity" => Some(scales.velocity),
-            "displacement_phase" | "velocity_phase" => Some(scales.time),
-            "min_force_ratio" | "min_force_ratio_turning_point" | "best_force_ratio" => Some(scales.force),
-            "loop_size_stiffness" => Some(scales.energy_stiffness),
-            "best_loop_size" => Some(scales.energy_stiffness * best * best),
-            "loop_size_inertia" => Some(scales.energy_inertia),
-            "contraction" => Some(F::int(1)),
+        // The loop of that force: A₁ is stated per p₀²/(2k) of it.
+        let best_energy = F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
+        self.physical = Physical::of_machine(machine).with(&self.fields, |name| match name {
+            "max_displacement" => Some(("max_displacement", Kind::Length, scales.length)),
+            "displacement_phase" => Some(("displacement_time", Kind::Time, scales.time)),
+            "max_velocity" => Some(("max_velocity", Kind::Velocity, scales.velocity)),
+            "velocity_phase" => Some(("velocity_time", Kind::Time, scales.time)),
+            "deviation" => Some(("deviation", Kind::Length, scales.length)),
+            "max_acceleration" => {
+                Some(("max_acceleration", Kind::Acceleration, scales.velocity / scales.time))
+            }
+            "transmitted_force" => Some(("transmitted_force", Kind::Force, scales.force)),
+            "max_absolute_displacement" if carried => {
+                Some(("max_absolute_displacement", Kind::Length, scales.length))
+            }
+            "min_force_ratio" => Some(("min_force", Kind::Force, scales.force)),
+            "min_force_ratio_turning_point" => Some(("min_force_turning_point", Kind::Force, scales.force)),
+            "loop_size_stiffness" => Some(("energy_per_cycle", Kind::Energy, scales.energy_stiffness)),
+            "best_force_ratio" => Some(("best_force", Kind::Force, scales.force)),
+            "best_loop_size" => Some(("best_force_energy", Kind::Energy, best_energy)),
             _ => None,
         });
-        let known = [("omega", machine.drive.angular_frequency()), ("alpha", p0)];
-        self.physical.splice(0..0, known.map(|(name, value)| (name, Cell::Number(Some(value)))));
         self
     }
 
     /// The border in the machine's units.
-    pub(crate) fn with_border_scales(mut self, scales: BorderScales<F>) -> Self {
-        self.physical = self.rescaled(|name| match name {
-            "min_force_ratio"
-            | "min_force_ratio_turning_point"
-            | "best_force_ratio"
-            | "no_stop_force_ratios" => Some(scales.force),
-            "border_phase" => Some(scales.time),
-            "least_displacement" => Some(scales.length),
+    pub(crate) fn with_border_scales(mut self, scales: &BorderScales<F>) -> Self {
+        self.physical = Physical::of_border(scales).with(&self.fields, |name| match name {
+            "min_force_ratio" => Some(("min_force", Kind::Force, scales.force)),
+            "min_force_ratio_turning_point" => Some(("min_force_turning_point", Kind::Force, scales.force)),
+            "border_phase" => Some(("border_time", Kind::Time, scales.time)),
+            "least_displacement" => Some(("least_displacement", Kind::Length, scales.length)),
+            "best_force_ratio" => Some(("best_force", Kind::Force, scales.force)),
+            "no_stop_force_ratios" => Some(("no_stop_forces", Kind::Force, scales.force)),
             _ => None,
         });
-        self.physical.insert(0, ("omega", Cell::Number(Some(scales.frequency))));
         self
-    }
-
-    pub(crate) fn rescaled(&self, scale: impl Fn(&str) -> Option<F>) -> Vec<(&'static str, Cell<F>)> {
-        let rescale = |&(name, cell): &(&'static str, Cell<F>)| match cell {
-            Cell::Number(value) => scale(name).map(|unit| (name, Cell::Number(value.map(|v| v * unit)))),
-            Cell::Intervals(intervals) => scale(name).map(|unit| {
-                let scaled = |(low, high): (F, Option<F>)| (low * unit, high.map(|x| x * unit));
-                (name, Cell::Intervals(intervals.map(|interval| interval.map(scaled))))
-            }),
-            Cell::Text(_) | Cell::Count(_) | Cell::Flag(_) | Cell::Pairs(_) => None,
-        };
-        self.fields.iter().filter_map(rescale).collect()
     }
 
     /// The record, where each of its numbers is one. Units that are too small make infinity of a motion, which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {
-        self.fields.iter().chain(&self.physical).try_for_each(|&(name, cell)| cell.finite(name))?;
+        let physical = self.physical.values.iter().map(|&(name, _, cell)| (name, cell));
+        self.fields.iter().copied().chain(physical).try_for_each(|(name, cell)| cell.finite(name))?;
         Ok(self)
     }
 
@@ -252,46 +285,33 @@ impl<F: Value> Record<F> {
     }
 
     /// The header of the rows.
-    pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.write_record(self.names())?)
+    pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>, header: Header) -> Outcome {
+        Ok(out.write_record(match header {
+            Header::Names => self.names(),
+            Header::Units => self.names_with_units(),
+        })?)
     }
 
-    /// The cells of a row, each of one value: four for a pair of complex numbers.
+    /// The cells of a row, each of one value, those in physical units last.
     pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<F>> + '_ {
-        let single = |cell| [Some(cell), None, None, None];
-        let cells = move |&(_, cell): &(&'static str, Cell<F>)| match cell {
-            Cell::Pairs(pairs) => {
-                let number = |part: fn([(F, F); 2]) -> F| Some(Cell::Number(pairs.map(part)));
-                [
-                    number(|[(re, _), _]| re),
-                    number(|[(_, im), _]| im),
-                    number(|[_, (re, _)]| re),
-                    number(|[_, (_, im)]| im),
-                ]
-            }
-            Cell::Intervals(intervals) => intervals
-                .map(|interval| {
-                    let (low, high) = interval.map_or((None, None), |(low, high)| (Some(low), high));
-                    [Some(Cell::Number(low)), Some(Cell::Number(high))]
-                })
-                .as_flattened()
-                .try_into()
-                .unwrap_or([None; 4]),
-            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) | Cell::Flag(_) => single(cell),
-        };
-        self.fields.iter().flat_map(cells).flatten()
+        let physical = self.physical.values.iter().map(|(_, _, cell)| *cell);
+        self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
     }
 
     /// The names of those cells.
     pub(crate) fn names(&self) -> Vec<String> {
-        let names = |(name, cell): &(&'static str, Cell<F>)| match cell {
-            Cell::Pairs(_) => ["1_re", "1_im", "2_re", "2_im"].map(|part| format!("{name}_{part}")).to_vec(),
-            Cell::Intervals(_) => {
-                ["1_low", "1_high", "2_low", "2_high"].map(|part| format!("{name}_{part}")).to_vec()
-            }
-            Cell::Text(_) | Cell::Number(_) | Cell::Count(_) | Cell::Flag(_) => vec![(*name).to_owned()],
+        let own = self.fields.iter().flat_map(|(name, cell)| cell.part_names(name));
+        own.chain(self.physical.names()).collect()
+    }
+
+    /// The same, each dimensionless one with its unit in brackets as well, where it has one.
+    fn names_with_units(&self) -> Vec<String> {
+        let with_unit = |name: String| match unit_of(&name) {
+            _ if name.ends_with(']') => name,
+            Some(unit) => format!("{name}[{unit}]"),
+            None => name,
         };
-        self.fields.iter().flat_map(names).collect()
+        self.names().into_iter().map(with_unit).collect()
     }
 
     /// One row of a table to read: seven digits, columns of one width.
@@ -309,6 +329,27 @@ impl<F: Value> Record<F> {
         let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
         writeln!(out, "{}", names.join("  "))
     }
+}
+
+/// The unit of a dimensionless output, by its name; nothing for words and counts.
+pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "regime" | "limit" | "sticks_per_cycle" | "velocity_zeros_per_cycle" => return None,
+        "max_displacement"
+        | "min_displacement"
+        | "deviation"
+        | "least_displacement"
+        | "distance"
+        | "rest_position"
+        | "max_absolute_displacement" => "B",
+        "max_velocity" | "min_velocity" => "B ω_d",
+        "max_acceleration" => "B ω_d²",
+        "transmitted_force" => "r_y",
+        "energy_in" | "energy_out" => "r_y B",
+        "periods" => "2π/ω_d",
+        _ if name.ends_with("_phase") => "rad",
+        _ => "1",
+    })
 }
 
 /// Width of a column of a table to read.

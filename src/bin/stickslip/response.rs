@@ -3,10 +3,12 @@
 use crate::args::{Format, ResponseArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
+use crate::given::{Given, Parameter};
+use crate::input::Point;
 use crate::record::Record;
 use crate::{input, note, points};
 use std::io::Write;
-use stickslip::{Ratios, Response};
+use stickslip::Response;
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
@@ -18,31 +20,34 @@ pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
+        let reader = args.output.units.reader();
+        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         if let Some(file) = &args.output.points {
-            return points::run::<F, 2>(
-                file,
-                args.output.format,
-                ["omega", "alpha"],
-                out,
-                |[omega, alpha]| Ok(Record::of_response(&Response::guarded(Ratios::new(omega, alpha)?))),
-            );
+            let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
+            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            return points::run(asked, out, |given| {
+                answer(given, &input::point(given)?).map(|(_, record)| record)
+            });
         }
-        let point = input::point::<F>(&args.machine, &args.force)?;
-        let response = Response::guarded(point.ratios);
-        let record = Record::of_response(&response);
-        let record = match &point.machine {
-            Some(machine) => record
-                .with_machine(machine)
-                .finite()
-                .map_err(|failure| failure.about(&input::typed(&args.machine, &args.force)))?,
-            None => record,
-        };
+        let point = input::point(&given)?;
+        let (response, record) = answer(&given, &point)?;
         match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note::response(&response, point.machine.as_ref(), &args.output.units, out)?),
+            Format::Text => Ok(note::response(&response, point.machine.as_ref(), &given.system, out)?),
             Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
     }
+}
+
+/// The response at a point, and its record.
+fn answer<F: Value>(given: &Given<F>, point: &Point<F>) -> Result<(Response<F>, Record<F>), Failure> {
+    let response = Response::guarded(point.ratios);
+    let record = Record::of_response(&response);
+    let record = match &point.machine {
+        Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,
+        None => record,
+    };
+    Ok((response, record))
 }
 
 /// `jsonl` and `csv` are for streams.

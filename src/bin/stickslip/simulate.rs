@@ -1,10 +1,13 @@
 //! `stickslip simulate`.
 
-use crate::args::{Format, SimulateArgs};
+use crate::args::{Format, Header, SimulateArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::input::{self, Machine};
+use crate::given::Given;
+use crate::input;
 use crate::interrupt;
+use crate::machine::Machine;
+use crate::physical::Physical;
 use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -33,16 +36,22 @@ impl<W: Write> Task for Run<'_, W> {
         let mut sink = match args.format {
             Format::Text => Sink::table(out),
             Format::Jsonl => Sink::lines(out),
-            Format::Csv => Sink::rows(out),
+            Format::Csv => Sink::rows(out, Header::Names),
             Format::Json => {
                 return Err(Failure::Input(
                     "--format: the answer to simulate is text, jsonl or csv".to_owned(),
                 ));
             }
         };
-        let point = input::point::<F>(&args.machine, &args.force)?;
+        let reader = args.units.reader();
+        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        if args.units.units.is_some() && !reader.has_converted() {
+            let text = "--units: no value has a unit to convert; bare numbers are in any one system already";
+            return Err(Failure::Input(text.to_owned()));
+        }
+        let point = input::point(&given)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
-        let start = input::start(&args.start, point.machine.as_ref())?;
+        let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
         let motion = Trajectory::new(point.ratios, start)
             .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
         let machine = point.machine.as_ref();
@@ -185,7 +194,7 @@ fn of_phase<F: Value>(phase: &Phase<F>, machine: Option<&Machine<F>>) -> Record<
             ("end_displacement", Cell::Number(end.map(|e| e.x * machine.scales.length))),
         ]);
     }
-    Record { fields, physical: Vec::new() }
+    Record { fields, physical: Physical::default() }
 }
 
 fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> Record<F> {
@@ -209,5 +218,5 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
             ("friction_force", number(instant.friction * scales.force)),
         ]);
     }
-    Record { fields, physical: Vec::new() }
+    Record { fields, physical: Physical::default() }
 }

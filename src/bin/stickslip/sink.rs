@@ -1,5 +1,6 @@
 //! Where a stream of records goes.
 
+use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::Outcome;
 use crate::record::Record;
@@ -8,7 +9,7 @@ use std::io::{self, Write};
 /// Lines of JSON, or rows under one header: of CSV, or of a table to read.
 pub(crate) enum Sink<W: Write> {
     Lines(W),
-    Rows { writer: Box<csv::Writer<W>>, header: bool },
+    Rows { writer: Box<csv::Writer<W>>, header: bool, names: Header },
     Table { out: W, header: bool },
 }
 
@@ -17,8 +18,8 @@ impl<W: Write> Sink<W> {
         Self::Lines(out)
     }
 
-    pub(crate) fn rows(out: W) -> Self {
-        Self::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false }
+    pub(crate) fn rows(out: W, names: Header) -> Self {
+        Self::Rows { writer: Box::new(csv::Writer::from_writer(out)), header: false, names }
     }
 
     pub(crate) fn table(out: W) -> Self {
@@ -39,9 +40,9 @@ impl<W: Write> Sink<W> {
     pub(crate) fn write_header<F: Value>(&mut self, record: &Record<F>) -> Outcome {
         match self {
             Self::Lines(_) | Self::Rows { header: true, .. } | Self::Table { header: true, .. } => Ok(()),
-            Self::Rows { writer, header } => {
+            Self::Rows { writer, header, names } => {
                 *header = true;
-                record.write_header(writer)
+                record.write_header(writer, *names)
             }
             Self::Table { out, header } => {
                 *header = true;

@@ -1,16 +1,20 @@
 //! `stickslip steady`.
 
-use crate::args::{Format, SteadyArgs, UnitNames};
+use crate::args::{Format, SteadyArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::input::{self, Machine, Point};
+use crate::given::{Given, Parameter};
+use crate::input::{self, Point};
+use crate::machine::{Machine, base_motion};
 use crate::note::{both, digits};
+use crate::physical::Physical;
 use crate::points;
 use crate::record::{Cell, Record};
 use crate::response::single_format;
 use crate::style;
+use crate::units::{Kind, System};
 use std::io::{self, Write};
-use stickslip::exact::{LongRun, SteadyState};
+use stickslip::exact::{LongRun, Peaks, SteadyState};
 use stickslip::regime::{Observed, observed};
 use stickslip::{Error, Ratios, Regime};
 
@@ -27,32 +31,31 @@ impl<W: Write> Task for Run<'_, W> {
         if args.max_periods == 0 {
             return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
         }
-        if let Some(file) = &args.output.points {
-            let start = input::start(&args.start, None)?;
-            return points::run::<F, 2>(
-                file,
-                args.output.format,
-                ["omega", "alpha"],
-                out,
-                |[omega, alpha]| {
-                    let ratios = Ratios::new(omega, alpha)?;
-                    record(ratios, &LongRun::within(ratios, start, args.max_periods)?)
-                },
-            );
-        }
-        let point = input::point::<F>(&args.machine, &args.force)?;
-        let start = input::start(&args.start, point.machine.as_ref())?;
-        let limit = LongRun::within(point.ratios, start, args.max_periods)
-            .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
-        let record = record(point.ratios, &limit)?;
-        let record = match &point.machine {
-            Some(machine) => with_machine(record, machine)
-                .finite()
-                .map_err(|failure| failure.about(&input::typed(&args.machine, &args.force)))?,
-            None => record,
+        let reader = args.output.units.reader();
+        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
+        let answer = |given: &Given<F>, point: &Point<F>| {
+            let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
+            let limit = LongRun::within(point.ratios, start, args.max_periods)
+                .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+            let record = record(point.ratios, &limit).map_err(|e| given.at_fault(e))?;
+            Ok::<_, Failure>(match &point.machine {
+                Some(machine) => {
+                    (limit, with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?)
+                }
+                None => (limit, record),
+            })
         };
+        if let Some(file) = &args.output.points {
+            let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
+            let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
+            return points::run(asked, out, |given| {
+                answer(given, &input::point(given)?).map(|(_, record)| record)
+            });
+        }
+        let point = input::point(&given)?;
+        let (limit, record) = answer(&given, &point)?;
         match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => Ok(note(&point, &limit, &args.output.units, out)?),
+            Format::Text => Ok(note(&point, &limit, &given.system, out)?),
             Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
@@ -77,8 +80,11 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
     let errors = steady.map(SteadyState::errors).transpose()?;
+    let peaks = steady.map(SteadyState::peaks).transpose()?;
     let seen = observed(ratios, limit);
     let (regime, kind) = names(limit, &seen);
+    let larger = |a: F, b: F| if a > b { a } else { b };
+    let amplitude = steady.map(|s| larger(s.max_displacement().abs(), s.min_displacement().abs()));
     let (periods, rest) = match limit {
         LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
         LongRun::Rest(rest) => (Some(rest.periods), Some(rest.position)),
@@ -113,21 +119,42 @@ pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<
             ("rest_position", Cell::Number(rest)),
             ("periods", Cell::Number(periods)),
             ("reversals_per_cycle", Cell::Count(seen.reversals.map(u64::from))),
+            ("dynamic_amplification", Cell::Number(amplitude.map(|x| x / ratios.alpha()))),
+            ("max_acceleration", Cell::Number(peaks.map(|p| p.acceleration))),
+            ("transmitted_force", Cell::Number(peaks.map(|p| p.transmitted_force))),
+            ("transmissibility", Cell::Number(peaks.map(|p| p.transmitted_force / ratios.alpha()))),
+            ("max_absolute_displacement", Cell::Number(peaks.map(|p| p.absolute_displacement))),
         ],
-        physical: Vec::new(),
+        physical: Physical::default(),
     })
 }
 
-/// The same names in the machine's units.
+/// With the machine and the answer in its units.
 fn with_machine<F: Value>(mut record: Record<F>, machine: &Machine<F>) -> Record<F> {
     let scales = &machine.scales;
-    record.physical = record.rescaled(|name| match name {
-        "max_displacement" | "min_displacement" | "distance" | "rest_position" => Some(scales.length),
-        "max_velocity" | "min_velocity" => Some(scales.velocity),
-        "energy_in" | "energy_out" => Some(scales.force * scales.length),
-        "periods" => Some(F::int(2) * F::pi() * scales.time),
-        _ if name.ends_with("_phase") => Some(scales.time),
-        _ => None,
+    let turn = F::int(2) * F::pi() * scales.time;
+    record.physical = Physical::of_machine(machine).with(&record.fields, |name| {
+        Some(match name {
+            "max_displacement" => ("max_displacement", Kind::Length, scales.length),
+            "max_displacement_phase" => ("max_displacement_time", Kind::Time, scales.time),
+            "min_displacement" => ("min_displacement", Kind::Length, scales.length),
+            "min_displacement_phase" => ("min_displacement_time", Kind::Time, scales.time),
+            "max_velocity" => ("max_velocity", Kind::Velocity, scales.velocity),
+            "max_velocity_phase" => ("max_velocity_time", Kind::Time, scales.time),
+            "min_velocity" => ("min_velocity", Kind::Velocity, scales.velocity),
+            "min_velocity_phase" => ("min_velocity_time", Kind::Time, scales.time),
+            "max_acceleration" => ("max_acceleration", Kind::Acceleration, scales.velocity / scales.time),
+            "transmitted_force" => ("transmitted_force", Kind::Force, scales.force),
+            "max_absolute_displacement" if machine.is_carried() => {
+                ("max_absolute_displacement", Kind::Length, scales.length)
+            }
+            "energy_in" => ("energy_in", Kind::Energy, scales.force * scales.length),
+            "energy_out" => ("energy_out", Kind::Energy, scales.force * scales.length),
+            "distance" => ("distance", Kind::Length, scales.length),
+            "rest_position" => ("rest_position", Kind::Length, scales.length),
+            "periods" => ("followed_for", Kind::Time, turn),
+            _ => return None,
+        })
     });
     record
 }
@@ -136,12 +163,15 @@ fn with_machine<F: Value>(mut record: Record<F>, machine: &Machine<F>) -> Record
 fn note<F: Value>(
     point: &Point<F>,
     limit: &LongRun<F>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
-    let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length);
     let seen = observed(point.ratios, limit);
+    if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
+        writeln!(out, "Base motion {base}.")?;
+    }
     match limit {
         LongRun::Periodic(steady) => {
             let verdict = style::verdict(&verdict(steady, &seen));
@@ -202,13 +232,13 @@ fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
 fn motion<F: Value>(
     steady: &SteadyState<F>,
     point: &Point<F>,
-    units: &UnitNames,
+    units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
     let speed_unit = format!("{}/s", units.length);
     let work_unit = format!("{}·{}", units.force, units.length);
-    let length = |x| both(x, "B", scales.map(|s| s.length), &units.length);
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length);
     let phase = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = |x| both(x, "B ω_d", scales.map(|s| s.velocity), &speed_unit);
     let work = |x| both(x, "r_y B", scales.map(|s| s.force * s.length), &work_unit);
@@ -220,6 +250,9 @@ fn motion<F: Value>(
     writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity_phase()))?;
     writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity()))?;
     writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity_phase()))?;
+    if let Ok(found) = steady.peaks() {
+        peaks(&found, point, units, out)?;
+    }
     writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
     writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
     writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
@@ -228,4 +261,26 @@ fn motion<F: Value>(
     let far = format!("{:.0e}", steady.distance().0.to_f64());
     let periods = digits(steady.periods().to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
+}
+
+/// What the machine feels: acceleration, transmitted force, and under a base that carries the surface the absolute motion.
+fn peaks<F: Value>(
+    peaks: &Peaks<F>,
+    point: &Point<F>,
+    units: &System,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let acceleration = scales.map(|s| s.velocity / s.time);
+    let text = both(peaks.acceleration, "B ω_d²", acceleration, &units.name(Kind::Acceleration));
+    writeln!(out, "  maximum acceleration     {text}")?;
+    let force = both(peaks.transmitted_force, "r_y", scales.map(|s| s.force), units.force);
+    writeln!(out, "  transmitted force        {force}")?;
+    let ratio = digits(peaks.transmitted_force / point.ratios.alpha());
+    writeln!(out, "  transmissibility         {ratio} p₀")?;
+    if point.machine.as_ref().is_some_and(Machine::is_carried) {
+        let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length);
+        writeln!(out, "  absolute displacement    {absolute}")?;
+    }
+    Ok(())
 }

@@ -47,7 +47,7 @@ impl<F: Float> State<F> {
         self.a.hypot(self.jerk)
     }
 
-    /// No third derivative later on is larger than this.
+    /// No third or fourth derivative later on is larger than this.
     #[inline]
     pub(crate) fn jerk_bound(&self) -> F {
         self.jerk.hypot(self.snap)

@@ -105,6 +105,11 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("contraction", Cell::or_absent(cycle.map(|c| c.contraction()))),
         ("reversals_per_cycle", Cell::or_absent(response.reversals_per_cycle())),
         ("best_force_ratio_slides", Cell::text(&response.best_is_reached().to_string())),
+        ("dynamic_amplification", Cell::or_absent(cycle.map(|c| c.dynamic_amplification()))),
+        ("max_acceleration", Cell::or_absent(cycle.map(|c| c.max_acceleration()))),
+        ("transmitted_force", Cell::or_absent(cycle.map(|c| c.transmitted_force()))),
+        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmissibility()))),
+        ("max_absolute_displacement", Cell::or_absent(cycle.map(|c| c.max_absolute_displacement()))),
     ])
 }
 
@@ -162,6 +167,19 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("rest_position", Cell::or_absent(rest)),
         ("periods", Cell::or_absent(periods)),
         ("reversals_per_cycle", Cell::or_absent(seen.reversals)),
+        (
+            "dynamic_amplification",
+            Cell::or_absent(
+                steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()) / ratios.alpha()),
+            ),
+        ),
+        ("max_acceleration", number(|s| s.peaks().unwrap().acceleration)),
+        ("transmitted_force", number(|s| s.peaks().unwrap().transmitted_force)),
+        (
+            "transmissibility",
+            Cell::or_absent(steady.map(|s| s.peaks().unwrap().transmitted_force / ratios.alpha())),
+        ),
+        ("max_absolute_displacement", number(|s| s.peaks().unwrap().absolute_displacement)),
     ])
 }
 
@@ -202,24 +220,37 @@ pub(crate) fn of_machine(
 ) -> Vec<(&'static str, Option<f64>)> {
     let (border, cycle) = (response.border(), response.cycle());
     let scaled = |value: Option<f64>, unit: f64| value.map(|v| v * unit);
-    // The best loop is that at the best force.
-    let best = response.best_force_ratio() / response.ratios().alpha();
+    let best_force = response.best_force_ratio() * scales.force;
     vec![
-        ("omega", Some(drive.angular_frequency())),
-        ("alpha", Some(drive.force_amplitude(body))),
+        ("angular_frequency", Some(drive.angular_frequency())),
+        ("natural_frequency", Some(body.natural_frequency())),
+        ("mass", Some(body.mass())),
+        ("stiffness", Some(body.stiffness())),
+        ("friction", Some(body.friction_bound())),
+        ("force_amplitude", Some(drive.force_amplitude(body))),
+        ("friction_displacement", Some(scales.length)),
         ("max_displacement", scaled(cycle.map(|c| c.max_displacement()), scales.length)),
-        ("displacement_phase", scaled(cycle.map(|c| c.displacement_phase()), scales.time)),
+        ("displacement_time", scaled(cycle.map(|c| c.displacement_phase()), scales.time)),
         ("max_velocity", scaled(cycle.map(|c| c.max_velocity()), scales.velocity)),
-        ("velocity_phase", scaled(cycle.map(|c| c.velocity_phase()), scales.time)),
+        ("velocity_time", scaled(cycle.map(|c| c.velocity_phase()), scales.time)),
         ("deviation", scaled(cycle.map(|c| c.deviation()), scales.length)),
-        ("min_force_ratio", scaled(Some(border.min_force_ratio()), scales.force)),
-        ("min_force_ratio_turning_point", scaled(Some(border.turning_point()), scales.force)),
-        ("loop_size_stiffness", scaled(response.loop_size_stiffness(), scales.energy_stiffness)),
-        ("loop_size_inertia", scaled(response.loop_size_inertia(), scales.energy_inertia)),
-        ("best_force_ratio", scaled(Some(response.best_force_ratio()), scales.force)),
-        ("best_loop_size", scaled(response.best_loop_size(), scales.energy_stiffness * best * best)),
-        ("contraction", cycle.map(|c| c.contraction())),
+        ("max_acceleration", scaled(cycle.map(|c| c.max_acceleration()), scales.velocity / scales.time)),
+        ("transmitted_force", scaled(cycle.map(|c| c.transmitted_force()), scales.force)),
+        ("min_force", scaled(Some(border.min_force_ratio()), scales.force)),
+        ("min_force_turning_point", scaled(Some(border.turning_point()), scales.force)),
+        ("energy_per_cycle", scaled(response.loop_size_stiffness(), scales.energy_stiffness)),
+        ("best_force", Some(best_force)),
+        // A₁ is stated per p₀²/(2k) of the force that it is the largest of.
+        (
+            "best_force_energy",
+            scaled(response.best_loop_size(), 0.5 * best_force * (best_force / body.stiffness())),
+        ),
     ]
+}
+
+/// The amplitude of a motion of the spring's foot, which a machine's answer repeats.
+pub(crate) fn foot(drive: &Drive<f64>) -> Option<(&'static str, Option<f64>)> {
+    drive.is_base_motion().then(|| ("foot_displacement", Some(drive.amplitude())))
 }
 
 /// As cells.

@@ -1,6 +1,6 @@
 //! The arguments of the questions asked backwards.
 
-use super::{ForceArgs, Format, MachineArgs, UnitNames};
+use super::{ForceArgs, Format, MachineArgs, UnitArgs};
 use clap::{Args, Subcommand};
 
 pub(crate) const DESIGN_EXAMPLES: &str = "\
@@ -10,7 +10,7 @@ Examples:
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip design bands --alpha 80 --from 0.3 --to 0.4 --no-stop
   stickslip design displacement --omega 1.5 --target 2
-  stickslip design dissipation --mass 50 --stiffness 1000 --frequency 6 --force 12 --units kN,m
+  stickslip design dissipation --mass 50t --stiffness 1000kN/m --frequency 6rad/s --force 12kN --units kN,m
   stickslip design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500";
 
 /// What is asked, in ratios or in physical units.
@@ -59,7 +59,6 @@ pub(crate) struct QuestionArgs {
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
-    /// Names of the units of force and length in the text answer
-    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
-    pub(crate) units: UnitNames,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
 }

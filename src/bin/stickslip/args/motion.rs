@@ -1,6 +1,6 @@
 //! The arguments of what the exact motion answers.
 
-use super::{ForceArgs, Format, MachineArgs, OutputArgs, UnitNames};
+use super::{ForceArgs, Format, MachineArgs, OutputArgs, UnitArgs};
 use clap::Args;
 
 pub(crate) const STEADY_EXAMPLES: &str = "\
@@ -67,17 +67,19 @@ pub(crate) struct SimulateArgs {
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct DecayArgs {
-    /// Mass m (SI: kg)
+    /// Mass m, such as 800kg
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     pub(crate) mass: Option<String>,
-    /// Stiffness k (SI: N/m)
+    /// Stiffness k, such as 12kN/mm
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub(crate) stiffness: Option<String>,
-    /// Friction bound r_y (SI: N)
+    /// Friction bound r_y, such as 5kN
     #[arg(long, value_name = "RY", allow_hyphen_values = true)]
     pub(crate) friction: Option<String>,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
@@ -92,7 +94,6 @@ pub(crate) struct DecayArgs {
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
-    /// Names of the units of force and length in the text answer
-    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
-    pub(crate) units: UnitNames,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
 }

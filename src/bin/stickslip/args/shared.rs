@@ -1,57 +1,100 @@
 //! The arguments that several commands have.
 
+use crate::units::{Reader, System};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
-/// The oscillator and its frequency. In physical units, any consistent system.
-#[derive(Debug, Args)]
+/// The oscillator and its frequency. A value may have a unit, such as 800kg; bare numbers are in one consistent system.
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct MachineArgs {
     /// Frequency ratio Ω = ω_d/ω_n
     #[arg(long, value_name = "Ω", allow_hyphen_values = true)]
     pub(crate) omega: Option<String>,
-    /// Mass m (SI: kg)
+    /// Mass m, such as 800kg
     #[arg(long, value_name = "M", allow_hyphen_values = true)]
     pub(crate) mass: Option<String>,
-    /// Stiffness k (SI: N/m); or give --omega, and k = m (ω_d/Ω)²
+    /// Stiffness k, such as 12kN/mm; a period, or Ω and a frequency, may take its place
     #[arg(long, value_name = "K", allow_hyphen_values = true)]
     pub(crate) stiffness: Option<String>,
-    /// Friction bound r_y (SI: N)
+    /// Natural period of the body on its spring, such as 2.2s, in place of the stiffness: k = m (2π/T)²
+    #[arg(long, value_name = "T", allow_hyphen_values = true)]
+    pub(crate) period: Option<String>,
+    /// Friction bound r_y, such as 5kN
     #[arg(long, value_name = "RY", allow_hyphen_values = true)]
     pub(crate) friction: Option<String>,
-    /// Angular frequency ω_d of the drive, in rad per unit of time (SI: rad/s)
+    /// Coefficient of friction µ of a body that rests on its surface, in place of the bound: r_y = µ m g
+    #[arg(long, value_name = "µ", allow_hyphen_values = true)]
+    pub(crate) friction_coefficient: Option<String>,
+    /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
+    #[arg(long, value_name = "G", allow_hyphen_values = true)]
+    pub(crate) gravity: Option<String>,
+    /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s; a bare number is ω_d in rad/s
     #[arg(long, value_name = "WD", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
 }
 
-/// How hard it is shaken.
-#[derive(Debug, Args)]
+/// What shakes the body: one of these.
+#[derive(Debug, Clone, Default, Args)]
 pub(crate) struct ForceArgs {
     /// Force ratio α = p₀/r_y
     #[arg(long, value_name = "α", allow_hyphen_values = true)]
     pub(crate) alpha: Option<String>,
-    /// Force amplitude p₀ (SI: N)
+    /// Amplitude p₀ of a force on the body, such as 12kN
     #[arg(long, value_name = "P0", allow_hyphen_values = true)]
     pub(crate) force: Option<String>,
-    /// Amplitude u_g0 of the base motion (SI: m); p₀ = k u_g0
-    #[arg(long, value_name = "UG", allow_hyphen_values = true)]
-    pub(crate) base_motion: Option<String>,
+    /// Acceleration amplitude of a base that carries the surface, such as 0.15g: p₀ = m a₀, x relative to the base
+    #[arg(long, value_name = "A0", allow_hyphen_values = true)]
+    pub(crate) base_acceleration: Option<String>,
+    /// Velocity amplitude of a base that carries the surface, such as 30mm/s: p₀ = m ω_d v₀
+    #[arg(long, value_name = "V0", allow_hyphen_values = true)]
+    pub(crate) base_velocity: Option<String>,
+    /// Displacement amplitude of a base that carries the surface, such as 9mm: p₀ = m ω_d² u₀
+    #[arg(long, value_name = "U0", allow_hyphen_values = true)]
+    pub(crate) base_displacement: Option<String>,
+    /// Displacement amplitude of the spring's foot over a surface that stays, such as 9mm: p₀ = k u₀
+    #[arg(long, value_name = "U0", allow_hyphen_values = true, alias = "base-motion")]
+    pub(crate) foot_displacement: Option<String>,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// CSV of ratios with a header (columns omega, and alpha for a response), answered row by row; - is
-    /// standard input
+    /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as frequency[Hz];
+    /// what is the same in all rows may be an argument. - is standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<PathBuf>,
     /// text or json for one answer [default: text]; jsonl or csv for --points [default: jsonl]
     #[arg(long, value_enum)]
     pub(crate) format: Option<Format>,
+    /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
+    #[arg(long, value_enum, default_value = "names", value_name = "HEADER")]
+    pub(crate) header: Header,
     /// Bits of precision (needs a build with the feature mp)
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
-    /// Names of the units of force and length in the text answer
-    #[arg(long, value_name = "FORCE,LENGTH", default_value = "N,m", value_parser = UnitNames::parse)]
-    pub(crate) units: UnitNames,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+}
+
+/// The system of units.
+#[derive(Debug, Clone, Default, Args)]
+pub(crate) struct UnitArgs {
+    /// Units of the answers, such as kN,mm, and the system of bare numbers; values with units are converted
+    /// [default: N,m]
+    #[arg(long, value_name = "FORCE,LENGTH", value_parser = System::parse)]
+    pub(crate) units: Option<System>,
+}
+
+impl UnitArgs {
+    pub(crate) fn reader(&self) -> Reader {
+        Reader::new(self.units.as_ref())
+    }
+}
+
+/// What stands in the first line of CSV.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Header {
+    Names,
+    Units,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -60,22 +103,4 @@ pub(crate) enum Format {
     Json,
     Jsonl,
     Csv,
-}
-
-/// Names of the units of force and length, for the text answer.
-#[derive(Debug, Clone)]
-pub(crate) struct UnitNames {
-    pub(crate) force: String,
-    pub(crate) length: String,
-}
-
-impl UnitNames {
-    pub(super) fn parse(text: &str) -> Result<Self, String> {
-        match text.split_once(',') {
-            Some((force, length)) if !force.is_empty() && !length.is_empty() => {
-                Ok(Self { force: force.to_owned(), length: length.to_owned() })
-            }
-            Some(_) | None => Err("two names with a comma between are due, such as kN,m".to_owned()),
-        }
-    }
 }

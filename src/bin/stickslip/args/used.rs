@@ -1,6 +1,5 @@
 //! Which options a command uses, by what it is asked for. An option that would change nothing is refused.
 
-use super::Format;
 use crate::failure::{Failure, Outcome};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
@@ -29,50 +28,64 @@ impl Mode {
 }
 
 /// The options that only a machine and its drive have.
-const MACHINE: [&str; 6] = ["mass", "stiffness", "friction", "frequency", "force", "base_motion"];
+const MACHINE: [&str; 12] = [
+    "mass",
+    "stiffness",
+    "period",
+    "friction",
+    "friction_coefficient",
+    "gravity",
+    "frequency",
+    "force",
+    "base_acceleration",
+    "base_velocity",
+    "base_displacement",
+    "foot_displacement",
+];
 
 /// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
 const USED: &[(&str, Mode, &str)] = &[
     ("response", Ratios, "omega alpha format bits"),
-    (
-        "response",
-        Machine,
-        "omega alpha mass stiffness friction frequency force base_motion format bits units",
-    ),
-    ("response", Points, "points format bits"),
+    ("response", Machine, "omega alpha BODY frequency DRIVE format bits units"),
+    ("response", Points, "points omega alpha BODY frequency DRIVE format header bits units"),
     ("border", Ratios, "omega no_stop format bits"),
-    ("border", Machine, "omega mass stiffness friction frequency no_stop format bits units"),
-    ("border", Points, "points no_stop format bits"),
+    ("border", Machine, "omega BODY frequency no_stop format bits units"),
+    ("border", Points, "points omega BODY frequency no_stop format header bits units"),
     ("steady", Ratios, "omega alpha x0 v0 max_periods format bits"),
-    (
-        "steady",
-        Machine,
-        "omega alpha mass stiffness friction frequency force base_motion x0 v0 max_periods format bits units",
-    ),
-    ("steady", Points, "points x0 v0 max_periods format bits"),
+    ("steady", Machine, "omega alpha BODY frequency DRIVE x0 v0 max_periods format bits units"),
+    ("steady", Points, "points omega alpha BODY frequency DRIVE x0 v0 max_periods format header bits units"),
     ("simulate", Ratios, "omega alpha x0 v0 cycles samples format bits"),
-    (
-        "simulate",
-        Machine,
-        "omega alpha mass stiffness friction frequency force base_motion x0 v0 cycles samples format bits",
-    ),
+    ("simulate", Machine, "omega alpha BODY frequency DRIVE x0 v0 cycles samples format bits units"),
     ("decay", Ratios, "x0 v0 format bits"),
     ("decay", Machine, "mass stiffness friction x0 v0 format bits units"),
     ("design force", Ratios, "omega no_stop format bits"),
-    ("design force", Machine, "mass stiffness friction frequency no_stop format bits units"),
+    ("design force", Machine, "BODY frequency no_stop format bits units"),
     ("design friction", Ratios, "omega format bits"),
-    ("design friction", Machine, "mass stiffness frequency force base_motion format bits units"),
+    ("design friction", Machine, "mass stiffness period gravity frequency DRIVE format bits units"),
     ("design bands", Ratios, "alpha from to no_stop format bits"),
-    ("design bands", Machine, "mass stiffness friction force base_motion from to no_stop format bits"),
+    ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),
     ("design displacement", Ratios, "omega target format bits"),
-    ("design displacement", Machine, "mass stiffness friction frequency target format bits units"),
+    ("design displacement", Machine, "BODY frequency target format bits units"),
     ("design velocity", Ratios, "omega target format bits"),
-    ("design velocity", Machine, "mass stiffness friction frequency target format bits units"),
+    ("design velocity", Machine, "BODY frequency target format bits units"),
     ("design dissipation", Ratios, "omega sticking format bits"),
-    ("design dissipation", Machine, "mass stiffness frequency force base_motion sticking format bits units"),
+    ("design dissipation", Machine, "mass stiffness period frequency DRIVE sticking format bits units"),
     ("design stiffness", Ratios, "alpha from to format bits"),
-    ("design stiffness", Machine, "mass friction frequency force from to format bits units"),
+    (
+        "design stiffness",
+        Machine,
+        "mass friction friction_coefficient gravity frequency DRIVE from to format bits units",
+    ),
 ];
+
+/// The single options that an entry names, its groups written out.
+fn options(used: &str) -> impl Iterator<Item = &str> {
+    used.split(' ').flat_map(|name| match name {
+        "BODY" => "mass stiffness period friction friction_coefficient gravity".split(' '),
+        "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement".split(' '),
+        single => single.split(' '),
+    })
+}
 
 /// Fails at the first option that has no use in what is asked.
 pub(super) fn check(matches: &ArgMatches) -> Outcome {
@@ -91,7 +104,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         .collect();
     // It is asked in the mode in which the fewest options are of no use; a file of points leaves no choice.
     let unused = |used: &str| {
-        let of_use = |id: &&str| *id == "quiet" || used.split(' ').any(|option| option == *id);
+        let of_use = |id: &&str| *id == "quiet" || options(used).any(|option| option == *id);
         given.iter().copied().filter(|id| !of_use(id)).collect::<Vec<_>>()
     };
     let is_machine = given.iter().any(|option| MACHINE.contains(option));
@@ -103,17 +116,8 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
             "{}: {command} does not use it {}; it uses {}",
             written(id, matches),
             mode.name(),
-            used.split(' ').map(option).collect::<Vec<_>>().join(", ")
+            options(used).map(option).collect::<Vec<_>>().join(", ")
         )));
-    }
-    let format = || {
-        let one = matches.try_get_one::<Format>("format").ok().flatten().copied();
-        one.unwrap_or(Format::Text)
-    };
-    if given.contains(&"units") && format() != Format::Text {
-        let text =
-            format!("{}: the names are for the text answer; leave them out", written("units", matches));
-        return Err(Failure::Input(text));
     }
     Ok(())
 }
@@ -140,7 +144,7 @@ pub(super) fn hide_unused(design: clap::Command) -> clap::Command {
     design.mut_subcommands(|question| {
         let name = format!("design {}", question.get_name());
         let uses = |id: &str| {
-            USED.iter().any(|(of, _, used)| *of == name && used.split(' ').any(|option| option == id))
+            USED.iter().any(|(of, _, used)| *of == name && options(used).any(|option| option == id))
         };
         question.mut_args(|arg| {
             let hidden = !uses(arg.get_id().as_str());

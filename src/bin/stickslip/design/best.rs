@@ -1,11 +1,11 @@
 //! `stickslip design dissipation` and `stiffness`: what dissipates most, and why it is the best.
 
-use super::{Answer, Asked, some};
-use crate::args::UnitNames;
+use super::{Answer, Asked, Row, some};
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::note::digits;
 use crate::record::Cell;
+use crate::units::{Kind, System};
 use stickslip::design::{self, Optimum};
 
 impl<F: Value> Asked<'_, F> {
@@ -15,13 +15,28 @@ impl<F: Value> Asked<'_, F> {
         }
         if !self.physical {
             let best = design::most_dissipating_force_ratio(self.omega()?).map_err(|e| self.fail(e))?;
-            let size = ("loop_size_stiffness", best.loop_size);
-            return Ok(best_ratio("Most", 'α', ("force_ratio", best.force_ratio), size, None, best.optimum));
+            let size = ("loop_size_stiffness", Kind::Ratio, best.loop_size);
+            return Ok(best_ratio(
+                "Most",
+                'α',
+                ("force_ratio", Kind::Ratio, best.force_ratio),
+                size,
+                None,
+                best.optimum,
+            ));
         }
-        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
+        let body = self.body(true, false)?;
+        let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let place = self.friction_of(best.friction_bound);
-        Ok(self.best("Most", &place, ("friction", best.friction_bound), best.energy, None, best.optimum))
+        Ok(self.best(
+            "Most",
+            &place,
+            ("friction", Kind::Force, best.friction_bound),
+            best.energy,
+            None,
+            best.optimum,
+        ))
     }
 
     /// The same with sticking allowed: by exact motions, with a bound on what any friction dissipates.
@@ -30,47 +45,56 @@ impl<F: Value> Asked<'_, F> {
         if !self.physical {
             let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
             let best = best.map_err(|e| self.fail(e))?;
-            let (at, bound) = (("force_ratio", best.force_ratio), Some(best.bound));
+            let (at, bound) = (("force_ratio", Kind::Ratio, best.force_ratio), Some(best.bound));
             return Ok(best_ratio(
                 "Most of all",
                 'α',
                 at,
-                ("loop_size_stiffness", best.loop_size),
+                ("loop_size_stiffness", Kind::Ratio, best.loop_size),
                 bound,
                 best.optimum,
             ));
         }
-        let (body, drive) = (self.body(true, false)?, self.drive(self.frequency()?)?);
+        let body = self.body(true, false)?;
+        let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_friction_of_all(&body, &drive, tolerance);
         let best = best.map_err(|e| self.fail(e))?;
         let place = self.friction_of(best.friction_bound);
-        let at = ("friction", best.friction_bound);
+        let at = ("friction", Kind::Force, best.friction_bound);
         Ok(self.best("Most of all", &place, at, best.energy, Some(best.bound), best.optimum))
     }
 
     pub(super) fn stiffness(&self) -> Result<Answer<F>, Failure> {
-        let (low, high) = self.range()?;
+        let (low, high) = self.range(Kind::Stiffness)?;
         if !self.physical {
             let best = design::most_dissipating_frequency_ratio(self.alpha()?, low, high);
             let best = best.map_err(|e| self.fail(e))?;
             return Ok(best_ratio(
                 "Most",
                 'Ω',
-                ("omega", best.omega),
-                ("loop_size_inertia", best.loop_size),
+                ("omega", Kind::Ratio, best.omega),
+                ("loop_size_inertia", Kind::Ratio, best.loop_size),
                 None,
                 best.optimum,
             ));
         }
-        let (body, drive) = (self.body(false, true)?, self.drive(self.frequency()?)?);
+        let body = self.body(false, true)?;
+        let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_stiffness(&body, &drive, low, high).map_err(|e| self.fail(e))?;
-        let UnitNames { force, length } = self.units();
+        let System { force, length, .. } = *self.system();
         let place = format!("on a stiffness of {} {force}/{length}", digits(best.stiffness));
-        Ok(self.best("Most", &place, ("stiffness", best.stiffness), best.energy, None, best.optimum))
+        Ok(self.best(
+            "Most",
+            &place,
+            ("stiffness", Kind::Stiffness, best.stiffness),
+            best.energy,
+            None,
+            best.optimum,
+        ))
     }
 
     fn friction_of(&self, friction: F) -> String {
-        format!("with a friction bound of {} {}", digits(friction), self.units().force)
+        format!("with a friction bound of {} {}", digits(friction), self.system().force)
     }
 
     /// What dissipates most in physical units: at which place, how much, and why it is the best.
@@ -78,18 +102,18 @@ impl<F: Value> Asked<'_, F> {
         &self,
         most: &str,
         place: &str,
-        at: (&'static str, F),
+        at: (&'static str, Kind, F),
         energy: F,
         bound: Option<F>,
         optimum: Optimum,
     ) -> Answer<F> {
-        let UnitNames { force, length } = self.units();
+        let System { force, length, .. } = *self.system();
         let energy_text = digits(energy);
         let sentence = format!(
             "{most} is dissipated, {energy_text} {force}·{length} a cycle, {place}, {}.",
             why(optimum)
         );
-        Answer::one(sentence, best_fields(at, ("energy", energy), bound, optimum))
+        Answer::one(sentence, best_fields(at, ("energy", Kind::Energy, energy), bound, optimum))
     }
 }
 
@@ -97,24 +121,24 @@ impl<F: Value> Asked<'_, F> {
 fn best_ratio<F: Value>(
     most: &str,
     symbol: char,
-    at: (&'static str, F),
-    size: (&'static str, F),
+    at: (&'static str, Kind, F),
+    size: (&'static str, Kind, F),
     bound: Option<F>,
     optimum: Optimum,
 ) -> Answer<F> {
-    let sentence = format!("{most} is dissipated at {symbol} = {}, {}.", digits(at.1), why(optimum));
+    let sentence = format!("{most} is dissipated at {symbol} = {}, {}.", digits(at.2), why(optimum));
     Answer::one(sentence, best_fields(at, size, bound, optimum))
 }
 
 fn best_fields<F: Value>(
-    at: (&'static str, F),
-    size: (&'static str, F),
+    at: (&'static str, Kind, F),
+    size: (&'static str, Kind, F),
     bound: Option<F>,
     optimum: Optimum,
-) -> Vec<(&'static str, Cell<F>)> {
-    let mut fields = vec![(at.0, some(at.1)), (size.0, some(size.1))];
-    fields.extend(bound.map(|bound| ("bound", some(bound))));
-    fields.push(("optimum", Cell::Text(name(optimum))));
+) -> Row<F> {
+    let mut fields = vec![(at.0, at.1, some(at.2)), (size.0, size.1, some(size.2))];
+    fields.extend(bound.map(|bound| ("bound", size.1, some(bound))));
+    fields.push(("optimum", Kind::Ratio, Cell::Text(name(optimum))));
     fields
 }
 

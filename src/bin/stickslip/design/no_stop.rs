@@ -1,10 +1,11 @@
 //! `stickslip design force --no-stop` and `bands --no-stop`: whatever the number of reversals.
 
-use super::{Answer, Asked, some};
+use super::{Answer, Asked, force_and_base_motions, some};
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::note::no_stop;
 use crate::record::{Cell, Record};
+use crate::units::Kind;
 use stickslip::design::{self, Edge};
 use stickslip::regime::no_stop_force_ratios;
 
@@ -13,26 +14,32 @@ impl<F: Value> Asked<'_, F> {
         let (found, unit, fields) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
-            let base = forces.least() / body.stiffness();
-            let fields = vec![("force", some(forces.least())), ("base_motion", some(base))];
-            (forces, self.units().force.as_str(), fields)
+            let fields = force_and_base_motions(&body, frequency, forces.least());
+            (forces, self.system().force, fields)
         } else {
             let omega = self.omega()?;
             let ratios = no_stop_force_ratios(omega).map_err(|e| self.fail(e))?;
-            (ratios, "r_y", vec![("omega", some(omega)), ("force_ratio", some(ratios.least()))])
+            let fields =
+                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(ratios.least()))];
+            (ratios, "r_y", fields)
         };
-        let name = if self.physical { "no_stop_forces" } else { "no_stop_force_ratios" };
+        let (name, kind) = if self.physical {
+            ("no_stop_forces", Kind::Force)
+        } else {
+            ("no_stop_force_ratios", Kind::Ratio)
+        };
         let mut fields = fields;
-        fields.push((name, Record::intervals(&found)));
+        fields.push((name, kind, Record::intervals(&found)));
         Ok(Answer::one(format!("It does not stop {}.", no_stop(&found, unit)), fields))
     }
 
     pub(super) fn bands_without_stop(&self) -> Result<Answer<F>, Failure> {
-        let (low, high) = self.range()?;
+        let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
+        let (low, high) = self.range(kind)?;
         let (found, names) = if self.physical {
             let body = self.body(true, true)?;
             // The frequency of the drive is what is asked for: its amplitude alone counts.
-            let drive = self.drive(self.one)?;
+            let drive = self.drive(&body, self.one)?;
             let found = design::frequency_bands_without_stop(&body, &drive, low, high);
             (found, ["frequency_from", "frequency_to"])
         } else {
@@ -44,11 +51,11 @@ impl<F: Value> Asked<'_, F> {
             .into_iter()
             .map(|band| {
                 vec![
-                    (names[0], some(band.low)),
-                    (names[1], some(band.high)),
-                    ("low_edge", Cell::Text(edge(band.low_edge))),
-                    ("high_edge", Cell::Text(edge(band.high_edge))),
-                    ("reversals_per_cycle", Cell::Count(Some(band.reversals_per_cycle.into()))),
+                    (names[0], kind, some(band.low)),
+                    (names[1], kind, some(band.high)),
+                    ("low_edge", Kind::Ratio, Cell::Text(edge(band.low_edge))),
+                    ("high_edge", Kind::Ratio, Cell::Text(edge(band.high_edge))),
+                    ("reversals_per_cycle", Kind::Ratio, Cell::Count(Some(band.reversals_per_cycle.into()))),
                 ]
             })
             .collect();

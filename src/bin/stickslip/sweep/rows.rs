@@ -1,11 +1,12 @@
 //! The rows of a sweep, each made from its number alone.
 
-use crate::args::{SweepArgs, SweepFormat, Swept};
+use crate::args::{Header, SweepArgs, SweepFormat, Swept};
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::grid::Grid;
 use crate::interrupt;
 use crate::note;
+use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use crate::steady;
 use std::ops::Range;
@@ -49,7 +50,9 @@ impl<F: Value> Rows<F> {
 
     /// The line of column names; nothing for JSON lines.
     pub(crate) fn header(&self) -> Result<Vec<u8>, Failure> {
-        self.bytes(|writer| if self.csv { self.record(0)?.write_header(writer) } else { Ok(()) })
+        self.bytes(
+            |writer| if self.csv { self.record(0)?.write_header(writer, Header::Names) } else { Ok(()) },
+        )
     }
 
     /// The text of some rows.
@@ -80,7 +83,8 @@ impl<F: Value> Rows<F> {
             due.into_iter().filter(|(name, _)| *name == "omega" || self.question != Swept::Border)
         {
             let Some(place) = self.columns.iter().position(|n| n == name) else { continue };
-            let cell = Record { fields: vec![(name, Cell::Number(Some(value)))], physical: Vec::new() };
+            let cell =
+                Record { fields: vec![(name, Cell::Number(Some(value)))], physical: Physical::default() };
             let same = if self.csv {
                 let due = self.bytes(|writer| cell.write_row(writer))?;
                 let found = line.trim_ascii_end().split(|byte| *byte == b',').nth(place);

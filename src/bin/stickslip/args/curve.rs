@@ -1,0 +1,75 @@
+//! The arguments of response curves and plots of a motion.
+
+use super::{ForceArgs, MachineArgs, StartArgs, UnitArgs};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+pub(crate) const CURVE_EXAMPLES: &str = "\
+The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log; any other quantity may be a list A,B,C, one curve for each,
+five at most. Where the body stops, the values are of the exact motion from rest, and the line is dashed.
+
+Examples:
+  stickslip response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.08 --base-acceleration 0.15g \\
+    --frequency 0.3Hz:5Hz:200 --units N,mm --out stroke.svg
+  stickslip response-curve transmissibility --mass 800kg --period 2.2s --friction-coefficient 0.05 \\
+    --base-acceleration 0.15g --frequency 0.3Hz:5Hz:200:log --out transmissibility.csv
+  stickslip response-curve --omega 0.2:2:300 --alpha 1.2,2,4 --out amplification.svg";
+
+pub(crate) const MOTION_EXAMPLES: &str = "\
+Examples:
+  stickslip motion-plot --omega 0.15 --alpha 3 --out motion.svg
+  stickslip motion-plot --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 0.3Hz --force 12kN --out motion.svg";
+
+/// What a response curve shows over the frequency.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Curve {
+    /// Maximum displacement
+    Displacement,
+    /// Maximum velocity
+    Velocity,
+    /// Maximum acceleration
+    Acceleration,
+    /// Greatest force of spring and friction on what carries them
+    Force,
+    /// That force over p₀; of a base that carries the surface the ratio of absolute accelerations
+    Transmissibility,
+    /// Greatest absolute displacement under a base that carries the surface
+    Absolute,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CurveArgs {
+    /// displacement, velocity, acceleration, force, transmissibility or absolute
+    #[arg(value_enum, value_name = "WHAT", default_value = "displacement", hide_possible_values = true)]
+    pub(crate) what: Curve,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+    /// A picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace FILE where it exists
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MotionPlotArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) start: StartArgs,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+    /// A picture in FILE.svg or FILE.png, its data in FILE.csv [default: a picture in SVG, to standard output]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace FILE where it exists
+    #[arg(long)]
+    pub(crate) overwrite: bool,
+}

@@ -1,0 +1,401 @@
+//! `stickslip response-curve`: an amplitude over the frequency, for one machine or several, stops included.
+
+use crate::args::{Curve, CurveArgs, Picture};
+use crate::failure::{Failure, Outcome};
+use crate::figure;
+use crate::given::{Given, Parameter as P};
+use crate::grid::Grid;
+use crate::input::{self, Point};
+use crate::interrupt;
+use crate::note::digits;
+use crate::units::{Kind, Reader, System};
+use clap::ValueEnum;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::f64::consts::TAU;
+use std::io::Write;
+use stickslip::exact::{LongRun, State};
+use stickslip::figures::{Axis, Figure, Panel, Series, Style};
+use stickslip::{Regime, Response};
+
+/// Curves in a picture: with the border, the resonance and the dashes its key has eight lines.
+const MOST_CURVES: u64 = 5;
+/// Frequencies of a curve.
+const MOST_POINTS: u64 = 100_000;
+/// Decades of the upward axis: what is lower is at rest for all that can be seen.
+const DECADES: f64 = 1e4;
+
+/// One frequency of a curve.
+#[derive(Clone, Copy)]
+struct Place {
+    frequency: f64,
+    regime: &'static str,
+    sticks: bool,
+    /// How far it is above the border: α/α_min.
+    margin: f64,
+    value: Option<f64>,
+}
+
+struct Line {
+    name: String,
+    places: Vec<Place>,
+    /// Ω = 1 on its axis.
+    natural: f64,
+}
+
+/// What is asked: the quantity over one axis, for each of the values of another.
+struct Asked {
+    what: Curve,
+    axis: P,
+    grid: Grid<f64>,
+    other: Option<(P, Grid<f64>, Vec<String>)>,
+    given: Given<f64>,
+    system: System,
+}
+
+pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
+    let picture = args.out.as_deref().map_or(Ok(Picture::Csv), figure::picture_of)?;
+    let reader = args.units.reader();
+    let asked = Asked::new(args, &reader)?;
+    let lines = asked.lines()?;
+    match (&args.out, picture) {
+        (Some(file), Picture::Csv) => {
+            figure::beside(file, args.overwrite)?.fill(|out| asked.rows(&lines, out))
+        }
+        (Some(file), Picture::Svg | Picture::Png) => {
+            let drawn = asked.figure(&lines)?;
+            figure::beside(file, args.overwrite)?.fill(|out| figure::write(&drawn, picture, out))
+        }
+        (None, _) => asked.rows(&lines, out),
+    }
+}
+
+impl Asked {
+    fn new(args: &CurveArgs, reader: &Reader) -> Result<Self, Failure> {
+        let mut given = Given::empty(reader.system);
+        let (mut grid, mut other) = (None, None);
+        for (parameter, text) in Given::<f64>::typed(&args.machine, &args.force) {
+            let name = parameter.option();
+            let values = Grid::with_units(name, text, reader, parameter.kind())?;
+            let is_axis = matches!(parameter, P::Omega | P::Frequency) && values.len() > 1;
+            if is_axis {
+                if let Some((first, _)) = grid.replace((parameter, values)) {
+                    let first: P = first;
+                    return Err(Failure::Input(format!(
+                        "{} and {name}: give one of the two as a grid",
+                        first.option()
+                    )));
+                }
+            } else if values.len() > 1 {
+                if values.len() > MOST_CURVES {
+                    return Err(Failure::Input(format!(
+                        "{name} {text}: {} curves, must be ≤ {MOST_CURVES}",
+                        values.len()
+                    )));
+                }
+                let texts = text.split(',').map(|part| part.trim().to_owned()).collect();
+                if let Some((first, ..)) = other.replace((parameter, values, texts)) {
+                    let first: P = first;
+                    return Err(Failure::Input(format!(
+                        "{} and {name}: only one of them may be a list",
+                        first.option()
+                    )));
+                }
+            } else {
+                given.set_typed(parameter, values.value(0), text);
+            }
+        }
+        let Some((axis, grid)) = grid else {
+            return Err(Failure::Input(
+                "--frequency (or --omega): give a grid, such as 0.3Hz:5Hz:200".to_owned(),
+            ));
+        };
+        if grid.len() > MOST_POINTS {
+            return Err(Failure::Input(format!(
+                "{}: {} frequencies, must be ≤ {MOST_POINTS}",
+                axis.option(),
+                grid.len()
+            )));
+        }
+        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system })
+    }
+
+    fn lines(&self) -> Result<Vec<Line>, Failure> {
+        let count = self.other.as_ref().map_or(1, |(_, values, _)| values.len());
+        (0..count)
+            .map(|i| {
+                let mut given = self.given.clone();
+                let name = match &self.other {
+                    Some((parameter, values, texts)) => {
+                        given.set(*parameter, values.value(i));
+                        let text = usize::try_from(i).ok().and_then(|i| texts.get(i)).cloned();
+                        format!("{} {}", parameter.symbol(), text.unwrap_or_else(|| digits(values.value(i))))
+                    }
+                    None => words(self.what).to_owned(),
+                };
+                self.line(name, &given)
+            })
+            .collect()
+    }
+
+    fn line(&self, name: String, given: &Given<f64>) -> Result<Line, Failure> {
+        let at = |place: u64| {
+            let mut given = given.clone();
+            given.set(self.axis, self.grid.value(place));
+            if interrupt::asked() {
+                return Err(Failure::Interrupted);
+            }
+            input::point(&given)
+        };
+        let first = at(0)?;
+        if self.what == Curve::Absolute && !first.machine.as_ref().is_some_and(|m| m.is_carried()) {
+            return Err(Failure::Input(
+                "response-curve absolute: needs --base-acceleration, --base-velocity or --base-displacement"
+                    .to_owned(),
+            ));
+        }
+        let natural = first.machine.as_ref().map_or(1.0, |m| m.oscillator.natural_frequency() / TAU);
+        let places = (0..self.grid.len()).into_par_iter().map(|place| {
+            let point = at(place)?;
+            let frequency = self.on_axis(&point);
+            let response = Response::new(point.ratios);
+            let margin = point.ratios.alpha() / response.border().min_force_ratio();
+            let (value, regime, sticks) = self.value(&point, &response)?;
+            Ok(Place { frequency, regime, sticks, margin, value })
+        });
+        Ok(Line {
+            name,
+            places: places.collect::<Result<_, Failure>>()?,
+            natural: self.natural(&first, natural),
+        })
+    }
+
+    /// The frequency in hertz of a machine, and Ω of ratios.
+    fn on_axis(&self, point: &Point<f64>) -> f64 {
+        point.machine.as_ref().map_or(point.ratios.omega(), |m| m.drive.angular_frequency() / TAU)
+    }
+
+    /// Where Ω = 1, if the axis has it.
+    fn natural(&self, first: &Point<f64>, natural: f64) -> f64 {
+        // A machine that is tuned to each frequency has no one natural frequency.
+        if first.machine.is_some() && self.axis == P::Omega { f64::NAN } else { natural }
+    }
+
+    /// The value at a point, in the machine's units or in those of p₀: `None` where it grows without bound.
+    fn value(
+        &self,
+        point: &Point<f64>,
+        response: &Response<f64>,
+    ) -> Result<(Option<f64>, &'static str, bool), Failure> {
+        let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
+        // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B ω_d², r_y and B.
+        let (peaks, regime, sticks) = match response.cycle() {
+            Some(c) => {
+                let of_cycle = match self.what {
+                    Curve::Displacement => c.max_displacement(),
+                    Curve::Velocity => c.max_velocity(),
+                    Curve::Acceleration => c.max_acceleration(),
+                    Curve::Force | Curve::Transmissibility => c.transmitted_force(),
+                    Curve::Absolute => c.max_absolute_displacement(),
+                };
+                (Some(of_cycle), "non-sticking", false)
+            }
+            None if response.regime() == Regime::Unbounded => (None, "unbounded", false),
+            None => {
+                let limit = LongRun::from_start(point.ratios, State::rest())
+                    .map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
+                match (limit.steady_state(), &limit) {
+                    (Some(s), _) => {
+                        let sticks = s.sticks_per_cycle() > 0;
+                        let peaks =
+                            s.peaks().map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
+                        let of_motion = match self.what {
+                            Curve::Displacement => s.max_displacement().abs().max(s.min_displacement().abs()),
+                            Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
+                            Curve::Acceleration => peaks.acceleration,
+                            Curve::Force | Curve::Transmissibility => peaks.transmitted_force,
+                            Curve::Absolute => peaks.absolute_displacement,
+                        };
+                        (Some(of_motion), if sticks { "sticking" } else { "non-sticking" }, sticks)
+                    }
+                    // At rest friction carries the whole force, and the body moves with its base.
+                    (None, LongRun::Rest(_)) => {
+                        let at_rest = match self.what {
+                            Curve::Displacement | Curve::Velocity | Curve::Acceleration => 0.0,
+                            Curve::Force | Curve::Transmissibility => alpha,
+                            Curve::Absolute => alpha / omega.powi(2),
+                        };
+                        (Some(at_rest), "stuck", true)
+                    }
+                    (None, _) => (None, "undecided", false),
+                }
+            }
+        };
+        let unit = match (&point.machine, self.what) {
+            (_, Curve::Transmissibility) => 1.0 / alpha,
+            (Some(m), Curve::Displacement | Curve::Absolute) => m.scales.length,
+            (Some(m), Curve::Velocity) => m.scales.velocity,
+            (Some(m), Curve::Acceleration) => m.scales.velocity / m.scales.time,
+            (Some(m), Curve::Force) => m.scales.force,
+            (None, Curve::Displacement | Curve::Absolute | Curve::Force) => 1.0 / alpha,
+            (None, Curve::Velocity) => omega / alpha,
+            (None, Curve::Acceleration) => omega.powi(2) / alpha,
+        };
+        Ok((peaks.map(|x| x * unit), regime, sticks))
+    }
+
+    fn is_machine(&self) -> bool {
+        self.axis.is_physical() || self.given.is_physical()
+    }
+
+    /// The name of the quantity with its unit, as an axis has it.
+    fn label(&self) -> String {
+        let kind = match self.what {
+            Curve::Displacement | Curve::Absolute => Kind::Length,
+            Curve::Velocity => Kind::Velocity,
+            Curve::Acceleration => Kind::Acceleration,
+            Curve::Force => Kind::Force,
+            Curve::Transmissibility => Kind::Ratio,
+        };
+        let name = words(self.what);
+        if self.what == Curve::Transmissibility {
+            return format!("{name} (1)");
+        }
+        if self.is_machine() {
+            return format!("{name} ({})", self.system.name(kind));
+        }
+        match self.what {
+            Curve::Displacement => "dynamic amplification k Δ₀/p₀".to_owned(),
+            Curve::Velocity => format!("{name}, in p₀/√(k m)"),
+            Curve::Acceleration => format!("{name}, in p₀/m"),
+            Curve::Force | Curve::Transmissibility | Curve::Absolute => format!("{name}, in p₀"),
+        }
+    }
+
+    fn rows(&self, lines: &[Line], out: &mut impl Write) -> Outcome {
+        let what = self.what.to_possible_value().map_or(String::new(), |v| v.get_name().to_owned());
+        let unit = self
+            .label()
+            .rsplit_once('(')
+            .map_or("p₀".to_owned(), |(_, u)| u.trim_end_matches(')').to_owned());
+        let axis = if self.is_machine() { "frequency[Hz]" } else { "omega[1]" };
+        let mut writer = csv::Writer::from_writer(out);
+        writer.write_record(["curve", axis, "regime", &format!("{what}[{unit}]"), "margin[1]"])?;
+        for line in lines {
+            for place in &line.places {
+                let value = place.value.map_or(String::new(), |x| x.to_string());
+                let (frequency, margin) = (place.frequency.to_string(), place.margin.to_string());
+                writer.write_record([&line.name, &frequency, place.regime, &value, &margin])?;
+            }
+        }
+        Ok(writer.flush()?)
+    }
+
+    fn figure(&self, lines: &[Line]) -> Result<Figure, Failure> {
+        let frequencies = || lines.iter().flat_map(|line| &line.places).map(|place| place.frequency);
+        let (left, right) =
+            (frequencies().fold(f64::INFINITY, f64::min), frequencies().fold(0.0f64, f64::max));
+        if left >= right {
+            return Err(Failure::Input(format!("{}: a picture needs two frequencies", self.axis.option())));
+        }
+        let logarithmic = matches!(self.grid, Grid::Even { logarithmic: true, .. });
+        let name = if self.is_machine() { "frequency (Hz)" } else { "frequency ratio Ω = ω_d/ω_n" };
+        let x =
+            if logarithmic { Axis::logarithmic(name, left, right) } else { Axis::linear(name, left, right) };
+        let (low, high, clipped) = self.range(lines);
+        let y = Axis::logarithmic(&self.label(), low, high);
+        let mut series = Vec::new();
+        let naturals: Vec<f64> = lines.iter().map(|line| line.natural).collect();
+        let one = naturals.windows(2).all(|pair| matches!(pair, [a, b] if (a / b - 1.0).abs() < 1e-9));
+        if let Some(&natural) = naturals.first().filter(|n| one && **n > left && **n < right) {
+            series.push(Series::new(
+                "natural frequency",
+                Style::Dotted,
+                0,
+                [(natural, low), (natural, high)],
+            ));
+        }
+        for (index, line) in lines.iter().enumerate() {
+            // Black is for what is the same in every picture: the border, the resonance.
+            let index = index + 1;
+            let part = |sticks: bool| {
+                let points = line.places.iter().enumerate().map(move |(i, place)| {
+                    // Both parts reach to the place where one ends, so that no gap is between them.
+                    let beside = line.places.get(i + 1).is_some_and(|next| next.sticks == sticks);
+                    let shown = place.sticks == sticks || (sticks && beside);
+                    let value = place.value.filter(|v| shown && *v >= low).unwrap_or(f64::NAN);
+                    (place.frequency, value)
+                });
+                points.collect::<Vec<_>>()
+            };
+            series.push(Series::new(line.name.clone(), Style::Line, index, part(false)));
+            series.push(Series::new("", Style::Dashed, index, part(true)));
+        }
+        let border = lines.iter().flat_map(|line| line.border(low, high)).collect::<Vec<_>>();
+        if lines.iter().any(|line| line.places.iter().any(|place| place.sticks)) {
+            series.push(Series::new("with stops (exact)", Style::Dashed, 0, []));
+        }
+        if !border.is_empty() {
+            series.push(Series::new("border of sticking", Style::Marks, 0, border));
+        }
+        let mut title = format!("{} over the frequency", capital(words(self.what)));
+        if clipped {
+            title.push_str(&format!(", cut off at {}", digits(high)));
+        }
+        Ok(Figure {
+            name: "response-curve".to_owned(),
+            title,
+            caption: String::new(),
+            panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
+        })
+    }
+
+    /// The ends of the upward axis, and whether a pole is cut off.
+    fn range(&self, lines: &[Line]) -> (f64, f64, bool) {
+        let mut values: Vec<f64> = lines
+            .iter()
+            .flat_map(|line| &line.places)
+            .filter_map(|place| place.value.filter(|v| *v > 0.0))
+            .collect();
+        values.sort_by(f64::total_cmp);
+        let most = values.last().copied().unwrap_or(1.0);
+        // What exceeds nine tenths of all points a hundredfold is a pole.
+        let usual = values.get(values.len() * 9 / 10).copied().unwrap_or(most);
+        let unbounded = lines.iter().flat_map(|line| &line.places).any(|place| place.regime == "unbounded");
+        let high = if most > 100.0 * usual { 100.0 * usual } else { most };
+        let least = values.iter().copied().find(|v| *v > high / DECADES).unwrap_or(high / 10.0);
+        let (low, top) = (least / 1.25, high * 1.25);
+        (low.min(top / 10.0), top, unbounded || most > high)
+    }
+}
+
+impl Line {
+    /// Where the curve crosses the border: between two frequencies on either side of it.
+    fn border(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
+        let crossing = |pair: &[Place]| match pair {
+            [a, b] if (a.margin >= 1.0) != (b.margin >= 1.0) => {
+                let share = (1.0 - a.margin) / (b.margin - a.margin);
+                let value = a.value? + (b.value? - a.value?) * share;
+                let inside = value >= low && value <= high;
+                inside.then_some((a.frequency + (b.frequency - a.frequency) * share, value))
+            }
+            _ => None,
+        };
+        self.places.windows(2).filter_map(crossing).collect()
+    }
+}
+
+const fn words(what: Curve) -> &'static str {
+    match what {
+        Curve::Displacement => "maximum displacement",
+        Curve::Velocity => "maximum velocity",
+        Curve::Acceleration => "maximum acceleration",
+        Curve::Force => "transmitted force",
+        Curve::Transmissibility => "transmissibility",
+        Curve::Absolute => "maximum absolute displacement",
+    }
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}

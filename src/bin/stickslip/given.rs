@@ -1,0 +1,308 @@
+//! What is given of a machine and its drive: by arguments, by the columns of a file, by grids.
+
+use crate::args::{ForceArgs, MachineArgs};
+use crate::bits::Value;
+use crate::failure::Failure;
+use crate::units::{Kind, Reader, System};
+use stickslip::{Error, Quantity};
+
+/// One quantity that can be given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parameter {
+    Omega,
+    Mass,
+    Stiffness,
+    Period,
+    Friction,
+    FrictionCoefficient,
+    Gravity,
+    Frequency,
+    Alpha,
+    Force,
+    BaseAcceleration,
+    BaseVelocity,
+    BaseDisplacement,
+    FootDisplacement,
+}
+
+use Parameter as P;
+
+impl Parameter {
+    pub(crate) const ALL: [Self; 14] = [
+        P::Omega,
+        P::Mass,
+        P::Stiffness,
+        P::Period,
+        P::Friction,
+        P::FrictionCoefficient,
+        P::Gravity,
+        P::Frequency,
+        P::Alpha,
+        P::Force,
+        P::BaseAcceleration,
+        P::BaseVelocity,
+        P::BaseDisplacement,
+        P::FootDisplacement,
+    ];
+
+    /// The argument, and as a column without its dashes.
+    pub(crate) const fn option(self) -> &'static str {
+        match self {
+            P::Omega => "--omega",
+            P::Mass => "--mass",
+            P::Stiffness => "--stiffness",
+            P::Period => "--period",
+            P::Friction => "--friction",
+            P::FrictionCoefficient => "--friction-coefficient",
+            P::Gravity => "--gravity",
+            P::Frequency => "--frequency",
+            P::Alpha => "--alpha",
+            P::Force => "--force",
+            P::BaseAcceleration => "--base-acceleration",
+            P::BaseVelocity => "--base-velocity",
+            P::BaseDisplacement => "--base-displacement",
+            P::FootDisplacement => "--foot-displacement",
+        }
+    }
+
+    /// The name of its column in a file of points.
+    pub(crate) fn column(self) -> String {
+        self.option().trim_start_matches('-').replace('-', "_")
+    }
+
+    /// Whether it is of a machine in physical units.
+    pub(crate) const fn is_physical(self) -> bool {
+        !matches!(self, P::Omega | P::Alpha)
+    }
+
+    /// What it is called where it is checked here and not by the library.
+    pub(crate) const fn symbol(self) -> &'static str {
+        match self {
+            P::Omega => "frequency ratio Ω",
+            P::Mass => "mass m",
+            P::Stiffness => "stiffness k",
+            P::Period => "natural period T",
+            P::Friction => "friction bound r_y",
+            P::FrictionCoefficient => "coefficient of friction µ",
+            P::Gravity => "gravity g",
+            P::Frequency => "angular frequency ω_d",
+            P::Alpha => "force ratio α",
+            P::Force => "force amplitude p₀",
+            P::BaseAcceleration => "base acceleration amplitude",
+            P::BaseVelocity => "base velocity amplitude",
+            P::BaseDisplacement => "base amplitude",
+            P::FootDisplacement => "amplitude of the foot",
+        }
+    }
+
+    pub(crate) const fn kind(self) -> Kind {
+        match self {
+            P::Omega | P::Alpha | P::FrictionCoefficient => Kind::Ratio,
+            P::Mass => Kind::Mass,
+            P::Stiffness => Kind::Stiffness,
+            P::Period => Kind::Time,
+            P::Friction | P::Force => Kind::Force,
+            P::Gravity | P::BaseAcceleration => Kind::Acceleration,
+            P::Frequency => Kind::Frequency,
+            P::BaseVelocity => Kind::Velocity,
+            P::BaseDisplacement | P::FootDisplacement => Kind::Length,
+        }
+    }
+
+    /// The quantities of the library that it decides.
+    const fn quantities(self) -> &'static [Quantity] {
+        use Quantity as Q;
+        match self {
+            P::Omega => &[Q::FrequencyRatio, Q::Stiffness],
+            P::Mass => &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness],
+            P::Stiffness | P::Period => &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement],
+            P::Friction | P::FrictionCoefficient => {
+                &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]
+            }
+            P::Gravity => &[Q::FrictionBound],
+            P::Frequency => {
+                &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness]
+            }
+            P::Alpha => &[Q::ForceRatio, Q::ForceAmplitude],
+            P::Force => &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
+            P::BaseAcceleration | P::BaseVelocity | P::BaseDisplacement | P::FootDisplacement => &[
+                Q::BaseAmplitude,
+                Q::BaseVelocity,
+                Q::BaseAcceleration,
+                Q::ForceAmplitude,
+                Q::ForceRatio,
+                Q::StaticEnergy,
+                Q::PseudoStaticEnergy,
+            ],
+        }
+    }
+
+    /// What the border of sticking depends on.
+    pub(crate) const BORDER: [Self; 8] = [
+        P::Omega,
+        P::Mass,
+        P::Stiffness,
+        P::Period,
+        P::Friction,
+        P::FrictionCoefficient,
+        P::Gravity,
+        P::Frequency,
+    ];
+
+    /// What a machine and its drive take: one of each of these.
+    pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
+        &[P::Mass],
+        &[P::Stiffness, P::Period, P::Omega],
+        &[P::Friction, P::FrictionCoefficient],
+        &[P::Frequency],
+        &Self::DRIVES,
+    ];
+
+    /// What shakes the body: exactly one of these is given.
+    pub(crate) const DRIVES: [Self; 6] =
+        [P::Force, P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement, P::FootDisplacement, P::Alpha];
+}
+
+/// The quantities that are given, in one system of units, with the text of those that were typed.
+#[derive(Debug, Clone)]
+pub(crate) struct Given<F> {
+    pub(crate) system: System,
+    values: Vec<(Parameter, F, Option<String>)>,
+}
+
+impl<F: Value> Given<F> {
+    pub(crate) fn of(machine: &MachineArgs, force: &ForceArgs, reader: &Reader) -> Result<Self, Failure> {
+        let mut given = Self { system: reader.system, values: Vec::new() };
+        for parameter in Parameter::ALL {
+            if let Some(text) = typed(machine, force, parameter) {
+                let value = reader.value(parameter.option(), text, parameter.kind())?;
+                given.values.push((parameter, value, Some(format!("{} {text}", parameter.option()))));
+            }
+        }
+        Ok(given)
+    }
+
+    pub(crate) const fn empty(system: System) -> Self {
+        Self { system, values: Vec::new() }
+    }
+
+    /// What was typed, in order.
+    pub(crate) fn typed<'a>(
+        machine: &'a MachineArgs,
+        force: &'a ForceArgs,
+    ) -> impl Iterator<Item = (Parameter, &'a str)> {
+        Parameter::ALL.into_iter().filter_map(move |p| Some((p, typed(machine, force, p)?.as_str())))
+    }
+
+    /// Gives a value that was typed.
+    pub(crate) fn set_typed(&mut self, parameter: Parameter, value: F, text: &str) {
+        self.set(parameter, value);
+        if let Some((.., typed)) = self.values.iter_mut().find(|(p, ..)| *p == parameter) {
+            *typed = Some(format!("{} {text}", parameter.option()));
+        }
+    }
+
+    pub(crate) fn get(&self, parameter: Parameter) -> Option<F> {
+        self.values.iter().find(|(p, ..)| *p == parameter).map(|(_, value, _)| *value)
+    }
+
+    /// Gives a value that was not typed: of a row, or of a place in a grid.
+    pub(crate) fn set(&mut self, parameter: Parameter, value: F) {
+        match self.values.iter_mut().find(|(p, ..)| *p == parameter) {
+            Some((_, old, text)) => (*old, *text) = (value, None),
+            None => self.values.push((parameter, value, None)),
+        }
+    }
+
+    pub(crate) fn has(&self, parameter: Parameter) -> bool {
+        self.get(parameter).is_some()
+    }
+
+    /// The value, or a complaint that it is missing.
+    pub(crate) fn required(&self, parameter: Parameter) -> Result<F, Failure> {
+        self.get(parameter).ok_or_else(|| Failure::Input(format!("{} is missing", parameter.option())))
+    }
+
+    /// Whether it is of a machine in physical units, and not of ratios alone.
+    pub(crate) fn is_physical(&self) -> bool {
+        self.values.iter().any(|(p, ..)| p.is_physical())
+    }
+
+    /// The one that is given of several that say the same, if any.
+    pub(crate) fn one_of(&self, several: &[Parameter]) -> Result<Option<(Parameter, F)>, Failure> {
+        let mut found = several.iter().filter_map(|&p| Some((p, self.get(p)?)));
+        match (found.next(), found.next()) {
+            (Some((first, _)), Some((second, _))) => Err(Failure::Input(format!(
+                "{} and {}: give one of the two, the other follows",
+                first.option(),
+                second.option()
+            ))),
+            (first, _) => Ok(first),
+        }
+    }
+
+    /// A value that the library sees in a product only, where its sign would be lost.
+    pub(crate) fn positive(&self, parameter: Parameter, value: F) -> Result<F, Failure> {
+        let broken = if value.is_finite() { "> 0" } else { "finite" };
+        if value > F::int(0) && value.is_finite() {
+            return Ok(value);
+        }
+        let (name, symbol) = (self.label(parameter), parameter.symbol());
+        Err(Failure::Input(format!("{name}: {symbol} = {value} must be {broken}")))
+    }
+
+    /// The argument as it was typed.
+    fn label(&self, parameter: Parameter) -> String {
+        let found = self.values.iter().find(|(p, ..)| *p == parameter);
+        found.and_then(|(.., text)| text.clone()).unwrap_or_else(|| parameter.option().to_owned())
+    }
+
+    /// All that was typed: what an answer beyond the largest number in these units comes from.
+    pub(crate) fn all_typed(&self) -> String {
+        self.values.iter().filter_map(|(.., text)| text.as_deref()).collect::<Vec<_>>().join(" ")
+    }
+
+    /// The failure behind all that was typed, if anything was.
+    pub(crate) fn behind_all(&self, failure: Failure) -> Failure {
+        match self.all_typed() {
+            arguments if arguments.is_empty() => failure,
+            arguments => failure.about(&arguments),
+        }
+    }
+
+    /// The library's error behind the argument, or arguments, that it comes from.
+    pub(crate) fn at_fault(&self, error: Error) -> Failure {
+        let quantity = error.quantity();
+        let blamed = |p: &Parameter| quantity.is_some_and(|q| p.quantities().contains(&q));
+        let typed = |is_its_own: bool| {
+            let some = self.values.iter().filter(move |(p, ..)| !is_its_own || blamed(p));
+            some.filter_map(|(_, _, text)| text.as_deref()).collect::<Vec<_>>().join(" ")
+        };
+        // Where none decides on it alone, all do.
+        match if typed(true).is_empty() { typed(false) } else { typed(true) } {
+            // The values of a file or a grid, which the caller names.
+            arguments if arguments.is_empty() => Failure::Input(error.to_string()),
+            arguments => Failure::Input(format!("{arguments}: {error}")),
+        }
+    }
+}
+
+fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Parameter) -> Option<&'a String> {
+    match parameter {
+        P::Omega => &machine.omega,
+        P::Mass => &machine.mass,
+        P::Stiffness => &machine.stiffness,
+        P::Period => &machine.period,
+        P::Friction => &machine.friction,
+        P::FrictionCoefficient => &machine.friction_coefficient,
+        P::Gravity => &machine.gravity,
+        P::Frequency => &machine.frequency,
+        P::Alpha => &force.alpha,
+        P::Force => &force.force,
+        P::BaseAcceleration => &force.base_acceleration,
+        P::BaseVelocity => &force.base_velocity,
+        P::BaseDisplacement => &force.base_displacement,
+        P::FootDisplacement => &force.foot_displacement,
+    }
+    .as_ref()
+}

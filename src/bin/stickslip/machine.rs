@@ -1,0 +1,117 @@
+//! From what is given to the library's oscillator, drive and ratios.
+
+use crate::bits::Value;
+use crate::failure::Failure;
+use crate::given::{Given, Parameter as P};
+use crate::units::System;
+use stickslip::{Drive, Excitation, Oscillator, Scales};
+
+/// A machine in physical units and the scale of its answers.
+pub(crate) struct Machine<F> {
+    pub(crate) oscillator: Oscillator<F>,
+    pub(crate) drive: Drive<F>,
+    pub(crate) scales: Scales<F>,
+    pub(crate) system: System,
+}
+
+impl<F: Value> Machine<F> {
+    /// Whether the base carries the surface, so that x is relative to it.
+    pub(crate) fn is_carried(&self) -> bool {
+        !matches!(
+            self.drive.excitation(),
+            Excitation::Force | Excitation::FootMotion | Excitation::DampedFootMotion
+        )
+    }
+}
+
+/// Which kind of base motion it is, and what x then is; nothing for a force.
+pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> {
+    match excitation {
+        Excitation::Force => None,
+        Excitation::FootMotion | Excitation::DampedFootMotion => {
+            Some("of the spring's foot over a surface that stays: p₀ = k u₀, x over the surface")
+        }
+        // The library may come to know more kinds of a base that carries the surface.
+        Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
+            Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
+        }
+    }
+}
+
+impl<F: Value> Given<F> {
+    pub(crate) fn mass(&self) -> Result<F, Failure> {
+        self.required(P::Mass)
+    }
+
+    /// k, by itself or by the natural period; `None` where neither is given.
+    pub(crate) fn stiffness(&self) -> Result<Option<F>, Failure> {
+        Ok(match self.one_of(&[P::Stiffness, P::Period])? {
+            Some((P::Period, period)) => {
+                let natural = F::int(2) * F::pi() / self.positive(P::Period, period)?;
+                Some(self.mass()? * natural.square())
+            }
+            Some((_, stiffness)) => Some(stiffness),
+            None => None,
+        })
+    }
+
+    /// r_y, by itself or as µ m g; `None` where neither is given.
+    pub(crate) fn friction(&self) -> Result<Option<F>, Failure> {
+        let found = self.one_of(&[P::Friction, P::FrictionCoefficient])?;
+        if let Some((P::FrictionCoefficient, coefficient)) = found {
+            let weight = self.mass()? * self.gravity()?;
+            return Ok(Some(self.positive(P::FrictionCoefficient, coefficient)? * weight));
+        }
+        if self.has(P::Gravity) {
+            return Err(Failure::Input(
+                "--gravity: counts with --friction-coefficient only; leave it out".to_owned(),
+            ));
+        }
+        Ok(found.map(|(_, friction)| friction))
+    }
+
+    pub(crate) fn gravity(&self) -> Result<F, Failure> {
+        self.get(P::Gravity).map_or_else(|| Ok(self.system.gravity()), |g| self.positive(P::Gravity, g))
+    }
+
+    /// The body, whose stiffness may follow from Ω and the frequency of the drive.
+    pub(crate) fn oscillator(&self) -> Result<Oscillator<F>, Failure> {
+        let mass = self.mass()?;
+        let missing = |names: &str| Failure::Input(format!("{names} is missing"));
+        let friction = self.friction()?.ok_or_else(|| missing("--friction (or --friction-coefficient)"))?;
+        match self.one_of(&[P::Omega, P::Stiffness, P::Period])? {
+            Some((P::Omega, omega)) => Oscillator::tuned(mass, friction, self.required(P::Frequency)?, omega),
+            Some(_) => {
+                let stiffness = self.stiffness()?.unwrap_or(F::int(0));
+                Oscillator::new(mass, stiffness, friction)
+            }
+            None => return Err(missing("--stiffness (or --period, or --omega)")),
+        }
+        .map_err(|e| self.at_fault(e))
+    }
+
+    /// What shakes the body, and its amplitude.
+    pub(crate) fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
+        let Some((parameter, amplitude)) = self.one_of(&P::DRIVES)? else {
+            return Err(Failure::Input(
+                "--force (or --base-acceleration, --base-velocity, --base-displacement, --foot-displacement, \
+                 --alpha) is missing"
+                    .to_owned(),
+            ));
+        };
+        let excitation = if parameter == P::FootDisplacement {
+            Excitation::FootMotion
+        } else if parameter == P::BaseAcceleration {
+            Excitation::SurfaceAcceleration
+        } else if parameter == P::BaseVelocity {
+            Excitation::SurfaceVelocity
+        } else if parameter == P::BaseDisplacement {
+            Excitation::SurfaceMotion
+        } else if parameter == P::Force {
+            Excitation::Force
+        } else {
+            return Drive::with_force_ratio(body, amplitude, frequency).map_err(|e| self.at_fault(e));
+        };
+        Drive::new(excitation, amplitude, frequency).map_err(|e| self.at_fault(e))
+    }
+}

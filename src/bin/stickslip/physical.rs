@@ -1,0 +1,126 @@
+//! The answer in the machine's units: names that say what each value then is, and its unit.
+
+use crate::bits::Value;
+use crate::input::BorderScales;
+use crate::machine::Machine;
+use crate::record::Cell;
+use crate::units::{Kind, System};
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use stickslip::Excitation;
+
+/// Values with their units.
+#[derive(Debug, Clone)]
+pub(crate) struct Physical<F> {
+    system: System,
+    /// What shakes the body.
+    drive: Option<&'static str>,
+    pub(crate) values: Vec<(&'static str, Kind, Cell<F>)>,
+}
+
+impl<F> Default for Physical<F> {
+    fn default() -> Self {
+        Self { system: System::default(), drive: None, values: Vec::new() }
+    }
+}
+
+impl<F: Value> Physical<F> {
+    /// In a system of units, without values.
+    pub(crate) const fn of(system: System) -> Self {
+        Self { system, drive: None, values: Vec::new() }
+    }
+
+    /// The machine and its drive: what was given and what follows from it.
+    pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
+        let Machine { oscillator, drive, scales, system } = machine;
+        let p0 = drive.force_amplitude(oscillator);
+        let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(*system) };
+        let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
+        add("angular_frequency", Kind::Frequency, drive.angular_frequency());
+        add("natural_frequency", Kind::Frequency, oscillator.natural_frequency());
+        add("mass", Kind::Mass, oscillator.mass());
+        add("stiffness", Kind::Stiffness, oscillator.stiffness());
+        add("friction", Kind::Force, oscillator.friction_bound());
+        add("force_amplitude", Kind::Force, p0);
+        match drive.excitation() {
+            Excitation::Force => {}
+            Excitation::FootMotion | Excitation::DampedFootMotion => {
+                add("foot_displacement", Kind::Length, drive.amplitude());
+            }
+            // The library may come to know more kinds of a base that carries the surface.
+            Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
+                let acceleration = p0 / oscillator.mass();
+                add("base_displacement", Kind::Length, acceleration * scales.time.square());
+                add("base_velocity", Kind::Velocity, acceleration * scales.time);
+                add("base_acceleration", Kind::Acceleration, acceleration);
+            }
+        }
+        add("friction_displacement", Kind::Length, scales.length);
+        physical
+    }
+
+    /// The frequency and the force scale of a border.
+    pub(crate) fn of_border(scales: &BorderScales<F>) -> Self {
+        let mut physical = Self::of(scales.system);
+        let frequency = Cell::Number(Some(scales.frequency));
+        physical.values.push(("angular_frequency", Kind::Frequency, frequency));
+        physical
+    }
+
+    /// With each number of `fields` that has a name, a kind and a scale here.
+    pub(crate) fn with(
+        mut self,
+        fields: &[(&'static str, Cell<F>)],
+        scale: impl Fn(&str) -> Option<(&'static str, Kind, F)>,
+    ) -> Self {
+        for &(field, cell) in fields {
+            let Some((name, kind, unit)) = scale(field) else { continue };
+            let scaled = match cell {
+                Cell::Number(value) => Cell::Number(value.map(|v| v * unit)),
+                Cell::Intervals(intervals) => {
+                    let scaled = |(low, high): (F, Option<F>)| (low * unit, high.map(|x| x * unit));
+                    Cell::Intervals(intervals.map(|interval| interval.map(scaled)))
+                }
+                Cell::Text(_) | Cell::Count(_) | Cell::Flag(_) | Cell::Pairs(_) => continue,
+            };
+            self.values.push((name, kind, scaled));
+        }
+        self
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.values.is_empty()
+    }
+
+    /// Each name with its unit in brackets, as a column of a table has it.
+    pub(crate) fn names(&self) -> impl Iterator<Item = String> + '_ {
+        self.values.iter().flat_map(|(name, kind, cell)| {
+            let unit = self.system.name(*kind);
+            cell.part_names(name).into_iter().map(move |name| format!("{name}[{unit}]"))
+        })
+    }
+}
+
+impl<F: Value> Serialize for Physical<F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        if let Some(drive) = self.drive {
+            map.serialize_entry("drive", drive)?;
+        }
+        for (name, _, cell) in &self.values {
+            map.serialize_entry(name, cell)?;
+        }
+        map.serialize_entry("units", &Units(self))?;
+        map.end()
+    }
+}
+
+/// The unit of each value under the value's name.
+struct Units<'a, F>(&'a Physical<F>);
+
+impl<F: Value> Serialize for Units<'_, F> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self(physical) = self;
+        serializer
+            .collect_map(physical.values.iter().map(|(name, kind, _)| (name, physical.system.name(*kind))))
+    }
+}

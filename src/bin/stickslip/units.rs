@@ -1,0 +1,243 @@
+//! Values with units, such as `800kg`, `2Hz` or `12 kN/mm`.
+//!
+//! Every unit is a ratio of two whole numbers times a power of π, in SI base units with the radian. So the conversion adds
+//! a rounding or two at any `--bits`. The crate `uom` was tried for this: its factors are f64 constants, which would cut a
+//! number of 1024 bits to 53, and its hertz and its rad/s do not differ by 2π.
+
+mod factor;
+mod kind;
+mod system;
+mod table;
+
+pub(crate) use kind::Kind;
+pub(crate) use system::System;
+
+use crate::bits::Value;
+use crate::failure::Failure;
+pub(crate) use factor::Factor;
+use std::cell::RefCell;
+use table::Unit;
+
+/// Reads values in one system of units, into which those with units are converted.
+///
+/// Bare numbers are in that system. Where it was not named, bare numbers do not mix with units: nobody could tell their system.
+/// A bare frequency is in rad/s in any system.
+pub(crate) struct Reader {
+    pub(crate) system: System,
+    named: bool,
+    first_bare: RefCell<Option<String>>,
+    first_with_unit: RefCell<Option<String>>,
+}
+
+impl Reader {
+    /// A reader in the system of `--units`, or in SI.
+    pub(crate) fn new(named: Option<&System>) -> Self {
+        Self {
+            system: named.copied().unwrap_or_default(),
+            named: named.is_some(),
+            first_bare: RefCell::new(None),
+            first_with_unit: RefCell::new(None),
+        }
+    }
+
+    /// The value of the argument or column `name`, in the reader's system.
+    pub(crate) fn value<F: Value>(&self, name: &str, text: &str, kind: Kind) -> Result<F, Failure> {
+        let (digits, unit) = split(text);
+        let number = |part: &str| {
+            part.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
+        };
+        if unit.is_empty() || digits.is_empty() {
+            let value = number(text)?;
+            self.seen(name, text, kind, false)?;
+            return Ok(value);
+        }
+        let factor = self.factor(name, text, unit, kind)?;
+        let value = number(digits)?;
+        self.seen(name, text, kind, true)?;
+        Ok(factor.times(value))
+    }
+
+    /// The values of a column in a unit of its header, such as `frequency[Hz]`.
+    pub(crate) fn factor_of_column(&self, name: &str, unit: &str, kind: Kind) -> Result<Factor, Failure> {
+        let factor = self.factor(name, &format!("[{unit}]"), unit, kind)?;
+        self.seen(name, &format!("[{unit}]"), kind, true)?;
+        Ok(factor)
+    }
+
+    /// Whether a text has a unit behind its number.
+    pub(crate) fn has_unit(text: &str) -> bool {
+        let (digits, unit) = split(text);
+        !digits.is_empty() && !unit.is_empty()
+    }
+
+    /// Whether a value had a unit.
+    pub(crate) fn has_converted(&self) -> bool {
+        self.first_with_unit.borrow().is_some()
+    }
+
+    fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, Failure> {
+        let read = table::parse(unit);
+        let found = read.iter().find(|read| read.dimension == kind.dimension());
+        match (found, read.first()) {
+            (Some(unit), _) => Ok(unit.factor.over(self.system.factor(unit.dimension))),
+            (None, None) => Err(Failure::Input(format!(
+                "{name} {text}: “{unit}” is not a known unit; expected {}",
+                kind.expected()
+            ))),
+            (None, Some(Unit { dimension, .. })) => {
+                let is = Kind::of(*dimension)
+                    .map_or(String::new(), |kind| format!("is a unit of {}; ", kind.name()));
+                Err(Failure::Input(format!("{name} {text}: “{unit}” {is}expected {}", kind.expected())))
+            }
+        }
+    }
+
+    fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), Failure> {
+        if kind.is_dimensionless() || (kind == Kind::Frequency && !with_unit) {
+            return Ok(());
+        }
+        let (own, other) = if with_unit {
+            (&self.first_with_unit, &self.first_bare)
+        } else {
+            (&self.first_bare, &self.first_with_unit)
+        };
+        own.borrow_mut().get_or_insert_with(|| format!("{name} {text}"));
+        if self.named || other.borrow().is_none() {
+            return Ok(());
+        }
+        let words = |cell: &RefCell<Option<String>>| cell.borrow().clone().unwrap_or_default();
+        Err(Failure::Input(format!(
+            "{}: has no unit beside {}; give every value a unit, or name the system of bare numbers, as by --units kN,m",
+            words(&self.first_bare),
+            words(&self.first_with_unit)
+        )))
+    }
+}
+
+/// The number at the beginning of a text, and what follows it.
+fn split(text: &str) -> (&str, &str) {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let digit = |i: usize| bytes.get(i).is_some_and(u8::is_ascii_digit);
+    let sign = |i: usize| usize::from(matches!(bytes.get(i), Some(b'+' | b'-')));
+    let mut end = sign(0);
+    while digit(end) || bytes.get(end) == Some(&b'.') {
+        end += 1;
+    }
+    if end > sign(0) && matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let first = end + 1 + sign(end + 1);
+        if digit(first) {
+            end = (first..).find(|&i| !digit(i)).unwrap_or(first);
+        }
+    }
+    if end == sign(0) {
+        return ("", text);
+    }
+    let (digits, unit) = text.split_at(end);
+    (digits, unit.trim())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, Reader, System, split};
+
+    fn si(text: &str, kind: Kind) -> Result<f64, String> {
+        Reader::new(None).value("--x", text, kind).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn a_number_ends_where_its_unit_begins() {
+        for (text, parts) in [
+            ("800kg", ("800", "kg")),
+            ("-2.5e-3 mm", ("-2.5e-3", "mm")),
+            ("1e3e", ("1e3", "e")),
+            ("2.2", ("2.2", "")),
+            (".15g", (".15", "g")),
+            ("nan", ("", "nan")),
+            ("3E+2lbf/in", ("3E+2", "lbf/in")),
+        ] {
+            assert_eq!(split(text), parts, "{text}");
+        }
+    }
+
+    /// Literal values of the definitions: the international pound and inch, standard gravity.
+    #[test]
+    fn units_are_what_they_are_defined_to_be() {
+        use std::f64::consts::{PI, TAU};
+        for (text, kind, value) in [
+            ("800kg", Kind::Mass, 800.0),
+            ("2t", Kind::Mass, 2000.0),
+            ("3g", Kind::Mass, 0.003),
+            ("1lb", Kind::Mass, 0.453_592_37),
+            ("12kN", Kind::Force, 12e3),
+            ("1lbf", Kind::Force, 4.448_221_615_260_5),
+            ("1 kip", Kind::Force, 4_448.221_615_260_5),
+            ("5mm", Kind::Length, 0.005),
+            ("1in", Kind::Length, 0.0254),
+            ("1ft", Kind::Length, 0.3048),
+            ("7µm", Kind::Length, 7e-6),
+            ("2Hz", Kind::Frequency, 2.0 * TAU),
+            ("60rpm", Kind::Frequency, TAU),
+            ("3rad/s", Kind::Frequency, 3.0),
+            ("180deg/s", Kind::Frequency, PI),
+            ("0.15g", Kind::Acceleration, 1.470_997_5),
+            ("2m/s^2", Kind::Acceleration, 2.0),
+            ("2 mm/s²", Kind::Acceleration, 0.002),
+            ("4in/s2", Kind::Acceleration, 0.1016),
+            ("3kN/mm", Kind::Stiffness, 3e6),
+            ("1 lbf/in", Kind::Stiffness, 175.126_835_246_476_7),
+            ("2.2s", Kind::Time, 2.2),
+            ("250ms", Kind::Time, 0.25),
+            ("90°", Kind::Angle, PI / 2.0),
+            ("5%", Kind::Ratio, 0.05),
+            ("7J", Kind::Energy, 7.0),
+            ("2N*s/m", Kind::Damping, 2.0),
+        ] {
+            let found = si(text, kind).unwrap();
+            assert!((found - value).abs() <= 4.0 * f64::EPSILON * value, "{text}: {found} for {value}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_unit_says_what_was_expected() {
+        for (text, kind, parts) in [
+            ("800N", Kind::Mass, ["“N” is a unit of force", "expected a mass (kg, g, t, lb)"]),
+            ("2s", Kind::Frequency, ["“s” is a unit of time", "expected a frequency (Hz, rad/s, rpm)"]),
+            ("2Hz", Kind::Ratio, ["“Hz” is a unit of frequency", "expected a plain number"]),
+            ("3furlong", Kind::Length, ["“furlong” is not a known unit", "expected a length (m, mm, in)"]),
+            ("3m/", Kind::Length, ["“m/” is not a known unit", "expected a length"]),
+            ("1 5", Kind::Mass, ["“5” is not a known unit", "expected a mass"]),
+        ] {
+            let error = si(text, kind).unwrap_err();
+            assert!(parts.iter().all(|part| error.contains(part)), "{error}");
+        }
+    }
+
+    #[test]
+    fn bare_numbers_are_in_the_named_system_and_do_not_mix_without_one() {
+        let reader = Reader::new(None);
+        assert_eq!(reader.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 800.0);
+        assert_eq!(reader.value::<f64>("--frequency", "2", Kind::Frequency).unwrap(), 2.0);
+        assert_eq!(reader.value::<f64>("--omega", "2", Kind::Ratio).unwrap(), 2.0);
+        let error = reader.value::<f64>("--force", "12", Kind::Force).unwrap_err().to_string();
+        assert!(error.starts_with("--force 12: has no unit beside --mass 800kg"), "{error}");
+        let named = Reader::new(Some(&System::parse("kN,mm").unwrap()));
+        assert_eq!(named.value::<f64>("--force", "12", Kind::Force).unwrap(), 12.0);
+        assert_eq!(named.value::<f64>("--force", "12N", Kind::Force).unwrap(), 0.012);
+        assert_eq!(named.value::<f64>("--stiffness", "3kN/mm", Kind::Stiffness).unwrap(), 3.0);
+        // 1 kN s²/mm = 10⁶ kg
+        assert_eq!(named.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 8e-4);
+    }
+
+    #[cfg(feature = "mp")]
+    #[test]
+    fn a_unit_costs_no_digits_of_a_wide_number() {
+        use stickslip::Float;
+        type Wide = stickslip::float::mp::Mp<4>;
+        let read = |text: &str, kind| Reader::new(None).value::<Wide>("--x", text, kind).unwrap();
+        let (g, pound) = (read("0.15g", Kind::Acceleration), read("3lb", Kind::Mass));
+        let close = |a: Wide, b: Wide| ((a - b) / b).to_f64().abs() < 1e-75;
+        assert!(close(g, "1.4709975".parse().unwrap()), "{g}");
+        assert!(close(pound, "1.36077711".parse().unwrap()), "{pound}");
+    }
+}

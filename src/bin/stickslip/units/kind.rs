@@ -1,0 +1,99 @@
+//! What a value is: its dimension, and the units a user would know it by.
+
+/// Exponents of mass, length, time and angle.
+pub(crate) type Dimension = [i8; 4];
+
+/// The kind of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Ratio,
+    Mass,
+    Length,
+    Time,
+    Angle,
+    Frequency,
+    Velocity,
+    Acceleration,
+    Force,
+    Stiffness,
+    Damping,
+    Energy,
+}
+
+impl Kind {
+    const ALL: [Self; 12] = [
+        Self::Ratio,
+        Self::Mass,
+        Self::Length,
+        Self::Time,
+        Self::Angle,
+        Self::Frequency,
+        Self::Velocity,
+        Self::Acceleration,
+        Self::Force,
+        Self::Stiffness,
+        Self::Damping,
+        Self::Energy,
+    ];
+
+    pub(super) const fn dimension(self) -> Dimension {
+        match self {
+            Self::Ratio => [0, 0, 0, 0],
+            Self::Mass => [1, 0, 0, 0],
+            Self::Length => [0, 1, 0, 0],
+            Self::Time => [0, 0, 1, 0],
+            Self::Angle => [0, 0, 0, 1],
+            Self::Frequency => [0, 0, -1, 1],
+            Self::Velocity => [0, 1, -1, 0],
+            Self::Acceleration => [0, 1, -2, 0],
+            Self::Force => [1, 1, -2, 0],
+            Self::Stiffness => [1, 0, -2, 0],
+            Self::Damping => [1, 0, -1, 0],
+            Self::Energy => [1, 2, -2, 0],
+        }
+    }
+
+    /// The kind of a dimension, where it is one that is asked for.
+    pub(super) fn of(dimension: Dimension) -> Option<Self> {
+        Self::ALL.into_iter().find(|kind| kind.dimension() == dimension)
+    }
+
+    pub(crate) const fn is_dimensionless(self) -> bool {
+        matches!(self, Self::Ratio | Self::Angle)
+    }
+
+    pub(super) const fn name(self) -> &'static str {
+        match self {
+            Self::Ratio => "ratio",
+            Self::Mass => "mass",
+            Self::Length => "length",
+            Self::Time => "time",
+            Self::Angle => "angle",
+            Self::Frequency => "frequency",
+            Self::Velocity => "velocity",
+            Self::Acceleration => "acceleration",
+            Self::Force => "force",
+            Self::Stiffness => "stiffness",
+            Self::Damping => "damping constant",
+            Self::Energy => "energy",
+        }
+    }
+
+    /// What was expected in place of another unit.
+    pub(super) const fn expected(self) -> &'static str {
+        match self {
+            Self::Ratio => "a plain number, or one in %",
+            Self::Mass => "a mass (kg, g, t, lb)",
+            Self::Length => "a length (m, mm, in)",
+            Self::Time => "a time (s, ms)",
+            Self::Angle => "an angle (rad, deg)",
+            Self::Frequency => "a frequency (Hz, rad/s, rpm)",
+            Self::Velocity => "a velocity (m/s, mm/s, in/s)",
+            Self::Acceleration => "an acceleration (g, m/s^2, mm/s^2)",
+            Self::Force => "a force (N, kN, lbf)",
+            Self::Stiffness => "a stiffness (N/m, kN/m, kN/mm, lbf/in)",
+            Self::Damping => "a damping constant (N*s/m, kN*s/m)",
+            Self::Energy => "an energy (J, kJ)",
+        }
+    }
+}

@@ -1,0 +1,105 @@
+//! A consistent system of units: a force, a length, the second.
+
+use super::factor::Factor;
+use super::kind::{Dimension, Kind};
+use super::table::{mass_of, symbol};
+
+/// The units of `--units FORCE,LENGTH`, with the second. Its mass is force · s²/length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct System {
+    pub(crate) force: &'static str,
+    pub(crate) length: &'static str,
+    force_factor: Factor,
+    length_factor: Factor,
+}
+
+impl Default for System {
+    fn default() -> Self {
+        Self { force: "N", length: "m", force_factor: Factor::ONE, length_factor: Factor::ONE }
+    }
+}
+
+impl System {
+    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+        let expected = || "expected a unit of force and one of length separated by a comma, such as kN,mm";
+        let (force, length) = text.split_once(',').ok_or_else(|| expected().to_owned())?;
+        let unit = |name: &str, kind: Kind| {
+            symbol(name.trim(), kind.dimension())
+                .ok_or_else(|| format!("“{}” is not a unit of {}; {}", name.trim(), kind.name(), expected()))
+        };
+        let (force, length) = (unit(force, Kind::Force)?, unit(length, Kind::Length)?);
+        Ok(Self {
+            force: force.0,
+            length: length.0,
+            force_factor: force.1.factor,
+            length_factor: length.1.factor,
+        })
+    }
+
+    /// The system's own unit of a dimension, in SI: force^a · length^(b−a) · s^(c+2a).
+    pub(super) fn factor(&self, [mass, length, ..]: Dimension) -> Factor {
+        let force = self.force_factor.power(mass);
+        let length = length.checked_sub(mass).and_then(|n| self.length_factor.power(n));
+        force.zip(length).and_then(|(f, l)| f.and(l)).unwrap_or(Factor::ONE)
+    }
+
+    /// Whether a mass has a name of its own in this system, such as the tonne with kN and m.
+    pub(crate) fn mass(&self) -> Option<&'static str> {
+        mass_of(self.factor(Kind::Mass.dimension()))
+    }
+
+    /// The name of its unit for a kind of quantity.
+    pub(crate) fn name(&self, kind: Kind) -> String {
+        let (force, length) = (self.force, self.length);
+        match kind {
+            Kind::Ratio => "1".to_owned(),
+            Kind::Mass => self.mass().map_or_else(|| format!("{force}·s²/{length}"), str::to_owned),
+            Kind::Length => length.to_owned(),
+            Kind::Time => "s".to_owned(),
+            Kind::Angle => "rad".to_owned(),
+            Kind::Frequency => "rad/s".to_owned(),
+            Kind::Velocity => format!("{length}/s"),
+            Kind::Acceleration => format!("{length}/s²"),
+            Kind::Force => force.to_owned(),
+            Kind::Stiffness => format!("{force}/{length}"),
+            Kind::Damping => format!("{force}·s/{length}"),
+            Kind::Energy => format!("{force}·{length}"),
+        }
+    }
+
+    /// Standard gravity, 9.80665 m/s², in this system.
+    pub(crate) fn gravity<F: crate::bits::Value>(&self) -> F {
+        let g = Factor::new(980_665, 100_000, 0);
+        g.over(self.factor(Kind::Acceleration.dimension())).times(F::int(1))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, System};
+
+    #[test]
+    fn a_system_names_all_its_units() {
+        let system = System::parse("kN,mm").unwrap();
+        assert_eq!(system.name(Kind::Stiffness), "kN/mm");
+        assert_eq!(system.name(Kind::Mass), "kN·s²/mm");
+        assert_eq!(system.name(Kind::Acceleration), "mm/s²");
+        assert_eq!(system.gravity::<f64>(), 9806.65);
+        assert_eq!(System::parse("kN,m").unwrap().name(Kind::Mass), "t");
+        assert_eq!(System::parse("N,mm").unwrap().name(Kind::Mass), "t");
+        assert_eq!(System::parse("lbf,ft").unwrap().name(Kind::Mass), "slug");
+        assert_eq!(System::default().name(Kind::Mass), "kg");
+    }
+
+    #[test]
+    fn what_is_no_system_is_refused() {
+        for (text, part) in [
+            ("kN", "separated by a comma"),
+            ("m,kN", "“m” is not a unit of force"),
+            ("N,s", "“s” is not a unit of length"),
+        ] {
+            let error = System::parse(text).unwrap_err();
+            assert!(error.contains(part), "{error}");
+        }
+    }
+}

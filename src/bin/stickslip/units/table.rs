@@ -1,0 +1,132 @@
+//! The units that are known, each exact by definition, and products and quotients of them.
+
+use super::factor::Factor;
+use super::kind::Dimension;
+
+/// A unit: its dimension, and what it is in kg, m, s and rad.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Unit {
+    pub(super) dimension: Dimension,
+    pub(super) factor: Factor,
+}
+
+const MASS: Dimension = [1, 0, 0, 0];
+const LENGTH: Dimension = [0, 1, 0, 0];
+const TIME: Dimension = [0, 0, 1, 0];
+const ANGLE: Dimension = [0, 0, 0, 1];
+const FREQUENCY: Dimension = [0, 0, -1, 1];
+const ACCELERATION: Dimension = [0, 1, -2, 0];
+const FORCE: Dimension = [1, 1, -2, 0];
+const ENERGY: Dimension = [1, 2, -2, 0];
+
+/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram and standard gravity:
+/// the quantity decides. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity 9.80665 m/s².
+#[rustfmt::skip]
+const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
+    ("%", [0; 4], 1, 100, 0),
+    ("kg", MASS, 1, 1, 0), ("g", MASS, 1, 1000, 0), ("mg", MASS, 1, 1_000_000, 0), ("t", MASS, 1000, 1, 0),
+    ("lb", MASS, 45_359_237, 100_000_000, 0), ("lbm", MASS, 45_359_237, 100_000_000, 0),
+    ("slug", MASS, 8_896_443_230_521, 609_600_000_000, 0),
+    ("m", LENGTH, 1, 1, 0), ("km", LENGTH, 1000, 1, 0), ("cm", LENGTH, 1, 100, 0), ("mm", LENGTH, 1, 1000, 0),
+    ("um", LENGTH, 1, 1_000_000, 0), ("µm", LENGTH, 1, 1_000_000, 0), ("μm", LENGTH, 1, 1_000_000, 0),
+    ("nm", LENGTH, 1, 1_000_000_000, 0),
+    ("in", LENGTH, 254, 10_000, 0), ("ft", LENGTH, 3048, 10_000, 0), ("mil", LENGTH, 254, 10_000_000, 0),
+    ("s", TIME, 1, 1, 0), ("ms", TIME, 1, 1000, 0), ("us", TIME, 1, 1_000_000, 0), ("µs", TIME, 1, 1_000_000, 0),
+    ("μs", TIME, 1, 1_000_000, 0), ("min", TIME, 60, 1, 0), ("h", TIME, 3600, 1, 0),
+    ("rad", ANGLE, 1, 1, 0), ("deg", ANGLE, 1, 180, 1), ("°", ANGLE, 1, 180, 1), ("rev", ANGLE, 2, 1, 1),
+    ("Hz", FREQUENCY, 2, 1, 1), ("mHz", FREQUENCY, 2, 1000, 1), ("kHz", FREQUENCY, 2000, 1, 1),
+    ("rpm", FREQUENCY, 1, 30, 1),
+    ("g", ACCELERATION, 980_665, 100_000, 0), ("gn", ACCELERATION, 980_665, 100_000, 0),
+    ("mg", ACCELERATION, 980_665, 100_000_000, 0),
+    ("N", FORCE, 1, 1, 0), ("mN", FORCE, 1, 1000, 0), ("kN", FORCE, 1000, 1, 0), ("MN", FORCE, 1_000_000, 1, 0),
+    ("lbf", FORCE, 44_482_216_152_605, 10_000_000_000_000, 0),
+    ("kip", FORCE, 44_482_216_152_605, 10_000_000_000, 0),
+    ("kgf", FORCE, 980_665, 100_000, 0),
+    ("J", ENERGY, 1, 1, 0), ("mJ", ENERGY, 1, 1000, 0), ("kJ", ENERGY, 1000, 1, 0),
+];
+
+/// The symbol of a mass of this size, if one has it.
+pub(super) fn mass_of(factor: Factor) -> Option<&'static str> {
+    let unit = TABLE.iter().find(|&&(_, d, p, q, pi)| d == MASS && Factor::new(p, q, pi) == factor);
+    unit.map(|(symbol, ..)| *symbol)
+}
+
+/// The symbol of that text in the table, with its unit, where it has the dimension.
+pub(super) fn symbol(text: &str, dimension: Dimension) -> Option<(&'static str, Unit)> {
+    let row = TABLE.iter().find(|(symbol, d, ..)| *symbol == text && *d == dimension);
+    row.map(|&(symbol, dimension, p, q, pi)| (symbol, Unit { dimension, factor: Factor::new(p, q, pi) }))
+}
+
+/// What a unit such as `kN/mm` or `m/s²` may mean: nothing where it is not known, two things for `g`.
+pub(super) fn parse(text: &str) -> Vec<Unit> {
+    let mut meanings = vec![Unit { dimension: [0; 4], factor: Factor::ONE }];
+    let mut sign = 1i8;
+    let mut rest = text;
+    loop {
+        let end = rest.find(['/', '*', '·', '⋅']).unwrap_or(rest.len());
+        let (part, after) = rest.split_at(end);
+        let (name, exponent) = with_exponent(part.trim());
+        let atoms: Vec<Unit> = TABLE
+            .iter()
+            .filter(|(symbol, ..)| *symbol == name)
+            .map(|&(_, dimension, p, q, pi)| Unit { dimension, factor: Factor::new(p, q, pi) })
+            .collect();
+        let products = meanings.iter().flat_map(|whole| {
+            atoms.iter().filter_map(|atom| product(*whole, *atom, sign.checked_mul(exponent)?))
+        });
+        meanings = products.collect();
+        let mut left = after.chars();
+        match left.next() {
+            None => return meanings,
+            Some(separator) => sign = if separator == '/' { -1 } else { 1 },
+        }
+        rest = left.as_str();
+    }
+}
+
+/// A name and its exponent: `s^2`, `s2`, `s²`; 1 without one, 0 where it is none that is known.
+fn with_exponent(part: &str) -> (&str, i8) {
+    let Some((at, last)) = part.char_indices().next_back() else { return (part, 1) };
+    let exponent = match last {
+        '2' | '²' => 2,
+        '3' | '³' => 3,
+        _ => return (part, 1),
+    };
+    let name = part.get(..at).unwrap_or_default();
+    (name.strip_suffix('^').unwrap_or(name), exponent)
+}
+
+fn product(whole: Unit, atom: Unit, exponent: i8) -> Option<Unit> {
+    let mut dimension = whole.dimension;
+    for (sum, part) in dimension.iter_mut().zip(atom.dimension) {
+        *sum = sum.checked_add(part.checked_mul(exponent)?)?;
+    }
+    Some(Unit { dimension, factor: whole.factor.and(atom.factor.power(exponent)?)? })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Factor, TABLE, parse};
+
+    /// Each factor is in lowest terms only where products make it so; a slug is 1 lbf s²/ft.
+    #[test]
+    fn derived_units_are_made_of_the_defined_ones() {
+        let factor = |text: &str| parse(text)[0].factor.and(Factor::ONE).unwrap();
+        assert_eq!(factor("slug"), factor("lbf*s^2/ft"));
+        assert_eq!(factor("lbf"), factor("lb*ft/s2").and(Factor::new(980_665, 30_480, 0)).unwrap());
+        assert_eq!(factor("kip/in"), factor("lbf/mil"));
+        assert_eq!(factor("rpm"), factor("rev/min"));
+        assert_eq!(factor("J"), factor("N·m"));
+        assert!(parse("kN//m").is_empty() && parse("").is_empty() && parse("/s").is_empty());
+    }
+
+    #[test]
+    fn g_is_the_only_symbol_with_two_meanings_beside_mg() {
+        for (i, (symbol, dimension, ..)) in TABLE.iter().enumerate() {
+            let twins = TABLE.iter().enumerate().filter(|(j, (other, ..))| *j != i && other == symbol);
+            for (_, (other, of, ..)) in twins {
+                assert!((*other == "g" || *other == "mg") && of != dimension, "{other}");
+            }
+        }
+    }
+}

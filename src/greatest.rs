@@ -1,0 +1,142 @@
+//! The greatest absolute value of a smooth function on an interval.
+
+use crate::float::Float;
+
+/// A value and its first two derivatives.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Jet<F> {
+    pub(crate) value: F,
+    pub(crate) slope: F,
+    pub(crate) second: F,
+}
+
+impl<F: Float> Jet<F> {
+    /// No absolute value within `radius` is larger, `second` being a bound of the second derivative there.
+    pub(crate) fn reach(&self, radius: F) -> F {
+        self.value.abs() + radius * (self.slope.abs() + radius * self.second.abs() / F::int(2))
+    }
+}
+
+/// What is known of a function on a piece of an interval.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bound<F> {
+    /// Of the second derivative.
+    pub(crate) curvature: F,
+    /// Of the function itself; infinite where nothing is known.
+    pub(crate) value: F,
+}
+
+/// A piece of the interval, with the function at its middle and a bound of its absolute value.
+struct Piece<F> {
+    low: F,
+    high: F,
+    middle: F,
+    at: Jet<F>,
+    reach: F,
+    rest: F,
+}
+
+impl<F: Float> Piece<F> {
+    fn new(low: F, high: F, bound: &impl Fn(F, F) -> Bound<F>, f: &impl Fn(F) -> Jet<F>) -> Self {
+        let (half, middle, Bound { curvature, value }) =
+            (F::ratio(1, 2), low + (high - low) / F::int(2), bound(low, high));
+        let (at, radius) = (f(middle), (high - low) * half);
+        let near = Jet { second: curvature, ..at }.reach(radius);
+        Self {
+            low,
+            high,
+            middle,
+            at,
+            reach: if near < value { near } else { value },
+            rest: curvature * radius.square() * half,
+        }
+    }
+}
+
+/// Pieces that an interval is cut into before any is left out.
+const PIECES: i32 = 16;
+
+/// The greater of `best` and the greatest |f| on `[low, high]`, with what `bound` knows of f on a piece.
+///
+/// By division, the most promising piece first: a piece of half width d about c holds nothing above
+/// `|f(c)| + |f′(c)| d + curvature d²/2`, and is left out where that is no more than the best so far. Pieces narrow
+/// enough for it are left to Newton's method on f′, from their middle.
+pub(crate) fn greatest<F: Float>(
+    low: F,
+    high: F,
+    best: F,
+    bound: impl Fn(F, F) -> Bound<F>,
+    f: impl Fn(F) -> Jet<F>,
+) -> F {
+    let width = (high - low) / F::int(PIECES);
+    let mut best = best.or_larger(f(low).value.abs()).or_larger(f(high).value.abs());
+    let mut pieces: Vec<Piece<F>> = (0..PIECES)
+        .map(|i| Piece::new(low + width * F::int(i), low + width * F::int(i.saturating_add(1)), &bound, &f))
+        .collect();
+    let slack = F::int(1) + F::int(4) * F::epsilon();
+    while let Some(place) = most_promising(&pieces) {
+        let Piece { low, high, middle, at, reach, rest } = pieces.swap_remove(place);
+        best = best.or_larger(at.value.abs());
+        if reach <= best * slack {
+            break;
+        }
+        // So narrow that f″ hardly changes: its stationary point, if it has one.
+        if rest * F::int(1 << 20) <= best {
+            let mut x = middle;
+            for _ in 0..F::PRECISION.ilog2() {
+                let at = f(x);
+                let next = x - at.slope / at.second;
+                if !(next > low && next < high) {
+                    break;
+                }
+                x = next;
+            }
+            best = best.or_larger(f(x).value.abs());
+        } else if middle > low && middle < high {
+            pieces.push(Piece::new(low, middle, &bound, &f));
+            pieces.push(Piece::new(middle, high, &bound, &f));
+        }
+    }
+    best
+}
+
+/// The place of the piece with the greatest bound.
+fn most_promising<F: Float>(pieces: &[Piece<F>]) -> Option<usize> {
+    let mut found: Option<(usize, F)> = None;
+    for (place, piece) in pieces.iter().enumerate() {
+        if found.is_none_or(|(_, reach)| piece.reach > reach) {
+            found = Some((place, piece.reach));
+        }
+    }
+    found.map(|(place, _)| place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bound, Jet, greatest};
+
+    fn known(curvature: f64) -> impl Fn(f64, f64) -> Bound<f64> {
+        move |_, _| Bound { curvature, value: f64::INFINITY }
+    }
+
+    #[test]
+    fn the_greatest_of_two_waves_is_found() {
+        // |sin 40t + 0.3 cos 3t| on [0, 7]: some crest among ninety.
+        let f = |t: f64| Jet {
+            value: (40.0 * t).sin() + 0.3 * (3.0 * t).cos(),
+            slope: 40.0 * (40.0 * t).cos() - 0.9 * (3.0 * t).sin(),
+            second: -1600.0 * (40.0 * t).sin() - 2.7 * (3.0 * t).cos(),
+        };
+        let found = greatest(0.0, 7.0, 0.0, known(1603.0), f);
+        let sampled = (0..7_000_000).map(|i| f(f64::from(i) * 1e-6).value.abs()).fold(0.0, f64::max);
+        assert!(found >= sampled && found < sampled + 1e-8, "{found} {sampled}");
+        assert_eq!(greatest(0.0, 1.0, 5.0, known(1603.0), f), 5.0);
+    }
+
+    #[test]
+    fn an_end_may_be_the_greatest() {
+        let line = |t: f64| Jet { value: 2.0 - t, slope: -1.0, second: 0.0 };
+        assert_eq!(greatest(0.0, 5.0, 0.0, known(1e-9), line), 3.0);
+        assert_eq!(greatest(0.0, 1.0, 0.0, known(1e-9), line), 2.0);
+    }
+}

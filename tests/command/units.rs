@@ -1,0 +1,237 @@
+//! What an engineer types: values with units, the two base motions, an isolator.
+//!
+//! The motions are held against small steps of time in the frame of the room, which know nothing of p₀, Ω or α.
+
+use crate::command_line::{json, refused, stdout};
+use serde_json::Value;
+use std::f64::consts::TAU;
+
+const ISOLATOR: &str = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 2Hz";
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
+}
+
+fn close(a: f64, b: f64, tolerance: f64) {
+    assert!((a / b - 1.0).abs() < tolerance, "{a} against {b}");
+}
+
+/// A body on a spring and a surface, both of which may move.
+struct Room {
+    mass: f64,
+    stiffness: f64,
+    friction: f64,
+    frequency: f64,
+}
+
+/// What small steps of time find in the last cycle: greatest displacement over the surface, absolute displacement and acceleration.
+struct Stepped {
+    stroke: f64,
+    absolute: f64,
+    acceleration: f64,
+}
+
+impl Room {
+    /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the surface, `force` that of a
+    /// force on the body. Friction takes what it can of the relative momentum in each step.
+    fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
+        let Self { mass, stiffness, friction, frequency } = *self;
+        let dt = TAU / frequency / f64::from(steps);
+        let (mut y, mut v) = (0.0, surface * frequency);
+        let mut found = Stepped { stroke: 0.0, absolute: 0.0, acceleration: 0.0 };
+        for step in 0..cycles * steps {
+            let theta = frequency * dt * f64::from(step);
+            let (sine, next) = (theta.sin(), (theta + frequency * dt).cos());
+            let free = v + dt * (force * sine - stiffness * (y - foot * sine)) / mass;
+            let (carrier, most) = (surface * frequency * next, friction * dt / mass);
+            let after = free - (free - carrier).clamp(-most, most);
+            let acceleration = (after - v) / dt;
+            v = after;
+            y += dt * v;
+            if step >= (cycles - 1) * steps {
+                let over = y - surface * (theta + frequency * dt).sin();
+                found.stroke = found.stroke.max(over.abs());
+                found.absolute = found.absolute.max(y.abs());
+                found.acceleration = found.acceleration.max(acceleration.abs());
+            }
+        }
+        found
+    }
+}
+
+/// The isolator at a coefficient of friction and a frequency in hertz.
+fn isolator(coefficient: f64, hertz: f64) -> Room {
+    let mass = 800.0;
+    Room {
+        mass,
+        stiffness: mass * (TAU / 2.2).powi(2),
+        friction: coefficient * mass * 9.80665,
+        frequency: TAU * hertz,
+    }
+}
+
+#[test]
+fn an_isolator_moves_as_small_steps_of_time_say() {
+    let answer = json(&format!("response {ISOLATOR} --base-acceleration 0.15g --units N,mm --format json"));
+    let physical = &answer["physical"];
+    // 8.3974 mm with the standard gravity of 9.80665 m/s², 8.4002 mm with 9.81 m/s².
+    assert!((number(&physical["max_displacement"]) - 8.3974).abs() < 5e-5, "{physical}");
+    assert_eq!(
+        (&physical["units"]["max_displacement"], &physical["units"]["max_acceleration"]),
+        (&"mm".into(), &"mm/s²".into())
+    );
+    // The base moves by a₀/ω², and carries surface and foot.
+    let base = 0.15 * 9.80665 / (2.0 * TAU).powi(2);
+    let room = isolator(0.05, 2.0);
+    let stepped = room.stepped(0.0, base, base, 40, 40_000);
+    close(number(&physical["max_displacement"]), 1e3 * stepped.stroke, 1e-3);
+    close(number(&physical["max_absolute_displacement"]), 1e3 * stepped.absolute, 1e-3);
+    close(number(&physical["transmitted_force"]) / 800.0, stepped.acceleration, 1e-3);
+    close(number(&answer["transmissibility"]), stepped.acceleration / (0.15 * 9.80665), 1e-3);
+    close(number(&physical["base_displacement"]), 1e3 * base, 1e-12);
+    // The same base by its displacement and by its velocity.
+    for (option, amplitude) in [("displacement", base), ("velocity", base * 2.0 * TAU)] {
+        let unit = if option == "velocity" { "m/s" } else { "m" };
+        let same = json(&format!("response {ISOLATOR} --base-{option} {amplitude}{unit} --format json"));
+        close(number(&same["max_displacement"]), number(&answer["max_displacement"]), 1e-12);
+    }
+}
+
+/// From 0.3 to 5 Hz, and with more friction, where it sticks.
+#[test]
+fn an_isolator_over_its_frequencies() {
+    let mut sticking = 0;
+    for coefficient in [0.05, 0.08, 0.12] {
+        for hertz in [0.3, 0.45, 0.8, 1.5, 5.0] {
+            let base = 0.15 * 9.80665 / (TAU * hertz).powi(2);
+            // Close to resonance it takes a thousand cycles to settle.
+            let (cycles, steps) = if hertz == 0.45 { (2000, 4000) } else { (300, 20_000) };
+            let stepped = isolator(coefficient, hertz).stepped(0.0, base, base, cycles, steps);
+            let machine = format!(
+                "--mass 800kg --period 2.2s --friction-coefficient {coefficient} --frequency {hertz}Hz"
+            );
+            let answer = json(&format!("steady {machine} --base-acceleration 0.15g --format json"));
+            sticking += u32::from(answer["regime"] == "sticking");
+            let physical = &answer["physical"];
+            close(number(&physical["max_displacement"]), stepped.stroke, 3e-3);
+            close(number(&physical["max_absolute_displacement"]), stepped.absolute, 3e-3);
+            close(number(&physical["transmitted_force"]) / 800.0, stepped.acceleration, 6e-3);
+        }
+    }
+    assert!(sticking > 0);
+}
+
+/// The spring's foot alone, over a surface that stays: another motion altogether, by its own name.
+#[test]
+fn the_two_base_motions_differ_and_say_which_they_are() {
+    let foot = json(&format!("steady {ISOLATOR} --foot-displacement 70mm --format json"));
+    let stepped = isolator(0.05, 2.0).stepped(0.0, 0.07, 0.0, 400, 10_000);
+    close(number(&foot["physical"]["max_displacement"]), stepped.stroke, 2e-3);
+    let carried = json(&format!("steady {ISOLATOR} --base-displacement 70mm --format json"));
+    let stepped = isolator(0.05, 2.0).stepped(0.0, 0.07, 0.07, 400, 10_000);
+    close(number(&carried["physical"]["max_displacement"]), stepped.stroke, 2e-3);
+    assert!(number(&carried["max_displacement"]) > 10.0 * number(&foot["max_displacement"]));
+    assert_eq!(foot["physical"]["drive"], "motion of the spring's foot over a fixed surface");
+    // Today's old name says what it means, in every form of answer.
+    for (command, option, words) in [
+        ("response", "--base-motion 70mm", "of the spring's foot over a surface that stays"),
+        ("response", "--base-acceleration 0.15g", "of a base that carries the surface"),
+        ("steady", "--foot-displacement 70mm", "of the spring's foot over a surface that stays"),
+        ("steady", "--base-velocity 0.1m/s", "of a base that carries the surface"),
+        ("design friction", "--base-acceleration 0.15g", "of a base that carries the surface"),
+        ("design dissipation", "--base-motion 70mm", "of the spring's foot over a surface that stays"),
+    ] {
+        let machine = if command.starts_with("design") {
+            "--mass 800kg --period 2.2s --frequency 2Hz"
+        } else {
+            ISOLATOR
+        };
+        let text = stdout(&format!("{command} {machine} {option}"));
+        assert!(text.contains(words), "{command} {option}: {text}");
+    }
+    let design = json(
+        "design friction --mass 800kg --period 2.2s --frequency 2Hz --base-acceleration 0.15g --format json",
+    );
+    assert!(design["base_motion"].as_str().unwrap().contains("carries the surface"));
+    assert_eq!(design["units"]["friction"], "N");
+    close(number(&design["friction_coefficient"]) * 800.0 * 9.80665, number(&design["friction"]), 1e-14);
+}
+
+/// A force, in American units and in kN and mm, is one machine.
+#[test]
+fn units_convert_in_and_out() {
+    let si = "--mass 50000kg --stiffness 1e6N/m --friction 5000N --frequency 6rad/s --force 12000N";
+    let mixed = "--mass 50t --stiffness 1kN/mm --friction 5kN --frequency 0.954929658551372Hz --force 12kN";
+    let bare = "--mass 50 --stiffness 1000 --friction 5 --frequency 6 --force 12 --units kN,m";
+    let inches = "--mass 50t --stiffness 5710.147162769201lbf/in --friction 1124.044715501rpm";
+    let one = json(&format!("response {si} --format json"));
+    for (line, scale) in [
+        (format!("response {mixed} --units kN,mm --format json"), 1e3),
+        (format!("response {bare} --format json"), 1.0),
+    ] {
+        let other = json(&line);
+        close(number(&other["max_displacement"]), number(&one["max_displacement"]), 1e-13);
+        let length = number(&other["physical"]["max_displacement"]);
+        close(length, scale * number(&one["physical"]["max_displacement"]), 1e-13);
+        close(number(&other["physical"]["min_force"]), 1e-3 * number(&one["physical"]["min_force"]), 1e-13);
+    }
+    let text = stdout(&format!("response {mixed} --units kN,mm"));
+    assert!(
+        text.contains("12.13668 mm") && text.contains("1 kN/mm") && text.contains("0.9549297 Hz"),
+        "{text}"
+    );
+    refused(
+        &format!("response {inches} --frequency 6 --force 1N"),
+        &["--friction", "“rpm” is a unit of frequency", "a force (N, kN, lbf)"],
+    );
+    let start = "simulate --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 6rad/s --force 12kN --cycles 1 --samples 4 --x0 3mm --v0 20mm/s --format csv";
+    let rows = stdout(start);
+    let columns: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
+    let first: Vec<f64> = rows.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
+    let at = |name: &str| first[columns.iter().position(|c| *c == name).unwrap()];
+    close(at("displacement"), 0.003, 1e-13);
+    close(at("velocity"), 0.02, 1e-13);
+}
+
+#[cfg(feature = "mp")]
+#[test]
+fn units_keep_all_digits_of_wide_numbers() {
+    let answer = json(
+        "response --bits 256 --mass 3lb --period 2.2s --friction 1lbf --frequency 2Hz --force 12lbf --format json",
+    );
+    // 3 × 0.45359237, and 12 pounds of force over one of friction.
+    let mass = answer["physical"]["mass"].as_str().unwrap();
+    assert!(
+        mass.starts_with("1.36077711") && (mass.len() < 14 || mass[10..70].bytes().all(|b| b == b'0')),
+        "{mass}"
+    );
+    assert_eq!(answer["alpha"].as_str().unwrap().trim_end_matches(".0"), "12");
+}
+
+#[test]
+fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05";
+    for (arguments, parts) in [
+        (format!("response {machine} --frequency 2s --force 1N"), vec!["--frequency 2s", "“s” is a unit of time", "Hz, rad/s, rpm"]),
+        (format!("response {machine} --frequency 2Hz --force 1kg"), vec!["--force 1kg", "“kg” is a unit of mass"]),
+        (format!("response {machine} --frequency 2Hz --force 1xN"), vec!["“xN” is not a known unit", "N, kN, lbf"]),
+        (format!("response {machine} --frequency 2Hz --force 12"), vec!["--force 12: has no unit beside --mass 800kg"]),
+        (format!("response {machine} --stiffness 1N/m --frequency 2Hz --force 1N"), vec!["--stiffness and --period"]),
+        (format!("response {machine} --friction 1N --frequency 2Hz --force 1N"), vec!["--friction and --friction-coefficient"]),
+        (format!("response {machine} --frequency 2Hz --force 1N --base-acceleration 0.15g"), vec!["--force and --base-acceleration"]),
+        (format!("response {machine} --frequency 2Hz"), vec!["--force (or --base-acceleration", "is missing"]),
+        (format!("response {machine} --force 1N"), vec!["--frequency is missing"]),
+        ("response --mass 800kg --friction 1N --frequency 2Hz --force 1N".to_owned(), vec!["--stiffness (or --period, or --omega) is missing"]),
+        ("response --mass 1kg --period -2s --friction 1N --frequency 2Hz --force 1N".to_owned(), vec!["--period -2s", "must be > 0"]),
+        ("response --mass 1kg --period 2s --friction-coefficient -1 --frequency 2Hz --force 1N".to_owned(), vec!["--friction-coefficient -1", "must be > 0"]),
+        ("response --mass 1kg --period 2s --friction 1N --gravity 3m/s2 --frequency 2Hz --force 1N".to_owned(), vec!["--gravity", "--friction-coefficient"]),
+        (format!("response {machine} --frequency 2Hz --base-acceleration -0.15g"), vec!["--base-acceleration -0.15g", "> 0"]),
+        (format!("response {machine} --frequency 2Hz --force 1N --units furlong,m"), vec!["--units", "“furlong” is not a unit of force"]),
+        ("response --omega 2Hz --alpha 3".to_owned(), vec!["--omega 2Hz", "a plain number"]),
+        ("steady --omega 2 --alpha 3 --x0 3mm".to_owned(), vec!["--x0 3mm", "a plain number"]),
+        ("design bands --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz".to_owned(), vec!["changes with the frequency"]),
+        ("design stiffness --mass 800kg --friction 1N --frequency 2Hz --force 3N --from 1Hz --to 2N/m".to_owned(), vec!["--from 1Hz", "a stiffness (N/m"]),
+    ] {
+        refused(&arguments, &parts);
+    }
+}
