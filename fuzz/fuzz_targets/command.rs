@@ -31,8 +31,8 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, grid, input, interrupt, note, points, progress, record,
-    response, sink, style,
+    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, physical,
+    points, progress, record, response, sink, style, units,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -74,6 +74,8 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         Command::Map(args) => return check_grid(grid::Grid::<f64>::parse("--alpha", &args.alpha)),
         Command::Steady(_)
         | Command::Simulate(_)
+        | Command::ResponseCurve(_)
+        | Command::MotionPlot(_)
         | Command::Verify(_)
         | Command::Figure(_)
         | Command::Figures(_)

@@ -232,7 +232,6 @@ mod tests {
     #[cfg(feature = "mp")]
     #[test]
     fn a_unit_costs_no_digits_of_a_wide_number() {
-        use stickslip::Float;
         type Wide = stickslip::float::mp::Mp<4>;
         let read = |text: &str, kind| Reader::new(None).value::<Wide>("--x", text, kind).unwrap();
         let (g, pound) = (read("0.15g", Kind::Acceleration), read("3lb", Kind::Mass));
