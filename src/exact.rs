@@ -28,6 +28,7 @@
 
 #[cfg(test)]
 mod accounts;
+mod broken;
 mod confirm;
 mod drive;
 mod equation;

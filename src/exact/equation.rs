@@ -1,5 +1,6 @@
 //! The equation of motion at one (Ω, α).
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use crate::error::{Error, written};
 use crate::float::Float;
@@ -41,15 +42,15 @@ impl<F: Float> Equation<F> {
 
     /// The error of a search from `phase` on that passed its bound.
     #[cold]
-    pub(crate) fn lost(&self, search: &'static str, phase: DrivePhase<F>, bound: &'static str) -> Error {
+    pub(crate) fn lost(&self, search: &'static str, phase: DrivePhase<F>, bound: &'static str) -> Broken {
         let theta = F::from_f64(phase.half_turns() as f64) * F::pi() + phase.angle();
-        Error::SearchBound {
+        Broken::from(Error::SearchBound {
             search,
             omega: written(self.omega),
             alpha: written(self.alpha),
             phase: written(theta),
             bound,
-        }
+        })
     }
 
     /// The circular functions and the quotients C, S, D of `slide` at φ.

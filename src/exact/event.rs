@@ -145,8 +145,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
-    for stretches in 0u32.. {
-        if stretches >= USUAL_STRETCHES && is_overdue(search, phi, stretches) {
+    for stretches in 0..u32::MAX {
+        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, phi, stretches) {
             return Verdict::Lost(phi);
         }
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
@@ -202,10 +202,11 @@ const USUAL_STRETCHES: u32 = 64;
 
 /// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than so long a time is made of.
 #[cold]
-fn is_overdue<F: Float>(search: &Search<F>, phi: F, stretches: u32) -> bool {
+#[inline(never)]
+fn is_overdue<F: Float>(omega: F, phi: F, stretches: u32) -> bool {
     let (one, two) = (F::int(1), F::int(2));
-    let longest = F::pi() * (one + two / search.omega);
-    let most = F::int(8) * (F::int(8) + search.omega + one / search.omega);
+    let longest = F::pi() * (one + two / omega);
+    let most = F::int(8) * (F::int(8) + omega + one / omega);
     phi > longest || F::from_f64(f64::from(stretches)) > most
 }
 

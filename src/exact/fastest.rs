@@ -13,10 +13,10 @@
 //! slow wave to the next there is a zero. (In half of a slow period around its trough, longer than P, the slow wave is not positive, and
 //! the fast one is negative somewhere.)
 
+use super::broken::Broken;
 use super::event::{Found, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::Slide;
-use crate::error::Error;
 use crate::float::Float;
 
 /// The fastest instant of a slide: its natural time and the velocity there.
@@ -30,8 +30,8 @@ impl<F: Float> Slide<F> {
     /// The greatest speed for natural times from 0 to `end`, where the motion is `arrival`.
     ///
     /// # Errors
-    /// [`Error::SearchBound`].
-    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Result<Fastest<F>, Error> {
+    /// [`crate::Error::SearchBound`].
+    pub(crate) fn fastest(&self, end: F, arrival: &Motion<F>) -> Result<Fastest<F>, Broken> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
@@ -85,13 +85,13 @@ impl<F: Float> Slide<F> {
     /// Every zero of the acceleration between two instants whose motion is known, and these themselves.
     ///
     /// # Errors
-    /// [`Error::SearchBound`].
+    /// [`crate::Error::SearchBound`].
     fn scan(
         &self,
         (from, first): (F, &Motion<F>),
         (to, last): (F, &Motion<F>),
         best: &mut Fastest<F>,
-    ) -> Result<(), Error> {
+    ) -> Result<(), Broken> {
         let zero = F::int(0);
         let sign = self.direction.sign::<F>();
         let mut consider = |phi: F, w: F| {

@@ -1,5 +1,6 @@
 //! What a motion tends to, by name.
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::family;
@@ -118,7 +119,7 @@ impl<F: Float> LongRun<F> {
         equation: Equation<F>,
         section: Point<F>,
         hint: F,
-        guess: impl FnOnce() -> Result<Option<Guess<F>>, Error>,
+        guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
         mut budget: Budget<'_>,
     ) -> Result<Self, Error> {
         match shoot(equation, section, hint, guess, &mut budget)? {
@@ -173,7 +174,7 @@ fn settle_in<F: Float>(
     equation: Equation<F>,
     start: State<F>,
     budget: &mut Budget<'_>,
-) -> Result<(Point<F>, F), Error> {
+) -> Result<(Point<F>, F), Broken> {
     let mut longest: Option<(Slide<F>, F)> = None;
     let begin = start.phase;
     let turn = F::pi();

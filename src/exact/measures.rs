@@ -1,5 +1,6 @@
 //! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::motion::Motion;
@@ -8,7 +9,6 @@ use super::slide::Slide;
 use super::state::Point;
 use super::velocity_zero::VelocityZero;
 use super::walk::{Part, Walk, follow};
-use crate::error::Error;
 use crate::float::Float;
 
 /// An extreme value and its phase.
@@ -77,9 +77,15 @@ impl<F: Float> Tally<F> {
         half_turns: i64,
         walk: &Walk<F>,
         budget: &mut Budget<'_>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, Broken> {
         let omega = equation.omega;
         let mut tally = Self::at(&start, omega);
+        walk.each_part(equation, start, half_turns, budget, |part| tally.add(part))?;
+        let most =
+            if tally.max_v.value > -tally.min_v.value { tally.max_v.value } else { -tally.min_v.value };
+        if start.w.abs() * F::int(1024) > most * omega {
+            return Ok(tally);
+        }
         let mut longest: Option<(Slide<F>, F)> = None;
         walk.each_part(equation, start, half_turns, budget, |part| {
             if let Part::Slide(slide, VelocityZero { phi, .. }) | Part::Onward(slide, phi, ..) = part
@@ -87,15 +93,9 @@ impl<F: Float> Tally<F> {
             {
                 longest = Some((*slide, *phi));
             }
-            tally.add(part)
+            Ok(())
         })?;
-        let most =
-            if tally.max_v.value > -tally.min_v.value { tally.max_v.value } else { -tally.min_v.value };
-        let seam_in_slide = start.w.abs() * F::int(1024) > most * omega;
         let Some((slide, length)) = longest else { return Ok(tally) };
-        if seam_in_slide {
-            return Ok(tally);
-        }
         let half = length / F::int(2);
         let seam = slide.point(half);
         let mut tally = Self::at(&seam, omega);
@@ -107,7 +107,7 @@ impl<F: Float> Tally<F> {
     ///
     /// # Errors
     /// As for [`Slide::fastest`].
-    pub(crate) fn add(&mut self, part: &Part<F>) -> Result<(), Error> {
+    pub(crate) fn add(&mut self, part: &Part<F>) -> Result<(), Broken> {
         match part {
             Part::Slide(slide, end) => {
                 self.zeros = self.zeros.saturating_add(1);
@@ -128,7 +128,7 @@ impl<F: Float> Tally<F> {
         phi: F,
         phase: DrivePhase<F>,
         end: &Motion<F>,
-    ) -> Result<(), Error> {
+    ) -> Result<(), Broken> {
         let omega = slide.equation.omega;
         self.displaced(Extreme { value: end.x, phase });
         let fastest = slide.fastest(phi, end)?;

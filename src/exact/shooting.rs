@@ -15,6 +15,7 @@
 //! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle are not needed for that, but they say how
 //!   fast it is approached; beside 1/(2n) one of them rounds to 1, and the closed-form cycle is taken where its residual is rounding.
 
+use super::broken::Broken;
 use super::equation::Equation;
 use super::matrix::Matrix;
 use super::state::Point;
@@ -68,9 +69,9 @@ impl<'a> Budget<'a> {
     /// # Errors
     /// [`Error::Interrupted`] where the caller breaks off.
     #[inline]
-    pub(crate) fn ask(&mut self) -> Result<(), Error> {
+    pub(crate) fn ask(&mut self) -> Result<(), Broken> {
         let goes_on = self.keep_going.as_mut().is_none_or(|keep_going| keep_going().is_continue());
-        if goes_on { Ok(()) } else { Err(Error::Interrupted) }
+        if goes_on { Ok(()) } else { Err(Broken::from(Error::Interrupted)) }
     }
 }
 
@@ -159,9 +160,9 @@ pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
     hint: F,
-    guess: impl FnOnce() -> Result<Option<Guess<F>>, Error>,
+    guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
     budget: &mut Budget<'_>,
-) -> Result<Shot<F>, Error> {
+) -> Result<Shot<F>, Broken> {
     let two = F::int(2);
     let mut guess = Some(guess);
     let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4), budget)?;

@@ -5,7 +5,7 @@ use super::equation::Equation;
 use super::slide::{Direction, Slide};
 use super::state::{Instant, State};
 use super::stick::{Stick, force_rounding};
-use super::velocity_zero::VelocityZero;
+use super::velocity_zero::{Lost, VelocityZero};
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::ratios::Ratios;
@@ -239,9 +239,9 @@ impl<F: Float> Iterator for Trajectory<F> {
             Next::Slide(slide) => {
                 let zero = match slide.velocity_zero(self.hint) {
                     Ok(zero) => zero,
-                    Err(error) => {
+                    Err(Lost) => {
                         self.next = None;
-                        return Some(Err(error));
+                        return Some(Err(slide.lost("the velocity zero").into()));
                     }
                 };
                 let (next, end) = Next::after(&slide, &zero);

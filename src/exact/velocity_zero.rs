@@ -1,11 +1,11 @@
 //! The end of a slide: the first zero of its velocity.
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::event::{Found, Jet, Safe, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::{Direction, Slide};
-use crate::error::Error;
 use crate::float::Float;
 
 /// How a slide ends.
@@ -25,6 +25,11 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) grazes: bool,
 }
 
+/// A search that passed its proved bound: of no size, so that the answers it stands beside stay as small as they are.
+/// [`Slide::lost`] makes the error of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Lost;
+
 /// What comes first of a slide: its end, or a limit on the time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Outcome<F> {
@@ -37,32 +42,37 @@ impl<F: Float> Slide<F> {
     /// The velocity zero that ends the slide; `hint` is when it is expected (natural time).
     ///
     /// # Errors
-    /// [`Error::SearchBound`].
+    /// [`Lost`].
     #[inline]
-    pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Error> {
-        match next_zero(&self.velocity_search(hint, None), self.velocity_at_start(), self.velocity()) {
-            Verdict::Zero(found) => Ok(self.arrival(&found)),
-            Verdict::Clear(_) | Verdict::Lost(_) => Err(self.lost("the velocity zero")),
+    pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Lost> {
+        match self.ends(hint, None)? {
+            Outcome::Zero(zero) => Ok(zero),
+            Outcome::Onward(_) => Err(Lost),
         }
     }
 
     /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.
     ///
     /// # Errors
-    /// [`Error::SearchBound`].
+    /// [`Lost`].
     #[inline]
-    pub(crate) fn until(&self, hint: F, limit: F) -> Result<Outcome<F>, Error> {
-        match next_zero(&self.velocity_search(hint, Some(limit)), self.velocity_at_start(), self.velocity()) {
+    pub(crate) fn until(&self, hint: F, limit: F) -> Result<Outcome<F>, Lost> {
+        self.ends(hint, Some(limit))
+    }
+
+    /// Both of these: one call of the search, into which the compiler puts the motion of a slide.
+    fn ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        match next_zero(&self.velocity_search(hint, limit), self.velocity_at_start(), self.velocity()) {
             Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
             Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
-            Verdict::Clear(None) => Ok(Outcome::Onward(self.motion(limit))),
-            Verdict::Lost(_) => Err(self.lost("the velocity zero")),
+            Verdict::Clear(None) => limit.map(|limit| Outcome::Onward(self.motion(limit))).ok_or(Lost),
+            Verdict::Lost(_) => Err(Lost),
         }
     }
 
     /// The error of a search along this slide that passed its bound.
     #[cold]
-    pub(crate) fn lost(&self, search: &'static str) -> Error {
+    pub(crate) fn lost(&self, search: &'static str) -> Broken {
         self.equation.lost(search, self.start, "π(1 + 2/Ω) of natural time")
     }
 
@@ -340,7 +350,7 @@ mod tests {
     fn the_error_names_the_slide() {
         let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
         let slide = Slide::new(equation, DrivePhase::new(7.5).unwrap(), -0.4, 1.1, Direction::Forward);
-        let message = slide.lost("the velocity zero").to_string();
+        let message = crate::Error::from(slide.lost("the velocity zero")).to_string();
         let start =
             "the velocity zero from phase ω_d t = 7.5 on at Ω = 0.7, α = 2.5 must be found within π(1 + 2/Ω)";
         assert!(message.starts_with(start), "{message}");

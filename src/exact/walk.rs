@@ -1,5 +1,6 @@
 //! From one phase of the drive to another, through whatever happens in between, with what a disturbance becomes.
 
+use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::matrix::Matrix;
@@ -9,8 +10,7 @@ use super::slide::Slide;
 use super::state::Point;
 use super::stick::Stick;
 use super::trajectory::Next;
-use super::velocity_zero::{Outcome, VelocityZero};
-use crate::error::Error;
+use super::velocity_zero::{Lost, Outcome, VelocityZero};
 use crate::float::Float;
 
 /// A part of the walk: a slide or a stop, or as much of it as lies within.
@@ -54,8 +54,8 @@ impl<F: Float> Walk<F> {
         from: Point<F>,
         half_turns: i64,
         budget: &mut Budget<'_>,
-        mut visit: impl FnMut(&Part<F>) -> Result<(), Error>,
-    ) -> Result<(), Error> {
+        mut visit: impl FnMut(&Part<F>) -> Result<(), Broken>,
+    ) -> Result<(), Broken> {
         if self.parts.len() as u64 == self.count {
             return self.parts.iter().try_for_each(visit);
         }
@@ -74,17 +74,19 @@ pub(crate) fn walk<F: Float>(
     hint: F,
     mut parts: Vec<Part<F>>,
     budget: &mut Budget<'_>,
-) -> Result<Walk<F>, Error> {
+) -> Result<Walk<F>, Broken> {
     parts.clear();
-    let (mut count, mut sticks) = (0u64, false);
+    let (mut left_out, mut sticks) = (0u64, false);
     let (end, monodromy) = follow(equation, from, half_turns, hint, budget, |part| {
-        sticks = sticks || matches!(part, Part::Stick(..));
-        if count < MOST_KEPT as u64 {
+        sticks |= matches!(part, Part::Stick(..));
+        if parts.len() < MOST_KEPT {
             parts.push(part);
+        } else {
+            left_out = left_out.saturating_add(1);
         }
-        count = count.saturating_add(1);
         Ok(())
     })?;
+    let count = left_out.saturating_add(parts.len() as u64);
     Ok(Walk { end, monodromy, parts, count, sticks, hint })
 }
 
@@ -107,8 +109,8 @@ pub(crate) fn follow<F: Float>(
     half_turns: i64,
     hint: F,
     budget: &mut Budget<'_>,
-    mut visit: impl FnMut(Part<F>) -> Result<(), Error>,
-) -> Result<(Point<F>, Matrix<F>), Error> {
+    mut visit: impl FnMut(Part<F>) -> Result<(), Broken>,
+) -> Result<(Point<F>, Matrix<F>), Broken> {
     let (zero, usual) = (F::int(0), F::pi() / equation.omega);
     let target = from.phase.later_by_half_turns(half_turns);
     let mut monodromy = Matrix::identity();
@@ -118,12 +120,7 @@ pub(crate) fn follow<F: Float>(
         monodromy = monodromy.after_zero(zero);
     }
     let most = half_turns as f64 * (64.0 + 16.0 / equation.omega.to_f64());
-    let mut count = 0u64;
-    loop {
-        count = count.saturating_add(1);
-        if count as f64 > most {
-            return Err(equation.lost("the end of a half turn", from.phase, "64 + 16/Ω slides and stops"));
-        }
+    for _ in 0..most as u64 {
         budget.ask()?;
         match next {
             Next::Stick(stick) => match stick.release {
@@ -138,7 +135,7 @@ pub(crate) fn follow<F: Float>(
             },
             Next::Slide(slide) => {
                 let limit = target.since(slide.start) / equation.omega;
-                match slide.until(hint, limit)? {
+                match slide.until(hint, limit).map_err(|Lost| slide.lost("the velocity zero"))? {
                     Outcome::Zero(end) => {
                         visit(Part::Slide(slide, end))?;
                         next = Next::after(&slide, &end).0;
@@ -159,6 +156,7 @@ pub(crate) fn follow<F: Float>(
             }
         }
     }
+    Err(equation.lost("the end of a half turn", from.phase, "64 + 16/Ω slides and stops"))
 }
 
 #[cfg(test)]
@@ -234,7 +232,7 @@ mod tests {
             Ok(())
         };
         let broken = follow(equation, from, 1, 1.0, &mut budget, count);
-        assert_eq!((broken.err(), parts, asked), (Some(Error::Interrupted), 6, 7));
+        assert_eq!((broken.err().map(Error::from), parts, asked), (Some(Error::Interrupted), 6, 7));
     }
 
     /// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for ever.
