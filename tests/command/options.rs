@@ -55,6 +55,7 @@ const OPTIONS: &[&str] = &[
     "--from 0.7",
     "--to 1.2",
     "--sticking",
+    "--no-stop",
     "--target 3",
     "--units kN,mm",
     "--header units",

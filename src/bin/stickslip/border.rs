@@ -9,7 +9,7 @@ use crate::record::Record;
 use crate::response::single_format;
 use crate::{input, note, points};
 use std::io::Write;
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::{Error, Ratios, Response};
 
 /// The command with its arguments and where its answer goes.
@@ -24,22 +24,24 @@ fn at<F: Value>(omega: F) -> Result<Response<F>, Error> {
     Ratios::new(omega, F::int(1)).map(Response::guarded)
 }
 
-/// The answer at a point, and its record.
+/// The answer at a point, with the forces without a stop where they were asked for, and its record.
 fn record<F: Value>(
     given: &Given<F>,
     point: &BorderPoint<F>,
     with_no_stop: bool,
-) -> Result<(Response<F>, Record<F>), Failure> {
+) -> Result<(Response<F>, Option<NoStop<F>>, Record<F>), Failure> {
     let answer = at(point.omega).map_err(|e| given.at_fault(e))?;
+    let found = with_no_stop.then(|| no_stop_force_ratios(point.omega)).transpose();
+    let found = found.map_err(|e| given.at_fault(e))?;
     let mut record = Record::of_border(&answer);
-    if with_no_stop {
-        record = record.with_no_stop(&no_stop_force_ratios(point.omega).map_err(|e| given.at_fault(e))?);
+    if let Some(found) = &found {
+        record = record.with_no_stop(found);
     }
     let record = match &point.physical {
         Some(scales) => record.with_border_scales(scales).finite().map_err(|e| given.behind_all(e))?,
         None => record,
     };
-    Ok((answer, record))
+    Ok((answer, found, record))
 }
 
 impl<W: Write> Task for Run<'_, W> {
@@ -51,16 +53,13 @@ impl<W: Write> Task for Run<'_, W> {
             let (used, ratios) = (&Parameter::BORDER, &[Parameter::Omega]);
             let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
             return points::run(asked, out, |given| {
-                record(given, &input::border_point(given)?, args.no_stop).map(|(_, record)| record)
+                record(given, &input::border_point(given)?, args.no_stop).map(|(_, _, record)| record)
             });
         }
         let point = input::border_point(&given)?;
-        let (answer, record) = record(&given, &point, args.no_stop)?;
+        let (answer, found, record) = record(&given, &point, args.no_stop)?;
         match args.output.format.unwrap_or(Format::Text) {
-            Format::Text => {
-                let no_stop = no_stop_force_ratios(point.omega).map_err(|e| given.at_fault(e))?;
-                Ok(note::border(&answer, &no_stop, point.physical, &given.system, out)?)
-            }
+            Format::Text => Ok(note::border(&answer, found.as_ref(), point.physical, &given.system, out)?),
             Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }

@@ -246,10 +246,10 @@ pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     }
 }
 
-/// The note on a border.
+/// The note on a border, with the forces of six reversals a cycle where they were asked for.
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
-    found: &NoStop<F>,
+    found: Option<&NoStop<F>>,
     scales: Option<BorderScales<F>>,
     units: &System,
     out: &mut impl Write,
@@ -258,16 +258,21 @@ pub(crate) fn border<F: Value>(
     let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force);
     let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length);
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    let (verb, name) = match found.six_reversals() {
-        None => ("stick", "least force"),
-        Some(_) => ("stop", "two-reversal border"),
-    };
-    writeln!(out, "At Ω = {} the body does not {verb} {}.\n", digits(omega), no_stop(found, "r_y"))?;
-    if let Some((low, high)) = found.six_reversals() {
+    match found {
+        None => {
+            let least = digits(border.min_force_ratio());
+            let cycle = "a cycle of two reversals does not stick from a force of";
+            writeln!(out, "At Ω = {} {cycle} {least} r_y on.\n", digits(omega))?;
+        }
+        Some(found) => {
+            writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
+        }
+    }
+    if let Some((low, high)) = found.and_then(NoStop::six_reversals) {
         writeln!(out, "  six reversals from       {}", forces(low))?;
         writeln!(out, "    up to                  {}", forces(high))?;
     }
-    writeln!(out, "  {name:<25}{}", forces(border.min_force_ratio()))?;
+    writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
     not_to_be_held(omega, border.min_force_ratio(), out)?;
     writeln!(out, "  at the turning point     {}", forces(border.turning_point()))?;
     writeln!(
