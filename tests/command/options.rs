@@ -47,6 +47,8 @@ const OPTIONS: &[&str] = &[
     "--period 3",
     "--friction-coefficient 0.3",
     "--gravity 3",
+    "--damping-ratio 0.1",
+    "--damping 20",
     "--x0 2",
     "--v0 2",
     "--max-periods 1",

@@ -22,6 +22,8 @@ struct Room {
     stiffness: f64,
     friction: f64,
     frequency: f64,
+    /// Of a damper between the body and what carries it.
+    damping: f64,
 }
 
 /// What small steps of time find in the last cycle: greatest displacement over the surface, absolute displacement and acceleration.
@@ -29,20 +31,23 @@ struct Stepped {
     stroke: f64,
     absolute: f64,
     acceleration: f64,
+    /// Energy that the damper takes.
+    damper: f64,
 }
 
 impl Room {
     /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the surface, `force` that of a
     /// force on the body. Friction takes what it can of the relative momentum in each step.
     fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
-        let Self { mass, stiffness, friction, frequency } = *self;
+        let Self { mass, stiffness, friction, frequency, damping } = *self;
         let dt = TAU / frequency / f64::from(steps);
         let (mut y, mut v) = (0.0, surface * frequency);
-        let mut found = Stepped { stroke: 0.0, absolute: 0.0, acceleration: 0.0 };
+        let mut found = Stepped { stroke: 0.0, absolute: 0.0, acceleration: 0.0, damper: 0.0 };
         for step in 0..cycles * steps {
             let theta = frequency * dt * f64::from(step);
             let (sine, next) = (theta.sin(), (theta + frequency * dt).cos());
-            let free = v + dt * (force * sine - stiffness * (y - foot * sine)) / mass;
+            let slip = v - surface * frequency * theta.cos();
+            let free = v + dt * (force * sine - stiffness * (y - foot * sine) - damping * slip) / mass;
             let (carrier, most) = (surface * frequency * next, friction * dt / mass);
             let after = free - (free - carrier).clamp(-most, most);
             let acceleration = (after - v) / dt;
@@ -51,6 +56,7 @@ impl Room {
             if step >= (cycles - 1) * steps {
                 let over = y - surface * (theta + frequency * dt).sin();
                 found.stroke = found.stroke.max(over.abs());
+                found.damper += damping * slip * slip * dt;
                 found.absolute = found.absolute.max(y.abs());
                 found.acceleration = found.acceleration.max(acceleration.abs());
             }
@@ -67,6 +73,7 @@ fn isolator(coefficient: f64, hertz: f64) -> Room {
         stiffness: mass * (TAU / 2.2).powi(2),
         friction: coefficient * mass * 9.80665,
         frequency: TAU * hertz,
+        damping: 0.0,
     }
 }
 
@@ -234,4 +241,48 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
     ] {
         refused(&arguments, &parts);
     }
+}
+
+/// A damper by its ratio or its constant, against small steps of time in the frame of the room.
+#[test]
+fn a_damper_is_given_by_ratio_or_constant() {
+    let machine =
+        "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 0.7Hz --base-acceleration 0.15g";
+    // c = 2ζ √(k m) = 2ζ m ω_n
+    let constant = 2.0 * 0.1 * 800.0 * TAU / 2.2;
+    let by_ratio = json(&format!("response {machine} --damping-ratio 10% --format json"));
+    let by_constant = json(&format!("response {machine} --damping {constant}N*s/m --format json"));
+    assert_eq!(by_ratio["regime"], "non-sticking");
+    for answer in [&by_ratio, &by_constant] {
+        close(number(&answer["damping_ratio"]), 0.1, 1e-12);
+        close(number(&answer["physical"]["damping"]), constant, 1e-12);
+        assert_eq!(answer["physical"]["units"]["damping"], "N·s/m");
+    }
+    let base = 0.15 * 9.80665 / (TAU * 0.7).powi(2);
+    let room = Room { damping: constant, ..isolator(0.05, 0.7) };
+    let stepped = room.stepped(0.0, base, base, 60, 20_000);
+    let physical = &by_ratio["physical"];
+    close(number(&physical["max_displacement"]), stepped.stroke, 1e-3);
+    close(number(&physical["max_absolute_displacement"]), stepped.absolute, 1e-3);
+    close(number(&physical["transmitted_force"]) / 800.0, stepped.acceleration, 1e-3);
+    close(number(&physical["damper_energy_per_cycle"]), stepped.damper, 1e-3);
+    // Without the friction being told apart: the least force, and what needs no damping.
+    let least = json(
+        &format!("border {machine} --damping-ratio 0.1 --format json")
+            .replace(" --base-acceleration 0.15g", ""),
+    );
+    close(number(&least["min_force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-14);
+    let design = json("design force --omega 1.54 --damping-ratio 0.1 --format json");
+    close(number(&design["force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-12);
+    assert!(stdout("border --omega 0.6 --damping-ratio 0.1").contains("damping ratio ζ          0.1"));
+    refused("border --omega 0.4 --damping-ratio 0.1 --no-stop", &["--damping-ratio 0.1", "must be 0 here"]);
+    refused("response --omega 0.4 --alpha 8 --damping-ratio -0.1", &["--damping-ratio -0.1", "must be ≥ 0"]);
+    refused(
+        &format!("response {machine} --damping-ratio 0.1 --damping 3N*s/m"),
+        &["--damping-ratio and --damping"],
+    );
+    refused(
+        &format!("response {machine} --damping 3N"),
+        &["--damping 3N", "“N” is a unit of force", "a damping constant"],
+    );
 }

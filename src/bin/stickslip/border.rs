@@ -19,9 +19,12 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     bits::run(args.output.bits, Run(args, out))
 }
 
-/// The answer at Ω; its border does not depend on the force, here r_y.
-fn at<F: Value>(omega: F) -> Result<Response<F>, Error> {
-    Ratios::new(omega, F::int(1)).map(Response::guarded)
+/// The forces without any stop; nothing is known of them with damping.
+fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
+    if ratios.is_damped() {
+        return Err(Error::Damped { damping_ratio: ratios.damping_ratio().to_string() });
+    }
+    no_stop_force_ratios(ratios.omega())
 }
 
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.
@@ -30,10 +33,14 @@ fn record<F: Value>(
     point: &BorderPoint<F>,
     with_no_stop: bool,
 ) -> Result<(Response<F>, Option<NoStop<F>>, Record<F>), Failure> {
-    let answer = at(point.omega).map_err(|e| given.at_fault(e))?;
-    let found = with_no_stop.then(|| no_stop_force_ratios(point.omega)).transpose();
+    // The border does not depend on the force, here r_y.
+    let answer = Response::guarded(point.ratios);
+    let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();
     let found = found.map_err(|e| given.at_fault(e))?;
     let mut record = Record::of_border(&answer);
+    if given.has_damper() {
+        record = record.with_damping(&answer);
+    }
     if let Some(found) = &found {
         record = record.with_no_stop(found);
     }

@@ -207,6 +207,12 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.required(P::Omega)
     }
 
+    /// The border at Ω with the damping ratio that is given.
+    fn border(&self, omega: F) -> Result<Border<F>, Failure> {
+        let zeta = self.given.get(P::DampingRatio).unwrap_or(F::int(0));
+        Border::with_damping(omega, zeta).map_err(|e| self.fail(e))
+    }
+
     fn alpha(&self) -> Result<F, Failure> {
         self.given.required(P::Alpha)
     }
@@ -241,7 +247,8 @@ impl<'a, F: Value> Asked<'a, F> {
         let stiffness = or_one(self.given.stiffness()?, needs_stiffness, "--stiffness (or --period)")?;
         let friction =
             or_one(self.given.friction()?, needs_friction, "--friction (or --friction-coefficient)")?;
-        Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))
+        let body = Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))?;
+        self.given.with_damper(body)
     }
 
     fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
@@ -251,7 +258,7 @@ impl<'a, F: Value> Asked<'a, F> {
     fn least_force(&self) -> Result<Answer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
-            let border = Border::new(omega).map_err(|e| self.fail(e))?;
+            let border = self.border(omega)?;
             let least = border.min_force_ratio();
             let sentence = format!("It does not stick from a force of {} r_y on.", digits(least));
             return Ok(Answer::one(
@@ -278,7 +285,7 @@ impl<'a, F: Value> Asked<'a, F> {
     fn greatest_friction(&self) -> Result<Answer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
-            let border = Border::new(omega).map_err(|e| self.fail(e))?;
+            let border = self.border(omega)?;
             let ratio = self.one / border.min_force_ratio();
             let sentence = format!("It does not stick up to a friction bound of {} p₀.", digits(ratio));
             return Ok(Answer::one(

@@ -16,6 +16,8 @@ pub(crate) enum Parameter {
     Friction,
     FrictionCoefficient,
     Gravity,
+    DampingRatio,
+    Damping,
     Frequency,
     Alpha,
     Force,
@@ -28,7 +30,7 @@ pub(crate) enum Parameter {
 use Parameter as P;
 
 impl Parameter {
-    pub(crate) const ALL: [Self; 14] = [
+    pub(crate) const ALL: [Self; 16] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -36,6 +38,8 @@ impl Parameter {
         P::Friction,
         P::FrictionCoefficient,
         P::Gravity,
+        P::DampingRatio,
+        P::Damping,
         P::Frequency,
         P::Alpha,
         P::Force,
@@ -55,6 +59,8 @@ impl Parameter {
             P::Friction => "--friction",
             P::FrictionCoefficient => "--friction-coefficient",
             P::Gravity => "--gravity",
+            P::DampingRatio => "--damping-ratio",
+            P::Damping => "--damping",
             P::Frequency => "--frequency",
             P::Alpha => "--alpha",
             P::Force => "--force",
@@ -72,7 +78,7 @@ impl Parameter {
 
     /// Whether it is of a machine in physical units.
     pub(crate) const fn is_physical(self) -> bool {
-        !matches!(self, P::Omega | P::Alpha)
+        !matches!(self, P::Omega | P::Alpha | P::DampingRatio)
     }
 
     /// What it is called where it is checked here and not by the library.
@@ -85,6 +91,8 @@ impl Parameter {
             P::Friction => "friction bound r_y",
             P::FrictionCoefficient => "coefficient of friction µ",
             P::Gravity => "gravity g",
+            P::DampingRatio => "damping ratio ζ",
+            P::Damping => "damping constant c",
             P::Frequency => "angular frequency ω_d",
             P::Alpha => "force ratio α",
             P::Force => "force amplitude p₀",
@@ -97,7 +105,8 @@ impl Parameter {
 
     pub(crate) const fn kind(self) -> Kind {
         match self {
-            P::Omega | P::Alpha | P::FrictionCoefficient => Kind::Ratio,
+            P::Omega | P::Alpha | P::FrictionCoefficient | P::DampingRatio => Kind::Ratio,
+            P::Damping => Kind::Damping,
             P::Mass => Kind::Mass,
             P::Stiffness => Kind::Stiffness,
             P::Period => Kind::Time,
@@ -120,6 +129,8 @@ impl Parameter {
                 &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]
             }
             P::Gravity => &[Q::FrictionBound],
+            P::DampingRatio => &[Q::DampingRatio],
+            P::Damping => &[Q::Damping, Q::DampingRatio],
             P::Frequency => {
                 &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness]
             }
@@ -138,7 +149,7 @@ impl Parameter {
     }
 
     /// What the border of sticking depends on.
-    pub(crate) const BORDER: [Self; 8] = [
+    pub(crate) const BORDER: [Self; 10] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -146,8 +157,13 @@ impl Parameter {
         P::Friction,
         P::FrictionCoefficient,
         P::Gravity,
+        P::DampingRatio,
+        P::Damping,
         P::Frequency,
     ];
+
+    /// Damping, by its ratio or its constant.
+    pub(crate) const DAMPERS: [Self; 2] = [P::DampingRatio, P::Damping];
 
     /// What a machine and its drive take: one of each of these.
     pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
@@ -296,6 +312,8 @@ fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Paramete
         P::Friction => &machine.friction,
         P::FrictionCoefficient => &machine.friction_coefficient,
         P::Gravity => &machine.gravity,
+        P::DampingRatio => &machine.damping_ratio,
+        P::Damping => &machine.damping,
         P::Frequency => &machine.frequency,
         P::Alpha => &force.alpha,
         P::Force => &force.force,

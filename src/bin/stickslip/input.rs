@@ -7,7 +7,7 @@ use crate::given::{Given, Parameter as P};
 use crate::machine::Machine;
 use crate::units::{Kind, Reader, System};
 use stickslip::exact::State;
-use stickslip::{Drive, PhaseFunction, Quantity, Ratios, Scales};
+use stickslip::{Drive, Quantity, Ratios, Scales};
 
 /// What `response` is asked: the ratios and, in physical units, the machine.
 pub(crate) struct Point<F> {
@@ -15,9 +15,9 @@ pub(crate) struct Point<F> {
     pub(crate) machine: Option<Machine<F>>,
 }
 
-/// What `border` is asked: Ω and, in physical units, r_y and ω_d.
+/// What `border` is asked: Ω and ζ, at α = 1, and, in physical units, r_y and ω_d.
 pub(crate) struct BorderPoint<F> {
-    pub(crate) omega: F,
+    pub(crate) ratios: Ratios<F>,
     pub(crate) physical: Option<BorderScales<F>>,
 }
 
@@ -36,7 +36,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let named = |e| given.at_fault(e);
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(P::Omega)?, given.required(P::Alpha)?).map_err(named)?;
-        return Ok(Point { ratios, machine: None });
+        return Ok(Point { ratios: damped(given, ratios)?, machine: None });
     }
     let oscillator = given.oscillator()?;
     let drive = given.drive(&oscillator, given.required(P::Frequency)?)?;
@@ -45,9 +45,16 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     // What was given as a ratio stays as it was typed, without the rounding of the way through k and p₀.
     let omega = given.get(P::Omega).unwrap_or(ratios.omega());
     let alpha = given.get(P::Alpha).unwrap_or(ratios.alpha());
-    let ratios = Ratios::new(omega, alpha).map_err(named)?;
-    let machine = Machine { oscillator, drive, scales, system: given.system };
+    let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
+    let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)).map_err(named)?;
+    let machine = Machine { oscillator, drive, scales, system: given.system, has_damper: given.has_damper() };
     Ok(Point { ratios, machine: Some(machine) })
+}
+
+/// The ratios with the damping that is given.
+fn damped<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result<Ratios<F>, Failure> {
+    let zeta = given.get(P::DampingRatio).unwrap_or(F::int(0));
+    ratios.with_damping_ratio(zeta).map_err(|e| given.at_fault(e))
 }
 
 /// The state at ω_d t = 0 that `--x0` and `--v0` name, in the units of the point.
@@ -89,9 +96,8 @@ pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failur
 pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>, Failure> {
     let named = |e| given.at_fault(e);
     if !given.is_physical() {
-        return PhaseFunction::new(given.required(P::Omega)?)
-            .map(|p| BorderPoint { omega: p.omega(), physical: None })
-            .map_err(named);
+        let ratios = Ratios::new(given.required(P::Omega)?, F::int(1)).map_err(named)?;
+        return Ok(BorderPoint { ratios: damped(given, ratios)?, physical: None });
     }
     let oscillator = given.oscillator()?;
     let frequency = given.required(P::Frequency)?;
@@ -99,8 +105,10 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     let drive = Drive::force(oscillator.friction_bound(), frequency).map_err(named)?;
     let ratios = drive.ratios(&oscillator).map_err(named)?;
     let scales = Scales::new(&oscillator, &drive).map_err(named)?;
+    let omega = given.get(P::Omega).unwrap_or(ratios.omega());
+    let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
     Ok(BorderPoint {
-        omega: given.get(P::Omega).unwrap_or(ratios.omega()),
+        ratios: Ratios::new(omega, F::int(1)).and_then(|r| r.with_damping_ratio(zeta)).map_err(named)?,
         physical: Some(BorderScales {
             length: scales.length,
             force: scales.force,

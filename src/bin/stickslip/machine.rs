@@ -12,6 +12,8 @@ pub(crate) struct Machine<F> {
     pub(crate) drive: Drive<F>,
     pub(crate) scales: Scales<F>,
     pub(crate) system: System,
+    /// Whether damping was given, be it 0.
+    pub(crate) has_damper: bool,
 }
 
 impl<F: Value> Machine<F> {
@@ -88,6 +90,22 @@ impl<F: Value> Given<F> {
             None => return Err(missing("--stiffness (or --period, or --omega)")),
         }
         .map_err(|e| self.at_fault(e))
+        .and_then(|body| self.with_damper(body))
+    }
+
+    /// The body with its damper, if it has one.
+    pub(crate) fn with_damper(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Failure> {
+        match self.one_of(&P::DAMPERS)? {
+            Some((P::Damping, damping)) => body.with_damping(damping),
+            Some((_, ratio)) => body.with_damping_ratio(ratio),
+            None => Ok(body),
+        }
+        .map_err(|e| self.at_fault(e))
+    }
+
+    /// Whether damping is given, be it 0.
+    pub(crate) fn has_damper(&self) -> bool {
+        P::DAMPERS.into_iter().any(|p| self.has(p))
     }
 
     /// What shakes the body, and its amplitude.

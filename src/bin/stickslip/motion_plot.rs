@@ -5,6 +5,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given::Given;
 use crate::input;
+use crate::steady::of_motion;
 use crate::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Instant, LongRun, Trajectory};
@@ -21,7 +22,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
     let point = input::point(&given)?;
     let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
-    let named = |e: stickslip::Error| Failure::Input(format!("--omega or --frequency: {e}"));
+    let named = |e: stickslip::Error| of_motion(&given, e);
     let limit = LongRun::from_start(point.ratios, start).map_err(named)?;
     let Some(steady) = limit.steady_state() else {
         return Err(Failure::Input(

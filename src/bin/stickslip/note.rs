@@ -7,7 +7,7 @@ use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::regime::{NoStop, no_stop_force_ratios};
-use stickslip::{Cycle, PhaseFunction, Regime, Response, nonsticking};
+use stickslip::{Cycle, PhaseFunction, Ratios, Regime, Response, nonsticking};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
@@ -72,6 +72,9 @@ pub(crate) fn response<F: Value>(
     writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
+    if response.ratios().is_damped() {
+        writeln!(out, "  damping ratio ζ          {}", digits(response.ratios().damping_ratio()))?;
+    }
     if let Some(machine) = machine {
         given(machine, out)?;
     }
@@ -84,6 +87,7 @@ pub(crate) fn response<F: Value>(
         )?;
     }
     if response.regime() == Regime::NonSticking
+        && !response.ratios().is_damped()
         && PhaseFunction::new(omega).is_ok_and(|p| p.value() == F::int(0))
     {
         let (one, least) = (F::int(1), response.border().min_force_ratio());
@@ -99,7 +103,7 @@ pub(crate) fn response<F: Value>(
 
 /// The machine and its drive, so that a reader sees how the arguments were understood.
 pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
-    let Machine { oscillator, drive, scales, system } = machine;
+    let Machine { oscillator, drive, scales, system, has_damper } = machine;
     let System { force, length, .. } = *system;
     let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
     let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());
@@ -121,6 +125,14 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     writeln!(out, "  mass m                   {} {}", digits(oscillator.mass()), system.name(Kind::Mass))?;
     writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
     writeln!(out, "  friction bound r_y       {} {force}", digits(oscillator.friction_bound()))?;
+    if *has_damper {
+        writeln!(
+            out,
+            "  damping constant c       {} {}",
+            digits(oscillator.damping()),
+            system.name(Kind::Damping)
+        )?;
+    }
     writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
     writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))
 }
@@ -159,6 +171,11 @@ fn motion<F: Value>(
             nonsticking::loop_size(oscillator.friction_bound(), cycle.max_displacement() * scales.length);
         writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(loop_size))?;
     }
+    if cycle.ratios().is_damped() {
+        let scale = scales.map(|s| s.force * s.length);
+        let work = both(cycle.damper_work(), "r_y B", scale, &format!("{force}·{length}"));
+        writeln!(out, "  energy of the damper     {work}")?;
+    }
     writeln!(out, "  per static energy        A₁ = {}", digits(cycle.loop_size_stiffness()))?;
     writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
 }
@@ -177,8 +194,9 @@ fn needed_force<F: Value>(
         writeln!(out, "  transmitted, maximum     {}", forces(cycle.transmitted_force()))?;
         writeln!(out, "    per p₀                 {}", digits(cycle.transmissibility()))?;
     }
-    let no_stop = no_stop_force_ratios(response.ratios().omega());
-    match no_stop.ok().as_ref().and_then(NoStop::six_reversals) {
+    let ratios = response.ratios();
+    let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();
+    match no_stop.as_ref().and_then(NoStop::six_reversals) {
         None => writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?,
         Some((low, high)) => {
             writeln!(out, "  least without any stop   {}", forces(low))?;
@@ -188,7 +206,7 @@ fn needed_force<F: Value>(
         }
     }
     not_to_be_held(response.ratios().omega(), border.min_force_ratio(), out)?;
-    if border.turning_point() < border.min_force_ratio() {
+    if border.turning_point() < border.min_force_ratio() && !response.ratios().is_damped() {
         let eq_61 = digits(border.turning_point());
         writeln!(out, "    (eq. 61 asks for {eq_61} r_y only, which does not suffice below Ω = 1/2)")?;
     }
@@ -212,7 +230,7 @@ fn needed_force<F: Value>(
         }
         Some(_) | None => writeln!(
             out,
-            "  of the largest loop A₁   that least one, of those that do not stick (eq. 65 gives {}, which does)",
+            "  of the largest loop A₁   that least one, of those that do not stick ({} would dissipate more, but sticks)",
             digits(response.best_force_ratio())
         ),
     }
@@ -246,6 +264,12 @@ pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     }
 }
 
+/// From here on the turning point decides the border, `√(1 − ζ²)/2`.
+fn exact_from<F: Value>(ratios: Ratios<F>) -> F {
+    let (one, zeta) = (F::int(1), ratios.damping_ratio());
+    if zeta < one { ((one - zeta) * (one + zeta)).sqrt() / F::int(2) } else { F::int(0) }
+}
+
 /// The note on a border, with the forces of six reversals a cycle where they were asked for.
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
@@ -268,6 +292,9 @@ pub(crate) fn border<F: Value>(
             writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
         }
     }
+    if answer.ratios().is_damped() {
+        writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios().damping_ratio()))?;
+    }
     if let Some((low, high)) = found.and_then(NoStop::six_reversals) {
         writeln!(out, "  six reversals from       {}", forces(low))?;
         writeln!(out, "    up to                  {}", forces(high))?;
@@ -278,7 +305,7 @@ pub(crate) fn border<F: Value>(
     writeln!(
         out,
         "    (eq. 61{})",
-        if omega >= F::ratio(1, 2) { ", exact here" } else { ", necessary only below Ω = 1/2" }
+        if omega >= exact_from(answer.ratios()) { ", exact here" } else { ", necessary only here" }
     )?;
     writeln!(out, "  least displacement       {}", lengths(border.least_displacement()))?;
     writeln!(out, "  it would stop first at   {} after its maximum", times(border.phase()))

@@ -31,7 +31,7 @@ impl<F: Value> Physical<F> {
 
     /// The machine and its drive: what was given and what follows from it.
     pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
-        let Machine { oscillator, drive, scales, system } = machine;
+        let Machine { oscillator, drive, scales, system, has_damper } = machine;
         let p0 = drive.force_amplitude(oscillator);
         let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(*system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
@@ -40,6 +40,9 @@ impl<F: Value> Physical<F> {
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
         add("friction", Kind::Force, oscillator.friction_bound());
+        if *has_damper {
+            add("damping", Kind::Damping, oscillator.damping());
+        }
         add("force_amplitude", Kind::Force, p0);
         match drive.excitation() {
             Excitation::Force => {}

@@ -185,6 +185,24 @@ impl<F: Value> Record<F> {
         }
     }
 
+    /// With ζ behind the other ratios, and the work of the damper in a cycle.
+    pub(crate) fn with_damping(mut self, response: &Response<F>) -> Self {
+        self = self.with_damping_ratio(response.ratios().damping_ratio());
+        if self.fields.iter().any(|(name, _)| *name == "alpha") {
+            let work = response.cycle().map(stickslip::Cycle::damper_work);
+            self.fields.push(("damper_work", Cell::Number(work)));
+        }
+        self
+    }
+
+    /// With ζ behind the other ratios.
+    pub(crate) fn with_damping_ratio(mut self, damping_ratio: F) -> Self {
+        let is_ratio = |(name, _): &(&'static str, Cell<F>)| matches!(*name, "omega" | "alpha");
+        let place = self.fields.iter().take_while(|field| is_ratio(field)).count();
+        self.fields.insert(place, ("damping_ratio", Cell::Number(Some(damping_ratio))));
+        self
+    }
+
     /// The border at Ω and the best force ratio there, of a response at any α.
     pub(crate) fn of_border(response: &Response<F>) -> Self {
         let border = response.border();
@@ -239,6 +257,7 @@ impl<F: Value> Record<F> {
             "min_force_ratio" => Some(("min_force", Kind::Force, scales.force)),
             "min_force_ratio_turning_point" => Some(("min_force_turning_point", Kind::Force, scales.force)),
             "loop_size_stiffness" => Some(("energy_per_cycle", Kind::Energy, scales.energy_stiffness)),
+            "damper_work" => Some(("damper_energy_per_cycle", Kind::Energy, scales.force * scales.length)),
             "best_force_ratio" => Some(("best_force", Kind::Force, scales.force)),
             "best_loop_size" => Some(("best_force_energy", Kind::Energy, best_energy)),
             _ => None,

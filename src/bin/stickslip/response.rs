@@ -43,6 +43,7 @@ impl<W: Write> Task for Run<'_, W> {
 fn answer<F: Value>(given: &Given<F>, point: &Point<F>) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
     let record = Record::of_response(&response);
+    let record = if given.has_damper() { record.with_damping(&response) } else { record };
     let record = match &point.machine {
         Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,
         None => record,

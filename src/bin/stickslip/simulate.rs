@@ -11,6 +11,7 @@ use crate::physical::Physical;
 use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
+use crate::steady::of_motion;
 use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
@@ -52,8 +53,7 @@ impl<W: Write> Task for Run<'_, W> {
         let point = input::point(&given)?;
         refuse_years(cycles, samples, point.ratios.omega().to_f64())?;
         let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
-        let motion = Trajectory::new(point.ratios, start)
-            .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+        let motion = Trajectory::new(point.ratios, start).map_err(|e| of_motion(&given, e))?;
         let machine = point.machine.as_ref();
         let end = i64::try_from(cycles).unwrap_or(i64::MAX);
         let mut clock = Clock::new(cycles);

@@ -35,9 +35,11 @@ impl<W: Write> Task for Run<'_, W> {
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         let answer = |given: &Given<F>, point: &Point<F>| {
             let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
-            let limit = LongRun::within(point.ratios, start, args.max_periods)
-                .map_err(|e| Failure::Input(format!("--omega or --frequency: {e}")))?;
+            let limit =
+                LongRun::within(point.ratios, start, args.max_periods).map_err(|e| of_motion(given, e))?;
             let record = record(point.ratios, &limit).map_err(|e| given.at_fault(e))?;
+            let zeta = point.ratios.damping_ratio();
+            let record = if given.has_damper() { record.with_damping_ratio(zeta) } else { record };
             Ok::<_, Failure>(match &point.machine {
                 Some(machine) => {
                     (limit, with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?)
@@ -59,6 +61,14 @@ impl<W: Write> Task for Run<'_, W> {
             Format::Json => record.write_pretty(out),
             Format::Jsonl | Format::Csv => Err(single_format()),
         }
+    }
+}
+
+/// The failure behind the argument that the exact motion cannot be followed with.
+pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
+    match error {
+        Error::Damped { .. } => given.at_fault(error),
+        _ => Failure::Input(format!("--omega or --frequency: {error}")),
     }
 }
 

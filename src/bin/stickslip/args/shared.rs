@@ -28,6 +28,12 @@ pub(crate) struct MachineArgs {
     /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
     pub(crate) gravity: Option<String>,
+    /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5%
+    #[arg(long, value_name = "ζ", allow_hyphen_values = true)]
+    pub(crate) damping_ratio: Option<String>,
+    /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio
+    #[arg(long, value_name = "C", allow_hyphen_values = true)]
+    pub(crate) damping: Option<String>,
     /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s; a bare number is ω_d in rad/s
     #[arg(long, value_name = "WD", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,

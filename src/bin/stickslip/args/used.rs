@@ -28,13 +28,14 @@ impl Mode {
 }
 
 /// The options that only a machine and its drive have.
-const MACHINE: [&str; 12] = [
+const MACHINE: [&str; 13] = [
     "mass",
     "stiffness",
     "period",
     "friction",
     "friction_coefficient",
     "gravity",
+    "damping",
     "frequency",
     "force",
     "base_acceleration",
@@ -45,23 +46,27 @@ const MACHINE: [&str; 12] = [
 
 /// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
 const USED: &[(&str, Mode, &str)] = &[
-    ("response", Ratios, "omega alpha format bits"),
+    ("response", Ratios, "omega alpha damping_ratio format bits"),
     ("response", Machine, "omega alpha BODY frequency DRIVE format bits units"),
     ("response", Points, "points omega alpha BODY frequency DRIVE format header bits units"),
-    ("border", Ratios, "omega no_stop format bits"),
+    ("border", Ratios, "omega damping_ratio no_stop format bits"),
     ("border", Machine, "omega BODY frequency no_stop format bits units"),
     ("border", Points, "points omega BODY frequency no_stop format header bits units"),
-    ("steady", Ratios, "omega alpha x0 v0 max_periods format bits"),
+    ("steady", Ratios, "omega alpha damping_ratio x0 v0 max_periods format bits"),
     ("steady", Machine, "omega alpha BODY frequency DRIVE x0 v0 max_periods format bits units"),
     ("steady", Points, "points omega alpha BODY frequency DRIVE x0 v0 max_periods format header bits units"),
-    ("simulate", Ratios, "omega alpha x0 v0 cycles samples format bits"),
+    ("simulate", Ratios, "omega alpha damping_ratio x0 v0 cycles samples format bits"),
     ("simulate", Machine, "omega alpha BODY frequency DRIVE x0 v0 cycles samples format bits units"),
     ("decay", Ratios, "x0 v0 format bits"),
     ("decay", Machine, "mass stiffness friction x0 v0 format bits units"),
-    ("design force", Ratios, "omega no_stop format bits"),
+    ("design force", Ratios, "omega damping_ratio no_stop format bits"),
     ("design force", Machine, "BODY frequency no_stop format bits units"),
-    ("design friction", Ratios, "omega format bits"),
-    ("design friction", Machine, "mass stiffness period gravity frequency DRIVE format bits units"),
+    ("design friction", Ratios, "omega damping_ratio format bits"),
+    (
+        "design friction",
+        Machine,
+        "mass stiffness period gravity damping_ratio damping frequency DRIVE format bits units",
+    ),
     ("design bands", Ratios, "alpha from to no_stop format bits"),
     ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),
     ("design displacement", Ratios, "omega target format bits"),
@@ -69,19 +74,25 @@ const USED: &[(&str, Mode, &str)] = &[
     ("design velocity", Ratios, "omega target format bits"),
     ("design velocity", Machine, "BODY frequency target format bits units"),
     ("design dissipation", Ratios, "omega sticking format bits"),
-    ("design dissipation", Machine, "mass stiffness period frequency DRIVE sticking format bits units"),
+    (
+        "design dissipation",
+        Machine,
+        "mass stiffness period damping_ratio damping frequency DRIVE sticking format bits units",
+    ),
     ("design stiffness", Ratios, "alpha from to format bits"),
     (
         "design stiffness",
         Machine,
-        "mass friction friction_coefficient gravity frequency DRIVE from to format bits units",
+        "mass friction friction_coefficient gravity damping_ratio damping frequency DRIVE from to format bits units",
     ),
 ];
 
 /// The single options that an entry names, its groups written out.
 fn options(used: &str) -> impl Iterator<Item = &str> {
     used.split(' ').flat_map(|name| match name {
-        "BODY" => "mass stiffness period friction friction_coefficient gravity".split(' '),
+        "BODY" => {
+            "mass stiffness period friction friction_coefficient gravity damping_ratio damping".split(' ')
+        }
         "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement".split(' '),
         single => single.split(' '),
     })
