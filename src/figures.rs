@@ -181,6 +181,8 @@ pub enum Style {
     Arrow,
     /// The name itself, written at each point, not in the legend.
     Named,
+    /// The name in the legend alone, as a note on the figure.
+    Note,
 }
 
 impl Series {

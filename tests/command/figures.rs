@@ -92,8 +92,8 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
     for (quantity, words) in [
         ("regime", vec!["stuck", "sticking", "non-sticking"]),
         ("margin", vec!["margin", "exact border"]),
-        ("steady:stick_fraction", vec!["stick_fraction"]),
-        ("max_velocity", vec!["max_velocity (B ω", ">d</tspan>"]),
+        ("steady:stick_fraction", vec!["stick fraction"]),
+        ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
     ] {
         let file = place(&format!("map-{}.svg", quantity.replace(':', "-")));
         stdout(&format!("map {quantity} --omega 0.3:2:20 --alpha 0.5:8:10 --out {}", file.display()));

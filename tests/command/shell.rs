@@ -3,7 +3,7 @@
 use crate::command_line::{refused, stdout, stickslip};
 use std::path::PathBuf;
 
-const COMMANDS: [&str; 13] = [
+const COMMANDS: [&str; 15] = [
     "response",
     "border",
     "steady",
@@ -15,6 +15,8 @@ const COMMANDS: [&str; 13] = [
     "figures",
     "sweep",
     "map",
+    "response-curve",
+    "motion-plot",
     "completions",
     "man",
 ];
@@ -36,8 +38,8 @@ fn help_lists_the_commands_the_units_and_the_exit_statuses() {
 fn the_examples_in_help_are_understood() {
     let mut tried = 0;
     for command in COMMANDS {
-        for line in stdout(&format!("help {command}")).lines().filter_map(|l| l.strip_prefix("  stickslip "))
-        {
+        let help = stdout(&format!("help {command}")).replace("\\\n", " ");
+        for line in help.lines().filter_map(|l| l.strip_prefix("  stickslip ")) {
             let arguments = line.split(['>', '<', '|']).next().unwrap();
             let output = stickslip(&format!("{arguments} --help")).output().unwrap();
             assert!(output.status.success(), "{line}: {}", String::from_utf8_lossy(&output.stderr));

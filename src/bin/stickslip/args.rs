@@ -11,6 +11,7 @@ mod sweep;
 mod used;
 
 use crate::failure::Failure;
+use crate::outputs;
 use crate::style::STYLES;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
@@ -107,6 +108,8 @@ pub(crate) enum Command {
     /// A steady motion over time and its friction loop, as a picture or CSV.
     #[command(after_help = MOTION_EXAMPLES)]
     MotionPlot(MotionPlotArgs),
+    /// Every output by name, with its unit and its meaning.
+    Outputs,
     /// What a shell needs to complete this command's arguments.
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(CompletionsArgs),
@@ -136,7 +139,9 @@ pub(crate) fn parse(
 
 /// All that can be typed; help shows of each question the options that it uses.
 pub(crate) fn grammar() -> clap::Command {
-    CommandLine::command().mut_subcommand("design", used::hide_unused)
+    CommandLine::command()
+        .mut_subcommand("design", used::hide_unused)
+        .mut_subcommand("outputs", |command| command.after_help(outputs::text()))
 }
 
 /// The value of `--bits`.

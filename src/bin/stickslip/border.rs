@@ -28,7 +28,7 @@ fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
 }
 
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.
-fn record<F: Value>(
+pub(crate) fn record<F: Value>(
     given: &Given<F>,
     point: &BorderPoint<F>,
     with_no_stop: bool,

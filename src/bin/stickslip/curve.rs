@@ -7,6 +7,7 @@ use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
+use crate::map::capital;
 use crate::note::digits;
 use crate::units::{Kind, Reader, System};
 use clap::ValueEnum;
@@ -393,9 +394,4 @@ const fn words(what: Curve) -> &'static str {
         Curve::Transmissibility => "transmissibility",
         Curve::Absolute => "maximum absolute displacement",
     }
-}
-
-fn capital(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }

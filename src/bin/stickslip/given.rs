@@ -222,6 +222,12 @@ impl<F: Value> Given<F> {
         self.values.iter().find(|(p, ..)| *p == parameter).map(|(_, value, _)| *value)
     }
 
+    /// Takes a value back.
+    pub(crate) fn take(&mut self, parameter: Parameter) -> Option<F> {
+        let place = self.values.iter().position(|(p, ..)| *p == parameter)?;
+        Some(self.values.swap_remove(place).1)
+    }
+
     /// Gives a value that was not typed: of a row, or of a place in a grid.
     pub(crate) fn set(&mut self, parameter: Parameter, value: F) {
         match self.values.iter_mut().find(|(p, ..)| *p == parameter) {

@@ -6,6 +6,7 @@ use crate::input;
 use crate::units::{Kind, Reader};
 
 /// The values of one argument.
+#[derive(Debug, Clone)]
 pub(crate) enum Grid<F> {
     Even { from: F, to: F, count: u64, logarithmic: bool },
     List(Vec<F>),
@@ -34,7 +35,9 @@ impl<F: Value> Grid<F> {
         if with_unit != 0 && with_unit != ends.len() {
             return Err(Failure::Input(format!("{name} {text}: give each value a unit, or none")));
         }
-        Self::read(name, text, |part| reader.value(name, part, kind))
+        let about =
+            |e: Failure, part: &str| if part == text { e } else { e.about(&format!("{name} {text}")) };
+        Self::read(name, text, |part| reader.value(name, part, kind).map_err(|e| about(e, part)))
     }
 
     fn read(name: &str, text: &str, number: impl Fn(&str) -> Result<F, Failure>) -> Result<Self, Failure> {
@@ -84,12 +87,16 @@ impl<F: Value> Grid<F> {
         }
     }
 
-    /// The values that bound all the others: the ends, or the list itself.
-    pub(crate) fn bounds(&self) -> Vec<F> {
-        match self {
-            Self::Even { from, to, .. } => vec![*from, *to],
-            Self::List(values) => values.clone(),
-        }
+    /// The least and the greatest value.
+    pub(crate) fn ends(&self) -> (F, F) {
+        let values = match self {
+            Self::Even { from, to, .. } => &[*from, *to],
+            Self::List(values) => values.as_slice(),
+        };
+        let first = values.first().copied().unwrap_or(F::int(0));
+        values.iter().fold((first, first), |(low, high), &value| {
+            (if value < low { value } else { low }, if value > high { value } else { high })
+        })
     }
 
     /// All values.

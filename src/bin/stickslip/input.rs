@@ -47,7 +47,14 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let alpha = given.get(P::Alpha).unwrap_or(ratios.alpha());
     let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)).map_err(named)?;
-    let machine = Machine { oscillator, drive, scales, system: given.system, has_damper: given.has_damper() };
+    let machine = Machine {
+        oscillator,
+        drive,
+        scales,
+        system: given.system,
+        has_damper: given.has_damper(),
+        friction_coefficient: given.get(P::FrictionCoefficient),
+    };
     Ok(Point { ratios, machine: Some(machine) })
 }
 

@@ -14,6 +14,8 @@ pub(crate) struct Machine<F> {
     pub(crate) system: System,
     /// Whether damping was given, be it 0.
     pub(crate) has_damper: bool,
+    /// The coefficient of friction, where friction was given by it.
+    pub(crate) friction_coefficient: Option<F>,
 }
 
 impl<F: Value> Machine<F> {

@@ -14,6 +14,7 @@
 )]
 
 mod args;
+mod axes;
 mod bits;
 mod border;
 mod curve;
@@ -30,6 +31,7 @@ mod map;
 mod motion_plot;
 mod note;
 mod output;
+mod outputs;
 mod physical;
 mod points;
 mod progress;
@@ -92,6 +94,7 @@ fn run(command: &Command) -> Outcome {
         Command::Map(args) => map::run(args, &mut out)?,
         Command::ResponseCurve(args) => curve::run(args, &mut out)?,
         Command::MotionPlot(args) => motion_plot::run(args, &mut out)?,
+        Command::Outputs => outputs::run(&mut out)?,
         Command::Completions(args) => shell::completions(args, &mut out)?,
         Command::Man(args) => shell::man(args, &mut out)?,
     }

@@ -103,7 +103,7 @@ pub(crate) fn response<F: Value>(
 
 /// The machine and its drive, so that a reader sees how the arguments were understood.
 pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
-    let Machine { oscillator, drive, scales, system, has_damper } = machine;
+    let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
     let System { force, length, .. } = *system;
     let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
     let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());

@@ -3,6 +3,7 @@
 use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::Machine;
+use crate::outputs::plain;
 use crate::record::Cell;
 use crate::units::{Kind, System};
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -31,15 +32,21 @@ impl<F: Value> Physical<F> {
 
     /// The machine and its drive: what was given and what follows from it.
     pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
-        let Machine { oscillator, drive, scales, system, has_damper } = machine;
+        let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
         let p0 = drive.force_amplitude(oscillator);
         let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(*system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
+        let turn = F::int(2) * F::pi();
+        add("frequency", Kind::Hertz, drive.angular_frequency() / turn);
         add("angular_frequency", Kind::Frequency, drive.angular_frequency());
         add("natural_frequency", Kind::Frequency, oscillator.natural_frequency());
+        add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
         add("friction", Kind::Force, oscillator.friction_bound());
+        if let Some(coefficient) = machine.friction_coefficient {
+            add("friction_coefficient", Kind::Ratio, coefficient);
+        }
         if *has_damper {
             add("damping", Kind::Damping, oscillator.damping());
         }
@@ -90,6 +97,17 @@ impl<F: Value> Physical<F> {
         self
     }
 
+    pub(crate) fn has(&self, wanted: &str) -> bool {
+        self.values.iter().any(|(name, ..)| *name == wanted)
+    }
+
+    /// The values of these names alone, in this order.
+    pub(crate) fn only<'a>(self, wanted: impl Iterator<Item = &'a str>) -> Self {
+        let values =
+            wanted.filter_map(|w| self.values.iter().find(|(name, ..)| *name == w).copied()).collect();
+        Self { values, ..self }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.values.is_empty()
     }
@@ -97,7 +115,7 @@ impl<F: Value> Physical<F> {
     /// Each name with its unit in brackets, as a column of a table has it.
     pub(crate) fn names(&self) -> impl Iterator<Item = String> + '_ {
         self.values.iter().flat_map(|(name, kind, cell)| {
-            let unit = self.system.name(*kind);
+            let unit = plain(&self.system.name(*kind));
             cell.part_names(name).into_iter().map(move |name| format!("{name}[{unit}]"))
         })
     }

@@ -6,6 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::note;
+use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
 use crate::units::Kind;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -131,6 +132,15 @@ impl<F: Value> Serialize for Cell<F> {
     }
 }
 
+/// The name of an output in the machine's units.
+fn physical_name(wanted: &str) -> &str {
+    wanted.strip_prefix("physical.").unwrap_or(wanted)
+}
+
+/// The outputs that take a search, or another cycle, of their own.
+pub(crate) const PEAKS: [&str; 4] =
+    ["max_acceleration", "transmitted_force", "transmissibility", "max_absolute_displacement"];
+
 /// Named values in order, and those in physical units.
 #[derive(Debug)]
 pub(crate) struct Record<F> {
@@ -152,10 +162,12 @@ impl<F: Value> Serialize for Record<F> {
 }
 
 impl<F: Value> Record<F> {
-    /// All outputs of a response; `None` in the cells that a regime does not have.
-    pub(crate) fn of_response(response: &Response<F>) -> Self {
+    /// All outputs of a response; `None` in the cells that a regime does not have, and in those of the peaks where
+    /// nobody asks for them.
+    pub(crate) fn of_response(response: &Response<F>, peaks: bool) -> Self {
         let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
         let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
+        let peak = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.filter(|_| peaks).map(value));
         Self {
             fields: vec![
                 ("omega", Cell::Number(Some(ratios.omega()))),
@@ -176,10 +188,10 @@ impl<F: Value> Record<F> {
                 ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
                 ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
                 ("dynamic_amplification", of_cycle(|c| c.dynamic_amplification())),
-                ("max_acceleration", of_cycle(|c| c.max_acceleration())),
-                ("transmitted_force", of_cycle(|c| c.transmitted_force())),
-                ("transmissibility", of_cycle(|c| c.transmissibility())),
-                ("max_absolute_displacement", of_cycle(|c| c.max_absolute_displacement())),
+                ("max_acceleration", peak(|c| c.max_acceleration())),
+                ("transmitted_force", peak(|c| c.transmitted_force())),
+                ("transmissibility", peak(|c| c.transmissibility())),
+                ("max_absolute_displacement", peak(|c| c.max_absolute_displacement())),
             ],
             physical: Physical::default(),
         }
@@ -200,6 +212,29 @@ impl<F: Value> Record<F> {
         let is_ratio = |(name, _): &(&'static str, Cell<F>)| matches!(*name, "omega" | "alpha");
         let place = self.fields.iter().take_while(|field| is_ratio(field)).count();
         self.fields.insert(place, ("damping_ratio", Cell::Number(Some(damping_ratio))));
+        self
+    }
+
+    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME`, or NAME where no field is
+    /// called so.
+    pub(crate) fn has(&self, wanted: &str) -> bool {
+        self.fields.iter().any(|(name, _)| *name == wanted) || self.physical.has(physical_name(wanted))
+    }
+
+    /// The names of all outputs.
+    pub(crate) fn output_names(&self) -> Vec<String> {
+        let own = self.fields.iter().map(|(name, _)| (*name).to_owned());
+        own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
+    }
+
+    /// These outputs alone, in this order, those in the machine's units last.
+    pub(crate) fn only(mut self, wanted: &[String]) -> Self {
+        let field = |wanted: &String| self.fields.iter().find(|(name, _)| name == wanted).copied();
+        let fields: Vec<_> = wanted.iter().filter_map(field).collect();
+        let is_field = |wanted: &String| fields.iter().any(|(name, _)| name == wanted);
+        let physical = wanted.iter().filter(|w| !is_field(w)).map(|w| physical_name(w));
+        self.physical = self.physical.only(physical);
+        self.fields = fields;
         self
     }
 
@@ -327,7 +362,7 @@ impl<F: Value> Record<F> {
     fn names_with_units(&self) -> Vec<String> {
         let with_unit = |name: String| match unit_of(&name) {
             _ if name.ends_with(']') => name,
-            Some(unit) => format!("{name}[{unit}]"),
+            Some(unit) => format!("{name}[{}]", plain(unit)),
             None => name,
         };
         self.names().into_iter().map(with_unit).collect()
@@ -348,27 +383,6 @@ impl<F: Value> Record<F> {
         let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
         writeln!(out, "{}", names.join("  "))
     }
-}
-
-/// The unit of a dimensionless output, by its name; nothing for words and counts.
-pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "regime" | "limit" | "sticks_per_cycle" | "velocity_zeros_per_cycle" => return None,
-        "max_displacement"
-        | "min_displacement"
-        | "deviation"
-        | "least_displacement"
-        | "distance"
-        | "rest_position"
-        | "max_absolute_displacement" => "B",
-        "max_velocity" | "min_velocity" => "B ω_d",
-        "max_acceleration" => "B ω_d²",
-        "transmitted_force" => "r_y",
-        "energy_in" | "energy_out" => "r_y B",
-        "periods" => "2π/ω_d",
-        _ if name.ends_with("_phase") => "rad",
-        _ => "1",
-    })
 }
 
 /// Width of a column of a table to read.

@@ -26,11 +26,11 @@ impl<W: Write> Task for Run<'_, W> {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
             let asked = points::Asked { file, output: &args.output, reader: &reader, given, used, ratios };
             return points::run(asked, out, |given| {
-                answer(given, &input::point(given)?).map(|(_, record)| record)
+                answer(given, &input::point(given)?, true).map(|(_, record)| record)
             });
         }
         let point = input::point(&given)?;
-        let (response, record) = answer(&given, &point)?;
+        let (response, record) = answer(&given, &point, true)?;
         match args.output.format.unwrap_or(Format::Text) {
             Format::Text => Ok(note::response(&response, point.machine.as_ref(), &given.system, out)?),
             Format::Json => record.write_pretty(out),
@@ -40,9 +40,13 @@ impl<W: Write> Task for Run<'_, W> {
 }
 
 /// The response at a point, and its record.
-fn answer<F: Value>(given: &Given<F>, point: &Point<F>) -> Result<(Response<F>, Record<F>), Failure> {
+pub(crate) fn answer<F: Value>(
+    given: &Given<F>,
+    point: &Point<F>,
+    peaks: bool,
+) -> Result<(Response<F>, Record<F>), Failure> {
     let response = Response::guarded(point.ratios);
-    let record = Record::of_response(&response);
+    let record = Record::of_response(&response, peaks);
     let record = if given.has_damper() { record.with_damping(&response) } else { record };
     let record = match &point.machine {
         Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,

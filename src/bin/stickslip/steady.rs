@@ -14,7 +14,7 @@ use crate::response::single_format;
 use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
-use stickslip::exact::{LongRun, Peaks, SteadyState};
+use stickslip::exact::{LongRun, Peaks, State, SteadyState};
 use stickslip::regime::{Observed, observed};
 use stickslip::{Error, Ratios, Regime};
 
@@ -35,17 +35,7 @@ impl<W: Write> Task for Run<'_, W> {
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         let answer = |given: &Given<F>, point: &Point<F>| {
             let start = input::start(&args.start, point.machine.as_ref(), &reader)?;
-            let limit =
-                LongRun::within(point.ratios, start, args.max_periods).map_err(|e| of_motion(given, e))?;
-            let record = record(point.ratios, &limit).map_err(|e| given.at_fault(e))?;
-            let zeta = point.ratios.damping_ratio();
-            let record = if given.has_damper() { record.with_damping_ratio(zeta) } else { record };
-            Ok::<_, Failure>(match &point.machine {
-                Some(machine) => {
-                    (limit, with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?)
-                }
-                None => (limit, record),
-            })
+            answer(given, point, start, args.max_periods, true)
         };
         if let Some(file) = &args.output.points {
             let (used, ratios) = (&Parameter::ALL, &[Parameter::Omega, Parameter::Alpha]);
@@ -64,12 +54,31 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
+/// The long run from a start, and its record.
+pub(crate) fn answer<F: Value>(
+    given: &Given<F>,
+    point: &Point<F>,
+    start: State<F>,
+    max_periods: u32,
+    peaks: bool,
+) -> Result<(LongRun<F>, Record<F>), Failure> {
+    let limit = LongRun::within(point.ratios, start, max_periods).map_err(|e| of_motion(given, e))?;
+    let record = record(point.ratios, &limit, peaks).map_err(|e| given.at_fault(e))?;
+    let zeta = point.ratios.damping_ratio();
+    let record = if given.has_damper() { record.with_damping_ratio(zeta) } else { record };
+    let record = match &point.machine {
+        Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?,
+        None => record,
+    };
+    Ok((limit, record))
+}
+
 /// The failure behind the argument that the exact motion cannot be followed with.
 pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
-    match error {
-        Error::Damped { .. } => given.at_fault(error),
-        _ => Failure::Input(format!("--omega or --frequency: {error}")),
+    if matches!(error, Error::Damped { .. }) {
+        return given.at_fault(error);
     }
+    Failure::Input(format!("--omega or --frequency: {error}"))
 }
 
 /// The regime that the motion itself shows, and what kind of limit it has.
@@ -84,13 +93,13 @@ fn names<F: Value>(limit: &LongRun<F>, seen: &Observed) -> (&'static str, &'stat
     (seen.regime.name(), kind)
 }
 
-/// All outputs of a steady state.
-pub(crate) fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>) -> Result<Record<F>, Error> {
+/// All outputs of a steady state; the peaks where they are asked for.
+fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
     let errors = steady.map(SteadyState::errors).transpose()?;
-    let peaks = steady.map(SteadyState::peaks).transpose()?;
+    let peaks = steady.filter(|_| peaks).map(SteadyState::peaks).transpose()?;
     let seen = observed(ratios, limit);
     let (regime, kind) = names(limit, &seen);
     let larger = |a: F, b: F| if a > b { a } else { b };

@@ -5,10 +5,10 @@ mod parquet;
 mod resume;
 pub(crate) mod rows;
 
-use crate::args::{SweepArgs, SweepFormat, Swept};
+use crate::args::{SweepArgs, SweepFormat};
+use crate::axes::Axes;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::grid::Grid;
 use crate::output::{self, Lines, named};
 use crate::progress;
 use rows::Rows;
@@ -31,18 +31,8 @@ pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        let omega = Grid::parse("--omega", &args.omega)?;
-        let alpha = match (&args.alpha, args.question) {
-            (Some(text), Swept::Response | Swept::Steady) => Grid::parse("--alpha", text)?,
-            (None, Swept::Border) => Grid::List(vec![F::int(1)]),
-            (None, Swept::Response | Swept::Steady) => {
-                return Err(Failure::Input("--alpha is missing".to_owned()));
-            }
-            (Some(_), Swept::Border) => {
-                return Err(Failure::Input("--alpha: a border has none; leave it out".to_owned()));
-            }
-        };
-        let rows = Rows::<F>::new(args, omega, alpha)?;
+        let axes = Axes::new(&args.machine, &args.force, &args.units.reader())?;
+        let rows = Rows::<F>::new(args, axes)?;
         let part = part(args.shard.as_deref(), rows.len())?;
         if args.resume && args.out.is_none() {
             return Err(Failure::Input("--resume: give the file to go on with by --out FILE".to_owned()));

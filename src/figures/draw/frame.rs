@@ -84,6 +84,7 @@ impl<'a> Frame<'a> {
         match series.style {
             Style::Marks => return shown().try_for_each(|place| mark::draw(canvas, series.index, place)),
             Style::Dots => return shown().try_for_each(|place| mark::dot(canvas, series.index, place)),
+            Style::Note => return Ok(()),
             Style::Named => {
                 let named = |(x, y): (i32, i32)| {
                     write(canvas, &series.name, (x / UNITS, y / UNITS), 15, Anchor::Middle)

@@ -89,6 +89,7 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
             stroke(canvas, line, series.style, colour)?;
             mark::draw(canvas, series.index, centre)?;
         }
+        Style::Note => return write(canvas, &series.name, (left, y), 13, Anchor::Left),
         Style::Arrow | Style::Named => {}
     }
     write(canvas, &series.name, (left + 42, y), 13, Anchor::Left)

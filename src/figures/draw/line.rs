@@ -18,7 +18,8 @@ pub(super) fn stroke(canvas: &Canvas<'_>, line: Vec<(i32, i32)>, style: Style, c
         | Style::Marks
         | Style::Dots
         | Style::Arrow
-        | Style::Named => {
+        | Style::Named
+        | Style::Note => {
             return canvas.draw(&PathElement::new(line, pen));
         }
     };

@@ -1,5 +1,6 @@
 //! The arguments of figures and maps.
 
+use super::{ForceArgs, MachineArgs, UnitArgs};
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -22,11 +23,17 @@ Examples:
 
 pub(crate) const MAP_EXAMPLES: &str = "\
 Quantities: regime, margin (α/α_min), stops (per cycle, from rest); an output of `response`, such as
-loop_size_stiffness; or steady:NAME for one of `steady`, such as steady:max_displacement.
+loop_size_stiffness; or steady:NAME for one of `steady`, such as steady:max_displacement. Of a machine it is in the
+machine's units where it has any.
+
+Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default: --omega
+0.0525:1.9975:390 --alpha 0.025:7.975:160]. Ω or the frequency goes across.
 
 Examples:
   stickslip map --out regime.svg
-  stickslip map margin --omega 0.2:2:181 --alpha 0.5:8:76 > margin.csv
+  stickslip map margin --omega 0.205:1.995:180 --alpha 0.5:8:76 --out margin.svg
+  stickslip map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm \\
+    --frequency 0.6Hz:5Hz:200 --base-acceleration 0.02g:0.4g:100 --out stroke.svg
   stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg";
 
 #[derive(Debug, Args)]
@@ -86,12 +93,12 @@ pub(crate) struct MapArgs {
     /// What is mapped
     #[arg(value_name = "QUANTITY", default_value = "regime")]
     pub(crate) quantity: String,
-    /// Frequency ratios Ω: a grid or a list
-    #[arg(long, value_name = "GRID", default_value = "0.0525:1.9975:390", allow_hyphen_values = true)]
-    pub(crate) omega: String,
-    /// Force ratios α: a grid or a list
-    #[arg(long, value_name = "GRID", default_value = "0.025:7.975:160", allow_hyphen_values = true)]
-    pub(crate) alpha: String,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
     /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,

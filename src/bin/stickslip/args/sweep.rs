@@ -1,10 +1,12 @@
 //! The arguments of sweeps.
 
+use super::{ForceArgs, Header, MachineArgs, UnitArgs};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 pub(crate) const SWEEP_EXAMPLES: &str = "\
-A grid is FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for equal ratios, or a list A,B,C. Ω is the slow index.
+Ω and α, and every quantity of a machine, may be a grid: FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for equal
+ratios, or a list A,B,C. The first of them, in the order of the options below, is the slow index.
 
 Examples:
   stickslip sweep response --omega 0.5:2:301 --alpha 2,4,8 > sweep.csv
@@ -12,6 +14,8 @@ Examples:
   stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.csv --resume
   stickslip sweep steady --omega 0.1:10:1000:log --alpha 1.1:20:500 --out sweep.parquet
   stickslip sweep border --omega 0.01:3:3000 --outputs omega,min_force_ratio --format jsonl
+  stickslip sweep steady --mass 800kg --period 2.2s --friction-coefficient 0.03:0.1:8 --frequency 0.3Hz:5Hz:200 \
+    --base-acceleration 0.15g --units N,mm --outputs frequency,friction,physical.max_displacement --out stroke.csv
   stickslip sweep response --omega 0.5:2:301 --alpha 2:8:61 --shard 2/4 --no-header --out part2.csv
 
 The parts 1/n … n/n are the whole: as rows joined by cat, all but the first made with --no-header; as Parquet files
@@ -23,7 +27,8 @@ the columns omega and alpha all rows are computed anew to compare them. Rows of 
 come; those of Parquet are in FILE.parts, Parquet files themselves, until the sweep is whole. A kill loses the last
 second of rows at most.
 
-Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, phases are ω_d t in rad.";
+Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, phases are ω_d t in rad. A machine has columns in
+its own units as well, max_displacement[mm] beside max_displacement: --outputs calls it physical.max_displacement.";
 
 /// What is swept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -57,12 +62,12 @@ pub(crate) struct SweepArgs {
     /// response, steady or border
     #[arg(value_enum, value_name = "WHAT", hide_possible_values = true)]
     pub(crate) question: Swept,
-    /// Frequency ratios Ω: a grid or a list
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub(crate) omega: String,
-    /// Force ratios α: a grid or a list; not for border
-    #[arg(long, value_name = "GRID", allow_hyphen_values = true)]
-    pub(crate) alpha: Option<String>,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
     /// The columns wanted, of those the command WHAT gives [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) outputs: Option<Vec<String>>,
@@ -78,6 +83,9 @@ pub(crate) struct SweepArgs {
     /// Part I of N parts of the sweep, each a run of its rows
     #[arg(long, value_name = "I/N", allow_hyphen_values = true)]
     pub(crate) shard: Option<String>,
+    /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
+    #[arg(long, value_enum, default_value = "names", value_name = "HEADER")]
+    pub(crate) header: Header,
     /// No line of column names
     #[arg(long)]
     pub(crate) no_header: bool,

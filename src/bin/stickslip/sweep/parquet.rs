@@ -12,6 +12,7 @@ use super::rows::Rows;
 use crate::args::SweepArgs;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
+use crate::given::{Given, Parameter};
 use crate::output::{Beside, Lines};
 use crate::progress;
 use crate::record::Record;
@@ -87,12 +88,13 @@ impl<F: Value> Sweep<'_, F> {
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
-        let keys = ["sweep", "omega", "alpha", "outputs", "shard", "bits"];
-        for key in keys {
+        let grids = Parameter::ALL.map(Parameter::column);
+        let keys = ["sweep", "outputs", "shard", "bits", "system"].map(str::to_owned);
+        for key in keys.iter().chain(&grids) {
             let value = |notes: &[KeyValue]| {
                 notes
                     .iter()
-                    .find(|note| note.key == key)
+                    .find(|note| note.key == *key)
                     .and_then(|note| note.value.clone())
                     .unwrap_or_default()
             };
@@ -142,20 +144,20 @@ fn open(file: &Path) -> Result<SerializedFileReader<File>, Failure> {
 
 fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     let note = |key: &str, value: Option<String>| value.map(|value| KeyValue::new(key.to_owned(), value));
-    let units = "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad";
+    let units =
+        "lengths r_y/k, velocities r_y/k ω_d, energies r_y²/k, phases rad; those in brackets have their own";
     let question = args.question.to_possible_value().map(|value| value.get_name().to_owned());
-    [
-        note("omega", Some(args.omega.clone())),
+    let typed = Given::<f64>::typed(&args.machine, &args.force);
+    let grids = typed.map(|(parameter, text)| KeyValue::new(parameter.column(), text.to_owned()));
+    let notes = [
         note("units", Some(units.to_owned())),
+        note("system", args.units.units.map(|system| format!("{},{}", system.force, system.length))),
         note("sweep", question),
-        note("alpha", args.alpha.clone()),
         note("outputs", args.outputs.as_ref().map(|names| names.join(","))),
         note("shard", args.shard.clone()),
         note("bits", args.bits.map(|bits| bits.to_string())),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
+    ];
+    grids.chain(notes.into_iter().flatten()).collect()
 }
 
 fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {

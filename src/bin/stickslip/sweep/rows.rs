@@ -1,43 +1,49 @@
 //! The rows of a sweep, each made from its number alone.
 
 use crate::args::{Header, SweepArgs, SweepFormat, Swept};
+use crate::axes::Axes;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
-use crate::grid::Grid;
+use crate::given::{Given, Parameter};
 use crate::interrupt;
-use crate::note;
 use crate::physical::Physical;
-use crate::record::{Cell, Record};
-use crate::steady;
+use crate::record::{Cell, PEAKS, Record};
+use crate::{border, input, response, steady};
 use std::ops::Range;
-use stickslip::exact::{DEFAULT_BUDGET, LongRun, State, Trajectory};
-use stickslip::{Error, PhaseFunction, Ratios, Response};
+use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
 
-/// What is asked at each point of two grids, and how it is written.
+/// What is asked at each point of the grids, and how it is written.
 pub(crate) struct Rows<F> {
     question: Swept,
-    omega: Grid<F>,
-    alpha: Grid<F>,
+    axes: Axes<F>,
     outputs: Option<Vec<String>>,
     columns: Vec<String>,
     csv: bool,
+    header: Header,
+    /// Whether the outputs wanted take the search for peaks.
+    peaks: bool,
 }
 
 impl<F: Value> Rows<F> {
     /// The rows asked for, once every point is known to have an answer and every column to exist.
-    pub(crate) fn new(args: &SweepArgs, omega: Grid<F>, alpha: Grid<F>) -> Result<Self, Failure> {
+    pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
         let csv = args.format() == SweepFormat::Csv;
         let outputs = args.outputs.clone();
-        let mut rows = Self { question: args.question, omega, alpha, outputs, columns: Vec::new(), csv };
-        check(args.question, &rows.omega, &rows.alpha)?;
+        let is_peak = |name: &String| PEAKS.iter().any(|peak| name.contains(peak));
+        let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(is_peak));
+        let (question, header) = (args.question, args.header);
+        let mut rows = Self { question, axes, outputs, columns: Vec::new(), csv, header, peaks };
+        check(args.question, &rows.axes)?;
         let first = rows.full_record(0)?;
         for (place, wanted) in rows.outputs.iter().flatten().enumerate() {
             if rows.outputs.iter().flatten().take(place).any(|earlier| earlier == wanted) {
                 return Err(Failure::Input(format!("--outputs {wanted}: must be named once")));
             }
-            if !first.fields.iter().any(|(name, _)| name == wanted) {
-                let names: Vec<&str> = first.fields.iter().map(|(name, _)| *name).collect();
-                return Err(Failure::Input(format!("--outputs {wanted}: must be of {}", names.join(","))));
+            if !first.has(wanted) {
+                return Err(Failure::Input(format!(
+                    "--outputs {wanted}: must be of {}",
+                    first.output_names().join(",")
+                )));
             }
         }
         rows.columns = rows.record(0)?.names();
@@ -45,14 +51,12 @@ impl<F: Value> Rows<F> {
     }
 
     pub(crate) fn len(&self) -> u64 {
-        self.omega.len().saturating_mul(self.alpha.len())
+        self.axes.len()
     }
 
     /// The line of column names; nothing for JSON lines.
     pub(crate) fn header(&self) -> Result<Vec<u8>, Failure> {
-        self.bytes(
-            |writer| if self.csv { self.record(0)?.write_header(writer, Header::Names) } else { Ok(()) },
-        )
+        self.bytes(|writer| if self.csv { self.record(0)?.write_header(writer, self.header) } else { Ok(()) })
     }
 
     /// The text of some rows.
@@ -69,7 +73,8 @@ impl<F: Value> Rows<F> {
         Ok(text)
     }
 
-    /// Whether Ω and, where there is one, α are among the columns.
+    /// Whether Ω and, where there is one, α are among the columns. Of a machine they tell one row from another, if not one
+    /// machine from another.
     pub(crate) fn hold_their_grid(&self) -> bool {
         let among = |name: &str| self.columns.iter().any(|column| column == name);
         among("omega") && (self.question == Swept::Border || among("alpha"))
@@ -77,7 +82,7 @@ impl<F: Value> Rows<F> {
 
     /// Whether the Ω and α of a row as written, those it has, are the ones of a point of the grid.
     pub(crate) fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
-        let (omega, alpha) = self.ratios(point);
+        let (omega, alpha) = self.ratios(point)?;
         let due = [("omega", omega), ("alpha", alpha)];
         for (name, value) in
             due.into_iter().filter(|(name, _)| *name == "omega" || self.question != Swept::Border)
@@ -108,9 +113,13 @@ impl<F: Value> Rows<F> {
         Ok(true)
     }
 
-    fn ratios(&self, point: u64) -> (F, F) {
-        let (slow, fast) = (point / self.alpha.len(), point % self.alpha.len());
-        (self.omega.value(slow), self.alpha.value(fast))
+    fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
+        let given = self.axes.at(point);
+        let ratios = match self.question {
+            Swept::Border => input::border_point(&given)?.ratios,
+            Swept::Response | Swept::Steady => input::point(&given)?.ratios,
+        };
+        Ok((ratios.omega(), ratios.alpha()))
     }
 
     fn bytes(
@@ -128,54 +137,47 @@ impl<F: Value> Rows<F> {
 
     /// The columns wanted, in the order they were named.
     pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
-        let mut record = self.full_record(point)?;
-        if let Some(outputs) = &self.outputs {
-            let named = |wanted: &String| record.fields.iter().find(|(name, _)| name == wanted).copied();
-            record.fields = outputs.iter().filter_map(named).collect();
-        }
-        Ok(record)
+        let record = self.full_record(point)?;
+        Ok(match &self.outputs {
+            Some(outputs) => record.only(outputs),
+            None => record,
+        })
     }
 
     fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
         if interrupt::asked() {
             return Err(Failure::Interrupted);
         }
-        let (omega, alpha) = self.ratios(point);
-        answer(self.question, omega, alpha).map_err(|e| Failure::Input(format!("--omega, --alpha: {e}")))
+        // An error is made once more, with the values in its words.
+        answer(self.question, &self.axes.at(point), self.peaks)
+            .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
     }
 }
 
-/// What the command of that name answers at a point.
-pub(crate) fn answer<F: Value>(question: Swept, omega: F, alpha: F) -> Result<Record<F>, Error> {
+/// What the command of that name answers where this is given.
+pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
     Ok(match question {
-        Swept::Response => Record::of_response(&Response::guarded(Ratios::new(omega, alpha)?)),
+        Swept::Response => response::answer(given, &input::point(given)?, peaks)?.1,
         Swept::Steady => {
-            let ratios = Ratios::new(omega, alpha)?;
-            steady::record(ratios, &LongRun::within(ratios, State::rest(), DEFAULT_BUDGET)?)?
+            steady::answer(given, &input::point(given)?, State::rest(), DEFAULT_BUDGET, peaks)?.1
         }
-        Swept::Border => Record::of_border(&Response::guarded(Ratios::new(omega, F::int(1))?)),
+        Swept::Border => border::record(given, &input::border_point(given)?, false)?.2,
     })
 }
 
-/// Fails where a value of the grids has no answer. The domains are intervals: their ends decide.
-pub(crate) fn check<F: Value>(question: Swept, omega: &Grid<F>, alpha: &Grid<F>) -> Outcome {
-    let named = |name: &str, value: F, e: Error| {
-        Err(Failure::Input(format!("{name} {}: {e}", note::all_digits(value))))
-    };
-    for omega in omega.bounds() {
-        if let Err(e) = PhaseFunction::new(omega) {
-            return named("--omega", omega, e);
-        }
-        let in_motion =
-            Ratios::new(omega, F::int(1)).and_then(|ratios| Trajectory::new(ratios, State::rest()));
-        if let (Swept::Steady, Err(e)) = (question, in_motion) {
-            return named("--omega", omega, e);
-        }
+/// Fails where a point of the grids has no answer.
+pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
+    if question == Swept::Border
+        && let Some(drive) = Parameter::DRIVES.into_iter().find(|p| axes.has(*p))
+    {
+        return Err(Failure::Input(format!("{}: a border has none; leave it out", drive.option())));
     }
-    for alpha in alpha.bounds() {
-        if let Err(e) = Ratios::new(F::int(1), alpha) {
-            return named("--alpha", alpha, e);
+    axes.at_ends(|given| match question {
+        Swept::Border => input::border_point(given).map(|_| ()),
+        Swept::Response => input::point(given).map(|_| ()),
+        Swept::Steady => {
+            let ratios = input::point(given)?.ratios;
+            Trajectory::new(ratios, State::rest()).map(|_| ()).map_err(|e| given.at_fault(e))
         }
-    }
-    Ok(())
+    })
 }

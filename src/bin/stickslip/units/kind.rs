@@ -12,6 +12,8 @@ pub(crate) enum Kind {
     Time,
     Angle,
     Frequency,
+    /// Frequency in cycles, whatever the system.
+    Hertz,
     Velocity,
     Acceleration,
     Force,
@@ -43,7 +45,7 @@ impl Kind {
             Self::Length => [0, 1, 0, 0],
             Self::Time => [0, 0, 1, 0],
             Self::Angle => [0, 0, 0, 1],
-            Self::Frequency => [0, 0, -1, 1],
+            Self::Frequency | Self::Hertz => [0, 0, -1, 1],
             Self::Velocity => [0, 1, -1, 0],
             Self::Acceleration => [0, 1, -2, 0],
             Self::Force => [1, 1, -2, 0],
@@ -69,7 +71,7 @@ impl Kind {
             Self::Length => "length",
             Self::Time => "time",
             Self::Angle => "angle",
-            Self::Frequency => "frequency",
+            Self::Frequency | Self::Hertz => "frequency",
             Self::Velocity => "velocity",
             Self::Acceleration => "acceleration",
             Self::Force => "force",
@@ -77,6 +79,11 @@ impl Kind {
             Self::Damping => "damping constant",
             Self::Energy => "energy",
         }
+    }
+
+    /// The name of its unit in a system.
+    pub(crate) fn unit(self, system: &super::System) -> String {
+        system.name(self)
     }
 
     /// What was expected in place of another unit.
@@ -87,7 +94,7 @@ impl Kind {
             Self::Length => "a length (m, mm, in)",
             Self::Time => "a time (s, ms)",
             Self::Angle => "an angle (rad, deg)",
-            Self::Frequency => "a frequency (Hz, rad/s, rpm)",
+            Self::Frequency | Self::Hertz => "a frequency (Hz, rad/s, rpm)",
             Self::Velocity => "a velocity (m/s, mm/s, in/s)",
             Self::Acceleration => "an acceleration (g, m/s^2, mm/s^2)",
             Self::Force => "a force (N, kN, lbf)",

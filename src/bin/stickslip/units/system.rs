@@ -58,6 +58,7 @@ impl System {
             Kind::Time => "s".to_owned(),
             Kind::Angle => "rad".to_owned(),
             Kind::Frequency => "rad/s".to_owned(),
+            Kind::Hertz => "Hz".to_owned(),
             Kind::Velocity => format!("{length}/s"),
             Kind::Acceleration => format!("{length}/s²"),
             Kind::Force => force.to_owned(),

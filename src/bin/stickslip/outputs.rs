@@ -1,0 +1,190 @@
+//! The one table of outputs: every column and key, its unit and what it is.
+
+use crate::failure::Outcome;
+use std::fmt::Write as _;
+use std::io::Write;
+
+/// Name, unit and meaning of an output.
+pub(crate) type Entry = (&'static str, &'static str, &'static str);
+
+/// The outputs in ratios, by the command that has them first.
+pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
+    (
+        "What was asked",
+        &[
+            ("omega", "1", "frequency ratio Ω = ω_d/ω_n"),
+            ("alpha", "1", "force ratio α = p₀/r_y"),
+            ("damping_ratio", "1", "damping ratio ζ = c/(2√(k m)), where damping was given"),
+        ],
+    ),
+    (
+        "response, border: the steady motion with two reversals a cycle, in closed form",
+        &[
+            ("regime", "", "what the body does: non-sticking, sticking, stuck or unbounded"),
+            ("max_displacement", "B", "maximum displacement Δ₀ (eq. 44)"),
+            ("displacement_phase", "rad", "phase ω_d t₂ of the maximum displacement (eq. 43)"),
+            ("max_velocity", "B ω_d", "maximum velocity V₀ (eq. 49)"),
+            ("velocity_phase", "rad", "phase ω_d t₁ of the maximum velocity (eq. 46)"),
+            ("deviation", "B", "displacement Δ₁ at the maximum velocity (eq. 47)"),
+            ("min_force_ratio", "1", "least force ratio α_min without sticking"),
+            ("min_force_ratio_turning_point", "1", "the same by eq. 61, which falls short below Ω = 1/2"),
+            ("loop_size_stiffness", "1", "friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64)"),
+            ("loop_size_inertia", "1", "the same per p₀²/(2 m ω_d²), A₂ (eq. 67)"),
+            ("best_force_ratio", "1", "force ratio α* of the largest A₁ (eq. 65)"),
+            ("best_loop_size", "1", "that largest A₁ (eq. 66)"),
+            ("best_force_ratio_slides", "", "whether the body slides at α*"),
+            ("contraction", "1", "part of a disturbance that is left after half a cycle"),
+            ("damper_work", "r_y B", "energy that the damper takes in a cycle, where damping was given"),
+            (
+                "border_phase",
+                "rad",
+                "phase after the maximum displacement at which it would stop first, on the border",
+            ),
+            ("least_displacement", "B", "maximum displacement on the border"),
+            ("no_stop_force_ratios", "1", "force ratios without any stop, as intervals (border --no-stop)"),
+        ],
+    ),
+    (
+        "response, steady: what the machine feels of it",
+        &[
+            ("reversals_per_cycle", "", "reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, …"),
+            (
+                "dynamic_amplification",
+                "1",
+                "maximum displacement over p₀/k: compares machines of different friction",
+            ),
+            ("max_acceleration", "B ω_d²", "maximum acceleration |x″|"),
+            (
+                "transmitted_force",
+                "r_y",
+                "greatest force of spring, damper and friction on what carries them",
+            ),
+            (
+                "transmissibility",
+                "1",
+                "that force over p₀; over a moving base the ratio of absolute accelerations",
+            ),
+            (
+                "max_absolute_displacement",
+                "B",
+                "greatest displacement in the room, over a base that carries the surface",
+            ),
+        ],
+    ),
+    (
+        "steady: the exact motion in the long run, stops included",
+        &[
+            ("limit", "", "periodic, family (one of many, by the start), rest, none or not-converged"),
+            ("max_displacement_phase", "rad", "phase ω_d t of the maximum displacement"),
+            ("min_displacement", "B", "minimum displacement"),
+            ("min_displacement_phase", "rad", "its phase"),
+            ("max_velocity_phase", "rad", "phase of the maximum velocity"),
+            ("min_velocity", "B ω_d", "minimum velocity"),
+            ("min_velocity_phase", "rad", "its phase"),
+            ("sticks_per_cycle", "", "stops in a cycle"),
+            ("velocity_zeros_per_cycle", "", "instants of zero velocity in a cycle, a stop being one"),
+            ("stick_fraction", "1", "part of the time at rest"),
+            ("error_1", "1", "|max x + min x|/max x: 0 for a symmetric motion, as are the other three"),
+            ("error_2", "1", "what the phases of max x and min x differ by, less half a turn, in turns"),
+            ("error_3", "1", "|max x′ + min x′|/max x′"),
+            ("error_4", "1", "error_2 of the velocities"),
+            ("energy_in", "r_y B", "work of the drive in a cycle"),
+            ("energy_out", "r_y B", "work against friction and damper in a cycle"),
+            ("multipliers", "1", "Floquet multipliers of a cycle, as pairs of real and imaginary part"),
+            ("distance", "B", "estimate of how far the motion found is from the limit"),
+            ("rest_position", "B", "where the body comes to rest for good"),
+            ("periods", "2π/ω_d", "periods of the drive that were followed"),
+        ],
+    ),
+    (
+        "simulate: one phase a row, or one sample with --samples",
+        &[
+            ("kind", "", "slide-forward, slide-backward or stick"),
+            ("ends_by", "", "reversal, stop, grazing, release or never"),
+            ("start_cycle", "", "whole cycles of the drive before the start; end_cycle and cycle likewise"),
+            ("start_phase", "rad", "phase ω_d t of the start in its cycle; end_phase and phase likewise"),
+            ("duration", "rad", "length of the phase, in ω_d t"),
+            ("start_x", "B", "displacement at the start; end_x and x likewise"),
+            ("start_v", "B ω_d", "velocity at the start; v likewise"),
+            ("friction", "r_y", "force of friction"),
+            ("r", "r_y", "force of spring and friction"),
+        ],
+    ),
+    (
+        "map: beside these",
+        &[
+            ("margin", "1", "force over the least force without sticking, α/α_min"),
+            ("stops", "", "stops in a cycle of the exact motion"),
+        ],
+    ),
+];
+
+/// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets behind the column's name.
+pub(crate) const PHYSICAL: &[(&str, &str)] = &[
+    ("drive", "what shakes the body: a force, the spring's foot, or a base that carries the surface"),
+    ("frequency", "frequency of the drive in Hz"),
+    ("angular_frequency", "ω_d"),
+    ("natural_frequency", "ω_n = √(k/m)"),
+    ("period", "natural period 2π/ω_n"),
+    ("mass, stiffness, friction, damping", "m, k, r_y, c"),
+    ("friction_coefficient", "µ = r_y/(m g), where it was given"),
+    ("force_amplitude", "amplitude p₀ of the force on the body"),
+    ("foot_displacement", "amplitude of the spring's foot"),
+    ("base_displacement, base_velocity, base_acceleration", "amplitudes of a base that carries the surface"),
+    ("friction_displacement", "B = r_y/k, the unit of length of the ratios"),
+    ("displacement_time, velocity_time, …_time", "the instant in the cycle of the force, phase/ω_d"),
+    (
+        "min_force, min_force_turning_point, best_force, no_stop_forces",
+        "the force ratios of these names times r_y",
+    ),
+    ("energy_per_cycle", "energy that friction takes in a cycle, 4 r_y Δ₀"),
+    ("damper_energy_per_cycle", "energy that the damper takes"),
+    ("best_force_energy", "friction's energy in a cycle at best_force"),
+    ("followed_for", "time that the exact motion was followed for"),
+];
+
+/// The entry of an output in ratios.
+pub(crate) fn entry(name: &str) -> Option<&'static Entry> {
+    GROUPS.iter().flat_map(|(_, entries)| *entries).find(|(own, ..)| *own == name)
+}
+
+/// The unit of an output in ratios, by its name; nothing for words and counts.
+pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
+    let whole = entry(name).or_else(|| {
+        // Parts of a pair or of an interval.
+        let ends = ["_1_re", "_1_im", "_2_re", "_2_im", "_1_low", "_1_high", "_2_low", "_2_high"];
+        ends.iter().find_map(|end| entry(name.strip_suffix(end)?))
+    });
+    whole.map(|(_, unit, _)| *unit).filter(|unit| !unit.is_empty())
+}
+
+/// A unit in letters that every program reads, as the columns of a table have it.
+pub(crate) fn plain(unit: &str) -> String {
+    unit.replace("ω_d", "wd").replace('π', "pi").replace('²', "^2").replace('·', "*")
+}
+
+/// The whole table as text.
+pub(crate) fn text() -> String {
+    let mut text = String::new();
+    for (title, entries) in GROUPS {
+        let _ = writeln!(text, "{title}\n");
+        for (name, unit, meaning) in *entries {
+            let _ = writeln!(text, "  {name:<31}{:<9}{meaning}", if unit.is_empty() { "–" } else { unit });
+        }
+        text.push('\n');
+    }
+    text.push_str("Of a machine, under physical, each with its unit\n\n");
+    for (name, meaning) in PHYSICAL {
+        if name.chars().count() > 29 {
+            let _ = writeln!(text, "  {name}\n  {:<31}{meaning}", "");
+        } else {
+            let _ = writeln!(text, "  {name:<31}{meaning}");
+        }
+    }
+    text
+}
+
+/// `stickslip outputs`.
+pub(crate) fn run(out: &mut impl Write) -> Outcome {
+    Ok(out.write_all(text().as_bytes())?)
+}
