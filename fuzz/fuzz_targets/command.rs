@@ -19,6 +19,7 @@ mod command {
     pub(crate) mod machine;
     pub(crate) mod note;
     pub(crate) mod output;
+    pub(crate) mod outputs;
     pub(crate) mod physical;
     pub(crate) mod points;
     pub(crate) mod progress;
@@ -31,7 +32,7 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, physical,
+    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, outputs, physical,
     points, progress, record, response, sink, style, units,
 };
 use failure::Failure;
@@ -68,12 +69,17 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
         }
         Command::Design(question) => design::run(question, out),
         Command::Sweep(args) => {
-            let omega = grid::Grid::<f64>::parse("--omega", &args.omega);
-            return check_grid(omega);
+            let omega = args.machine.omega.as_deref().unwrap_or("0.5");
+            return check_grid(grid::Grid::<f64>::parse("--omega", omega));
         }
-        Command::Map(args) => return check_grid(grid::Grid::<f64>::parse("--alpha", &args.alpha)),
+        Command::Map(args) => {
+            let alpha = args.force.alpha.as_deref().unwrap_or("2");
+            return check_grid(grid::Grid::<f64>::parse("--alpha", alpha));
+        }
         Command::Steady(_)
         | Command::Simulate(_)
+        | Command::Identify(_)
+        | Command::Outputs
         | Command::ResponseCurve(_)
         | Command::MotionPlot(_)
         | Command::Verify(_)
@@ -90,9 +96,7 @@ fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome
         Ok(grid) => grid,
         Err(failure) => return Some(Err(failure)),
     };
-    let bounds = grid.bounds();
-    let (low, high) =
-        bounds.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
+    let (low, high) = grid.ends();
     assert!(grid.len() >= 1 && low.is_finite() && high.is_finite());
     for place in [0, 1, grid.len() / 2, grid.len() - 1] {
         let value = grid.value(place.min(grid.len() - 1));

@@ -4,8 +4,10 @@ use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
 use crate::exact::{LongRun, State};
 use crate::{Border, Ratios};
 
-/// Names of the numbers of stops; the last stands for more.
-const NAMES: [&str; 5] = ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more"];
+/// Names of the numbers of stops, from light to dark: as in every picture of ours, the lightest colour is for what
+/// does not stop, and the darkest for rest.
+const NAMES: [&str; 6] =
+    ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more", "at rest"];
 
 /// Stops per cycle of the exact motion from rest, with the border.
 pub(super) fn per_cycle() -> Figure {
@@ -13,7 +15,7 @@ pub(super) fn per_cycle() -> Figure {
         (evenly(0.0525, 1.4975, 290).collect(), evenly(0.05, 7.95, 159).collect());
     let places = y.iter().flat_map(|&alpha| x.iter().map(move |&omega| (omega, alpha)));
     let values = places.map(|(omega, alpha)| class(omega, alpha)).collect();
-    let names = std::iter::once("at rest").chain(NAMES).map(str::to_owned).collect();
+    let names = NAMES.map(str::to_owned).to_vec();
     let border = evenly(0.05, 1.5, 2901)
         .filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio())));
     Figure {
@@ -35,11 +37,9 @@ pub(super) fn per_cycle() -> Figure {
 /// The place in the list of names; NaN where the motion did not settle.
 fn class(omega: f64, alpha: f64) -> f64 {
     match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest())) {
-        Ok(LongRun::Rest(_)) => 0.0,
-        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => {
-            f64::from(1 + s.sticks_per_cycle().div_ceil(2).min(4))
-        }
-        Ok(LongRun::Unbounded { .. }) => 1.0,
+        Ok(LongRun::Rest(_)) => 5.0,
+        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle().div_ceil(2).min(4)),
+        Ok(LongRun::Unbounded { .. }) => 0.0,
         Ok(LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
     }
 }

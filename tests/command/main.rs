@@ -18,4 +18,5 @@ mod parquet;
 mod round_trips;
 mod shell;
 mod sweep;
+mod tasks;
 mod units;

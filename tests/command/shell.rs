@@ -3,7 +3,7 @@
 use crate::command_line::{refused, stdout, stickslip};
 use std::path::PathBuf;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 16] = [
     "response",
     "border",
     "steady",
@@ -15,6 +15,7 @@ const COMMANDS: [&str; 15] = [
     "figures",
     "sweep",
     "map",
+    "identify",
     "response-curve",
     "motion-plot",
     "completions",

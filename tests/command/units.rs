@@ -8,41 +8,46 @@ use std::f64::consts::TAU;
 
 const ISOLATOR: &str = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 2Hz";
 
-fn number(value: &Value) -> f64 {
+pub(crate) fn number(value: &Value) -> f64 {
     value.as_f64().unwrap_or_else(|| panic!("{value} is not a number"))
 }
 
-fn close(a: f64, b: f64, tolerance: f64) {
+pub(crate) fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a / b - 1.0).abs() < tolerance, "{a} against {b}");
 }
 
 /// A body on a spring and a surface, both of which may move.
-struct Room {
-    mass: f64,
-    stiffness: f64,
-    friction: f64,
-    frequency: f64,
+pub(crate) struct Room {
+    pub(crate) mass: f64,
+    pub(crate) stiffness: f64,
+    pub(crate) friction: f64,
+    pub(crate) frequency: f64,
     /// Of a damper between the body and what carries it.
-    damping: f64,
+    pub(crate) damping: f64,
 }
 
 /// What small steps of time find in the last cycle: greatest displacement over the surface, absolute displacement and acceleration.
-struct Stepped {
-    stroke: f64,
+pub(crate) struct Stepped {
+    pub(crate) stroke: f64,
     absolute: f64,
     acceleration: f64,
     /// Energy that the damper takes.
     damper: f64,
+    /// Energy that friction takes.
+    pub(crate) friction: f64,
+    /// Steps in which friction held the body.
+    pub(crate) held: u32,
 }
 
 impl Room {
     /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the surface, `force` that of a
     /// force on the body. Friction takes what it can of the relative momentum in each step.
-    fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
+    pub(crate) fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
         let Self { mass, stiffness, friction, frequency, damping } = *self;
         let dt = TAU / frequency / f64::from(steps);
         let (mut y, mut v) = (0.0, surface * frequency);
-        let mut found = Stepped { stroke: 0.0, absolute: 0.0, acceleration: 0.0, damper: 0.0 };
+        let mut found =
+            Stepped { stroke: 0.0, absolute: 0.0, acceleration: 0.0, damper: 0.0, friction: 0.0, held: 0 };
         for step in 0..cycles * steps {
             let theta = frequency * dt * f64::from(step);
             let (sine, next) = (theta.sin(), (theta + frequency * dt).cos());
@@ -56,6 +61,8 @@ impl Room {
             if step >= (cycles - 1) * steps {
                 let over = y - surface * (theta + frequency * dt).sin();
                 found.stroke = found.stroke.max(over.abs());
+                found.friction += friction.min((free - carrier).abs() * mass / dt) * slip.abs() * dt;
+                found.held += u32::from((free - carrier).abs() < most);
                 found.damper += damping * slip * slip * dt;
                 found.absolute = found.absolute.max(y.abs());
                 found.acceleration = found.acceleration.max(acceleration.abs());
@@ -66,7 +73,7 @@ impl Room {
 }
 
 /// The isolator at a coefficient of friction and a frequency in hertz.
-fn isolator(coefficient: f64, hertz: f64) -> Room {
+pub(crate) fn isolator(coefficient: f64, hertz: f64) -> Room {
     let mass = 800.0;
     Room {
         mass,
@@ -112,7 +119,7 @@ fn an_isolator_over_its_frequencies() {
         for hertz in [0.3, 0.45, 0.8, 1.5, 5.0] {
             let base = 0.15 * 9.80665 / (TAU * hertz).powi(2);
             // Close to resonance it takes a thousand cycles to settle.
-            let (cycles, steps) = if hertz == 0.45 { (2000, 4000) } else { (300, 20_000) };
+            let (cycles, steps) = if hertz == 0.45 { (2000, 4000) } else { (200, 8000) };
             let stepped = isolator(coefficient, hertz).stepped(0.0, base, base, cycles, steps);
             let machine = format!(
                 "--mass 800kg --period 2.2s --friction-coefficient {coefficient} --frequency {hertz}Hz"
@@ -285,4 +292,51 @@ fn a_damper_is_given_by_ratio_or_constant() {
         &format!("response {machine} --damping 3N"),
         &["--damping 3N", "“N” is a unit of force", "a damping constant"],
     );
+}
+
+/// The table of outputs has every key of every answer, and every column.
+#[test]
+fn every_output_is_defined() {
+    let table = stdout("outputs");
+    assert!(stdout("help outputs").contains(table.trim_end()));
+    let defined: Vec<&str> = table
+        .lines()
+        .filter_map(|line| line.strip_prefix("  "))
+        .flat_map(|line| line.split("   ").next().unwrap_or(line).split(", "))
+        .map(|name| name.split(' ').next().unwrap())
+        .collect();
+    let is_defined = |name: &str| {
+        let end = ["_re", "_im", "_low", "_high"].iter().find_map(|end| name.strip_suffix(end));
+        let name = end.map_or(name, |name| name.trim_end_matches(['1', '2']).trim_end_matches('_'));
+        defined.contains(&name) || (name.ends_with("_time") && defined.contains(&"…_time"))
+    };
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 2Hz";
+    let mut tried = 0;
+    for arguments in [
+        format!("response {machine} --base-acceleration 0.15g --damping-ratio 0.01"),
+        format!("response {machine} --foot-displacement 0.3m"),
+        format!("steady {machine} --base-acceleration 0.15g"),
+        format!("border {machine} --damping 3N*s/m"),
+        "border --omega 0.4 --no-stop".to_owned(),
+    ] {
+        let answer = json(&format!("{arguments} --format json"));
+        let keys = answer.as_object().unwrap().keys();
+        let physical = answer["physical"].as_object().into_iter().flat_map(serde_json::Map::keys);
+        for key in keys.chain(physical).filter(|key| !["physical", "units"].contains(&key.as_str())) {
+            assert!(is_defined(key), "{arguments}: {key}");
+            tried += 1;
+        }
+    }
+    for samples in ["", " --samples 4"] {
+        let rows = stdout(&format!("simulate --omega 0.4 --alpha 6 --cycles 1 --format csv{samples}"));
+        for name in rows.lines().next().unwrap().split(',') {
+            let like = name.replace("end_", "start_");
+            assert!(
+                is_defined(name) || is_defined(&like) || table.contains(&format!("{name} likewise")),
+                "{name}"
+            );
+        }
+    }
+    assert!(tried > 100, "{tried}");
+    assert!(!is_defined("nonesuch"));
 }

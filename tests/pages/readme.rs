@@ -125,10 +125,55 @@ fn every_block_is_of_a_kind_that_is_tested() {
                     assert!(tested.contains(&format!("\"../{page}\"")), "src/pages.rs does not run {page}")
                 }
                 "math" | "text" => {}
+                // `every_snippet_of_another_language_runs`.
+                "python" | "matlab" => {}
                 _ => panic!("{page}: a block of an unknown kind: {kind}"),
             }
         }
     }
+}
+
+/// Python runs as it is. Of MATLAB, which is not at hand, the commands run, and the columns and keys that it reads are there.
+#[test]
+fn every_snippet_of_another_language_runs() {
+    let program = cargo_bin("stickslip");
+    let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap());
+    let mut tried = 0;
+    for (page, text) in crate::book_pages::all() {
+        let folder = folder(&format!("snippets-{page}"));
+        for (kind, block) in blocks(&text) {
+            if kind == "python" {
+                std::fs::write(folder.join("snippet.py"), &block).unwrap();
+                let mut python = Command::new("python3");
+                let done = python.arg("snippet.py").current_dir(&folder).env("PATH", &path).output();
+                let done = done.expect("this test needs python3");
+                assert!(done.status.success(), "{page}: {}", String::from_utf8_lossy(&done.stderr));
+                tried += 1;
+            }
+            if kind == "matlab" {
+                let quoted = |text: &str, before: &str| -> Vec<String> {
+                    let parts = text.split(before).skip(1).filter_map(|rest| rest.split('"').next());
+                    parts.map(str::to_owned).collect()
+                };
+                let mut output = String::new();
+                for command in quoted(&block, "system(\"") {
+                    let (success, printed) = run(&command, &folder);
+                    assert!(success, "{page}: {command}\n{printed}");
+                    output += &printed;
+                }
+                for file in quoted(&block, "readtable(\"") {
+                    let table = std::fs::read_to_string(folder.join(file)).unwrap();
+                    let header: Vec<&str> = table.lines().next().unwrap().split(',').collect();
+                    let names = quoted(&block, "T.(\"");
+                    assert!(!names.is_empty() && names.iter().all(|name| header.contains(&name.as_str())));
+                }
+                let key = block.trim_end().rsplit("physical.").next().unwrap();
+                assert!(output.contains(&format!("\"{key}\"")), "{page}: {key}");
+                tried += 1;
+            }
+        }
+    }
+    assert!(tried >= 3, "{tried}");
 }
 
 /// What the commands that are not run name exists: tests, examples, with the features they need.

@@ -3,6 +3,7 @@
 mod closed;
 mod curve;
 mod design;
+mod identify;
 mod motion;
 mod pictures;
 mod shared;
@@ -20,6 +21,8 @@ use curve::{CURVE_EXAMPLES, MOTION_EXAMPLES};
 pub(crate) use curve::{Curve, CurveArgs, MotionPlotArgs};
 use design::DESIGN_EXAMPLES;
 pub(crate) use design::{Question, QuestionArgs};
+use identify::IDENTIFY_EXAMPLES;
+pub(crate) use identify::IdentifyArgs;
 use motion::{DECAY_EXAMPLES, SIMULATE_EXAMPLES, STEADY_EXAMPLES};
 pub(crate) use motion::{DecayArgs, SimulateArgs, StartArgs, SteadyArgs};
 use pictures::{FIGURE_EXAMPLES, FIGURES_EXAMPLES, MAP_EXAMPLES};
@@ -84,6 +87,9 @@ pub(crate) enum Command {
     /// The questions asked backwards: from what the machine is to do, to what it takes.
     #[command(subcommand, after_help = DESIGN_EXAMPLES)]
     Design(Question),
+    /// Friction and damping from a measured response curve.
+    #[command(after_help = IDENTIFY_EXAMPLES)]
+    Identify(IdentifyArgs),
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),

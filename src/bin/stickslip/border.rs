@@ -19,6 +19,9 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     bits::run(args.output.bits, Run(args, out))
 }
 
+/// The answer at a point, with the forces without a stop where they were asked for, and its record.
+type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
+
 /// The forces without any stop; nothing is known of them with damping.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
     if ratios.is_damped() {
@@ -32,7 +35,7 @@ pub(crate) fn record<F: Value>(
     given: &Given<F>,
     point: &BorderPoint<F>,
     with_no_stop: bool,
-) -> Result<(Response<F>, Option<NoStop<F>>, Record<F>), Failure> {
+) -> Result<Answer<F>, Failure> {
     // The border does not depend on the force, here r_y.
     let answer = Response::guarded(point.ratios);
     let found = with_no_stop.then(|| no_stop(point.ratios)).transpose();

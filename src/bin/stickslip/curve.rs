@@ -340,7 +340,8 @@ impl Asked {
         }
         let mut title = format!("{} over the frequency", capital(words(self.what)));
         if clipped {
-            title.push_str(&format!(", cut off at {}", digits(high)));
+            let rounded = format!("{high:.1e}").parse().unwrap_or(high);
+            title.push_str(&format!(", cut off at {}", digits(rounded)));
         }
         Ok(Figure {
             name: "response-curve".to_owned(),

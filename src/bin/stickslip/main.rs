@@ -24,6 +24,7 @@ mod failure;
 mod figure;
 mod given;
 mod grid;
+mod identify;
 mod input;
 mod interrupt;
 mod machine;
@@ -86,6 +87,7 @@ fn run(command: &Command) -> Outcome {
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
         Command::Design(question) => design::run(question, &mut out)?,
+        Command::Identify(args) => identify::run(args, &mut out)?,
         Command::Decay(args) => decay::run(args, &mut out)?,
         Command::Verify(args) => verify::run(args, &mut out)?,
         Command::Figure(args) => figure::run(args, &mut out)?,

@@ -242,6 +242,17 @@ impl<'a> Map<'a> {
         points
     }
 
+    /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at rest goes the
+    /// other way.
+    fn lit(&self, scale: Scale) -> Scale {
+        match scale {
+            Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
+                Scale::Shades { low: high, high: low, logarithmic }
+            }
+            Scale::Shades { .. } | Scale::Names(_) => scale,
+        }
+    }
+
     /// Fails where a picture would be too large.
     fn drawable(&self) -> Outcome {
         let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
@@ -316,7 +327,7 @@ impl<'a> Map<'a> {
                 let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
                 Scale::Names((0..=most as u64).map(|n| n.to_string()).collect())
             }
-            (false, false) => clipped(Plane::shades(&values), &values, &mut title),
+            (false, false) => self.lit(clipped(Plane::shades(&values), &values, &mut title)),
         };
         let mut series = Vec::new();
         let border = self.border();
@@ -345,7 +356,7 @@ impl<'a> Map<'a> {
 const MOST: u64 = 4_000_000;
 const MOST_ACROSS: u64 = 20_000;
 /// Points of the border, more than a picture can show.
-const BORDER_POINTS: u32 = 4000;
+const BORDER_POINTS: u32 = 1000;
 /// Shades beyond this many times the values of nearly all points are those of a pole.
 const POLE: f64 = 100.0;
 

@@ -4,7 +4,32 @@ use crate::figures::Axis;
 
 /// Ticks of an axis as (value, text).
 pub(super) fn ticks(axis: &Axis) -> Vec<(f64, String)> {
-    if axis.logarithmic { powers_of_ten(axis.low, axis.high) } else { round_steps(axis.low, axis.high) }
+    let (low, high) = (axis.low.min(axis.high), axis.low.max(axis.high));
+    if !axis.logarithmic {
+        return round_steps(low, high);
+    }
+    let powers = powers_of_ten(low, high);
+    // One or two ticks would not show what the axis is.
+    if powers.len() > 2 { powers } else { one_two_five(low, high) }
+}
+
+/// 1, 2 and 5 times each power of ten; even steps where that is still not enough.
+fn one_two_five(low: f64, high: f64) -> Vec<(f64, String)> {
+    let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
+    let tick = |e: i32| {
+        [1, 2, 5].map(|m| {
+            let value = f64::from(m) * 10f64.powi(e);
+            let text = if (-4..6).contains(&e) {
+                format!("{value:.*}", usize::try_from(-e).unwrap_or(0))
+            } else {
+                format!("{m}·{}", power(e))
+            };
+            (value, text)
+        })
+    };
+    let within = |(value, _): &(f64, String)| *value >= low * (1.0 - 1e-9) && *value <= high * (1.0 + 1e-9);
+    let found: Vec<_> = (first..=last).flat_map(tick).filter(within).collect();
+    if found.len() > 2 { found } else { round_steps(low, high) }
 }
 
 /// Powers of ten, at most nine of them.
@@ -68,6 +93,11 @@ mod tests {
             texts(&Axis::logarithmic("", 1e-17, 1.0)),
             ["10⁻¹⁵", "10⁻¹²", "10⁻⁹", "10⁻⁶", "10⁻³", "1"]
         );
+        assert_eq!(texts(&Axis::logarithmic("", 0.05, 2.0)), ["0.05", "0.1", "0.2", "0.5", "1", "2"]);
+        assert_eq!(texts(&Axis::logarithmic("", 30.0, 400.0)), ["50", "100", "200"]);
+        assert_eq!(texts(&Axis::logarithmic("", 1.1, 1.9)), ["1.2", "1.4", "1.6", "1.8"]);
+        // From above down, as a key has it whose light end is the lower one.
+        assert_eq!(texts(&Axis::linear("", 1.0, 0.0)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         for high in [0.7, 1.3, 4.0, 9.9, 16.0, 30.0, 123.0] {
             assert!((4..=10).contains(&ticks(&Axis::linear("", 0.0, high)).len()), "{high}");
         }

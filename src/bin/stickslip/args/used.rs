@@ -73,6 +73,12 @@ const USED: &[(&str, Mode, &str)] = &[
     ("response-curve", Machine, "what omega alpha BODY frequency DRIVE units out overwrite"),
     ("motion-plot", Ratios, "omega alpha damping_ratio x0 v0 out overwrite"),
     ("motion-plot", Machine, "omega alpha BODY frequency DRIVE x0 v0 units out overwrite"),
+    (
+        "identify",
+        Machine,
+        "file mass stiffness period gravity force base_acceleration base_velocity base_displacement \
+         foot_displacement format units",
+    ),
     ("decay", Ratios, "x0 v0 format bits"),
     ("decay", Machine, "mass stiffness friction x0 v0 format bits units"),
     ("design force", Ratios, "omega damping_ratio no_stop format bits"),
@@ -114,6 +120,9 @@ fn options(used: &str) -> impl Iterator<Item = &str> {
     })
 }
 
+/// The arguments that have a place and no name.
+const PLACES: [&str; 4] = ["question", "quantity", "what", "file"];
+
 /// Fails at the first option that has no use in what is asked.
 pub(super) fn check(matches: &ArgMatches) -> Outcome {
     let (mut command, mut matches) = (String::new(), matches);
@@ -143,7 +152,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
             "{}: {command} does not use it {}; it uses {}",
             written(id, matches),
             mode.name(),
-            options(used).map(option).collect::<Vec<_>>().join(", ")
+            options(used).filter(|id| !PLACES.contains(id)).map(option).collect::<Vec<_>>().join(", ")
         )));
     }
     Ok(())
