@@ -24,7 +24,7 @@
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
-use super::matrix::Matrix;
+use super::matrix::{Matrix, reversal_ratio};
 use super::measures::Extreme;
 use super::motion::Motion;
 use super::shooting::{Residual, is_known};
@@ -47,7 +47,7 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         return None;
     }
     let arrival = slide.after_half_turn(cycle.sin_cos_beta());
-    let reversal = -slide.acceleration / arrival.acceleration;
+    let reversal = reversal_ratio(slide.acceleration);
     let greatest = Extreme { value: arrival.x, phase: least.later_by_half_turns(1) };
 
     let fastest = origin.advanced(cycle.velocity_phase());

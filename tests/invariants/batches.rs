@@ -95,26 +95,30 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     }
     let (omega, alpha): (Vec<f64>, Vec<f64>) = points.iter().cycle().take(offset + length).copied().unzip();
     let (omega, alpha) = (&omega[offset..], &alpha[offset..]);
+    let due = Due::of(points, offset, length);
     let row = omega.first().and_then(|&omega| FixedOmega::new(omega).ok());
+    let row = row.map(|row| {
+        let points: Vec<_> = points.iter().map(|&(_, alpha)| (row.omega(), alpha)).collect();
+        (row, Due::of(&points, offset, length))
+    });
     let mut vectors: Option<(Vec<Option<Regime>>, Columns<9>)> = None;
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let batch = Batch::new().at_level(level);
         let (regimes, columns) = cycles(omega, |out| batch.cycles(omega, alpha, out).unwrap());
         let three = triple(omega, |out| batch.triple(omega, alpha, out).unwrap());
         let five = peaks(omega, |out| batch.peaks(omega, alpha, out).unwrap());
-        check(omega, alpha, &regimes, &columns, level);
+        due.check(&regimes, &columns, level);
         // The columns that are computed with fewer others beside them.
         for (part, place) in three.iter().zip(THREE) {
-            check_column(omega, alpha, &regimes, part, place, level);
+            due.check_column(part, place, level);
         }
         for (part, place) in five.iter().zip(FIVE) {
             let same = part.iter().zip(&columns[place]).all(|(&x, &y)| bits(x) == bits(y));
             assert!(same, "output {place} of the peaks, {level:?}");
         }
-        if let Some(row) = &row {
-            let fixed = vec![row.omega(); alpha.len()];
-            let (regimes, columns) = cycles(&fixed, |out| batch.cycles_at(row, alpha, out).unwrap());
-            check(&fixed, alpha, &regimes, &columns, level);
+        if let Some((row, due)) = &row {
+            let (regimes, columns) = cycles(alpha, |out| batch.cycles_at(row, alpha, out).unwrap());
+            due.check(&regimes, &columns, level);
         }
         if level != Level::Scalar {
             let (first, values) = vectors.get_or_insert_with(|| (regimes.clone(), columns.clone()));
@@ -127,39 +131,60 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     }
 }
 
-fn check(omega: &[f64], alpha: &[f64], regimes: &[Option<Regime>], columns: &Columns<9>, level: Level) {
-    for (i, found) in regimes.iter().enumerate() {
-        assert_eq!(*found, regime(omega[i], alpha[i]).ok(), "{level:?} at ({:e}, {:e})", omega[i], alpha[i]);
-    }
-    for (place, column) in columns.iter().enumerate() {
-        check_column(omega, alpha, regimes, column, place, level);
-    }
+/// What is due of one point.
+struct Point {
+    omega: f64,
+    alpha: f64,
+    regime: Option<Regime>,
+    values: Option<[(f64, f64); 9]>,
 }
 
-fn check_column(
-    omega: &[f64],
-    alpha: &[f64],
-    regimes: &[Option<Regime>],
-    column: &[f64],
-    place: usize,
-    level: Level,
-) {
-    const BORDER: usize = 5;
-    for (i, &found) in column.iter().enumerate() {
-        let at = || format!("output {place}, {level:?} at ({:e}, {:e})", omega[i], alpha[i]);
-        // Beside a pole the body may slide on without the cycle of two reversals.
-        let values = alone(omega[i], alpha[i]);
-        let exists = values.is_some() || place == BORDER && regimes[i].is_some();
-        assert_eq!(found.is_nan(), !exists, "{}: {found}", at());
-        let Some(values) = values else { continue };
-        let (value, unit) = values[place];
-        let apart = (found - value).abs();
-        // Phases just below 2π and at 0 are next to each other, a unit of the former apart.
-        let (apart, unit) = if PHASES.contains(&place) {
-            (apart.min(std::f64::consts::TAU - apart), unit.max(found * f64::EPSILON))
-        } else {
-            (apart, unit)
+/// What is due of points that are taken in turn: each is worked out once, however often it comes.
+struct Due {
+    points: Vec<Point>,
+    offset: usize,
+    length: usize,
+}
+
+impl Due {
+    fn of(points: &[(f64, f64)], offset: usize, length: usize) -> Self {
+        let due = |&(omega, alpha): &(f64, f64)| {
+            let (regime, values) = (regime(omega, alpha).ok(), alone(omega, alpha));
+            Point { omega, alpha, regime, values }
         };
-        assert!(apart <= APART[place] * unit, "{}: {found} for {value}", at());
+        Self { points: points.iter().take(offset + length).map(due).collect(), offset, length }
+    }
+
+    fn each(&self) -> impl Iterator<Item = &Point> {
+        self.points.iter().cycle().skip(self.offset).take(self.length)
+    }
+
+    fn check(&self, regimes: &[Option<Regime>], columns: &Columns<9>, level: Level) {
+        for (due, found) in self.each().zip(regimes) {
+            assert_eq!(*found, due.regime, "{level:?} at ({:e}, {:e})", due.omega, due.alpha);
+        }
+        for (place, column) in columns.iter().enumerate() {
+            self.check_column(column, place, level);
+        }
+    }
+
+    fn check_column(&self, column: &[f64], place: usize, level: Level) {
+        const BORDER: usize = 5;
+        for (due, &found) in self.each().zip(column) {
+            let at = || format!("output {place}, {level:?} at ({:e}, {:e})", due.omega, due.alpha);
+            // Beside a pole the body may slide on without the cycle of two reversals.
+            let exists = due.values.is_some() || place == BORDER && due.regime.is_some();
+            assert_eq!(found.is_nan(), !exists, "{}: {found}", at());
+            let Some(values) = due.values else { continue };
+            let (value, unit) = values[place];
+            let apart = (found - value).abs();
+            // Phases just below 2π and at 0 are next to each other, a unit of the former apart.
+            let (apart, unit) = if PHASES.contains(&place) {
+                (apart.min(std::f64::consts::TAU - apart), unit.max(found * f64::EPSILON))
+            } else {
+                (apart, unit)
+            };
+            assert!(apart <= APART[place] * unit, "{}: {found} for {value}", at());
+        }
     }
 }

@@ -73,9 +73,9 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
             let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
             let most = 24.0 + 4.0 / omega;
             assert!(sticks <= zeros && f64::from(zeros) <= most, "{steady:?}");
-            // At a double root the multipliers have the root of the rounding of all slides in a cycle.
-            let rounding = (64.0 * f64::EPSILON * (1.0 + omega) * (1.0 + 1.0 / omega)).sqrt();
-            assert!(steady.contraction() <= 1.0 + 1e-6 + rounding, "{} at {ratios:?}", steady.contraction());
+            // No part of a motion drives two of them apart: rounding of a few units each, and near a double root the root of it.
+            let rounding = 16.0 * f64::EPSILON * f64::from(zeros) + 2e-7;
+            assert!(steady.contraction() <= 1.0 + rounding, "{} at {ratios:?}", steady.contraction());
             let (work_in, work_out) = (steady.energy_in(), steady.energy_out());
             // What the distance from the limit is worth in energy, and rounding in the large terms.
             let (far, fast) = steady.distance();

@@ -30,6 +30,14 @@ fn findings() {
     // The force exceeds friction by 9e-15 of it: phases jumped by half a turn, and x by 5e-6.
     motion::trajectory(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
     motion::long_run(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
+    // Accelerations that are rounding of the force, whose quotient drove two motions apart.
+    motion::long_run(
+        1.319_799_361_868_836_2e-6,
+        8.987_385_541_686_157e62,
+        1.232_249_458_374_513,
+        8.477_245_995_794_942e62,
+        2.984_861_672_119_486_4e62,
+    );
 }
 
 /// Values of a type of `stickslip::generators`.
