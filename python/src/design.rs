@@ -1,0 +1,119 @@
+//! Design of a machine, its identification from a measured curve, and figures.
+
+use crate::machine::{Body, body, excitation};
+use crate::refused;
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stickslip::design::{self, Edge, Measurement, Optimum};
+use stickslip::{Drive, Error, figures};
+
+/// The least amplitude of an excitation with which the body does not stick at a frequency.
+#[pyfunction]
+fn least_amplitude(of: Body, kind: &str, angular_frequency: f64) -> PyResult<f64> {
+    let kind = excitation(kind)?;
+    body(of).and_then(|body| design::least_amplitude(&body, kind, angular_frequency)).map_err(refused)
+}
+
+/// The force whose cycle has a given maximum displacement or velocity.
+#[pyfunction]
+fn force_for(of: Body, angular_frequency: f64, target: f64, is_velocity: bool) -> PyResult<f64> {
+    let force = |body| {
+        if is_velocity {
+            design::force_for_velocity(&body, angular_frequency, target)
+        } else {
+            design::force_for_displacement(&body, angular_frequency, target)
+        }
+    };
+    body(of).and_then(force).map_err(refused)
+}
+
+/// The drive of a body by kind, amplitude and angular frequency.
+fn drive(kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<Drive<f64>> {
+    Drive::new(excitation(kind)?, amplitude, angular_frequency).map_err(refused)
+}
+
+/// The greatest friction bound with which the body does not stick.
+#[pyfunction]
+fn greatest_friction(of: Body, kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<f64> {
+    let drive = drive(kind, amplitude, angular_frequency)?;
+    body(of).and_then(|body| design::greatest_friction(&body, &drive)).map_err(refused)
+}
+
+/// The friction bound that dissipates most, the energy of a cycle, and the reason.
+#[pyfunction]
+fn best_friction(
+    of: Body,
+    kind: &str,
+    amplitude: f64,
+    angular_frequency: f64,
+) -> PyResult<(f64, f64, &'static str)> {
+    let drive = drive(kind, amplitude, angular_frequency)?;
+    let best = body(of).and_then(|body| design::most_dissipating_friction(&body, &drive)).map_err(refused)?;
+    let why = if best.optimum == Optimum::Interior { "interior" } else { "border" };
+    Ok((best.friction_bound, best.energy, why))
+}
+
+/// The bands of angular frequency without sticking: ends, and whether each is one of the range that was asked about.
+#[pyfunction]
+fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<Vec<(f64, f64, bool, bool)>> {
+    let drive = drive(kind, amplitude, 1.0)?;
+    let found = body(of).and_then(|body| {
+        design::frequency_bands(&body, &drive, low, high)?.collect::<Result<Vec<_>, Error>>()
+    });
+    let cut = |edge| edge == Edge::Range;
+    Ok(found.map_err(refused)?.into_iter().map(|b| (b.low, b.high, cut(b.low_edge), cut(b.high_edge))).collect())
+}
+
+/// Friction bound and damping ratio from a response curve, each with its standard error and 95 % interval.
+#[pyfunction]
+fn identify<'py>(
+    py: Python<'py>,
+    of: Body,
+    force: f64,
+    angular_frequency: PyReadonlyArray1<'py, f64>,
+    amplitude: PyReadonlyArray1<'py, f64>,
+    phase: Option<PyReadonlyArray1<'py, f64>>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let body = body(of).map_err(refused)?;
+    let phase = phase.as_ref().map(|p| p.as_slice()).transpose()?;
+    let points = angular_frequency.as_slice()?.iter().zip(amplitude.as_slice()?).enumerate();
+    let curve: Vec<Measurement> = points
+        .map(|(i, (&angular_frequency, &amplitude))| Measurement {
+            angular_frequency,
+            amplitude,
+            phase: phase.and_then(|p| p.get(i).copied()).filter(|p| !p.is_nan()),
+        })
+        .collect();
+    let found = py.detach(|| design::identify(&body, force, &curve)).map_err(refused)?;
+    let dict = PyDict::new(py);
+    for (name, estimate) in [("friction", found.friction_bound), ("damping_ratio", found.damping_ratio)] {
+        dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;
+    }
+    dict.set_item("noise", found.noise)?;
+    dict.set_item("residuals", found.residuals)?;
+    Ok(dict)
+}
+
+/// Title, caption and drawing of a figure.
+#[pyfunction]
+fn figure(py: Python<'_>, name: &str) -> PyResult<(String, String, String)> {
+    py.detach(|| {
+        let figure = figures::figure(name).ok_or_else(|| {
+            refused(format!("figure {name}: is none; there are {}", figures::NAMES.join(", ")))
+        })?;
+        let svg = figure.svg().map_err(refused)?;
+        Ok((figure.title, figure.caption, svg))
+    })
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("FIGURES", figures::NAMES.to_vec())?;
+    module.add_function(wrap_pyfunction!(least_amplitude, module)?)?;
+    module.add_function(wrap_pyfunction!(greatest_friction, module)?)?;
+    module.add_function(wrap_pyfunction!(best_friction, module)?)?;
+    module.add_function(wrap_pyfunction!(force_for, module)?)?;
+    module.add_function(wrap_pyfunction!(bands, module)?)?;
+    module.add_function(wrap_pyfunction!(identify, module)?)?;
+    module.add_function(wrap_pyfunction!(figure, module)?)
+}

@@ -1,0 +1,30 @@
+//! The compiled part of the Python package: arrays in, arrays out. What users call is in `stickslip/*.py`.
+
+mod arrow;
+mod closed_forms;
+mod design;
+mod interrupt;
+mod machine;
+mod motion;
+mod table;
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+pyo3::create_exception!(_native, Error, PyValueError, "An argument is outside the domain, or a question has no answer.");
+
+/// The library's message as a Python exception.
+fn refused(error: impl std::fmt::Display) -> PyErr {
+    Error::new_err(error.to_string())
+}
+
+#[pymodule]
+fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("Error", module.py().get_type::<Error>())?;
+    module.add("__version__", env!("CARGO_PKG_VERSION"))?;
+    arrow::register(module)?;
+    closed_forms::register(module)?;
+    motion::register(module)?;
+    machine::register(module)?;
+    design::register(module)
+}

@@ -1,0 +1,335 @@
+//! The exact motion: its limit, phases and samples, and free vibration.
+
+use crate::closed_forms::{REGIMES, code, ratios};
+use crate::interrupt::{Stop, interruptible};
+use crate::refused;
+use crate::table::Table;
+use core::ops::ControlFlow;
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use rayon::prelude::*;
+use stickslip::exact::{DEFAULT_BUDGET, Direction, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
+use stickslip::regime::{Observed, observed};
+use stickslip::Error;
+
+/// The most rows of a simulation: what fits into memory.
+const MOST_ROWS: usize = 1 << 28;
+
+/// Displacement and velocity at a phase of the drive.
+pub(crate) type Start = (f64, f64, f64);
+
+/// Kinds of limit by their codes; the last is for points outside the domain.
+pub(crate) const LIMITS: [&str; 6] = ["periodic", "family", "rest", "none", "not-converged", "invalid"];
+
+/// A limit and what is seen of it.
+struct Found {
+    limit: LongRun<f64>,
+    seen: Observed,
+}
+
+fn follow(
+    (omega, alpha, damping): (f64, f64, f64),
+    (phase, x, v): Start,
+    periods: u32,
+    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Found, Error> {
+    let ratios = ratios(omega, alpha, damping)?;
+    let limit = LongRun::within_while(ratios, State::new(phase, x, v)?, periods, keep_going)?;
+    let seen = observed(ratios, &limit);
+    Ok(Found { limit, seen })
+}
+
+/// An output of a steady state by its name.
+type OfSteady = (&'static str, fn(&SteadyState<f64>) -> f64);
+
+const OF_STEADY: [OfSteady; 14] = [
+    ("max_displacement", |s| s.max_displacement()),
+    ("max_displacement_phase", |s| s.max_displacement_phase()),
+    ("min_displacement", |s| s.min_displacement()),
+    ("min_displacement_phase", |s| s.min_displacement_phase()),
+    ("max_velocity", |s| s.max_velocity()),
+    ("max_velocity_phase", |s| s.max_velocity_phase()),
+    ("min_velocity", |s| s.min_velocity()),
+    ("min_velocity_phase", |s| s.min_velocity_phase()),
+    ("stick_fraction", |s| s.stick_fraction()),
+    ("energy_in", |s| s.energy_in()),
+    ("energy_out", |s| s.energy_out()),
+    ("contraction", |s| s.contraction()),
+    ("distance", |s| s.distance().0),
+    ("velocity_zeros_per_cycle", |s| f64::from(s.velocity_zeros_per_cycle())),
+];
+
+impl Found {
+    const fn code(&self) -> u8 {
+        match &self.limit {
+            LongRun::Periodic(_) => 0,
+            LongRun::Family(_) => 1,
+            LongRun::Rest(_) => 2,
+            LongRun::Unbounded { .. } => 3,
+            LongRun::NotConverged { .. } => 4,
+        }
+    }
+
+    const fn periods(&self) -> Option<f64> {
+        match &self.limit {
+            LongRun::Periodic(steady) | LongRun::Family(steady) => Some(steady.periods()),
+            LongRun::Rest(rest) => Some(rest.periods),
+            LongRun::Unbounded { .. } => None,
+            LongRun::NotConverged { periods, .. } => Some(*periods),
+        }
+    }
+
+    const fn rest_position(&self) -> Option<f64> {
+        if let LongRun::Rest(rest) = &self.limit { Some(rest.position) } else { None }
+    }
+}
+
+/// All of the limit from one start.
+#[pyfunction]
+fn steady_at<'py>(
+    py: Python<'py>,
+    point: (f64, f64, f64),
+    start: Start,
+    max_periods: u32,
+) -> PyResult<Bound<'py, PyDict>> {
+    let mut signal = None;
+    let found = py.detach(|| {
+        let mut slides = 0_u32;
+        follow(point, start, max_periods, &mut || {
+            slides = slides.wrapping_add(1);
+            if slides.is_multiple_of(1 << 15) {
+                signal = Python::attach(|py| py.check_signals().err());
+            }
+            if signal.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+        })
+    });
+    if let Some(signal) = signal {
+        return Err(signal);
+    }
+    let found = found.map_err(refused)?;
+    let steady = found.limit.steady_state();
+    let dict = PyDict::new(py);
+    dict.set_item("regime", found.seen.regime.name())?;
+    dict.set_item("limit", LIMITS.get(usize::from(found.code())))?;
+    for (name, value) in OF_STEADY {
+        if name != "velocity_zeros_per_cycle" {
+            dict.set_item(name, steady.map(value))?;
+        }
+    }
+    dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
+    dict.set_item("sticks_per_cycle", found.seen.sticks)?;
+    dict.set_item("reversals_per_cycle", found.seen.reversals)?;
+    dict.set_item("periods", found.periods())?;
+    dict.set_item("rest_position", found.rest_position())?;
+    dict.set_item("multipliers", steady.map(|s| s.multipliers().to_vec()))?;
+    let errors = steady.map(SteadyState::errors).transpose().map_err(refused)?;
+    let errors = errors.map(|e| [e.error_1, e.error_2, e.error_3, e.error_4]);
+    for (i, name) in ["error_1", "error_2", "error_3", "error_4"].into_iter().enumerate() {
+        dict.set_item(name, errors.and_then(|e| e.get(i).copied()))?;
+    }
+    Ok(dict)
+}
+
+/// Columns of the limits at many points, all from one start; NaN, or −1 for a count, for what does not exist there.
+#[pyfunction]
+fn steady_columns<'py>(
+    py: Python<'py>,
+    omega: PyReadonlyArray1<'py, f64>,
+    alpha: PyReadonlyArray1<'py, f64>,
+    damping_ratio: PyReadonlyArray1<'py, f64>,
+    start: Start,
+    max_periods: u32,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (omega, alpha, damping) = (omega.as_slice()?, alpha.as_slice()?, damping_ratio.as_slice()?);
+    // A start that no point can have is refused once and not by silence at every point.
+    State::new(start.0, start.1, start.2).map_err(refused)?;
+    let work = |stop: &Stop| table(omega, alpha, damping, start, max_periods, stop);
+    interruptible(py, work)?.map_err(refused)?.into_dict(py)
+}
+
+/// The columns at points of one length.
+pub(crate) fn table(
+    omega: &[f64],
+    alpha: &[f64],
+    damping: &[f64],
+    start: Start,
+    max_periods: u32,
+    stop: &Stop,
+) -> Result<Table, Error> {
+    let points = omega.par_iter().zip(alpha).zip(damping).with_min_len(16);
+    let limit = |((&omega, &alpha), &damping): ((&f64, &f64), &f64)| {
+        follow((omega, alpha, damping), start, max_periods, &mut || stop.asked())
+    };
+    columns(&points.map(limit).collect::<Vec<_>>())
+}
+
+/// The columns. A point outside the domain is marked; any other error is one of the whole.
+fn columns(found: &[Result<Found, Error>]) -> Result<Table, Error> {
+    let is_of_domain = |error: &Error| error.quantity().is_some();
+    if let Some(Err(error)) = found.iter().find(|f| f.as_ref().is_err_and(|e| !is_of_domain(e))) {
+        return Err(error.clone());
+    }
+    let found = || found.par_iter().map(|f| f.as_ref().ok());
+    let steady = |f: Option<&Found>, value: fn(&SteadyState<f64>) -> f64| {
+        f.and_then(|f| f.limit.steady_state()).map_or(f64::NAN, value)
+    };
+    let count = |n: Option<u32>| n.map_or(-1, i64::from);
+    let mut table = Table::default();
+    table.code("regime", found().map(|f| code(f.map(|f| f.seen.regime))).collect(), &REGIMES);
+    table.code("limit", found().map(|f| f.map_or(5, Found::code)).collect(), &LIMITS);
+    for (name, value) in OF_STEADY {
+        if name == "velocity_zeros_per_cycle" {
+            let zeros = |f: Option<&Found>| {
+                count(f.and_then(|f| f.limit.steady_state()).map(SteadyState::velocity_zeros_per_cycle))
+            };
+            table.count(name, found().map(zeros).collect());
+        } else {
+            table.number(name, found().map(|f| steady(f, value)).collect());
+        }
+    }
+    table.count("sticks_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.sticks))).collect());
+    table.count("reversals_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.reversals))).collect());
+    table.number("periods", found().map(|f| f.and_then(Found::periods).unwrap_or(f64::NAN)).collect());
+    table.number("rest_position", found().map(|f| f.and_then(Found::rest_position).unwrap_or(f64::NAN)).collect());
+    Ok(table)
+}
+
+/// The phases of a motion up to a number of drive cycles after its start, the last one whole.
+#[pyfunction]
+fn phases(py: Python<'_>, point: (f64, f64, f64), start: Start, cycles: f64) -> PyResult<Bound<'_, PyDict>> {
+    let until = last_phase(start.0, cycles)?;
+    let motion = trajectory(point, start)?;
+    let work = |stop: &Stop| -> Result<Table, String> {
+        let mut kinds: Vec<u8> = Vec::new();
+        let mut ends: Vec<u8> = Vec::new();
+        let mut columns: [Vec<f64>; 6] = Default::default();
+        for phase in motion {
+            if stop.asked().is_break() {
+                break;
+            }
+            let phase = phase.map_err(|e| e.to_string())?;
+            let (from, to) = (phase.start(), phase.end());
+            if total(from.phase) >= until {
+                break;
+            }
+            if kinds.len() == MOST_ROWS {
+                return Err(format!("cycles {cycles}: more than {MOST_ROWS} phases"));
+            }
+            kinds.push(match phase.kind() {
+                Kind::Slide(Direction::Forward) => 0,
+                Kind::Slide(Direction::Backward) => 1,
+                Kind::Stick => 2,
+            });
+            ends.push(match phase.ends_by() {
+                End::Reversal => 0,
+                End::Stop => 1,
+                End::Grazing => 2,
+                End::Release => 3,
+                End::Never => 4,
+            });
+            let nan = f64::NAN;
+            let row = [
+                total(from.phase),
+                to.map_or(nan, |e| total(e.phase)),
+                phase.duration().unwrap_or(nan),
+                from.x,
+                from.v,
+                to.map_or(nan, |e| e.x),
+            ];
+            for (column, value) in columns.iter_mut().zip(row) {
+                column.push(value);
+            }
+        }
+        let mut table = Table::default();
+        table.code("kind", kinds, &[]);
+        table.code("ends_by", ends, &[]);
+        let names = ["start_phase", "end_phase", "duration", "start_displacement", "start_velocity", "end_displacement"];
+        for (name, column) in names.into_iter().zip(columns) {
+            table.number(name, column);
+        }
+        Ok(table)
+    };
+    interruptible(py, work)?.map_err(refused)?.into_dict(py)
+}
+
+/// The motion at evenly spaced phases of the drive.
+#[pyfunction]
+fn samples(
+    py: Python<'_>,
+    point: (f64, f64, f64),
+    start: Start,
+    cycles: f64,
+    per_cycle: u32,
+) -> PyResult<Bound<'_, PyDict>> {
+    let until = last_phase(start.0, cycles)?;
+    let mut motion = trajectory(point, start)?.samples(per_cycle).map_err(refused)?;
+    if cycles * f64::from(per_cycle) > MOST_ROWS as f64 {
+        return Err(refused(format!("cycles {cycles}, samples {per_cycle}: more than {MOST_ROWS} samples")));
+    }
+    let work = |stop: &Stop| -> Result<Table, String> {
+        let mut columns: [Vec<f64>; 4] = Default::default();
+        // Half a step of rounding, so that the last sample of whole cycles belongs to them.
+        let half_step = core::f64::consts::PI / f64::from(per_cycle);
+        while let Some(instant) = motion.next_while(|| stop.asked()) {
+            let instant = match instant {
+                Ok(instant) => instant,
+                Err(Error::Interrupted) => break,
+                Err(error) => return Err(error.to_string()),
+            };
+            let phase = total(instant.state.phase);
+            if phase > until + half_step || stop.asked().is_break() {
+                break;
+            }
+            for (column, value) in columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction]) {
+                column.push(value);
+            }
+        }
+        let mut table = Table::default();
+        for (name, column) in ["phase", "displacement", "velocity", "friction"].into_iter().zip(columns) {
+            table.number(name, column);
+        }
+        Ok(table)
+    };
+    interruptible(py, work)?.map_err(refused)?.into_dict(py)
+}
+
+fn trajectory((omega, alpha, damping): (f64, f64, f64), (phase, x, v): Start) -> PyResult<Trajectory<f64>> {
+    let ratios = ratios(omega, alpha, damping).map_err(refused)?;
+    Trajectory::new(ratios, State::new(phase, x, v).map_err(refused)?).map_err(refused)
+}
+
+/// The phase `cycles` drive cycles after the start.
+fn last_phase(start: f64, cycles: f64) -> PyResult<f64> {
+    if !(cycles.is_finite() && cycles > 0.0) {
+        return Err(refused(format!("cycles = {cycles} must be > 0 and finite")));
+    }
+    Ok(start + cycles * core::f64::consts::TAU)
+}
+
+/// A phase of the drive as one number.
+fn total(phase: stickslip::exact::DrivePhase<f64>) -> f64 {
+    core::f64::consts::TAU * phase.cycles() as f64 + phase.reduced()
+}
+
+/// Free vibration to rest.
+#[pyfunction]
+fn decay_at(py: Python<'_>, displacement: f64, velocity: f64) -> PyResult<Bound<'_, PyDict>> {
+    let decay = FreeDecay::new(displacement, velocity).map_err(refused)?;
+    let dict = PyDict::new(py);
+    dict.set_item("half_cycles", decay.half_cycles())?;
+    dict.set_item("first_turn", decay.first_turn())?;
+    dict.set_item("rest_position", decay.rest_position())?;
+    dict.set_item("rest_time", decay.rest_time())?;
+    Ok(dict)
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add("LIMITS", LIMITS.to_vec())?;
+    module.add("MAX_PERIODS", DEFAULT_BUDGET)?;
+    module.add_function(wrap_pyfunction!(steady_at, module)?)?;
+    module.add_function(wrap_pyfunction!(steady_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(phases, module)?)?;
+    module.add_function(wrap_pyfunction!(samples, module)?)?;
+    module.add_function(wrap_pyfunction!(decay_at, module)?)
+}

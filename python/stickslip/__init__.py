@@ -1,0 +1,57 @@
+"""The harmonically forced Coulomb-friction oscillator.
+
+A body of mass m on a spring k slides over a surface whose friction carries at most r, driven by a harmonic force::
+
+    m x'' + k x + r sgn(x') = p0 sin(w t)
+
+The package answers whether the body sticks, how far and how fast it moves, the least force that keeps it
+from sticking, and the friction that dissipates most: in closed form where it does not stick, and by its exact
+motion, stops included, everywhere.
+
+Two ratios decide the motion: the frequency ratio ``omega = w/sqrt(k/m)`` and the force ratio ``alpha = p0/r``.
+Displacements are in units of ``B = r/k``, velocities in ``B w``, energies of a cycle in ``r B``, phases in
+radians of the drive. `Machine` and `Drive` lead from and to physical units.
+
+Every function takes numbers or arrays, and broadcasts as NumPy does.
+
+>>> import stickslip as ss
+>>> ss.response(omega=1.5, alpha=2.5).max_displacement
+1.6329...
+>>> ss.response(omega=[0.7, 1.5], alpha=2.5).regime
+array(['non-sticking', 'non-sticking'], dtype='<U12')
+>>> ss.steady(omega=0.4, alpha=6).sticks_per_cycle
+2
+"""
+
+from ._closed_forms import OUTPUTS, Border, Response, border, response
+from ._design import FIGURES, Band, BestFriction, Estimate, Figure, Identified, figure, identify
+from ._machine import Drive, Machine
+from ._motion import Decay, Phases, Samples, Steady, decay, simulate, steady
+from ._native import Error, __version__
+
+__all__ = [
+    "FIGURES",
+    "OUTPUTS",
+    "Band",
+    "BestFriction",
+    "Border",
+    "Decay",
+    "Drive",
+    "Error",
+    "Estimate",
+    "Figure",
+    "Identified",
+    "Machine",
+    "Phases",
+    "Response",
+    "Samples",
+    "Steady",
+    "__version__",
+    "border",
+    "decay",
+    "figure",
+    "identify",
+    "response",
+    "simulate",
+    "steady",
+]

@@ -1,0 +1,227 @@
+"""Closed forms of the cycle that does not stick, and its border."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._result import Physical, Result, Value, broadcast, named, shaped
+
+_OF_POINT = ("regime", "reversals_per_cycle")
+#: Names of the outputs that `response` can be asked for.
+OUTPUTS: tuple[str, ...] = (*_OF_POINT, *_native.OUTPUTS)
+#: Those that it gives for arrays unless asked for others: what one pass of vector instructions yields.
+_OF_ARRAYS = (
+    "regime",
+    "max_displacement",
+    "displacement_phase",
+    "max_velocity",
+    "velocity_phase",
+    "deviation",
+    "min_force_ratio",
+    "loop_size_stiffness",
+    "loop_size_inertia",
+    "contraction",
+)
+_OF_BORDER = (
+    "min_force_ratio",
+    "min_force_ratio_turning_point",
+    "border_phase",
+    "least_displacement",
+    "best_force_ratio",
+)
+
+
+class Response(Result):
+    """The answer at one point or many; see `response`.
+
+    Attributes
+    ----------
+    omega, alpha, damping_ratio : float or array
+        The ratios it is the answer for.
+    regime : str or array of str
+        ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``; ``"invalid"`` in an array for a
+        point outside the domain.
+    reversals_per_cycle : int or array
+        2, or 6 beside a pole ``omega = 1/(2n+1)`` below the border.
+    max_displacement, displacement_phase : float or array
+        Maximum displacement (B) and its phase (rad).
+    max_velocity, velocity_phase : float or array
+        Maximum velocity (B w) and its phase (rad).
+    deviation : float or array
+        Displacement at the maximum velocity (B).
+    min_force_ratio : float or array
+        The border: from this force ratio on the body does not stick.
+    loop_size_stiffness, loop_size_inertia : float or array
+        Energy of a cycle in units of ``p0**2/(2 k)`` and of ``p0**2/(2 m w**2)``.
+    best_force_ratio, best_loop_size : float or array
+        Force ratio of the largest loop at this omega, and its size.
+    contraction : float or array
+        Share of a disturbance that half a cycle leaves.
+    margin : float or array
+        ``alpha/min_force_ratio``.
+    physical : Physical or None
+        The same names in the units of the machine, where there is one.
+    """
+
+    _names: ClassVar[Sequence[str]] = ("omega", "alpha", "damping_ratio", *OUTPUTS, "physical")
+
+    omega: Value
+    alpha: Value
+    damping_ratio: Value
+    regime: Any
+    reversals_per_cycle: Any
+    max_displacement: Any
+    displacement_phase: Any
+    max_velocity: Any
+    velocity_phase: Any
+    deviation: Any
+    loop_size_stiffness: Any
+    loop_size_inertia: Any
+    contraction: Any
+    margin: Any
+    min_force_ratio: Any
+    min_force_ratio_turning_point: Any
+    least_displacement: Any
+    border_phase: Any
+    best_force_ratio: Any
+    best_loop_size: Any
+    physical: Optional[Physical]
+
+
+class Border(Result):
+    """The border of the cycle that does not stick; see `border`.
+
+    Attributes
+    ----------
+    omega, damping_ratio : float or array
+    min_force_ratio : float or array
+        The least force ratio without sticking.
+    min_force_ratio_turning_point : float or array
+        The same by eq. 61 of the source paper, which is necessary for every omega and sufficient from 1/2 on.
+    border_phase : float or array
+        Phase where the velocity first touches zero on the border (rad).
+    least_displacement : float or array
+        Maximum displacement on the border (B).
+    best_force_ratio : float or array
+        Force ratio of the largest loop.
+    no_stop_force_ratios : list of (float, float or None), or None
+        The intervals of the force ratio without any stop, for a single omega without damping.
+    """
+
+    _names: ClassVar[Sequence[str]] = ("omega", "damping_ratio", *_OF_BORDER, "no_stop_force_ratios")
+
+    omega: Value
+    damping_ratio: Value
+    min_force_ratio: Any
+    min_force_ratio_turning_point: Any
+    border_phase: Any
+    least_displacement: Any
+    best_force_ratio: Any
+    no_stop_force_ratios: Optional[list[tuple[float, Optional[float]]]]
+
+
+def response(
+    omega: ArrayLike,
+    alpha: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+    *,
+    outputs: Optional[Iterable[str]] = None,
+) -> Response:
+    """The answer at (omega, alpha) in closed form.
+
+    Parameters
+    ----------
+    omega : float or array
+        Frequency ratio, > 0.
+    alpha : float or array
+        Force ratio, > 0.
+    damping_ratio : float or array
+        Damping ratio of a viscous damper, >= 0.
+    outputs : names, optional
+        The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
+
+    Returns
+    -------
+    Response
+        Floats for single numbers, and arrays of the broadcast shape otherwise. What does not exist, as the
+        displacement of a body that sticks, is None, or NaN in an array.
+
+    Raises
+    ------
+    Error
+        Where a single number is outside the domain. In an array such a point is ``"invalid"`` and NaN.
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> ss.response(0.4, 6).regime
+    'sticking'
+    >>> ss.response(0.4, 6).min_force_ratio
+    6.9497...
+    >>> curve = ss.response(np.linspace(0.6, 1.6, 5), 2.5, outputs=["max_displacement"])
+    >>> curve.max_displacement.round(3)
+    array([ 3.786,  8.004, 10.087,  2.508,  1.301])
+    """
+    shape, columns = broadcast(omega, alpha, damping_ratio)
+    if shape is None:
+        point = [column.item() for column in columns]
+        chosen = OUTPUTS if outputs is None else _known(outputs)
+        found = _native.response_at(*point)
+        values = {name: found[name] for name in chosen}
+        return Response({"omega": point[0], "alpha": point[1], "damping_ratio": point[2], **values})
+    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
+    damping = columns[2] if np.any(columns[2] != 0.0) else None
+    table = shaped(_native.response_columns(columns[0], columns[1], damping, list(chosen)), shape)
+    if "regime" in table:
+        table["regime"] = named(table["regime"], _native.REGIMES)
+    return Response({**_ratios(shape, columns), **table})
+
+
+def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Border:
+    """The least force ratio with which the body does not stick at omega.
+
+    Parameters
+    ----------
+    omega : float or array
+        Frequency ratio, > 0.
+    damping_ratio : float or array
+        Damping ratio of a viscous damper, >= 0.
+
+    Returns
+    -------
+    Border
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> ss.border(0.4).min_force_ratio
+    6.9497...
+    >>> [round(low, 3) for low, high in ss.border(0.331).no_stop_force_ratios]
+    [53.673, 179.876]
+    """
+    shape, columns = broadcast(omega, damping_ratio)
+    answer = response(columns[0], np.ones_like(columns[0]), columns[1], outputs=_OF_BORDER)
+    if shape is not None:
+        found = {name: getattr(answer, name).reshape(shape) for name in _OF_BORDER}
+        return Border({"omega": columns[0].reshape(shape), "damping_ratio": columns[1].reshape(shape), **found})
+    point, damping = columns[0].item(), columns[1].item()
+    single = response(point, 1.0, damping)
+    no_stop = None if damping else _native.no_stop(point)
+    return Border({**single.to_dict(), "no_stop_force_ratios": no_stop})
+
+
+def _known(outputs: Iterable[str]) -> tuple[str, ...]:
+    chosen = (outputs,) if isinstance(outputs, str) else tuple(outputs)
+    for name in chosen:
+        if name not in OUTPUTS:
+            raise _native.Error(f"output {name!r} is none of {', '.join(OUTPUTS)}")
+    return chosen
+
+
+def _ratios(shape: tuple[int, ...], columns: Sequence[NDArray[np.float64]]) -> Mapping[str, Any]:
+    names = ("omega", "alpha", "damping_ratio")
+    return {name: column.reshape(shape) for name, column in zip(names, columns)}

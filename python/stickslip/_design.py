@@ -1,0 +1,122 @@
+"""Results of design questions, identification, and figures."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._machine import Machine
+from ._result import Floats
+
+#: Names of the figures that `figure` draws.
+FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
+
+
+class Band(NamedTuple):
+    """A band of angular frequency in which the body does not stick; its ends belong to it."""
+
+    low: float
+    high: float
+    #: Whether the lower end is that of the range that was asked about, and not a border.
+    low_is_end_of_range: bool
+    high_is_end_of_range: bool
+
+
+class BestFriction(NamedTuple):
+    """The friction bound that dissipates most."""
+
+    friction: float
+    #: The energy that friction takes in a cycle.
+    energy: float
+    #: ``"interior"``, or ``"border"`` where more friction would make the body stick.
+    optimum: str
+
+
+class Estimate(NamedTuple):
+    """An estimate from measurements."""
+
+    value: float
+    standard_error: float
+    #: The interval that holds the true value in 95 % of such measurements.
+    interval: tuple[float, float]
+
+
+class Identified(NamedTuple):
+    """Friction and damping from a measured response curve; see `identify`."""
+
+    friction: Estimate
+    damping_ratio: Estimate
+    #: Relative standard error of one amplitude, by the residuals.
+    noise: float
+    #: Measured less computed amplitude as a share of the measured one; NaN where the body sticks and it was left out.
+    residuals: Floats
+
+
+class Figure(NamedTuple):
+    """A figure, which a notebook shows."""
+
+    title: str
+    caption: str
+    svg: str
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+
+def identify(
+    mass: float,
+    stiffness: float,
+    force: float,
+    angular_frequency: ArrayLike,
+    amplitude: ArrayLike,
+    phase: Optional[ArrayLike] = None,
+) -> Identified:
+    """Friction bound and damping ratio from a measured response curve, by least squares.
+
+    Parameters
+    ----------
+    mass, stiffness, force : float
+        Of the machine, and the amplitude of the harmonic force.
+    angular_frequency, amplitude : array
+        Angular frequencies, and the maximum displacement measured at each.
+    phase : array, optional
+        Phase of the maximum displacement behind the force, in radians; NaN where it was not measured.
+
+    Returns
+    -------
+    Identified
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0).with_damping_ratio(0.05)
+    >>> frequency = machine.natural_frequency * np.linspace(0.7, 1.4, 20)
+    >>> measured = machine.response(ss.Drive(force=9.0, angular_frequency=frequency)).physical.max_displacement
+    >>> found = ss.identify(2.0, 800.0, 9.0, frequency, measured)
+    >>> round(found.friction.value, 6), round(found.damping_ratio.value, 6)
+    (3.0, 0.05)
+    """
+    columns = [np.ascontiguousarray(column, dtype=np.float64).reshape(-1) for column in (angular_frequency, amplitude)]
+    phases = None if phase is None else np.ascontiguousarray(phase, dtype=np.float64).reshape(-1)
+    lengths = {column.size for column in (*columns, *(() if phases is None else (phases,)))}
+    if len(lengths) != 1:
+        raise _native.Error(f"columns of the curve have different lengths: {sorted(lengths)}")
+    # The friction bound is what is asked for: its value here plays no part.
+    body = Machine(mass, stiffness, 1.0)._body
+    found = _native.identify(body, float(force), columns[0], columns[1], phases)
+    residuals = np.array([np.nan if value is None else value for value in found["residuals"]])
+    estimates = {name: Estimate(*found[name]) for name in ("friction", "damping_ratio")}
+    return Identified(estimates["friction"], estimates["damping_ratio"], found["noise"], residuals)
+
+
+def figure(name: str) -> Figure:
+    """A figure of the source paper or of this package, one of `FIGURES`.
+
+    >>> import stickslip as ss
+    >>> ss.figure("8").svg.startswith("<svg")
+    True
+    """
+    return Figure(*_native.figure(name))

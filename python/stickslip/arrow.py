@@ -1,0 +1,63 @@
+"""Tables of Arrow in, tables of Arrow out: for pyarrow, polars, arro3, DuckDB and the engines that use them.
+
+Whatever has the PyCapsule interface (``__arrow_c_array__`` or ``__arrow_c_stream__``) is a table here, and the results
+have it, too: ``pyarrow.table(result)``, ``polars.DataFrame(result)``. Columns of 64-bit numbers are read without a
+copy. A batch gives a batch, so that the functions fit ``map_batches`` and ``mapInArrow`` as they are.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Iterable, Optional, Protocol, Union
+
+from . import _native
+from ._closed_forms import _OF_ARRAYS, _known
+from ._motion import _REST, Start, _periods
+
+__all__ = ["response", "steady"]
+
+
+class _Batch(Protocol):
+    def __arrow_c_array__(self, requested_schema: Any = None) -> Any: ...
+
+
+class _Stream(Protocol):
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any: ...
+
+
+Table = Union[_Batch, _Stream]
+
+
+def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
+    """The closed forms at every row; see `stickslip.response`.
+
+    Parameters
+    ----------
+    table : Arrow table or record batch
+        With the columns ``omega`` and ``alpha``, and ``damping_ratio`` if there is damping.
+    outputs : names, optional
+        The columns of the result, of `stickslip.OUTPUTS`.
+
+    Returns
+    -------
+    Arrow table, or record batch for a record batch
+        A row for each row, with null for what does not exist.
+    """
+    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
+    return _native.arrow_response(table, list(chosen))
+
+
+def steady(table: Table, *, start: Start = _REST, max_periods: int = _native.MAX_PERIODS) -> Any:
+    """The motion in the long run at every row; see `stickslip.steady`.
+
+    Parameters
+    ----------
+    table : Arrow table or record batch
+        As for `response`.
+    start, max_periods
+        As for `stickslip.steady`, the same for all rows.
+
+    Returns
+    -------
+    Arrow table, or record batch for a record batch
+    """
+    return _native.arrow_steady(table, start, _periods(max_periods))

@@ -1,0 +1,138 @@
+"""Machines in units: an isolator, design, identification, and figures."""
+
+import math
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+HERTZ = 2 * math.pi
+
+
+def isolator(friction_coefficient=0.05, **options):
+    return ss.Machine.of_period(mass=800, period=2.2, friction_coefficient=friction_coefficient, **options)
+
+
+def test_an_isolator_under_a_base_that_carries_the_surface():
+    shaken = ss.Drive(base_acceleration=0.15 * 9.80665, angular_frequency=2 * HERTZ)
+    stroke = isolator().response(shaken).physical.max_displacement
+    assert stroke == pytest.approx(8.39737e-3, rel=1e-6)
+    # The same by the equation itself: m x'' + k x + r sgn x' = -m a sin(w t), small steps.
+    machine, step = isolator(), 1e-5
+    x = v = greatest = 0.0
+    for i in range(3_000_000):
+        t = i * step
+        push = -machine.mass * 0.15 * 9.80665 * math.sin(2 * HERTZ * t) - machine.stiffness * x
+        v += step * (push - math.copysign(machine.friction, v if v else push)) / machine.mass
+        x += step * v
+        if t > 28.0:
+            greatest = max(greatest, x)
+    assert stroke == pytest.approx(greatest, rel=2e-2)
+    # The other reading, that of the spring's foot, is another machine.
+    foot = ss.Drive(foot_displacement=0.15 * 9.80665 / (2 * HERTZ) ** 2, angular_frequency=2 * HERTZ)
+    assert isolator().response(foot).regime == "stuck"
+
+
+def test_the_physical_values_have_their_units():
+    machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0)
+    answer = machine.response(ss.Drive(force=12.0, angular_frequency=4.0))
+    ratios = ss.response(2.0, 3.0)
+    physical = answer.physical
+    assert (physical.angular_frequency, physical.force) == (4.0, 12.0)
+    assert physical.max_displacement == pytest.approx(0.5 * ratios.max_displacement, rel=1e-15)
+    assert physical.max_velocity == pytest.approx(2.0 * ratios.max_velocity, rel=1e-15)
+    assert physical.velocity_phase == pytest.approx(0.25 * ratios.velocity_phase, rel=1e-15)
+    assert physical.min_force_ratio == pytest.approx(4.0 * ratios.min_force_ratio, rel=1e-15)
+    energy = 4 * 4.0 * physical.max_displacement
+    assert physical.loop_size_stiffness == pytest.approx(energy, rel=1e-14)
+    assert physical.loop_size_inertia == pytest.approx(energy, rel=1e-14)
+    # The energy of the largest loop is that of the cycle at its own force.
+    best = machine.response(ss.Drive(force=physical.best_force_ratio, angular_frequency=4.0)).physical
+    assert physical.best_loop_size == pytest.approx(best.loop_size_stiffness, rel=1e-13)
+    with pytest.raises(AttributeError, match="no value stroke"):
+        physical.stroke
+
+
+def test_steady_in_units_is_the_closed_form():
+    machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0)
+    drive = ss.Drive(force=[12.0, 20.0], angular_frequency=4.0)
+    exact, closed = machine.steady(drive).physical, machine.response(drive).physical
+    np.testing.assert_allclose(exact.max_displacement, closed.max_displacement, rtol=1e-13)
+    np.testing.assert_allclose(exact.energy_out, closed.loop_size_stiffness, rtol=1e-12)
+    np.testing.assert_allclose(exact.max_velocity_phase, closed.velocity_phase, rtol=1e-12)
+
+
+def test_design_answers_hold_on_both_sides():
+    machine = isolator()
+    frequency = 1.7 * HERTZ
+    for excitation in ("force", "base_acceleration", "foot_displacement", "base_displacement"):
+        least = machine.least_force(frequency, excitation)
+        regime = lambda share: machine.response(
+            ss.Drive(**{excitation: least * share}, angular_frequency=frequency)
+        ).regime
+        assert (regime(1 + 1e-12), regime(1 - 1e-12)) == ("non-sticking", "sticking")
+    drive = ss.Drive(force=900.0, angular_frequency=frequency)
+    greatest = machine.greatest_friction(drive)
+    assert machine.response(ss.Drive(force=900.0, angular_frequency=frequency)).physical.force == 900.0
+    softer = ss.Machine(machine.mass, machine.stiffness, greatest * (1 - 1e-12))
+    assert softer.response(drive).regime == "non-sticking"
+    best = machine.best_friction(drive)
+    at = lambda friction: ss.Machine(machine.mass, machine.stiffness, friction).response(drive).physical
+    assert at(best.friction).loop_size_stiffness == pytest.approx(best.energy, rel=1e-12)
+    assert at(best.friction * 0.99).loop_size_stiffness < best.energy
+    force = machine.force_for_displacement(frequency, 0.01)
+    assert machine.response(ss.Drive(force=force, angular_frequency=frequency)).physical.max_displacement == pytest.approx(0.01)
+    force = machine.force_for_velocity(frequency, 0.12)
+    assert machine.response(ss.Drive(force=force, angular_frequency=frequency)).physical.max_velocity == pytest.approx(0.12)
+
+
+def test_bands_are_where_it_does_not_stick():
+    bands = isolator().bands(0.2 * HERTZ, 5 * HERTZ, force=900.0)
+    frequencies = np.linspace(0.2 * HERTZ, 5 * HERTZ, 501)
+    regime = isolator().response(ss.Drive(force=900.0, angular_frequency=frequencies)).regime
+    inside = np.any([(frequencies >= b.low) & (frequencies <= b.high) for b in bands], axis=0)
+    assert bands and np.array_equal(inside, np.isin(regime, ["non-sticking", "unbounded"]))
+
+
+def test_friction_and_damping_are_found_again():
+    machine = isolator().with_damping_ratio(0.04)
+    frequency = machine.natural_frequency * np.linspace(0.75, 1.5, 30)
+    exact = machine.response(ss.Drive(force=900.0, angular_frequency=frequency)).physical.max_displacement
+    noisy = exact * (1 + 0.01 * np.random.default_rng(4).standard_normal(30))
+    found = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, noisy)
+    assert abs(found.friction.value - machine.friction) < 4 * found.friction.standard_error
+    assert abs(found.damping_ratio.value - 0.04) < 4 * found.damping_ratio.standard_error
+    assert 0.005 < found.noise < 0.02
+    with pytest.raises(ss.Error, match="different lengths"):
+        ss.identify(1.0, 1.0, 1.0, [1.0, 2.0], [1.0])
+
+
+def test_friction_by_direction_and_a_mean_force_are_a_shift():
+    machine = ss.Machine(mass=2.0, stiffness=8.0, friction=5.0, friction_backward=3.0)
+    answer = machine.response(ss.Drive(force=12.0, angular_frequency=4.0, mean_force=9.0))
+    assert answer.alpha == 3.0 and answer.physical.mean_displacement == 1.0
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.Machine(-1, 2, 3), "mass m = -1 must be > 0"),
+        (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
+        (lambda: ss.Drive(angular_frequency=1), "give one of"),
+        (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "2 are given"),
+        (lambda: ss.Machine.of_period(mass=1, period=0, friction=1), "period = 0 must be > 0"),
+        (lambda: ss.Machine.of_period(mass=1, period=1), "give one of friction"),
+        (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "ω_d = -1 must be > 0"),
+        (lambda: ss.figure("11"), "figure 11: is none"),
+    ],
+)
+def test_bad_input_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
+
+
+def test_every_figure_is_drawn():
+    assert "8" in ss.FIGURES
+    drawn = ss.figure("8")
+    assert drawn._repr_svg_().startswith("<svg") and drawn.title and drawn.caption

@@ -1,0 +1,129 @@
+"""The exact motion, against an integration by hand, against the closed forms, and interrupted."""
+
+import math
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+
+def stepped(omega, alpha, cycles, per_cycle=40_000):
+    """The motion from rest by small steps of the equation itself, velocity Verlet with a stick test."""
+    step = 2 * math.pi / per_cycle
+    x = v = 0.0
+    greatest, stuck = 0.0, 0
+    for i in range(cycles * per_cycle):
+        force = alpha * math.sin(i * step) - x
+        if v == 0.0 and abs(force) <= 1.0:
+            stuck += i >= (cycles - 1) * per_cycle
+            continue
+        side = math.copysign(1.0, v if v != 0.0 else force)
+        faster = v + step * (force - side) / omega**2
+        if v != 0.0 and faster * v < 0.0:
+            faster = 0.0
+        v = faster
+        x += step * v
+        if i >= (cycles - 1) * per_cycle:
+            greatest = max(greatest, x)
+    return greatest, stuck / per_cycle
+
+
+@pytest.mark.parametrize("omega, alpha", [(0.4, 6.0), (0.7, 1.2)])
+def test_a_limit_with_stops_is_that_of_small_steps(omega, alpha):
+    found = ss.steady(omega, alpha)
+    greatest, stuck = stepped(omega, alpha, 12 if omega == 0.7 else 60)
+    assert found.regime == "sticking" and found.limit == "periodic"
+    assert found.max_displacement == pytest.approx(greatest, rel=2e-3)
+    assert found.stick_fraction == pytest.approx(stuck, abs=5e-3)
+    assert found.energy_in == pytest.approx(found.energy_out, rel=1e-12)
+
+
+def test_without_stops_it_is_the_closed_form():
+    omega, alpha = np.array([0.7, 1.5, 3.0]), 3.0
+    closed, exact = ss.response(omega, alpha), ss.steady(omega, alpha)
+    np.testing.assert_allclose(exact.max_displacement, closed.max_displacement, rtol=1e-13)
+    np.testing.assert_allclose(exact.max_velocity, closed.max_velocity, rtol=1e-13)
+    np.testing.assert_allclose(exact.contraction, closed.contraction**2, rtol=1e-9)
+    assert list(exact.velocity_zeros_per_cycle) == [2, 2, 2]
+
+
+def test_arrays_are_points():
+    random = np.random.default_rng(3)
+    omega, alpha = np.exp(random.uniform(-1.5, 1.5, 300)), np.exp(random.uniform(-0.2, 2, 300))
+    table = ss.steady(omega, alpha)
+    for i in range(300):
+        point = ss.steady(omega[i], alpha[i])
+        for name in ("regime", "limit", "max_displacement", "min_velocity", "sticks_per_cycle", "periods", "rest_position"):
+            expected, got = getattr(point, name), getattr(table, name)[i]
+            if expected is None:
+                assert got == -1 or math.isnan(got), name
+            else:
+                assert got == expected, (name, omega[i], alpha[i])
+    assert ss.steady([-1.0, 0.7], 2.0).limit[0] == "invalid"
+
+
+def test_the_start_matters_at_a_family_and_nowhere_else():
+    near, far = ss.steady(0.5, 8.0), ss.steady(0.5, 8.0, start=(0.0, 3.0, 0.2))
+    assert near.limit == far.limit == "family"
+    assert near.max_displacement != pytest.approx(far.max_displacement, rel=1e-3)
+    same = ss.steady(0.4, 6.0, start=(1.0, -2.0, 5.0))
+    assert same.max_displacement == pytest.approx(ss.steady(0.4, 6.0).max_displacement, rel=1e-12)
+
+
+def test_samples_lie_on_the_phases():
+    phases = ss.simulate(0.4, 6.0, cycles=3)
+    samples = ss.simulate(0.4, 6.0, cycles=3, samples=500)
+    assert samples.phase.size == 1501
+    np.testing.assert_allclose(samples.phase, 2 * np.pi / 500 * np.arange(1501), rtol=1e-15)
+    assert np.all(np.abs(samples.friction) <= 1.0)
+    np.testing.assert_array_equal(phases.start_phase[1:], phases.end_phase[:-1])
+    for start, end, kind in zip(phases.start_phase, phases.end_phase, phases.kind):
+        within = (samples.phase > start) & (samples.phase < end)
+        moving = samples.velocity[within]
+        assert np.all(moving == 0 if kind == "stick" else moving * (1 if kind == "slide-forward" else -1) > 0)
+
+
+def test_free_vibration_ends_where_friction_holds():
+    found = ss.decay(12, 6)
+    assert found.rest_position == pytest.approx(15 - math.sqrt(205), rel=1e-13)
+    assert ss.decay(0.5).half_cycles == 0
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.steady(1e-9, 2), "Ω = 1e-9 must be"),
+        (lambda: ss.steady(0.4, 6, max_periods=0), "max_periods = 0 must be >= 1"),
+        (lambda: ss.steady([0.4], 6, start=(0.0, math.inf, 0.0)), "must be finite"),
+        (lambda: ss.simulate(0.4, 6, cycles=-1), "cycles = -1 must be > 0"),
+        (lambda: ss.simulate(0.4, 6, samples=0), "samples = 0 must be >= 1"),
+        (lambda: ss.decay(math.nan), "must be finite"),
+    ],
+)
+def test_bad_input_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
+
+
+@pytest.mark.parametrize(
+    "work",
+    [
+        "ss.steady(np.full(10**7, 1e-4), 50.0)",
+        "ss.steady(1e-6, 1e9)",
+        "ss.simulate(0.4, 6.0, cycles=1e8)",
+        "ss.simulate(0.4, 6.0, cycles=1e5, samples=1000)",
+    ],
+)
+def test_ctrl_c_is_heard(work):
+    code = f"import stickslip as ss, numpy as np\nprint('ready', flush=True)\nwhile True: {work}"
+    run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert run.stdout.readline() == "ready\n"
+    time.sleep(0.3)
+    run.send_signal(signal.SIGINT)
+    _, words = run.communicate(timeout=20)
+    assert run.returncode != 0 and words.rstrip().endswith("KeyboardInterrupt")
