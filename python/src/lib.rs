@@ -7,6 +7,7 @@ mod interrupt;
 mod machine;
 mod motion;
 mod table;
+mod wide;
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -26,5 +27,6 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     closed_forms::register(module)?;
     motion::register(module)?;
     machine::register(module)?;
-    design::register(module)
+    design::register(module)?;
+    wide::register(module)
 }

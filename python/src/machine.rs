@@ -49,8 +49,8 @@ fn machine_columns<'py>(
     let (body, kind) = (body(of).map_err(refused)?, excitation(kind)?);
     let names =
         ["omega", "alpha", "damping_ratio", "length", "velocity", "time", "force", "energy",
-        "energy_inertia", "mean_displacement"];
-    let mut columns: [Vec<f64>; 10] = Default::default();
+        "energy_inertia", "acceleration", "mean_displacement"];
+    let mut columns: [Vec<f64>; 11] = Default::default();
     for (&amplitude, &frequency) in amplitude.as_slice()?.iter().zip(angular_frequency.as_slice()?) {
         let row = (|| {
             let drive = Drive::new(kind, amplitude, frequency)?.with_mean_force(mean_force)?;
@@ -65,6 +65,7 @@ fn machine_columns<'py>(
                 scales.force,
                 scales.energy_stiffness,
                 scales.energy_inertia,
+                scales.velocity / scales.time,
                 scales.mean_displacement,
             ])
         })();
@@ -91,15 +92,16 @@ fn units() -> Vec<(&'static str, &'static str)> {
         energy_inertia: 13.0,
         mean_displacement: 0.0,
     };
-    let name = |unit: f64| match unit as u8 {
-        2 => "length",
-        3 => "velocity",
-        5 => "time",
-        7 => "force",
-        11 => "energy",
-        13 => "energy_inertia",
-        _ => "",
-    };
+    let names = [
+        (marks.length, "length"),
+        (marks.velocity, "velocity"),
+        (marks.time, "time"),
+        (marks.force, "force"),
+        (marks.energy_stiffness, "energy"),
+        (marks.energy_inertia, "energy_inertia"),
+        (marks.velocity / marks.time, "acceleration"),
+    ];
+    let name = |unit: f64| names.iter().find(|(mark, _)| *mark == unit).map_or("", |(_, name)| name);
     Output::ALL.map(|output| (output.name(), name(output.unit(&marks)))).to_vec()
 }
 

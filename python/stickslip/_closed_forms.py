@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any, ClassVar, Iterable, Mapping, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._result import Physical, Result, Value, broadcast, named, shaped
+from ._result import Physical, Result, Value, broadcast, decimals, digits, named, precision, shaped
 
 _OF_POINT = ("regime", "reversals_per_cycle")
 #: Names of the outputs that `response` can be asked for.
@@ -63,6 +64,13 @@ class Response(Result):
         Share of a disturbance that half a cycle leaves.
     margin : float or array
         ``alpha/min_force_ratio``.
+    dynamic_amplification : float or array
+        ``k max_displacement/p0``.
+    max_acceleration, transmitted_force, max_absolute_displacement : float or array
+        Maximum acceleration (B w**2), maximum force of spring, damper and friction on the base (r), and the greatest
+        displacement over ground where a base carries the surface (B).
+    transmissibility : float or array
+        ``transmitted_force/p0``.
     physical : Physical or None
         The same names in the units of the machine, where there is one.
     """
@@ -89,6 +97,11 @@ class Response(Result):
     border_phase: Any
     best_force_ratio: Any
     best_loop_size: Any
+    dynamic_amplification: Any
+    max_acceleration: Any
+    transmitted_force: Any
+    transmissibility: Any
+    max_absolute_displacement: Any
     physical: Optional[Physical]
 
 
@@ -130,6 +143,7 @@ def response(
     damping_ratio: ArrayLike = 0.0,
     *,
     outputs: Optional[Iterable[str]] = None,
+    bits: Optional[int] = None,
 ) -> Response:
     """The answer at (omega, alpha) in closed form.
 
@@ -143,6 +157,10 @@ def response(
         Damping ratio of a viscous damper, >= 0.
     outputs : names, optional
         The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
+    bits : int, optional
+        For a single point: at least so many bits, up to 8192, every output rounded once. Arguments then may be text,
+        `decimal.Decimal` or numbers of mpmath, and the answers are `decimal.Decimal`. A float is the binary number
+        that it is: ``"0.7"`` and ``0.7`` differ in the 17th digit.
 
     Returns
     -------
@@ -162,10 +180,18 @@ def response(
     'sticking'
     >>> ss.response(0.4, 6).min_force_ratio
     6.9497...
+    >>> ss.response("0.7", 2, bits=100).max_displacement
+    Decimal('3.4885078724977...')
     >>> curve = ss.response(np.linspace(0.6, 1.6, 5), 2.5, outputs=["max_displacement"])
     >>> curve.max_displacement.round(3)
     array([ 3.786,  8.004, 10.087,  2.508,  1.301])
     """
+    if bits is not None:
+        texts = (digits("omega", omega), digits("alpha", alpha), digits("damping_ratio", damping_ratio))
+        answer = decimals(_native.wide_response(precision(bits), texts))
+        names = OUTPUTS if outputs is None else _known(outputs)
+        ratios = dict(zip(("omega", "alpha", "damping_ratio"), map(Decimal, texts)))
+        return Response({**ratios, **{name: answer[name] for name in names}})
     shape, columns = broadcast(omega, alpha, damping_ratio)
     if shape is None:
         point = [column.item() for column in columns]
@@ -181,7 +207,7 @@ def response(
     return Response({**_ratios(shape, columns), **table})
 
 
-def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Border:
+def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0, *, bits: Optional[int] = None) -> Border:
     """The least force ratio with which the body does not stick at omega.
 
     Parameters
@@ -190,6 +216,8 @@ def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Border:
         Frequency ratio, > 0.
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
+    bits : int, optional
+        For a single omega: the precision, as for `response`.
 
     Returns
     -------
@@ -203,6 +231,10 @@ def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0) -> Border:
     >>> [round(low, 3) for low, high in ss.border(0.331).no_stop_force_ratios]
     [53.673, 179.876]
     """
+    if bits is not None:
+        texts = (digits("omega", omega), "1", digits("damping_ratio", damping_ratio))
+        wide = decimals(_native.wide_response(precision(bits), texts))
+        return Border({**wide, "omega": Decimal(texts[0]), "damping_ratio": Decimal(texts[2])})
     shape, columns = broadcast(omega, damping_ratio)
     answer = response(columns[0], np.ones_like(columns[0]), columns[1], outputs=_OF_BORDER)
     if shape is not None:

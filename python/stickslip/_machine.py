@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
 from ._closed_forms import Border, Response, border, response
-from ._motion import Steady, steady
-from ._result import Floats, Physical, broadcast
+from ._motion import _REST, Start, Steady, steady
+from ._result import Physical, Result, broadcast
 
 if TYPE_CHECKING:
     from ._design import Band, BestFriction
@@ -25,6 +25,25 @@ _EXCITATIONS = (
     "base_acceleration",
 )
 _STANDARD_GRAVITY = 9.80665
+#: Names of values in physical units, where they are not those in ratios. Both loop sizes are one energy.
+_PHYSICAL = {
+    "min_force_ratio": "min_force",
+    "min_force_ratio_turning_point": "min_force_turning_point",
+    "loop_size_stiffness": "energy_per_cycle",
+    "best_force_ratio": "best_force",
+    "best_loop_size": "best_force_energy",
+    "periods": "followed_for",
+}
+#: Scales of what `steady` gives, beside those of `response`.
+_OF_STEADY = {
+    "min_displacement": "length",
+    "rest_position": "length",
+    "distance": "length",
+    "min_velocity": "velocity",
+    "energy_in": "work",
+    "energy_out": "work",
+    "periods": "period",
+}
 
 
 @dataclass(frozen=True, init=False)
@@ -162,40 +181,27 @@ class Machine:
         backward = float("nan") if self.friction_backward is None else float(self.friction_backward)
         return (float(self.mass), float(self.stiffness), float(self.friction), backward, float(self.damping))
 
-    def response(self, drive: Drive) -> Response:
+    def response(self, drive: Drive, *, outputs: Optional[Iterable[str]] = None) -> Response:
         """The answer in closed form, in ratios and, as ``physical``, in the units of the machine; see `response`."""
         ratios, scales = self._ratios(drive)
-        answer = response(ratios["omega"], ratios["alpha"], ratios["damping_ratio"])
-        values = {name: value for name, value in answer.to_dict().items() if value is not None}
-        units: Mapping[str, str] = dict(_native.UNITS)
-        physical = {
-            name: value * scales[units[name]] for name, value in values.items() if units.get(name, "")
-        }
-        if "best_loop_size" in physical:
-            # It is that of the best force, not of this one.
-            physical["best_loop_size"] *= (answer.best_force_ratio / answer.alpha) ** 2
-        return Response({**answer.to_dict(), "physical": Physical({**_drive_of(drive, ratios, scales), **physical})})
+        answer = response(ratios["omega"], ratios["alpha"], ratios["damping_ratio"], outputs=outputs)
+        physical = _in_units(answer, drive, ratios, scales)
+        if "best_force_energy" in physical:
+            # The loop at the best force, not at this one.
+            best = physical["best_force"] / physical["force_amplitude"]
+            physical["best_force_energy"] = physical["best_force_energy"] * best**2
+        return Response({**answer.to_dict(), "physical": Physical(physical)})
 
-    def steady(self, drive: Drive, **options: Any) -> Steady:
+    def steady(self, drive: Drive, *, start: Start = _REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
         """The motion in the long run, in ratios and, as ``physical``, in the units of the machine; see `steady`.
 
-        ``start`` and ``max_periods`` as there; the start in radians, B and B w.
+        The start is in radians, B and B w.
         """
         ratios, scales = self._ratios(drive)
-        answer = steady(ratios["omega"], ratios["alpha"], ratios["damping_ratio"], **options)
-        physical = _drive_of(drive, ratios, scales)
-        for name, value in answer.to_dict().items():
-            if value is None:
-                continue
-            if name.endswith("_phase"):
-                physical[name] = value * scales["time"]
-            elif name in ("max_displacement", "min_displacement", "rest_position", "distance"):
-                physical[name] = value * scales["length"]
-            elif name in ("max_velocity", "min_velocity"):
-                physical[name] = value * scales["velocity"]
-            elif name in ("energy_in", "energy_out"):
-                physical[name] = value * scales["force"] * scales["length"]
-        return Steady({**answer.to_dict(), "physical": Physical(physical)})
+        answer = steady(
+            ratios["omega"], ratios["alpha"], ratios["damping_ratio"], start=start, max_periods=max_periods
+        )
+        return Steady({**answer.to_dict(), "physical": Physical(_in_units(answer, drive, ratios, scales))})
 
     def border(self, angular_frequency: ArrayLike) -> Border:
         """The border at an angular frequency, in ratios; `least_force` is the same in units of force."""
@@ -251,10 +257,22 @@ def _single(drive: Drive) -> tuple[str, float, float]:
     return drive.excitation, amplitude.item(), frequency.item()
 
 
-def _drive_of(drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]) -> dict[str, Union[float, Floats]]:
-    frequency = 1.0 / scales["time"]
-    return {
-        "angular_frequency": frequency,
-        "force": ratios["alpha"] * scales["force"],
+def _in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of an answer that have units, by their physical names, and those of the drive."""
+    turn = 2 * np.pi * scales["time"]
+    sizes = {**scales, "work": scales["force"] * scales["length"], "period": turn}
+    units = {**dict(_native.UNITS), **_OF_STEADY, "loop_size_inertia": ""}
+    if not drive.excitation.startswith("base_"):
+        units["max_absolute_displacement"] = ""
+    physical = {
+        "angular_frequency": 1.0 / scales["time"],
+        "force_amplitude": ratios["alpha"] * scales["force"],
+        "friction_displacement": scales["length"],
         "mean_displacement": scales["mean_displacement"],
     }
+    for name, value in answer.to_dict().items():
+        unit = "time" if name.endswith("_phase") else units.get(name, "")
+        if value is None or not unit:
+            continue
+        physical[_PHYSICAL.get(name, name.replace("_phase", "_time"))] = value * sizes[unit]
+    return physical

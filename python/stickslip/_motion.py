@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any, ClassVar, Optional, Sequence, Union, overload
 
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._closed_forms import _ratios
-from ._result import Floats, Physical, Result, Value, broadcast, named, shaped
+from ._result import Floats, Physical, Result, Value, broadcast, decimals, digits, named, precision, shaped
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
@@ -198,6 +199,7 @@ def steady(
     *,
     start: Start = _REST,
     max_periods: int = _native.MAX_PERIODS,
+    bits: Optional[int] = None,
 ) -> Steady:
     """The motion in the long run, by the exact motion from a start, stops included.
 
@@ -213,6 +215,8 @@ def steady(
         In radians of the drive, B and B w; rest unless given.
     max_periods : int
         Periods of the drive after which a motion that has not settled is ``"not-converged"``.
+    bits : int, optional
+        For a single point: the precision, as for `response`.
 
     Returns
     -------
@@ -227,8 +231,13 @@ def steady(
     >>> ss.steady([0.4, 0.7, 1.5], 6).sticks_per_cycle
     array([2, 0, 0])
     """
-    shape, columns = broadcast(omega, alpha, damping_ratio)
     periods = _periods(max_periods)
+    if bits is not None:
+        texts = (digits("omega", omega), digits("alpha", alpha), digits("damping_ratio", damping_ratio))
+        begin = (digits("phase", start[0]), digits("displacement", start[1]), digits("velocity", start[2]))
+        wide = decimals(_native.wide_steady(precision(bits), texts, begin, periods))
+        return Steady({**wide, **dict(zip(("omega", "alpha", "damping_ratio"), map(Decimal, texts)))})
+    shape, columns = broadcast(omega, alpha, damping_ratio)
     if shape is None:
         point = (columns[0].item(), columns[1].item(), columns[2].item())
         found = _native.steady_at(point, start, periods)

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from decimal import Decimal
 from typing import Any, ClassVar, Mapping, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from . import _native
 
 Floats = NDArray[np.float64]
 #: A number for a single point, an array for many.
@@ -61,3 +64,44 @@ def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[
 def named(codes: NDArray[np.uint8], names: Sequence[str]) -> NDArray[np.str_]:
     """The names that codes stand for."""
     return np.asarray(names)[codes]
+
+
+def digits(name: str, value: Any) -> str:
+    """A single number with all its digits: text, int, Decimal, float, or a number of mpmath."""
+    if isinstance(value, str):
+        return value.strip()
+    if isinstance(value, (int, np.integer)):
+        return str(int(value))
+    if isinstance(value, Decimal):
+        return str(value)
+    if isinstance(value, (float, np.floating)):
+        # Every binary number has finitely many decimal digits.
+        return str(Decimal(float(value)))
+    parts = getattr(value, "_mpf_", None)
+    if parts is not None and parts[1]:
+        sign, mantissa, exponent, _ = parts
+        scaled = mantissa * (2**exponent if exponent >= 0 else 5**-exponent)
+        return f"{'-' if sign else ''}{scaled}e{min(exponent, 0)}"
+    if parts is not None:
+        return str(value)
+    raise _native.Error(f"{name} = {value!r}: with bits, give one number, as text, Decimal, mpf, int or float")
+
+
+def decimals(found: Mapping[str, Any]) -> dict[str, Any]:
+    """The digits of an answer as numbers that keep them."""
+
+    def read(value: Any) -> Any:
+        if isinstance(value, str):
+            return Decimal(value)
+        if isinstance(value, list):
+            return [tuple(read(part) for part in pair) for pair in value]
+        return value
+
+    return {name: value if name in ("regime", "limit") else read(value) for name, value in found.items()}
+
+
+def precision(bits: int) -> int:
+    """The bits asked for, as the compiled part takes them."""
+    if not 1 <= bits < 2**32:
+        raise _native.Error(f"bits = {bits} must be >= 1")
+    return int(bits)

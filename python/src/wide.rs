@@ -1,0 +1,170 @@
+//! Answers at any number of bits: decimal digits in, decimal digits out.
+
+use crate::interrupt::{Stop, interruptible};
+use crate::refused;
+use core::fmt::{Debug, Display, LowerExp};
+use core::str::FromStr;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::float::mp::{ParseError, WithPrecision, with_precision};
+use stickslip::regime::{no_stop_force_ratios, observed};
+use stickslip::{Float, Output, Ratios, Response};
+
+/// A value on its way to Python.
+enum Cell {
+    Word(&'static str),
+    Digits(Option<String>),
+    Count(Option<u32>),
+    Flag(bool),
+    Pairs(Vec<(String, Option<String>)>),
+}
+
+type Cells = Vec<(&'static str, Cell)>;
+
+/// What is asked at a point.
+enum Question {
+    Response,
+    /// From a start, for at most so many periods.
+    Steady { start: [String; 3], periods: u32 },
+}
+
+struct Task<'a> {
+    ratios: [String; 3],
+    question: Question,
+    stop: &'a Stop,
+}
+
+fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
+    text.parse().map_err(|error| format!("{text}: {error}"))
+}
+
+impl WithPrecision for Task<'_> {
+    type Output = Result<Cells, String>;
+
+    fn run<F>(self) -> Self::Output
+    where
+        F: Float + FromStr<Err = ParseError> + Display + LowerExp + Debug + Send + Sync + 'static,
+    {
+        let [omega, alpha, damping] = &self.ratios;
+        let (omega, damping) = (number::<F>(omega)?, number::<F>(damping)?);
+        let ratios = Ratios::new(omega, number(alpha)?).and_then(|r| r.with_damping_ratio(damping));
+        let ratios = ratios.map_err(|e| e.to_string())?;
+        match self.question {
+            Question::Response => Ok(response(ratios)),
+            Question::Steady { start: [phase, x, v], periods } => {
+                let start = State::new(number(&phase)?, number(&x)?, number(&v)?).map_err(|e| e.to_string())?;
+                steady(ratios, start, periods, self.stop).map_err(|e| e.to_string())
+            }
+        }
+    }
+}
+
+fn digits<F: Display>(value: Option<F>) -> Cell {
+    Cell::Digits(value.map(|x| x.to_string()))
+}
+
+fn response<F: Float>(ratios: Ratios<F>) -> Cells {
+    let answer = Response::guarded(ratios);
+    let mut cells = vec![
+        ("regime", Cell::Word(answer.regime().name())),
+        ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
+        ("best_force_ratio_slides", Cell::Flag(answer.best_is_reached())),
+    ];
+    cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
+    if !ratios.is_damped()
+        && let Ok(no_stop) = no_stop_force_ratios(ratios.omega())
+    {
+        let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
+        cells.push(("no_stop_force_ratios", Cell::Pairs(ends.collect())));
+    }
+    cells
+}
+
+fn steady<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    periods: u32,
+    stop: &Stop,
+) -> Result<Cells, stickslip::Error> {
+    let limit = LongRun::within_while(ratios, start, periods, &mut || stop.asked())?;
+    let seen = observed(ratios, &limit);
+    let steady = limit.steady_state();
+    let of = |value: fn(&SteadyState<F>) -> F| digits(steady.map(value));
+    let errors = steady.map(SteadyState::errors).transpose()?;
+    let (kind, followed, rest) = match &limit {
+        LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
+        LongRun::Family(s) => ("family", Some(s.periods()), None),
+        LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
+        LongRun::Unbounded { .. } => ("none", None, None),
+        LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
+    };
+    let multipliers = steady.map(SteadyState::multipliers);
+    let pairs = multipliers.map(|m| m.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec());
+    Ok(vec![
+        ("regime", Cell::Word(seen.regime.name())),
+        ("limit", Cell::Word(kind)),
+        ("max_displacement", of(|s| s.max_displacement())),
+        ("max_displacement_phase", of(|s| s.max_displacement_phase())),
+        ("min_displacement", of(|s| s.min_displacement())),
+        ("min_displacement_phase", of(|s| s.min_displacement_phase())),
+        ("max_velocity", of(|s| s.max_velocity())),
+        ("max_velocity_phase", of(|s| s.max_velocity_phase())),
+        ("min_velocity", of(|s| s.min_velocity())),
+        ("min_velocity_phase", of(|s| s.min_velocity_phase())),
+        ("sticks_per_cycle", Cell::Count(seen.sticks)),
+        ("velocity_zeros_per_cycle", Cell::Count(steady.map(SteadyState::velocity_zeros_per_cycle))),
+        ("reversals_per_cycle", Cell::Count(seen.reversals)),
+        ("stick_fraction", of(|s| s.stick_fraction())),
+        ("energy_in", of(|s| s.energy_in())),
+        ("energy_out", of(|s| s.energy_out())),
+        ("contraction", of(|s| s.contraction())),
+        ("distance", of(|s| s.distance().0)),
+        ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
+        ("rest_position", digits(rest)),
+        ("periods", digits(followed)),
+        ("error_1", digits(errors.map(|e| e.error_1))),
+        ("error_2", digits(errors.map(|e| e.error_2))),
+        ("error_3", digits(errors.map(|e| e.error_3))),
+        ("error_4", digits(errors.map(|e| e.error_4))),
+    ])
+}
+
+fn answer(py: Python<'_>, bits: u32, ratios: [String; 3], question: Question) -> PyResult<Bound<'_, PyDict>> {
+    let found = interruptible(py, |stop| with_precision(bits, Task { ratios, question, stop }))?;
+    let cells = found.map_err(refused)?.map_err(refused)?;
+    let dict = PyDict::new(py);
+    for (name, cell) in cells {
+        match cell {
+            Cell::Word(word) => dict.set_item(name, word)?,
+            Cell::Digits(digits) => dict.set_item(name, digits)?,
+            Cell::Count(count) => dict.set_item(name, count)?,
+            Cell::Flag(flag) => dict.set_item(name, flag)?,
+            Cell::Pairs(pairs) => dict.set_item(name, pairs)?,
+        }
+    }
+    Ok(dict)
+}
+
+/// All outputs of the closed forms at a point, and the force ratios without a stop, as decimal digits.
+#[pyfunction]
+fn wide_response(py: Python<'_>, bits: u32, ratios: [String; 3]) -> PyResult<Bound<'_, PyDict>> {
+    answer(py, bits, ratios, Question::Response)
+}
+
+/// The limit from a start, as decimal digits.
+#[pyfunction]
+fn wide_steady(
+    py: Python<'_>,
+    bits: u32,
+    ratios: [String; 3],
+    start: [String; 3],
+    max_periods: u32,
+) -> PyResult<Bound<'_, PyDict>> {
+    answer(py, bits, ratios, Question::Steady { start, periods: max_periods })
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(wide_response, module)?)?;
+    module.add_function(wrap_pyfunction!(wide_steady, module)?)
+}

@@ -1,0 +1,60 @@
+"""Answers at many bits: digits in and out without a loss."""
+
+from decimal import Decimal, localcontext
+
+import pytest
+
+import stickslip as ss
+
+mpmath = pytest.importorskip("mpmath")
+
+
+def test_the_displacement_of_the_formula_at_300_bits():
+    with mpmath.workprec(400):
+        omega, alpha = mpmath.mpf("0.7"), mpmath.mpf(2)
+        k = (1 - omega**2) * mpmath.tan(mpmath.pi / (2 * omega)) / omega
+        expected = mpmath.sqrt(alpha**2 - k**2) / (1 - omega**2)
+        for first, second in (("0.7", "2"), (Decimal("0.7"), 2), ("0.7", mpmath.mpf(2))):
+            found = ss.response(first, second, bits=300)
+            assert abs(mpmath.mpf(str(found.max_displacement)) / expected - 1) < mpmath.mpf(2) ** -299
+            assert found.regime == "non-sticking" and found.omega == Decimal("0.7")
+
+
+def test_a_float_is_the_binary_number_that_it_is():
+    binary, decimal = ss.border(0.7, bits=200), ss.border("0.7", bits=200)
+    assert binary.omega == Decimal(0.7) != decimal.omega
+    assert 0 < abs(binary.min_force_ratio - decimal.min_force_ratio) < Decimal("1e-15")
+    assert float(binary.min_force_ratio) == pytest.approx(ss.border(0.7).min_force_ratio, rel=1e-15)
+
+
+def test_numbers_of_mpmath_keep_their_bits():
+    with mpmath.workprec(500):
+        omega = mpmath.mpf(2) / 3
+        found = ss.response(omega, -mpmath.mpf(-5), bits=500)
+        with localcontext() as context:
+            context.prec = 400
+            assert abs(found.omega * 3 - 2) < Decimal(2) ** -498
+        assert found.alpha == 5
+
+
+def test_a_limit_with_stops_at_200_bits():
+    wide, narrow = ss.steady("0.4", "6", bits=200), ss.steady(0.4, 6)
+    assert (wide.regime, wide.sticks_per_cycle, wide.limit) == ("sticking", 2, "periodic")
+    assert float(wide.max_displacement) == pytest.approx(narrow.max_displacement, rel=1e-14)
+    assert abs(wide.energy_in - wide.energy_out) < Decimal("1e-55")
+    assert abs(wide.max_displacement + wide.min_displacement) < Decimal("1e-55")
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.response("0.7", 2, bits=0), "bits = 0 must be >= 1"),
+        (lambda: ss.response("0.7", 2, bits=10**6), "1000000 bits must be"),
+        (lambda: ss.response("0,7", 2, bits=100), "0,7"),
+        (lambda: ss.response([0.7], 2, bits=100), "give one number"),
+        (lambda: ss.border("-1", bits=100), "Ω = -1 must be > 0"),
+    ],
+)
+def test_bad_input_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
