@@ -7,7 +7,7 @@ use core::str::FromStr;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::float::mp::{ParseError, WithPrecision, with_precision};
+use stickslip::float::mp::{Mp, ParseError};
 use stickslip::regime::{no_stop_force_ratios, observed};
 use stickslip::{Float, Output, Ratios, Response};
 
@@ -39,10 +39,18 @@ fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
     text.parse().map_err(|error| format!("{text}: {error}"))
 }
 
-impl WithPrecision for Task<'_> {
-    type Output = Result<Cells, String>;
+impl Task<'_> {
+    /// At the least width of a few that has the bits: each is a copy of all that is computed at it.
+    fn at(self, bits: u32) -> Result<Cells, String> {
+        match bits {
+            ..=128 => self.run::<Mp<2>>(),
+            ..=256 => self.run::<Mp<4>>(),
+            ..=1024 => self.run::<Mp<16>>(),
+            _ => Err(format!("bits = {bits} must be ≤ 1024 here; the command has 8192")),
+        }
+    }
 
-    fn run<F>(self) -> Self::Output
+    fn run<F>(self) -> Result<Cells, String>
     where
         F: Float + FromStr<Err = ParseError> + Display + LowerExp + Debug + Send + Sync + 'static,
     {
@@ -131,8 +139,8 @@ fn steady<F: Float>(
 }
 
 fn answer(py: Python<'_>, bits: u32, ratios: [String; 3], question: Question) -> PyResult<Bound<'_, PyDict>> {
-    let found = interruptible(py, |stop| with_precision(bits, Task { ratios, question, stop }))?;
-    let cells = found.map_err(refused)?.map_err(refused)?;
+    let found = interruptible(py, |stop| Task { ratios, question, stop }.at(bits))?;
+    let cells = found.map_err(refused)?;
     let dict = PyDict::new(py);
     for (name, cell) in cells {
         match cell {

@@ -158,7 +158,7 @@ def response(
     outputs : names, optional
         The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
     bits : int, optional
-        For a single point: at least so many bits, up to 8192, every output rounded once. Arguments then may be text,
+        For a single point: at least so many bits, up to 1024, every output rounded once. Arguments then may be text,
         `decimal.Decimal` or numbers of mpmath, and the answers are `decimal.Decimal`. A float is the binary number
         that it is: ``"0.7"`` and ``0.7`` differ in the 17th digit.
 

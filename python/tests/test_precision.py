@@ -49,7 +49,7 @@ def test_a_limit_with_stops_at_200_bits():
     "call, words",
     [
         (lambda: ss.response("0.7", 2, bits=0), "bits = 0 must be >= 1"),
-        (lambda: ss.response("0.7", 2, bits=10**6), "1000000 bits must be"),
+        (lambda: ss.response("0.7", 2, bits=10**6), "bits = 1000000 must be"),
         (lambda: ss.response("0,7", 2, bits=100), "0,7"),
         (lambda: ss.response([0.7], 2, bits=100), "give one number"),
         (lambda: ss.border("-1", bits=100), "Ω = -1 must be > 0"),
