@@ -82,7 +82,20 @@ impl From<csv::Error> for Failure {
     }
 }
 
-/// The parser's own message on one line, without its usage and hints.
+/// What the parser takes for what was meant.
+fn meant(error: &clap::Error) -> Option<String> {
+    use clap::error::{ContextKind, ContextValue};
+    let kinds = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
+    kinds.into_iter().find_map(|kind| {
+        let found = error.get(kind)?;
+        if let ContextValue::String(text) = found {
+            return Some(text.clone());
+        }
+        if let ContextValue::Strings(texts) = found { texts.first().cloned() } else { None }
+    })
+}
+
+/// The parser's own message on one line, with what it takes for meant, without its usage.
 impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -92,7 +105,11 @@ impl From<clap::Error> for Failure {
         let message: Vec<&str> =
             text.lines().take_while(|line| !line.trim().is_empty()).map(str::trim).collect();
         let message = message.join(" ");
-        Self::Input(message.strip_prefix("error: ").unwrap_or(&message).to_owned())
+        let message = message.strip_prefix("error: ").unwrap_or(&message);
+        Self::Input(match meant(&error) {
+            Some(meant) => format!("{message}; did you mean {meant}?"),
+            None => message.to_owned(),
+        })
     }
 }
 

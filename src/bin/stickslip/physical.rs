@@ -98,13 +98,26 @@ impl<F: Value> Physical<F> {
     }
 
     pub(crate) fn has(&self, wanted: &str) -> bool {
-        self.values.iter().any(|(name, ..)| *name == wanted)
+        self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
+    }
+
+    /// Whether a value is meant by this name, with its unit in brackets or without.
+    fn is_called(&self, name: &str, kind: Kind, wanted: &str) -> bool {
+        match wanted.split_once('[') {
+            Some((own, unit)) => {
+                let due = self.system.name(kind);
+                own == name && unit.strip_suffix(']').is_some_and(|unit| unit == due || unit == plain(&due))
+            }
+            None => wanted == name,
+        }
     }
 
     /// The values of these names alone, in this order.
     pub(crate) fn only<'a>(self, wanted: impl Iterator<Item = &'a str>) -> Self {
-        let values =
-            wanted.filter_map(|w| self.values.iter().find(|(name, ..)| *name == w).copied()).collect();
+        let found = |wanted: &str| {
+            self.values.iter().find(|(name, kind, _)| self.is_called(name, *kind, wanted)).copied()
+        };
+        let values = wanted.filter_map(found).collect();
         Self { values, ..self }
     }
 

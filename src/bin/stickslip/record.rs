@@ -215,8 +215,8 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME`, or NAME where no field is
-    /// called so.
+    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME` or `NAME[unit]`, or
+    /// NAME where no field is called so.
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.fields.iter().any(|(name, _)| *name == wanted) || self.physical.has(physical_name(wanted))
     }

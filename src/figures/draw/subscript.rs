@@ -27,7 +27,7 @@ fn lowered(text: &str) -> String {
         let length = part.find(|c: char| !c.is_ascii_alphanumeric()).unwrap_or(part.len());
         let (index, rest) = part.split_at(length);
         if is_symbol(before) && !index.is_empty() {
-            whole.push_str(&format!("<tspan dy=\"0.3em\" font-size=\"72%\">{index}</tspan>"));
+            whole.push_str(&format!("<tspan dy=\"0.3em\" font-size=\"0.72em\">{index}</tspan>"));
             if !rest.trim().is_empty() {
                 // Up again by the same length in its own larger type. Viewers drop a space at the start.
                 let (gap, rest) = match rest.strip_prefix(' ') {
@@ -63,7 +63,7 @@ mod tests {
 
     #[test]
     fn indices_go_below_the_line_and_names_stay() {
-        let low = |index: &str| format!("<tspan dy=\"0.3em\" font-size=\"72%\">{index}</tspan>");
+        let low = |index: &str| format!("<tspan dy=\"0.3em\" font-size=\"0.72em\">{index}</tspan>");
         let up = |text: &str| format!("<tspan dy=\"-0.216em\">{text}</tspan>");
         assert_eq!(lowered("α_min"), format!("α{}", low("min")));
         assert_eq!(lowered("V₀/(Bω_d) of r_y"), format!("V₀/(Bω{}{}{}", low("d"), up(") of r"), low("y")));
