@@ -176,6 +176,16 @@ fn machines_over_a_range() {
         close(cells[2].parse().unwrap(), mu, 1e-14);
         close(cells[4].parse().unwrap(), number(&one["physical"]["max_displacement"]), 1e-14);
     }
+    let with_units = stdout(
+        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm --outputs \
+         max_displacement[mm],alpha",
+    );
+    assert!(with_units.starts_with("alpha,max_displacement[mm]\n3.0,"), "{with_units}");
+    refused(
+        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm --outputs \
+         max_displacement[m]",
+        &["--outputs max_displacement[m]", "must be of omega,"],
+    );
     let map = stdout(
         "map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --frequency 0.8Hz,2Hz \
          --base-acceleration 0.15g --units N,mm",

@@ -222,6 +222,18 @@ fn units_keep_all_digits_of_wide_numbers() {
     assert_eq!(answer["alpha"].as_str().unwrap().trim_end_matches(".0"), "12");
 }
 
+/// A word that is nearly right is named.
+#[test]
+fn what_was_meant_is_said() {
+    for (arguments, parts) in [
+        ("response --omeg 1.5 --alpha 2", ["--omeg", "did you mean --omega?"]),
+        ("respond --omega 1.5", ["respond", "did you mean response?"]),
+        ("response-curve velocty --omega 0.5:1:3 --alpha 2", ["velocty", "did you mean velocity?"]),
+    ] {
+        refused(arguments, &parts);
+    }
+}
+
 #[test]
 fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
     let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05";

@@ -37,6 +37,7 @@ pub(crate) use sweep::{SweepArgs, SweepFormat, Swept};
 const AFTER_HELP: &str = "\
 Examples:
   stickslip response --omega 1.5 --alpha 2.5
+  stickslip response --mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 2Hz --base-acceleration 0.15g
   stickslip design bands --alpha 12 --from 0.1 --to 2
   stickslip help sweep
 
@@ -44,7 +45,7 @@ Units:
   Without a machine everything is a ratio: lengths in B = r_y/k, velocities in B ω_d, forces in r_y, energies in r_y B,
   phases ω_d t in rad. A machine (--mass, --stiffness, --friction, --frequency) may be given with units: 800kg, 12kN/mm,
   5kN, 2Hz, 0.15g; answers are in SI, or in those of --units, such as kN,mm. Bare numbers are in any one consistent
-  system, that of --units if given; a bare frequency is in rad/s.
+  system, that of --units if given; a bare frequency is in rad/s. `stickslip outputs` defines every output.
 
 Exit status:
   0    success; also where the reader of a pipe has gone, or standard output is closed (>&-) and the answer discarded
@@ -63,7 +64,7 @@ On a terminal, work of more than a second shows its progress, and words are colo
 #[derive(Debug, Parser)]
 #[command(name = "stickslip", version, arg_required_else_help = true, styles = STYLES, after_help = AFTER_HELP)]
 pub(crate) struct CommandLine {
-    /// Neither progress nor notes, but answers and errors
+    /// Suppress progress and notes
     #[arg(short, long, global = true, display_order = 900)]
     pub(crate) quiet: bool,
     #[command(subcommand)]
@@ -84,7 +85,7 @@ pub(crate) enum Command {
     /// The exact motion from a start, phase by phase or sampled.
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),
-    /// The questions asked backwards: from what the machine is to do, to what it takes.
+    /// Inverse problems: from what the machine is to do, to what it takes.
     #[command(subcommand, after_help = DESIGN_EXAMPLES)]
     Design(Question),
     /// Friction and damping from a measured response curve.
@@ -116,7 +117,7 @@ pub(crate) enum Command {
     MotionPlot(MotionPlotArgs),
     /// Every output by name, with its unit and its meaning.
     Outputs,
-    /// What a shell needs to complete this command's arguments.
+    /// Print a shell completion script.
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(CompletionsArgs),
     /// The manual page, or those of all commands.

@@ -91,7 +91,8 @@ fn meant(error: &clap::Error) -> Option<String> {
         if let ContextValue::String(text) = found {
             return Some(text.clone());
         }
-        if let ContextValue::Strings(texts) = found { texts.first().cloned() } else { None }
+        // The best one comes last.
+        if let ContextValue::Strings(texts) = found { texts.last().cloned() } else { None }
     })
 }
 
