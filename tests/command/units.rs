@@ -293,6 +293,17 @@ fn a_damper_is_given_by_ratio_or_constant() {
     close(number(&least["min_force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-14);
     let design = json("design force --omega 1.54 --damping-ratio 0.1 --format json");
     close(number(&design["force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-12);
+    // A curve has what the closed forms know, and says where they know nothing.
+    let rows = stdout("response-curve --omega 0.5:1.5:5 --alpha 2 --damping-ratio 0.02,0.2");
+    let values: Vec<Vec<&str>> = rows.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    assert_eq!(values.len(), 10);
+    for row in &values {
+        // With the exact motion, where it stops, the value may be there, too.
+        assert!(row[2] == "sticking" || (row[2] == "non-sticking" && !row[3].is_empty()), "{row:?}");
+    }
+    let [light, heavy] = [2, 7].map(|i| values[i][3].parse::<f64>().unwrap());
+    // k Δ₀/p₀ at Ω = 1, of the order 1/(2ζ).
+    assert!(light > 5.0 * heavy && light < 25.0, "{light} {heavy}");
     assert!(stdout("border --omega 0.6 --damping-ratio 0.1").contains("damping ratio ζ          0.1"));
     refused("border --omega 0.4 --damping-ratio 0.1 --no-stop", &["--damping-ratio 0.1", "must be 0 here"]);
     refused("response --omega 0.4 --alpha 8 --damping-ratio -0.1", &["--damping-ratio -0.1", "must be ≥ 0"]);

@@ -16,7 +16,7 @@ use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::exact::{LongRun, State};
 use stickslip::figures::{Axis, Figure, Panel, Series, Style};
-use stickslip::{Regime, Response};
+use stickslip::{Error, Regime, Response};
 
 /// Curves in a picture: with the border, the resonance and the dashes its key has eight lines.
 const MOST_CURVES: u64 = 5;
@@ -202,8 +202,11 @@ impl Asked {
             }
             None if response.regime() == Regime::Unbounded => (None, "unbounded", false),
             None => {
-                let limit = LongRun::from_start(point.ratios, State::rest())
-                    .map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
+                let limit = match LongRun::from_start(point.ratios, State::rest()) {
+                    // The closed forms know damping where it does not stop: the rest is a gap.
+                    Err(Error::Damped { .. }) => return Ok((None, response.regime().name(), true)),
+                    other => other.map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?,
+                };
                 match (limit.steady_state(), &limit) {
                     (Some(s), _) => {
                         let sticks = s.sticks_per_cycle() > 0;
@@ -337,6 +340,10 @@ impl Asked {
         }
         if !border.is_empty() {
             series.push(Series::new("border of sticking", Style::Marks, 0, border));
+        }
+        let is_gap = |place: &Place| place.sticks && place.value.is_none();
+        if lines.iter().flat_map(|line| &line.places).any(is_gap) {
+            series.push(Series::new("gap: it stops, with damping", Style::Note, 0, []));
         }
         let mut title = format!("{} over the frequency", capital(words(self.what)));
         if clipped {
