@@ -91,6 +91,7 @@ fn a_map_holds_every_point_of_the_grid() {
 fn a_map_is_drawn_with_a_key_and_the_border() {
     for (quantity, words) in [
         ("regime", vec!["stuck", "sticking", "non-sticking"]),
+        ("stops", vec!["stops in a cycle", "white: at rest"]),
         ("margin", vec!["margin", "exact border"]),
         ("steady:stick_fraction", vec!["stick fraction"]),
         ("max_velocity", vec!["maximum velocity (B ω", ">d</tspan>"]),
@@ -103,6 +104,32 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
         }
         assert!(drawing.matches("<rect").count() > 20, "{quantity}");
     }
+}
+
+/// A key has eight lines at most, and what is far beyond nearly all values, as beside a pole, is cut off with a note.
+#[test]
+fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
+    let draw = |arguments: &str| {
+        let file = place("map-readable.svg");
+        stdout(&format!("map {arguments} --overwrite --out {}", file.display()));
+        std::fs::read_to_string(file).unwrap()
+    };
+    let stops = draw("stops --omega 0.02:0.1:9 --alpha 0.5:3:6");
+    assert!(
+        stops.contains("\n7 or more\n") && !stops.contains("\n8\n") && stops.contains("white: at rest"),
+        "{stops}"
+    );
+    let margin = draw("margin --omega 0.2:2:37 --alpha 0.5:8:16");
+    assert!(margin.contains("cut off below") && margin.contains("0.01"), "{margin}");
+    let fraction = draw("steady:stick_fraction --omega 0.2:1:9 --alpha 1.2:6:7");
+    // The light end, above, is 0: no rest at all.
+    let key = fraction.split("stick fraction\n").last().unwrap();
+    let (none, much) = (key.find("\n0.0\n"), key.find("\n0.6\n"));
+    let height = |end: Option<usize>| -> i32 {
+        let with = key[..end.unwrap()].rsplit(" y=\"").next().unwrap();
+        with.split('"').next().unwrap().parse().unwrap()
+    };
+    assert!(height(none) < height(much), "{key}");
 }
 
 /// Small ones, by names, by equal steps and by equal ratios; `STICKSLIP_WRITE=1` writes them.

@@ -176,6 +176,13 @@ fn machines_over_a_range() {
         close(cells[2].parse().unwrap(), mu, 1e-14);
         close(cells[4].parse().unwrap(), number(&one["physical"]["max_displacement"]), 1e-14);
     }
+    let header = stdout("sweep border --omega 0.5,0.7 --header units");
+    assert!(
+        header.starts_with("omega[1],min_force_ratio[1],") && header.contains(",least_displacement[B],"),
+        "{header}"
+    );
+    let bands = stdout("design bands --mass 1kg --period 2s --friction 1N --force 3N --from 0.1Hz --to 3Hz");
+    assert!(bands.contains("rad/s = 3 Hz"), "{bands}");
     let with_units = stdout(
         "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm --outputs \
          max_displacement[mm],alpha",

@@ -335,7 +335,8 @@ impl Asked {
             series.push(Series::new("", Style::Dashed, index, part(true)));
         }
         let border = lines.iter().flat_map(|line| line.border(low, high)).collect::<Vec<_>>();
-        if lines.iter().any(|line| line.places.iter().any(|place| place.sticks)) {
+        let is_dashed = |place: &Place| place.sticks && place.value.is_some();
+        if lines.iter().flat_map(|line| &line.places).any(is_dashed) {
             series.push(Series::new("with stops (exact)", Style::Dashed, 0, []));
         }
         if !border.is_empty() {

@@ -151,7 +151,11 @@ impl<'a, F: Value> Asked<'a, F> {
             for (name, kind, cell) in row {
                 let is_number = matches!(cell, Cell::Number(_) | Cell::Intervals(_)) && *kind != Kind::Ratio;
                 let unit = if is_number { format!(" {}", self.system().name(*kind)) } else { String::new() };
-                writeln!(out, "  {:<22} {}{unit}", name.replace('_', " "), cell.text())?;
+                let mut hertz = String::new();
+                if let (Cell::Number(Some(value)), Kind::Frequency) = (cell, kind) {
+                    hertz = format!(" = {} Hz", digits(*value / (F::int(2) * F::pi())));
+                }
+                writeln!(out, "  {:<22} {}{unit}{hertz}", name.replace('_', " "), cell.text())?;
             }
         }
         Ok(())

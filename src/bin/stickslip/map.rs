@@ -323,10 +323,7 @@ impl<'a> Map<'a> {
         let mut title = capital(&words);
         let scale = match (named, whole) {
             (true, _) => Scale::Names(names),
-            (false, true) => {
-                let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
-                Scale::Names((0..=most as u64).map(|n| n.to_string()).collect())
-            }
+            (false, true) => counted(&mut values),
             (false, false) => self.lit(clipped(Plane::shades(&values), &values, &mut title)),
         };
         let mut series = Vec::new();
@@ -355,10 +352,26 @@ impl<'a> Map<'a> {
 /// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees more.
 const MOST: u64 = 4_000_000;
 const MOST_ACROSS: u64 = 20_000;
+/// The count that stands for all above it, too.
+const MOST_NAMES: f64 = 7.0;
 /// Points of the border, more than a picture can show.
 const BORDER_POINTS: u32 = 1000;
 /// Shades beyond this many times the values of nearly all points are those of a pole.
 const POLE: f64 = 100.0;
+
+/// A name for each count, the last one for all above: a key of more lines is not read.
+fn counted(values: &mut [f64]) -> Scale {
+    let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
+    let mut names: Vec<String> = (0..=most.min(MOST_NAMES) as u64).map(|n| n.to_string()).collect();
+    if most > MOST_NAMES {
+        // What is not a number stays none.
+        values.iter_mut().filter(|value| **value > MOST_NAMES).for_each(|value| *value = MOST_NAMES);
+        if let Some(last) = names.last_mut() {
+            last.push_str(" or more");
+        }
+    }
+    Scale::Names(names)
+}
 
 /// The shades without what is close to a pole, which the title then says.
 fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
