@@ -1,7 +1,7 @@
 //! Interrupts are heard within 0.3 s, whatever the command is at; a failure of the system is told.
 
 use crate::command_line::stickslip;
-use std::io::Read;
+use std::io::{Read, Write};
 use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
@@ -95,6 +95,27 @@ fn an_interrupt_is_heard_while_nobody_reads() {
     let took = ends_within(&mut child);
     assert!(took < Duration::from_millis(1500), "{took:?}");
     assert_eq!(child.wait().unwrap().code(), Some(130));
+}
+
+/// Work that hears at once, and then has a header to write that nobody reads.
+#[test]
+fn an_interrupt_is_heard_where_the_last_write_finds_no_reader() {
+    let (reader, mut full) = std::io::pipe().unwrap();
+    // As much as a pipe of Linux holds.
+    full.write_all(&[b'x'; 1 << 16]).unwrap();
+    let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+        .args("simulate --omega 1e-6 --alpha 2 --cycles 9 --samples 1 --format csv".split(' '))
+        .stdin(Stdio::null())
+        .stdout(full)
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(Duration::from_millis(400));
+    signal(&child, "-INT");
+    let took = ends_within(&mut child);
+    assert!(took < Duration::from_millis(1500), "{took:?}");
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    drop(reader);
 }
 
 #[test]

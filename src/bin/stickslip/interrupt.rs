@@ -8,13 +8,15 @@ use crate::failure::{Failure, Outcome};
 use std::io::{IsTerminal, Write};
 use std::process;
 use std::sync::Once;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::thread;
 use std::time::Duration;
 
 static ASKED_TO_STOP: AtomicBool = AtomicBool::new(false);
 static HEARD: AtomicBool = AtomicBool::new(false);
 static WRITING: AtomicBool = AtomicBool::new(false);
+/// Writes that have begun.
+static WRITES: AtomicU32 = AtomicU32::new(0);
 
 /// Time to hear an interrupt before the command is ended from here.
 const GRACE: Duration = Duration::from_millis(200);
@@ -52,23 +54,28 @@ pub(crate) fn check() -> Outcome {
 
 /// A write, which an interrupt does not cut.
 pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
+    WRITES.fetch_add(1, Ordering::SeqCst);
     WRITING.store(true, Ordering::SeqCst);
     let done = write();
     WRITING.store(false, Ordering::SeqCst);
     done
 }
 
-/// Ends the command unless it has heard of the interrupt in time.
+/// Ends the command unless it has heard of the interrupt in time, and where its last words find no reader.
 fn watch() {
+    const LOOKS: u32 = 10;
     thread::sleep(GRACE);
-    for _ in 0..10 {
-        if HEARD.load(Ordering::SeqCst) {
-            return;
-        }
-        if !WRITING.load(Ordering::SeqCst) {
+    let (mut writes, mut looks) = (WRITES.load(Ordering::SeqCst), 0);
+    while looks < LOOKS {
+        let (heard, writing) = (HEARD.load(Ordering::SeqCst), WRITING.load(Ordering::SeqCst));
+        if !heard && !writing {
             break;
         }
-        thread::sleep(LAST_WRITE / 10);
+        let now = WRITES.load(Ordering::SeqCst);
+        // What has heard and goes on may take its time.
+        looks = if heard && (!writing || now != writes) { 0 } else { looks.saturating_add(1) };
+        writes = now;
+        thread::sleep(LAST_WRITE / LOOKS);
     }
     end();
 }
