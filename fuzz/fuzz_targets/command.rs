@@ -32,8 +32,8 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, outputs, physical,
-    points, progress, record, response, sink, style, units,
+    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, outputs,
+    physical, points, progress, record, response, sink, style, units,
 };
 use failure::Failure;
 use std::path::PathBuf;

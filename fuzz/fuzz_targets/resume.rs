@@ -7,7 +7,9 @@
 #[path = "../../src/bin/stickslip"]
 mod command {
     pub(crate) mod args;
+    pub(crate) mod axes;
     pub(crate) mod bits;
+    pub(crate) mod border;
     pub(crate) mod failure;
     pub(crate) mod given;
     pub(crate) mod grid;
@@ -16,6 +18,7 @@ mod command {
     pub(crate) mod machine;
     pub(crate) mod note;
     pub(crate) mod output;
+    pub(crate) mod outputs;
     pub(crate) mod physical;
     pub(crate) mod points;
     pub(crate) mod progress;
@@ -30,8 +33,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, bits, failure, given, grid, input, interrupt, machine, note, output, physical, points, progress,
-    record, response, sink, steady, style, sweep, units,
+    args, axes, bits, border, failure, given, grid, input, interrupt, machine, note, output, outputs,
+    physical, points, progress, record, response, sink, steady, style, sweep, units,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;

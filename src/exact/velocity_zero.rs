@@ -182,7 +182,7 @@ impl<F: Float> Slide<F> {
         let rounding = unit * (amplitude + one.or_larger(omega) * forced.abs());
         let arccosine = |small: F, large: F| {
             let y = small / large;
-            (y > F::int(0) && y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
+            (y >= F::int(0) && y < one).then(|| ((one - y) * (one + y)).sqrt().atan2(y))
         };
         if omega < one {
             let half_width = arccosine(amplitude + rounding, forced * (one - unit))? / omega;
@@ -344,6 +344,27 @@ mod tests {
             (most, sum) = (most.max(evaluations.get()), sum + evaluations.get());
         }
         assert!(most <= 24 && sum <= 7 * slides, "{most} {sum}");
+    }
+
+    /// A drive so weak that its share of the velocity is zero in the type: the windows are half periods of the free wave.
+    #[test]
+    fn a_drive_that_cannot_be_seen_costs_nothing() {
+        for (omega, alpha, x) in [(2f64.powi(20), 1e-150, 1e290), (1e5, 1e-140, 1e200), (3e3, 1e-150, 7e290)]
+        {
+            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let start = DrivePhase::new(0.3).unwrap();
+            let slide = Slide::new(equation, start, -x, 0.0, Direction::Forward);
+            let evaluations = Cell::new(0);
+            let f = slide.velocity();
+            let search = slide.velocity_search(PI / omega, None);
+            let verdict = next_zero(&search, slide.velocity_at_start(), |phi| {
+                evaluations.set(evaluations.get() + 1);
+                f(phi)
+            });
+            let Verdict::Zero(zero) = verdict else { panic!("Ω = {omega}: {slide:?}") };
+            assert!((zero.at + zero.step - PI).abs() < 1e-9, "Ω = {omega}: {} {}", zero.at, zero.step);
+            assert!(evaluations.get() < 64, "Ω = {omega}: {}", evaluations.get());
+        }
     }
 
     #[test]
