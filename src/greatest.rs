@@ -1,6 +1,8 @@
 //! The greatest absolute value of a smooth function on an interval.
 
 use crate::float::Float;
+use core::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 /// A value and its first two derivatives.
 #[derive(Debug, Clone, Copy)]
@@ -53,6 +55,27 @@ impl<F: Float> Piece<F> {
     }
 }
 
+/// By what a piece may hold at most.
+impl<F: Float> Ord for Piece<F> {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.reach.partial_cmp(&other.reach).unwrap_or(Ordering::Equal)
+    }
+}
+
+impl<F: Float> PartialOrd for Piece<F> {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl<F: Float> PartialEq for Piece<F> {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl<F: Float> Eq for Piece<F> {}
+
 /// Pieces that an interval is cut into before any is left out.
 const PIECES: i32 = 16;
 
@@ -70,12 +93,11 @@ pub(crate) fn greatest<F: Float>(
 ) -> F {
     let width = (high - low) / F::int(PIECES);
     let mut best = best.or_larger(f(low).value.abs()).or_larger(f(high).value.abs());
-    let mut pieces: Vec<Piece<F>> = (0..PIECES)
+    let mut pieces: BinaryHeap<Piece<F>> = (0..PIECES)
         .map(|i| Piece::new(low + width * F::int(i), low + width * F::int(i.saturating_add(1)), &bound, &f))
         .collect();
     let slack = F::int(1) + F::int(4) * F::epsilon();
-    while let Some(place) = most_promising(&pieces) {
-        let Piece { low, high, middle, at, reach, rest } = pieces.swap_remove(place);
+    while let Some(Piece { low, high, middle, at, reach, rest }) = pieces.pop() {
         best = best.or_larger(at.value.abs());
         if reach <= best * slack {
             break;
@@ -98,17 +120,6 @@ pub(crate) fn greatest<F: Float>(
         }
     }
     best
-}
-
-/// The place of the piece with the greatest bound.
-fn most_promising<F: Float>(pieces: &[Piece<F>]) -> Option<usize> {
-    let mut found: Option<(usize, F)> = None;
-    for (place, piece) in pieces.iter().enumerate() {
-        if found.is_none_or(|(_, reach)| piece.reach > reach) {
-            found = Some((place, piece.reach));
-        }
-    }
-    found.map(|(place, _)| place)
 }
 
 #[cfg(test)]
