@@ -222,8 +222,10 @@ pub(crate) fn of_machine(
     let scaled = |value: Option<f64>, unit: f64| value.map(|v| v * unit);
     let best_force = response.best_force_ratio() * scales.force;
     vec![
+        ("frequency", Some(drive.angular_frequency() / std::f64::consts::TAU)),
         ("angular_frequency", Some(drive.angular_frequency())),
         ("natural_frequency", Some(body.natural_frequency())),
+        ("period", Some(std::f64::consts::TAU / body.natural_frequency())),
         ("mass", Some(body.mass())),
         ("stiffness", Some(body.stiffness())),
         ("friction", Some(body.friction_bound())),
