@@ -15,29 +15,34 @@
 //! Ω = 1 and Ω = 1/n are as ordinary as any.
 
 mod cotangent;
+mod frequency;
 mod reduction;
 mod slope;
 mod value;
 
 use crate::error::Error;
-use crate::float::{Float, Real, pair::Pair};
+use crate::float::{Field, Float, pair::Pair};
 use crate::ratios::frequency_ratio;
 pub(crate) use cotangent::cotangent_defect;
+pub(crate) use frequency::{Frequency, Offset};
 use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
+pub(crate) use value::Quotient;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
 ///
 /// The definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
 /// that is smooth through Ω = 1.
-#[inline]
-pub fn phase_function_of_tangent<R: Real>(omega: R, tangent: R) -> R {
+#[inline(always)]
+pub fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
+    // K = (1 − Ω²) T/Ω
     one_minus_square(omega) * tangent / omega
 }
 
 /// `1 − Ω²` as the product `(1 − Ω)(1 + Ω)`, which keeps its relative accuracy at Ω = 1.
-#[inline]
-pub fn one_minus_square<R: Real>(omega: R) -> R {
+#[inline(always)]
+pub fn one_minus_square<R: Field>(omega: R) -> R {
+    // 1 − Ω² = (1 − Ω)(1 + Ω)
     (R::int(1) - omega) * (R::int(1) + omega)
 }
 
@@ -48,7 +53,6 @@ pub struct PhaseFunction<F> {
     quarter: u8,
     remainder: F,
     value: Pair<F>,
-    doubt: F,
 }
 
 impl<F: Float> PhaseFunction<F> {
@@ -65,30 +69,8 @@ impl<F: Float> PhaseFunction<F> {
     // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
-        let p = if F::PRECISION > f64::MANTISSA_DIGITS {
-            Self::of_many_digits(omega)
-        } else if omega >= F::int(2) {
-            Self::above(omega)
-        } else if F::int(3) * omega >= F::int(2) {
-            Self::beside_one(omega)
-        } else if omega >= F::ratio(1, 2) {
-            Self::between(omega)
-        } else {
-            Self::refined_at(omega)
-        };
-        p.differentiated()
-    }
-
-    /// The same with K as good as pairs give it.
-    #[inline]
-    pub(crate) fn refined(&self) -> Self {
-        if self.doubt == Self::none() { *self } else { Self::refined_at(self.omega) }
-    }
-
-    /// What the error of [`PhaseFunction::pair`] is proportional to, of the order of w²; infinite where no better K is to be had.
-    #[inline]
-    pub(crate) const fn doubt(&self) -> F {
-        self.doubt
+        if Self::is_rational_enough(omega) { Self::by_quotient(omega) } else { Self::refined_at(omega) }
+            .differentiated()
     }
 
     /// Frequency ratio Ω.
@@ -145,6 +127,16 @@ impl<F: Float> PhaseFunction<F> {
         }
     }
 
+    /// `(sin β, cos β)`, from Ω = 1/2 on without circular functions, as batches have them.
+    #[inline(always)]
+    pub(crate) fn sin_cos_of_cycle(&self) -> (F, F) {
+        if Self::is_rational_enough(self.omega) {
+            Frequency::new(&Offset::new(), self.omega, self.value()).sin_cos_beta()
+        } else {
+            self.sin_cos()
+        }
+    }
+
     /// `tan w`, from K.
     fn remainder_tangent(&self) -> F {
         let (omega, k) = (self.omega, self.value.value());
@@ -160,11 +152,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
     pub(crate) fn lobe_phase(&self) -> Pair<F> {
-        let w = if F::PRECISION > f64::MANTISSA_DIGITS {
-            Pair::exact(self.remainder)
-        } else {
-            reduced(self.omega).1
-        };
+        let w = reduced(self.omega).1;
         if self.quarter & 1 == 1 {
             Pair::pi() * F::ratio(1, 2) + w
         } else if w.hi < F::int(0) {
@@ -188,23 +176,22 @@ impl<F: Float> PhaseFunction<F> {
     /// Beside Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
     ///
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
-    #[inline]
+    #[inline(always)]
     pub fn value(&self) -> F {
-        self.refined().value.value()
+        self.value.value()
     }
 
-    /// K(Ω) as a pair. From Ω = 1/2 on its errors are those of a few roundings and count as [`PhaseFunction::doubt`] says; that of
-    /// [`PhaseFunction::refined`] is within half a unit in the last place of K, and falls with (Ω − 1)² beside Ω = 1. At more bits
-    /// than f64 has, K alone.
-    #[inline]
-    pub(crate) const fn pair(&self) -> Pair<F> {
+    /// K(Ω) to more digits than the type has: its relative error is below half a unit in the last place of the type, and from Ω = 1/2 on
+    /// falls with (1 − 1/Ω)², down to u².
+    #[inline(always)]
+    pub(crate) const fn wide(&self) -> Pair<F> {
         self.value
     }
 
     /// `1 − Ω²` as a pair.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn one_minus_square(&self) -> Pair<F> {
-        one_minus_square_pair(self.omega)
+        one_minus_square_wide(self.omega)
     }
 }
 
@@ -216,23 +203,11 @@ fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
 }
 
 /// `1 − Ω²`, exactly but for the rounding of the rest.
-#[inline]
-pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
-    let square = Pair::product(omega, omega);
-    let Pair { hi, lo } = Pair::sum(F::int(1), -square.hi);
+#[inline(always)]
+pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
+    let square = Pair::two_prod(omega, omega);
+    let Pair { hi, lo } = Pair::two_sum(F::int(1), -square.hi);
     Pair::new(hi, lo - square.lo)
-}
-
-/// [`one_minus_square_pair`], halved, for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
-#[inline]
-pub(crate) fn one_minus_square_halved<F: Float>(omega: F) -> Pair<F> {
-    if F::IS_FUSED {
-        return one_minus_square_pair(omega);
-    }
-    let (high, low) = omega.halves();
-    let (most, rest) = (F::int(1) - high * high, low * (omega + high));
-    let (hi, _) = (most - rest).halves();
-    Pair::new(hi, (most - hi) - rest)
 }
 
 /// `tan(q π/2 + w)`.

@@ -1,7 +1,11 @@
-//! {Δ₀, α_min, A₁} from K, for Ω ≥ 1/2, and which points the loops may answer.
+//! Δ₀ and what goes with it: for Ω ≥ 1/2 by the very functions that answer a point ([`High`]), below by a K of single digits
+//! ([`Amplifier`]); and which points the loops may answer.
 
 use super::block::select;
-use super::circular::held;
+use crate::float::circular::held;
+use crate::float::{Float, pair::Pair};
+use crate::nonsticking::{Reversal, is_close_to_one, turning_point_border};
+use crate::phase_function::one_minus_square_wide;
 
 /// The bounds of Ω within which nothing over- or underflows.
 const LEAST_OMEGA: f64 = 0.5;
@@ -27,7 +31,54 @@ fn is_between(x: f64, least: f64, greatest: f64) -> bool {
         >= least.to_bits().cast_signed().wrapping_add(to_the_end)
 }
 
-/// Δ₀ and what goes with it.
+/// One point with Ω ≥ 1/2.
+pub(crate) struct High {
+    reversal: Reversal<f64>,
+    /// α_min; NaN where the point is to be redone.
+    pub(crate) border: f64,
+    slides: bool,
+}
+
+impl High {
+    #[inline(always)]
+    pub(crate) fn at(omega: f64, alpha: f64, phase_function: Pair<f64>) -> Self {
+        let one_minus_square = one_minus_square_wide(omega);
+        let border = turning_point_border(phase_function, one_minus_square, omega.wide()).value();
+        let reversal = Reversal::by_formula(phase_function, one_minus_square, alpha);
+        let slides = alpha >= border;
+        let is_answered = has_loops(omega)
+            & !is_close_to_one(omega)
+            & is_between(alpha, f64::MIN_POSITIVE, GREATEST_ALPHA)
+            & (reversal.is_sliding(omega) | !slides);
+        Self { reversal, border: select(is_answered, border, f64::NAN), slides }
+    }
+
+    /// Δ₀; NaN where there is no cycle.
+    #[inline(always)]
+    pub(crate) fn displacement(&self) -> f64 {
+        select(self.slides, self.reversal.max_displacement_pair().hi, f64::NAN)
+    }
+
+    /// A₁; NaN where there is no cycle.
+    #[inline(always)]
+    pub(crate) fn size(&self) -> f64 {
+        select(self.slides, self.reversal.loop_size_stiffness(), f64::NAN)
+    }
+
+    /// A₂; NaN where there is no cycle.
+    #[inline(always)]
+    pub(crate) fn inertia(&self, omega: f64) -> f64 {
+        select(self.slides, self.reversal.loop_size_inertia(omega), f64::NAN)
+    }
+
+    /// ω_d t₂; NaN where there is no cycle.
+    #[inline(always)]
+    pub(crate) fn phase(&self) -> f64 {
+        select(self.slides, self.reversal.displacement_phase(), f64::NAN)
+    }
+}
+
+/// Δ₀ and what goes with it, below Ω = 1/2.
 pub(crate) struct Amplitude {
     /// Δ₀; NaN where there is no cycle.
     pub(crate) displacement: f64,

@@ -1,12 +1,15 @@
 //! All outputs of a cycle, over a block.
 
+use super::amplitude::High;
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
-use super::circular::{SinCos, TO_HALF_PI, held};
-use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
 use super::low::{LowArrival, LowDisplacement, LowParts, LowStart, has_low_loops};
-use super::peaks::{Arrival, Displacement, Start};
+use super::peaks::{Arrival, Parts, Start};
+use crate::float::circular::{SinCos, TO_HALF_PI, held};
+use crate::float::pair::Pair;
+use crate::nonsticking::stability::contraction;
+use crate::phase_function::Frequency;
 use core::f64::consts::PI;
 
 /// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂}.
@@ -17,9 +20,9 @@ impl Kernel<9> for CycleKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [k, inverse, kappa, slope, a, b, ..] = work;
-        each(&Parts::new(), [omega], [k, inverse, kappa, slope]);
-        all_over_alpha(omega, alpha, [k, inverse, kappa, slope], [a, b], out);
+        let [k, rest, inverse, kappa, slope, a, b, ..] = work;
+        each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
+        all_over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b], out);
     }
 
     #[inline(always)]
@@ -38,20 +41,42 @@ impl Kernel<9> for CycleKernel {
     }
 }
 
-/// The loops over α, from `[K, 1/Ω, κ, u/(Ω − 1)]`.
+/// The loops over α, from `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
 #[inline(always)]
 pub(crate) fn all_over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, kappa, slope]: [&Block; 4],
+    [k, rest, inverse, kappa, slope]: [&Block; 5],
     [psi, mark]: [&mut Block; 2],
     [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    each(&Displacement::new(), [omega, alpha, k, inverse], [displacement, mark, size1, phase2]);
+    each(&Sizes, [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
-    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, k, rest];
     each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
-    each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
+    each(&Contraction, [omega, displacement, inverse, kappa, slope], [contraction]);
+}
+
+/// `[Δ₀, α_min, A₁, ω_d t₂, A₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+struct Sizes;
+
+impl AtPoint<4, 5> for Sizes {
+    #[inline(always)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
+        let found = High::at(omega, alpha, Pair::new(k, rest));
+        [found.displacement(), found.border, found.size(), found.phase(), found.inertia(omega)]
+    }
+}
+
+/// The contraction λ.
+struct Contraction;
+
+impl AtPoint<5, 1> for Contraction {
+    #[inline(always)]
+    fn at(&self, [omega, displacement, inverse, kappa, offset_slope]: [f64; 5]) -> [f64; 1] {
+        let at = Frequency { omega, inverse, kappa, offset_slope };
+        [contraction(omega, displacement, at.sin_cos_beta())]
+    }
 }
 
 /// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
@@ -70,9 +95,9 @@ pub(crate) fn all_low_over_alpha(
     each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
 }
 
-/// The contraction λ and the loop size A₂.
+/// The contraction λ and the loop size A₂ below Ω = 1/2.
 #[derive(Clone, Copy)]
-struct Rest(SinCos<8, 8>);
+struct Rest(SinCos<f64, 8, 8>);
 
 impl Rest {
     #[inline(always)]

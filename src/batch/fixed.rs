@@ -1,14 +1,14 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
-use super::amplitude::{Amplifier, has_loops};
+use super::amplitude::{Amplifier, High, has_loops};
 use super::block::{AtPoint, Block, POINTS, each, each_straight};
 use super::careful;
 use super::cycle::{all_low_over_alpha, all_over_alpha};
-use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
 use super::low::{LowParts, has_low_loops};
-use super::peaks::{low_over_alpha, over_alpha};
+use super::peaks::{Parts, low_over_alpha, over_alpha};
 use crate::error::Error;
+use crate::float::pair::Pair;
 use crate::nonsticking::Border;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
@@ -37,8 +37,8 @@ pub struct FixedOmega {
 /// What the loops need of Ω.
 #[derive(Debug, Clone)]
 enum Loops {
-    /// Ω ≥ 1/2: `[K, 1/Ω, κ, u/(Ω − 1)]`.
-    High(Box<[Block; 4]>),
+    /// Ω ≥ 1/2: `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
+    High(Box<[Block; 5]>),
     /// Below: `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
     Low(Box<[Block; 5]>),
     /// Beyond: each point on its own.
@@ -56,7 +56,7 @@ impl FixedOmega {
         let one_minus_square = one_minus_square(omega);
         let point = PointAt {
             omega,
-            phase_function: p.value(),
+            phase_function: p.wide(),
             distance: one_minus_square.abs(),
             force: one_minus_square * border.least_displacement(),
             border: border.min_force_ratio(),
@@ -92,7 +92,7 @@ impl FixedOmega {
 #[derive(Debug, Clone, Copy)]
 struct PointAt {
     omega: f64,
-    phase_function: f64,
+    phase_function: Pair<f64>,
     /// |1 − Ω²|.
     distance: f64,
     /// (1 − Ω²) S.
@@ -100,14 +100,27 @@ struct PointAt {
     border: f64,
 }
 
+/// Ω ≥ 1/2.
 #[derive(Clone, Copy)]
-struct Row(PointAt, Amplifier);
+struct Row(PointAt);
 
 impl AtPoint<1, 3> for Row {
     #[inline(always)]
     fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
+        let found = High::at(self.0.omega, alpha, self.0.phase_function);
+        [found.displacement(), found.border, found.size()]
+    }
+}
+
+/// Ω < 1/2.
+#[derive(Clone, Copy)]
+struct LowRow(PointAt, Amplifier);
+
+impl AtPoint<1, 3> for LowRow {
+    #[inline(always)]
+    fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
         let PointAt { phase_function, distance, force, border, .. } = self.0;
-        let found = self.1.at(alpha, phase_function, distance, force, border, distance > 0.0);
+        let found = self.1.at(alpha, phase_function.value(), distance, force, border, distance > 0.0);
         [found.displacement, found.border, found.size]
     }
 }
@@ -121,16 +134,27 @@ impl Kernel<3> for FixedTripleKernel<'_> {
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
         // A copy, which the outputs cannot overlap.
-        each(&Row(self.0.point, Amplifier::new()), [alpha], out);
+        match self.0.loops {
+            Loops::High(_) => each(&Row(self.0.point), [alpha], out),
+            Loops::Low(_) | Loops::None => each(&LowRow(self.0.point, Amplifier::new()), [alpha], out),
+        }
     }
 
     const IS_STRAIGHT: bool = true;
 
     #[inline(always)]
     fn pass_straight(&self, _: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
-        let row = Row(self.0.point, Amplifier::new());
-        for (((alpha, a), b), c) in alpha.iter().zip(a).zip(b).zip(c) {
-            each_straight(&row, [alpha], a, b, c);
+        let blocks = alpha.iter().zip(a).zip(b).zip(c);
+        if let Loops::High(_) = self.0.loops {
+            let row = Row(self.0.point);
+            for (((alpha, a), b), c) in blocks {
+                each_straight(&row, [alpha], a, b, c);
+            }
+        } else {
+            let row = LowRow(self.0.point, Amplifier::new());
+            for (((alpha, a), b), c) in blocks {
+                each_straight(&row, [alpha], a, b, c);
+            }
         }
     }
 

@@ -11,10 +11,9 @@
 //! [`Moment`] has the rest of the way.
 
 use super::amplitude::{Amplifier, one_minus_square};
-use super::arrival::{Fastest, Moment, Reciprocals};
 use super::block::{AtPoint, select};
-use super::circular::{ARCTANGENT, Arctangent, SinCos, TO_HALF_PI, held};
-use super::velocity::turned;
+use crate::float::circular::{ARCTANGENT, Arctangent, SinCos, TO_HALF_PI, held};
+use crate::nonsticking::{Arrived, Moment, Reciprocals, velocity_phase};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// The bounds of Ω: below, nothing was tried.
@@ -31,7 +30,7 @@ pub(crate) fn has_low_loops(omega: f64) -> bool {
 
 /// What depends on Ω alone.
 #[derive(Clone, Copy)]
-pub(crate) struct LowParts(SinCos<8, 8>);
+pub(crate) struct LowParts(SinCos<f64, 8, 8>);
 
 impl AtPoint<1, 5> for LowParts {
     /// `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`; NaN for the last where it is to be redone.
@@ -98,7 +97,7 @@ impl LowParts {
 
 /// Displacement `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, (1 − Ω²) S]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
-pub(crate) struct LowDisplacement(Arctangent, Amplifier);
+pub(crate) struct LowDisplacement(Arctangent<f64>, Amplifier);
 
 impl LowDisplacement {
     #[inline(always)]
@@ -173,7 +172,7 @@ impl LowWaves {
         circular: &LowCircular,
         displacement_phase: f64,
         theta: f64,
-    ) -> (Fastest, f64) {
+    ) -> (Arrived<f64>, f64) {
         let &Self { omega, inverse, max_displacement: delta, sin_beta, cos_beta } = self;
         let Bracket { crest, side, width } = self.bracket(displacement_phase);
         // ψ = crest π/2 − side θ
@@ -196,13 +195,13 @@ impl LowWaves {
         .fastest(&circular.2);
         let there = (-side).mul_add(found.psi, theta);
         let is_inside = (there >= 0.0) & (there <= width) & (theta.abs() <= FRAC_PI_2);
-        (Fastest { is_found: found.is_found & is_inside, ..found }, omega.mul_add(found.psi, angle))
+        (Arrived { is_found: found.is_found & is_inside, ..found }, omega.mul_add(found.psi, angle))
     }
 }
 
 /// The circular functions and their inverse.
 #[derive(Clone, Copy)]
-pub(crate) struct LowCircular(SinCos<8, 8>, Arctangent, Reciprocals);
+pub(crate) struct LowCircular(SinCos<f64, 8, 8>, Arctangent<f64>, Reciprocals<f64>);
 
 /// θ near the greatest velocity.
 #[derive(Clone, Copy)]
@@ -248,7 +247,7 @@ impl AtPoint<8, 4> for LowArrival {
         let (fastest, omega_psi) = waves.arrive(&self.0, phase2, theta);
         [
             fastest.velocity * inverse,
-            turned(phase2 - FRAC_PI_2 - omega_psi),
+            velocity_phase(phase2, 1.0, omega_psi),
             // Where there is no cycle, nothing could be found.
             select(fastest.is_found | max_displacement.is_nan(), border, f64::NAN),
             fastest.displacement,

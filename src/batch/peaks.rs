@@ -1,14 +1,14 @@
 //! {Δ₀, α_min, A₁, V₀, ω_d t₁}: the two peaks of the motion, of displacement and velocity.
 
-use super::amplitude::{Amplifier, has_loops, one_minus_square};
+use super::amplitude::High;
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
-use super::circular::{ARCTANGENT, Arctangent, held};
-use super::frequency::{Frequency, Parts};
 use super::kernel::{Kernel, Work};
 use super::low::{LowDisplacement, LowParts, LowPeak, LowStart, has_low_loops};
-use super::velocity::{Circular, Waves, turned};
-use core::f64::consts::{FRAC_PI_2, PI};
+use crate::float::circular::held;
+use crate::float::pair::Pair;
+use crate::nonsticking::{Circular, Waves, velocity_phase};
+use crate::phase_function::{Frequency, Offset, Quotient};
 
 /// {Δ₀, α_min, A₁, V₀, ω_d t₁}.
 pub(crate) struct PeaksKernel;
@@ -18,9 +18,9 @@ impl Kernel<5> for PeaksKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [k, inverse, kappa, slope, a, b, c, ..] = work;
-        each(&Parts::new(), [omega], [k, inverse, kappa, slope]);
-        over_alpha(omega, alpha, [k, inverse, kappa, slope], [a, b, c], out);
+        let [k, rest, inverse, kappa, slope, a, b, c, _] = work;
+        each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
+        over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c], out);
     }
 
     #[inline(always)]
@@ -39,19 +39,19 @@ impl Kernel<5> for PeaksKernel {
     }
 }
 
-/// The loops over α, from `[K, 1/Ω, κ, u/(Ω − 1)]`.
+/// The loops over α, from `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
 #[inline(always)]
 pub(crate) fn over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, kappa, slope]: [&Block; 4],
+    [k, rest, inverse, kappa, slope]: [&Block; 5],
     [phase2, psi, mark]: [&mut Block; 3],
     [displacement, border, size, velocity, phase1]: [&mut Block; 5],
 ) {
-    each(&Displacement::new(), [omega, alpha, k, inverse], [displacement, mark, size, phase2]);
+    each(&Displacement, [omega, alpha, k, rest], [displacement, mark, size, phase2]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
     let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
-    each(&Peak::new(), given, [velocity, phase1, border]);
+    each(&Arrival::new(), given, [velocity, phase1, border]);
 }
 
 /// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
@@ -69,32 +69,41 @@ pub(crate) fn low_over_alpha(
     each(&LowPeak::new(), given, [velocity, phase1, border]);
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, 1/Ω]`; NaN for α_min says that the point is to be redone.
+/// What depends on Ω alone.
 #[derive(Clone, Copy)]
-pub(crate) struct Displacement(Arctangent, Amplifier);
+pub(crate) struct Parts(Quotient<f64>, Offset<f64>);
 
-impl Displacement {
+impl Parts {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(held(ARCTANGENT), Amplifier::new())
+        Self(held(Quotient::new()), held(Offset::new()))
     }
 }
 
+impl AtPoint<1, 5> for Parts {
+    /// `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
+    #[inline(always)]
+    fn at(&self, [omega]: [f64; 1]) -> [f64; 5] {
+        let k = self.0.at(omega);
+        let Frequency { inverse, kappa, offset_slope, .. } = Frequency::new(&self.1, omega, k.value());
+        [k.hi, k.lo, inverse, kappa, offset_slope]
+    }
+}
+
+/// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+#[derive(Clone, Copy)]
+pub(crate) struct Displacement;
+
 impl AtPoint<4, 4> for Displacement {
     #[inline(always)]
-    fn at(&self, [omega, alpha, k, inverse]: [f64; 4]) -> [f64; 4] {
-        let distance = one_minus_square(omega);
-        let force = distance * (inverse * inverse);
-        let border = force.mul_add(force, k * k).sqrt();
-        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
-        // For Ω ≥ 1/2, K ≤ 0.
-        let angle = self.0.first_quadrant_angle(found.sine, -k, alpha);
-        [found.displacement, found.border, found.size, PI + select(omega < 1.0, -angle, angle)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 4] {
+        let found = High::at(omega, alpha, Pair::new(k, rest));
+        [found.displacement(), found.border, found.size(), found.phase()]
     }
 }
 
 #[inline(always)]
-fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> Waves {
+fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> Waves<f64> {
     Waves { max_displacement, at: Frequency { omega, inverse, kappa, offset_slope } }
 }
 
@@ -110,45 +119,40 @@ impl AtPoint<5, 1> for Start {
 
 /// The greatest velocity.
 #[derive(Clone, Copy)]
-pub(crate) struct Arrival(Circular);
+pub(crate) struct Arrival(Circular<f64>);
 
 impl Arrival {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(Circular::new())
+        Self(held(Circular::new()))
     }
 }
 
-impl AtPoint<8, 4> for Arrival {
-    /// `[V₀, ω_d t₁, α_min, Δ₁]`, α_min NaN where the velocity is to be redone.
+impl Arrival {
     #[inline(always)]
-    fn at(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border]: [f64; 8]) -> [f64; 4] {
-        let fastest = waves([omega, delta, inverse, kappa, slope]).arrive(&self.0, psi);
-        [
-            fastest.velocity * inverse,
-            turned((-omega).mul_add(fastest.psi, phase2 - FRAC_PI_2)),
-            // Where there is no cycle, nothing could be found.
-            select(fastest.is_found | delta.is_nan(), border, f64::NAN),
-            fastest.displacement,
-        ]
+    fn find(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border]: [f64; 8]) -> ([f64; 3], f64) {
+        let (fastest, velocity) = waves([omega, delta, inverse, kappa, slope]).arrive(&self.0, psi);
+        // Where there is no cycle, nothing could be found.
+        let border = select(fastest.is_found | delta.is_nan(), border, f64::NAN);
+        ([velocity, velocity_phase(phase2, omega, fastest.psi), border], fastest.psi)
     }
 }
 
-/// The same without the deviation Δ₁.
-#[derive(Clone, Copy)]
-struct Peak(Arrival);
-
-impl Peak {
-    #[inline(always)]
-    fn new() -> Self {
-        Self(Arrival::new())
-    }
-}
-
-impl AtPoint<8, 3> for Peak {
+impl AtPoint<8, 3> for Arrival {
+    /// `[V₀, ω_d t₁, α_min]`, α_min NaN where the velocity is to be redone.
     #[inline(always)]
     fn at(&self, given: [f64; 8]) -> [f64; 3] {
-        let [velocity, phase, border, _] = self.0.at(given);
-        [velocity, phase, border]
+        self.find(given).0
+    }
+}
+
+impl AtPoint<10, 4> for Arrival {
+    /// The same and Δ₁, from K and what the rounded K lacks, too.
+    #[inline(always)]
+    fn at(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border, k, rest]: [f64; 10]) -> [f64; 4] {
+        let ([velocity, phase1, border], psi) =
+            self.find([omega, delta, inverse, kappa, slope, psi, phase2, border]);
+        let beta = Frequency { omega, inverse, kappa, offset_slope: slope }.sin_cos_beta();
+        [velocity, phase1, border, self.0.deviation(omega, beta, Pair::new(k, rest), psi)]
     }
 }

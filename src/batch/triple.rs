@@ -1,11 +1,12 @@
 //! {Δ₀, α_min, A₁} of a block.
 
-use super::amplitude::{Amplifier, has_loops, one_minus_square};
+use super::amplitude::High;
 use super::block::{AtPoint, Block, each, each_straight};
 use super::careful;
-use super::frequency::PhaseFunction;
 use super::kernel::{Kernel, Work};
 use super::low::{LowDisplacement, LowParts, has_low_loops};
+use crate::float::circular::held;
+use crate::phase_function::Quotient;
 
 /// {Δ₀, α_min, A₁}.
 pub(crate) struct TripleKernel;
@@ -46,23 +47,20 @@ impl Kernel<3> for TripleKernel {
 }
 
 /// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
-struct Point(PhaseFunction, Amplifier);
+#[derive(Clone, Copy)]
+struct Point(Quotient<f64>);
 
 impl Point {
     #[inline(always)]
     fn new() -> Self {
-        Self(PhaseFunction::new(), Amplifier::new())
+        Self(held(Quotient::new()))
     }
 }
 
 impl AtPoint<2, 3> for Point {
     #[inline(always)]
     fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
-        let (k, inverse) = self.0.at(omega);
-        let distance = one_minus_square(omega);
-        let force = distance * (inverse * inverse);
-        let border = force.mul_add(force, k * k).sqrt();
-        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
-        [found.displacement, found.border, found.size]
+        let found = High::at(omega, alpha, self.0.at(omega));
+        [found.displacement(), found.border, found.size()]
     }
 }

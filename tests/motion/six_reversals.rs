@@ -101,7 +101,7 @@ fn the_edges_are_sharp_at_any_precision() {
         }
         if i < 2 {
             let off = Mp::<8>::exp2i(-200);
-            let one = Mp::int(1);
+            let one = Mp::of_int(1);
             for (edge, inward) in [(wide_low, one + off), (wide_high, one - off)] {
                 let outward = one + one - inward;
                 assert_eq!(counts(Mp::from(omega), edge * inward), Some((0, 6)), "{omega}");

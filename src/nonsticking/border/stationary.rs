@@ -1,7 +1,8 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
 
+use super::border_force_ratio;
 use super::slope::inner_change;
-use crate::float::{AtPrecision, Float, Real, pair::Pair};
+use crate::float::{AtPrecision, Field, Float, Real, pair::Pair};
 use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
@@ -16,12 +17,12 @@ pub(super) struct Inner<F> {
 impl<F: Float> Inner<F> {
     /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
     pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
-        let (k, width) = (p.pair(), self.width);
+        let (k, width) = (p.wide(), self.width);
         if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
-            return k.hypot(width);
+            return border_force_ratio(k, width).value();
         }
         let down = F::exp2i(-F::RATIO_EXPONENT);
-        (k * down).hypot(width * down) / down
+        border_force_ratio(k * down, width * down).value() / down
     }
 }
 
@@ -45,8 +46,7 @@ pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
     let (s, c) = tau.hi.sin_cos();
     let (sin_tau, cos_tau) = (Pair::new(s, c * tau.lo), Pair::new(c, -(s * tau.lo)));
     let sin_gamma = p.sine_magnitude();
-    let width =
-        p.refined().pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
+    let width = p.wide().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
     let tau = tau.value();
     // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
     let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);

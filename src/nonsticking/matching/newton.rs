@@ -26,7 +26,7 @@ use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
 use super::{Given, Unknowns, fastest, start};
 use crate::error::{Error, written};
-use crate::float::{Float, Real};
+use crate::float::{Field, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
 use nalgebra::{DMatrix, DVector, RealField};
@@ -134,7 +134,7 @@ impl<F: Float + RealField> Solvable for F {
 /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
 pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
     let (omega, alpha) = (ratios.undamped()?.omega(), ratios.alpha());
-    if omega == <F as Real>::int(1) {
+    if omega == <F as Field>::int(1) {
         return Err(MatchingError::Resonance);
     }
     let phase_function = PhaseFunction::new(omega)?;
@@ -161,7 +161,7 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     };
     let unknowns = in_units_of_b(&u, alpha / q);
     positive("Δ₀/B", unknowns.max_displacement)?;
-    let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
+    let given = Given { amplitude: alpha / q, friction_displacement: <F as Field>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
     if faster.is_some() || largest(&residuals) > rounding(omega) {
@@ -202,7 +202,7 @@ pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>,
     positive("force ratio α", force_ratio)?;
     let amplitude = force_ratio / q;
     let unknowns = in_units_of_b(&unknowns(&[t1, t2, v, d, e]), amplitude);
-    let one = <F as Real>::int(1);
+    let one = <F as Field>::int(1);
     let given = Given { amplitude, friction_displacement: one, omega };
     let size = largest_term(&given, &unknowns);
     let [r1, r2, r3, r4, r5] = given.residuals(&unknowns);
@@ -280,7 +280,7 @@ pub(super) fn newton_step<F: Float + RealField, const N: usize>(
 ) -> Option<[F; N]> {
     let matrix = DMatrix::from_row_iterator(N, N, jacobian.iter().flatten().copied());
     let step = matrix.lu().solve(&DVector::from_column_slice(residuals))?;
-    let mut result = [<F as Real>::int(0); N];
+    let mut result = [<F as Field>::int(0); N];
     for (slot, value) in result.iter_mut().zip(step.iter()) {
         *slot = *value;
     }
@@ -300,8 +300,8 @@ fn iterate<F: Float + RealField, const N: usize>(
     start: [F; N],
     mut system: impl FnMut(&[F; N]) -> ([F; N], [[F; N]; N]),
 ) -> Result<Found<F, N>, MatchingError> {
-    let (mut at, mut last) = (start, <F as Real>::int(1));
-    let small = Real::sqrt(<F as Float>::epsilon());
+    let (mut at, mut last) = (start, <F as Field>::int(1));
+    let small = Field::sqrt(<F as Float>::epsilon());
     let mut residual = last;
     for iterations in 1..=most_iterations::<F>() {
         let (residuals, jacobian) = system(&at);
@@ -311,8 +311,8 @@ fn iterate<F: Float + RealField, const N: usize>(
             *x -= *dx;
         }
         let size = largest(&step);
-        let least = last <= small || residual <= <F as Real>::int(16) * <F as Float>::epsilon();
-        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Real>::ratio(3, 2) >= last);
+        let least = last <= small || residual <= <F as Field>::int(16) * <F as Float>::epsilon();
+        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Field>::ratio(3, 2) >= last);
         if settled {
             let (step, residual) = (Float::to_f64(size), Float::to_f64(residual));
             return Ok(Found { at, iterations, step, residual });
