@@ -5,7 +5,7 @@ use std::hint::black_box;
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::{loop_size_stiffness, max_displacement, turning_point_border};
 use stickslip::phase_function::{PhaseFunction, one_minus_square};
-use stickslip::{Cycle, Field, Float, Ratios, Real};
+use stickslip::{Cycle, Field, Float, Ratios};
 
 /// {Δ₀, eq. 61, A₁}
 fn triple<F: Float>(omega: F, alpha: F) -> Option<[F; 3]> {

@@ -9,7 +9,7 @@ use stickslip::float::mp::Mp;
 use stickslip::nonsticking::SixReversals;
 use stickslip::nonsticking::six_reversals::force_ratios;
 use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
-use stickslip::{Border, Error, Float, Ratios, Real, Regime, Response, regime};
+use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
 
 fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
     LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap()
