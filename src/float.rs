@@ -74,6 +74,18 @@ pub trait Field:
     fn hypot(self, other: Self) -> Self {
         (self.square() + other.square()).sqrt()
     }
+    /// `√(self² − other²)`: a leg of the right triangle with this hypotenuse and the `other` leg.
+    ///
+    /// For |other| ≤ |self|; a type may have a better way than the product of the difference and the sum.
+    #[inline(always)]
+    fn leg(self, other: Self) -> Self {
+        ((self - other) * (self + other)).sqrt()
+    }
+    /// `n self`.
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        Self::int(n) * self
+    }
 }
 
 /// What a formula with angles needs on top: π and the circular functions.
@@ -226,6 +238,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     #[inline]
     fn or_larger(self, other: Self) -> Self {
         if other > self { other } else { self }
+    }
+    /// `self` where `sign` ≥ 0, its negative where `sign` < 0; a zero `sign` may count as either.
+    #[inline(always)]
+    fn times_sign_of(self, sign: Self) -> Self {
+        if sign < Self::int(0) { -self } else { self }
     }
     /// `|self|` with the sign of `sign`; a zero of either sign counts as positive.
     #[inline]

@@ -5,7 +5,7 @@ use super::block::select;
 use crate::float::circular::held;
 use crate::float::{Float, pair::Pair};
 use crate::nonsticking::{Reversal, is_close_to_one, turning_point_border};
-use crate::phase_function::one_minus_square_wide;
+use crate::phase_function::one_minus_moderate_square;
 
 /// The bounds of Ω within which nothing over- or underflows.
 const LEAST_OMEGA: f64 = 0.5;
@@ -17,18 +17,50 @@ const CLEAR_OF_PHASE_FUNCTION: f64 = 1.0 / 16.0;
 /// Where α² and the square of the border differ by a smaller part of α², the careful path decides which is larger.
 const CLEAR_OF_BORDER: f64 = 1.0 / (1u64 << 46) as f64;
 
-/// Whether Ω is within the range of the loops; at Ω = 1 there is no Δ₀.
+/// Whether Ω is within the range of the loops: not too close to 1.
 #[inline(always)]
 pub(crate) fn has_loops(omega: f64) -> bool {
-    is_between(omega, LEAST_OMEGA, GREATEST_OMEGA) & (omega != 1.0)
+    Between::new(LEAST_OMEGA, GREATEST_OMEGA).has(omega) & !is_close_to_one(omega)
 }
 
-/// Whether 0 < least ≤ x ≤ greatest: for positive numbers as for their bits, moved to where the greatest is the last integer.
-#[inline(always)]
-fn is_between(x: f64, least: f64, greatest: f64) -> bool {
-    let to_the_end = i64::MAX.wrapping_sub_unsigned(greatest.to_bits());
-    x.to_bits().cast_signed().wrapping_add(to_the_end)
-        >= least.to_bits().cast_signed().wrapping_add(to_the_end)
+/// Bounds of a positive number, as of its bits, moved to where the least is the first integer.
+#[derive(Clone, Copy)]
+struct Between {
+    offset: i64,
+    greatest: i64,
+}
+
+impl Between {
+    #[inline(always)]
+    const fn new(least: f64, greatest: f64) -> Self {
+        let offset = i64::MIN.wrapping_sub_unsigned(least.to_bits());
+        Self { offset, greatest: offset.wrapping_add_unsigned(greatest.to_bits()) }
+    }
+
+    /// Whether least ≤ x ≤ greatest.
+    #[inline(always)]
+    const fn has(self, x: f64) -> bool {
+        x.to_bits().cast_signed().wrapping_add(self.offset) <= self.greatest
+    }
+}
+
+/// What Ω and α are compared with.
+#[derive(Clone, Copy)]
+pub(crate) struct Domain {
+    omega: Between,
+    alpha: Between,
+    nan: f64,
+}
+
+impl Domain {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        held(Self {
+            omega: Between::new(LEAST_OMEGA, GREATEST_OMEGA),
+            alpha: Between::new(f64::MIN_POSITIVE, GREATEST_ALPHA),
+            nan: f64::NAN,
+        })
+    }
 }
 
 /// One point with Ω ≥ 1/2.
@@ -36,45 +68,45 @@ pub(crate) struct High {
     reversal: Reversal<f64>,
     /// α_min; NaN where the point is to be redone.
     pub(crate) border: f64,
-    slides: bool,
 }
 
 impl High {
     #[inline(always)]
-    pub(crate) fn at(omega: f64, alpha: f64, phase_function: Pair<f64>) -> Self {
-        let one_minus_square = one_minus_square_wide(omega);
+    pub(crate) fn at(domain: &Domain, omega: f64, alpha: f64, phase_function: Pair<f64>) -> Self {
+        let one_minus_square = one_minus_moderate_square(omega);
         let border = turning_point_border(phase_function, one_minus_square, omega.wide()).value();
-        let reversal = Reversal::by_formula(phase_function, one_minus_square, alpha);
-        let slides = alpha >= border;
-        let is_answered = has_loops(omega)
+        // Where there is no cycle, all that has α in it is NaN.
+        let sliding = select(alpha >= border, alpha, domain.nan);
+        let reversal = Reversal::by_formula(phase_function, one_minus_square, sliding);
+        let is_answered = domain.omega.has(omega)
             & !is_close_to_one(omega)
-            & is_between(alpha, f64::MIN_POSITIVE, GREATEST_ALPHA)
-            & (reversal.is_sliding(omega) | !slides);
-        Self { reversal, border: select(is_answered, border, f64::NAN), slides }
+            & domain.alpha.has(alpha)
+            & !reversal.falls_short(omega);
+        Self { reversal, border: select(is_answered, border, domain.nan) }
     }
 
     /// Δ₀; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn displacement(&self) -> f64 {
-        select(self.slides, self.reversal.max_displacement_pair().hi, f64::NAN)
+        self.reversal.max_displacement()
     }
 
     /// A₁; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn size(&self) -> f64 {
-        select(self.slides, self.reversal.loop_size_stiffness(), f64::NAN)
+        self.reversal.loop_size_stiffness()
     }
 
     /// A₂; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn inertia(&self, omega: f64) -> f64 {
-        select(self.slides, self.reversal.loop_size_inertia(omega), f64::NAN)
+        self.reversal.loop_size_inertia(omega)
     }
 
     /// ω_d t₂; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn phase(&self) -> f64 {
-        select(self.slides, self.reversal.displacement_phase(), f64::NAN)
+        self.reversal.displacement_phase()
     }
 }
 
@@ -140,8 +172,9 @@ impl Amplifier {
         let size = sine * (self.eight * shared);
         // Comparisons written so that NaN is redone, too.
         let clear = sine_square > self.clear_of_phase_function * alpha_square;
-        let ordinary =
-            in_range & is_between(alpha, f64::MIN_POSITIVE, GREATEST_ALPHA) & ((slides & clear) | sticks);
+        let ordinary = in_range
+            & Between::new(f64::MIN_POSITIVE, GREATEST_ALPHA).has(alpha)
+            & ((slides & clear) | sticks);
         Amplitude { displacement, border: select(ordinary, border, nan), size, sine }
     }
 }

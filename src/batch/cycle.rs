@@ -1,6 +1,6 @@
 //! All outputs of a cycle, over a block.
 
-use super::amplitude::High;
+use super::amplitude::{Domain, High};
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
 use super::kernel::{Kernel, Work};
@@ -50,7 +50,7 @@ pub(crate) fn all_over_alpha(
     [psi, mark]: [&mut Block; 2],
     [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    each(&Sizes, [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2]);
+    each(&Sizes(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
     let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, k, rest];
     each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
@@ -58,12 +58,12 @@ pub(crate) fn all_over_alpha(
 }
 
 /// `[Δ₀, α_min, A₁, ω_d t₂, A₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
-struct Sizes;
+struct Sizes(Domain);
 
 impl AtPoint<4, 5> for Sizes {
     #[inline(always)]
     fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
-        let found = High::at(omega, alpha, Pair::new(k, rest));
+        let found = High::at(&self.0, omega, alpha, Pair::new(k, rest));
         [found.displacement(), found.border, found.size(), found.phase(), found.inertia(omega)]
     }
 }

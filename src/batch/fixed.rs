@@ -1,6 +1,6 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
-use super::amplitude::{Amplifier, High, has_loops};
+use super::amplitude::{Amplifier, Domain, High, has_loops};
 use super::block::{AtPoint, Block, POINTS, each, each_straight};
 use super::careful;
 use super::cycle::{all_low_over_alpha, all_over_alpha};
@@ -102,12 +102,12 @@ struct PointAt {
 
 /// Ω ≥ 1/2.
 #[derive(Clone, Copy)]
-struct Row(PointAt);
+struct Row(PointAt, Domain);
 
-impl AtPoint<1, 3> for Row {
+impl AtPoint<2, 3> for Row {
     #[inline(always)]
-    fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
-        let found = High::at(self.0.omega, alpha, self.0.phase_function);
+    fn at(&self, [_, alpha]: [f64; 2]) -> [f64; 3] {
+        let found = High::at(&self.1, self.0.omega, alpha, self.0.phase_function);
         [found.displacement(), found.border, found.size()]
     }
 }
@@ -116,9 +116,9 @@ impl AtPoint<1, 3> for Row {
 #[derive(Clone, Copy)]
 struct LowRow(PointAt, Amplifier);
 
-impl AtPoint<1, 3> for LowRow {
+impl AtPoint<2, 3> for LowRow {
     #[inline(always)]
-    fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
+    fn at(&self, [_, alpha]: [f64; 2]) -> [f64; 3] {
         let PointAt { phase_function, distance, force, border, .. } = self.0;
         let found = self.1.at(alpha, phase_function.value(), distance, force, border, distance > 0.0);
         [found.displacement, found.border, found.size]
@@ -135,8 +135,8 @@ impl Kernel<3> for FixedTripleKernel<'_> {
     fn pass(&self, _: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
         // A copy, which the outputs cannot overlap.
         match self.0.loops {
-            Loops::High(_) => each(&Row(self.0.point), [alpha], out),
-            Loops::Low(_) | Loops::None => each(&LowRow(self.0.point, Amplifier::new()), [alpha], out),
+            Loops::High(_) => each(&Row(self.0.point, Domain::new()), [alpha, alpha], out),
+            Loops::Low(_) | Loops::None => each(&LowRow(self.0.point, Amplifier::new()), [alpha, alpha], out),
         }
     }
 
@@ -144,17 +144,10 @@ impl Kernel<3> for FixedTripleKernel<'_> {
 
     #[inline(always)]
     fn pass_straight(&self, _: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
-        let blocks = alpha.iter().zip(a).zip(b).zip(c);
         if let Loops::High(_) = self.0.loops {
-            let row = Row(self.0.point);
-            for (((alpha, a), b), c) in blocks {
-                each_straight(&row, [alpha], a, b, c);
-            }
+            each_straight(&Row(self.0.point, Domain::new()), alpha, alpha, a, b, c);
         } else {
-            let row = LowRow(self.0.point, Amplifier::new());
-            for (((alpha, a), b), c) in blocks {
-                each_straight(&row, [alpha], a, b, c);
-            }
+            each_straight(&LowRow(self.0.point, Amplifier::new()), alpha, alpha, a, b, c);
         }
     }
 

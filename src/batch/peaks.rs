@@ -1,6 +1,6 @@
 //! {Δ₀, α_min, A₁, V₀, ω_d t₁}: the two peaks of the motion, of displacement and velocity.
 
-use super::amplitude::High;
+use super::amplitude::{Domain, High};
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
 use super::kernel::{Kernel, Work};
@@ -48,7 +48,7 @@ pub(crate) fn over_alpha(
     [phase2, psi, mark]: [&mut Block; 3],
     [displacement, border, size, velocity, phase1]: [&mut Block; 5],
 ) {
-    each(&Displacement, [omega, alpha, k, rest], [displacement, mark, size, phase2]);
+    each(&Displacement(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size, phase2]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
     let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
     each(&Arrival::new(), given, [velocity, phase1, border]);
@@ -92,12 +92,12 @@ impl AtPoint<1, 5> for Parts {
 
 /// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
-pub(crate) struct Displacement;
+pub(crate) struct Displacement(Domain);
 
 impl AtPoint<4, 4> for Displacement {
     #[inline(always)]
     fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 4] {
-        let found = High::at(omega, alpha, Pair::new(k, rest));
+        let found = High::at(&self.0, omega, alpha, Pair::new(k, rest));
         [found.displacement(), found.border, found.size(), found.phase()]
     }
 }

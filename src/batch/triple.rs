@@ -1,6 +1,6 @@
 //! {Δ₀, α_min, A₁} of a block.
 
-use super::amplitude::High;
+use super::amplitude::{Domain, High};
 use super::block::{AtPoint, Block, each, each_straight};
 use super::careful;
 use super::kernel::{Kernel, Work};
@@ -23,10 +23,7 @@ impl Kernel<3> for TripleKernel {
 
     #[inline(always)]
     fn pass_straight(&self, omega: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
-        let point = Point::new();
-        for ((((omega, alpha), a), b), c) in omega.iter().zip(alpha).zip(a).zip(b).zip(c) {
-            each_straight(&point, [omega, alpha], a, b, c);
-        }
+        each_straight(&Point::new(), omega, alpha, a, b, c);
     }
 
     #[inline(always)]
@@ -48,19 +45,19 @@ impl Kernel<3> for TripleKernel {
 
 /// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
-struct Point(Quotient<f64>);
+struct Point(Quotient<f64>, Domain);
 
 impl Point {
     #[inline(always)]
     fn new() -> Self {
-        Self(held(Quotient::new()))
+        Self(held(Quotient::new()), Domain::new())
     }
 }
 
 impl AtPoint<2, 3> for Point {
     #[inline(always)]
     fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
-        let found = High::at(omega, alpha, self.0.at(omega));
+        let found = High::at(&self.1, omega, alpha, self.0.at(omega));
         [found.displacement(), found.border, found.size()]
     }
 }

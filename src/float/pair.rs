@@ -23,6 +23,8 @@
 //! | x y | (c² + 5c + 1) u² | 1 + 2c |
 //! | x / y | (2c² + 7c + 6) u² | 3 + 2c |
 //! | √x | (c² + 3c + 3) u² | 1 + c |
+//! | √(x² − y²) | that of √ and half that of x² − y² | 2 |
+//! | √(x² + y²) | 2u: rounded to the type | 0 |
 //!
 //! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
 
@@ -51,7 +53,8 @@ impl<F: Float> Pair<F> {
     #[inline(always)]
     #[must_use]
     pub fn exact(x: F) -> Self {
-        Self { hi: x, lo: F::int(0) }
+        // y + (−0) is y for every y, so that a compiler leaves the sum out; y + 0 is not where y is −0.
+        Self { hi: x, lo: -F::int(0) }
     }
 
     /// `a + b` exactly.
@@ -68,9 +71,9 @@ impl<F: Float> Pair<F> {
     #[inline(always)]
     #[must_use]
     pub fn fast_two_sum(a: F, b: F) -> Self {
-        // s = fl(a + b), e = fl[b − (s − a)]
+        // s = fl(a + b), e = fl[(a − s) + b]
         let hi = a + b;
-        Self { hi, lo: b - (hi - a) }
+        Self { hi, lo: (a - hi) + b }
     }
 
     /// `a · b` exactly.
@@ -126,7 +129,36 @@ impl<F: Float> Field for Pair<F> {
 
     #[inline(always)]
     fn abs(self) -> Self {
-        if self.hi < F::int(0) { -self } else { self }
+        Self { hi: self.hi.abs(), lo: self.lo.times_sign_of(self.hi) }
+    }
+
+    /// Rounded to the type, to 1.5 units in its last place: of three roundings two are under the root. A hypotenuse is where a formula ends.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        let Self { hi, lo } = self.square();
+        let square = other.hi.mul_add(other.hi, hi) + (other.hi + other.hi).mul_add(other.lo, lo);
+        Self::exact(square.sqrt())
+    }
+
+    /// Two squares that nearly cancel leave the digits of a pair.
+    #[inline(always)]
+    fn leg(self, other: Self) -> Self {
+        let (square, less) = (self.square(), other.square());
+        // The fast sum of the leading parts, as a difference.
+        let hi = square.hi - less.hi;
+        let lo = (square.hi - hi) - less.hi;
+        Self::fast_two_sum(hi, lo + (square.lo - less.lo)).sqrt()
+    }
+
+    /// Without a rounding of the leading part where n is a power of two.
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        let factor = F::int(n);
+        if n & n.wrapping_sub(1) == 0 {
+            Self { hi: factor * self.hi, lo: factor * self.lo }
+        } else {
+            self * factor
+        }
     }
 
     #[inline(always)]
@@ -176,7 +208,22 @@ mod tests {
             let of = (x + y) * y;
             prop_assert!(within(of - y.square(), x * y, of.value()));
             prop_assert!(near(-(-x).abs(), -x));
-            prop_assert_eq!(x.hypot(y), (x.square() + y.square()).sqrt());
+        }
+
+        #[test]
+        fn sides_of_a_triangle_and_multiples(a in 0.1f64..10.0, b in 0.1f64..10.0, c in 1e-12f64..1.0) {
+            let (x, y) = (Pair::two_sum(a, 1e-17 * b), Pair::two_sum(b, 1e-17 * a));
+            let near = |found: Pair<f64>, exact: Pair<f64>, ulps: f64| {
+                let error = (found - exact).value().abs();
+                error <= ulps * (exact.hi.next_up() - exact.hi)
+            };
+            prop_assert!(near(x.hypot(y), (x.square() + y.square()).sqrt(), 1.5));
+            // However close the two are.
+            let longer = Pair::exact(a + a * c);
+            let (difference, sum) = (longer - x, longer + x);
+            prop_assert!(near(longer.leg(x), (difference * sum).sqrt(), 1e-9));
+            prop_assert_eq!((x.times(8).hi, x.times(8).lo), (8.0 * x.hi, 8.0 * x.lo));
+            prop_assert!(near(x.times(3), x + x + x, 0.5));
         }
     }
 

@@ -112,6 +112,11 @@ macro_rules! primitive {
             fn fused<T: Task>(task: T) -> T::Output {
                 fused(task)
             }
+            #[inline(always)]
+            fn times_sign_of(self, sign: Self) -> Self {
+                // By bits, of which vectors are made without a comparison.
+                <$float>::from_bits(self.to_bits() ^ (sign.to_bits() & (-0.0 as $float).to_bits()))
+            }
         }
     };
 }

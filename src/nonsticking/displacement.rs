@@ -5,25 +5,25 @@ use crate::float::{Field, Float};
 /// Maximum displacement `Δ₀/B` of the non-sticking cycle (eq. 42, 44).
 ///
 /// ```text
-/// Δ₀/B = √[(α/(1−Ω²))² − (T/Ω)²] = √[(α − K)(α + K)] / |1 − Ω²|
+/// Δ₀/B = √[(α/(1−Ω²))² − (T/Ω)²] = √(α² − K²) / |1 − Ω²|
 /// ```
 ///
-/// The second form is the one computed: one square root of a product of two differences, with no
-/// cancellation but that of α against |K|, which is the problem's own.
+/// The second form is the one computed ([`Field::leg`]), with no cancellation but that of α against |K|, which is the problem's own.
 ///
 /// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Units of B = r_y/k. NaN where α < |K|,
 /// infinite at Ω = 1. Source: Hong & Liu 2001, eq. 44; Den Hartog 1931 has the same. Accuracy at f64: a
 /// relative error of `α²/(α² − K²)` times that of K.
 #[inline(always)]
 pub fn max_displacement<R: Field>(phase_function: R, alpha: R, one_minus_square: R) -> R {
-    // Δ₀/B = √[(α − K)(α + K)] / |1 − Ω²|
-    displacement_of_factors(alpha - phase_function, alpha + phase_function, one_minus_square)
+    // Δ₀/B = √(α² − K²) / |1 − Ω²|
+    displacement_of_leg(alpha.leg(phase_function), one_minus_square)
 }
 
-/// [`max_displacement`] where `α − K` and `α + K` are known.
+/// [`max_displacement`] where `√(α² − K²) = α |sin ω_d t₂|` is known.
 #[inline(always)]
-pub(crate) fn displacement_of_factors<R: Field>(minus: R, plus: R, one_minus_square: R) -> R {
-    (minus * plus).sqrt() / one_minus_square.abs()
+pub(crate) fn displacement_of_leg<R: Field>(leg: R, one_minus_square: R) -> R {
+    // Δ₀/B = √(α² − K²) / |1 − Ω²|
+    leg / one_minus_square.abs()
 }
 
 /// `α² − K² = (α − K)(α + K)`, the square of `α sin ω_d t₂` (eq. 40, 41).

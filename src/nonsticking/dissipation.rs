@@ -19,7 +19,7 @@ pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
 #[inline(always)]
 pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
     // A₁ = 8(Δ₀/B)/α²
-    R::int(8) * (max_displacement / alpha) / alpha
+    (max_displacement / alpha / alpha).times(8)
 }
 
 /// Loop size per lossless static pseudo-elastic energy (eq. 67): `A₂ = 2 m ω_d² s/p₀² = Ω² A₁`.

@@ -18,7 +18,7 @@
 //! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
 
 use super::displacement::{
-    cos_displacement_phase, displacement_of_factors, max_displacement, phase, sin_displacement_phase,
+    cos_displacement_phase, displacement_of_leg, max_displacement, phase, sin_displacement_phase,
 };
 use super::dissipation::{loop_size_inertia, loop_size_stiffness};
 use crate::float::{Field, Float, pair::Pair};
@@ -62,13 +62,19 @@ impl<F: Float> Reversal<F> {
     /// α − |K| can be all rounding of α on the border, and fall short of that or be negative.
     #[inline(always)]
     pub(crate) fn of_sliding(self, omega: F) -> Self {
-        if self.is_sliding(omega) { self } else { self.on_the_border(omega) }
+        if self.over_least(omega) >= least_but_for_rounding() { self } else { self.on_the_border(omega) }
     }
 
-    /// Whether Δ₀/B is that of a body that does not stick, but for rounding.
+    /// Whether Δ₀/B is less than that of a body that does not stick, by more than rounding; not where it is NaN.
     #[inline(always)]
-    pub(crate) fn is_sliding(&self, omega: F) -> bool {
-        self.max_displacement() * omega * omega >= F::int(1) - F::int(4) * F::epsilon()
+    pub(crate) fn falls_short(&self, omega: F) -> bool {
+        self.over_least(omega) < least_but_for_rounding()
+    }
+
+    /// `Ω²Δ₀/B`.
+    #[inline(always)]
+    fn over_least(&self, omega: F) -> F {
+        self.max_displacement() * omega * omega
     }
 
     #[cold]
@@ -146,7 +152,13 @@ impl<F: Float> Reversal<F> {
 #[inline(always)]
 pub(crate) fn is_close_to_one<F: Float>(omega: F) -> bool {
     let bits = if F::PRECISION < f64::MANTISSA_DIGITS { F::PRECISION as i32 / 2 - 2 } else { 24 };
-    (F::int(1) - omega).abs() < F::exp2i(-bits)
+    (omega - F::int(1)).abs() < F::exp2i(-bits)
+}
+
+/// The least `Ω²Δ₀/B` of a body that does not stick, 1, less what it may lack by rounding.
+#[inline(always)]
+fn least_but_for_rounding<F: Float>() -> F {
+    F::int(1) - F::int(4) * F::epsilon()
 }
 
 /// Δ₀/B beside Ω = 1.
@@ -163,7 +175,7 @@ fn displacement_close_to_one<F: Float>(omega: F, k: Pair<F>, width: Pair<F>, alp
         return Pair::exact(excess.hi.sqrt() / width.hi.abs());
     }
     // K < 0
-    displacement_of_factors(alpha.wide() - k, excess, width)
+    displacement_of_leg(((alpha.wide() - k) * excess).sqrt(), width)
 }
 
 /// Maximum displacement Δ₀/B (eq. 44, [`super::max_displacement`]) at the frequency ratio of `p`.

@@ -87,14 +87,16 @@ impl<F: Float> Quotient<F> {
     /// `K = (2Ω − 1)/(3Ω − 1) G(z)`, for 1/2 ≤ Ω.
     #[inline(always)]
     pub(crate) fn at(&self, omega: F) -> Pair<F> {
-        let (one, twice) = (F::int(1), omega + omega);
-        let from_one = (omega - one) / omega;
-        let z = from_one * from_one;
-        let Pair { hi, lo } = Pair::fast_two_sum(self.leading.hi, z * polynomial(&self.rest, z));
-        let g = Pair::new(hi, lo + self.leading.lo);
-        let thrice = Pair::fast_two_sum(twice, omega);
-        let Pair { hi, lo } = Pair::fast_two_sum(thrice.hi, -one);
-        Pair::fast_two_sum(twice, -one) * g / Pair::new(hi, lo + thrice.lo)
+        let one = F::int(1);
+        // Exact, as 2Ω − 1 is: both are multiples of Ω's last place, and not larger than 2Ω.
+        let from_one = omega - one;
+        let z = from_one * from_one * (one / (omega * omega));
+        let (rest, leading) = (polynomial(&self.rest, z), self.leading);
+        let hi = z.mul_add(rest, leading.hi);
+        let g = Pair::new(hi, z.mul_add(rest, leading.hi - hi) + leading.lo);
+        let twice_less_one = from_one + omega;
+        // Below Ω = 1 the first is the smaller one, and a multiple of the last place of the second: the sum is exact all the same.
+        g * twice_less_one / Pair::fast_two_sum(twice_less_one, omega)
     }
 }
 
