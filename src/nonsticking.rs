@@ -50,6 +50,7 @@ pub use displacement::{
 pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
 pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
 pub use peaks::{arrival_acceleration, dynamic_amplification, transmissibility, transmitted_force};
+#[cfg(feature = "batch")]
 pub(crate) use reversal::is_close_to_one;
 pub use reversal::{Reversal, max_displacement_at};
 pub use six_reversals::SixReversals;
@@ -59,11 +60,13 @@ use crate::error::{Error, written};
 use crate::float::{Float, Task, pair::Pair};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
+#[cfg(feature = "batch")]
 pub(crate) use arrival::{Arrived, Moment, Reciprocals};
 use damped::DampedCycle;
 use half_cycle::HalfCycle;
 use motion::Motion;
 pub(crate) use phase::velocity_phase;
+#[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.

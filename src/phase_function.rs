@@ -27,6 +27,7 @@ pub(crate) use cotangent::cotangent_defect;
 pub(crate) use frequency::{Frequency, Offset};
 use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
+#[cfg(feature = "batch")]
 pub(crate) use value::Quotient;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
@@ -131,7 +132,7 @@ impl<F: Float> PhaseFunction<F> {
     #[inline(always)]
     pub(crate) fn sin_cos_of_cycle(&self) -> (F, F) {
         if Self::is_rational_enough(self.omega) {
-            Frequency::new(&Offset::new(), self.omega, self.value()).sin_cos_beta()
+            Frequency::new(&Offset::new(), self.omega, self.value).sin_cos_beta()
         } else {
             self.sin_cos()
         }
@@ -211,6 +212,7 @@ pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
 }
 
 /// The same for Ω ≤ 2²⁰, of fewer operations: 1 is a multiple of the last place of Ω², so that the sum is exact.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn one_minus_moderate_square(omega: f64) -> Pair<f64> {
     let square = Pair::two_prod(omega, omega);

@@ -91,6 +91,12 @@ impl High {
         self.reversal.max_displacement()
     }
 
+    /// What the rounded Δ₀ lacks; NaN where there is no cycle.
+    #[inline(always)]
+    pub(crate) fn rest(&self) -> f64 {
+        self.reversal.max_displacement_pair().lo
+    }
+
     /// A₁; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn size(&self) -> f64 {

@@ -20,9 +20,9 @@ impl Kernel<9> for CycleKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [k, rest, inverse, kappa, slope, a, b, ..] = work;
+        let [k, rest, inverse, kappa, slope, a, b, c, _] = work;
         each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
-        all_over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b], out);
+        all_over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c], out);
     }
 
     #[inline(always)]
@@ -47,24 +47,25 @@ pub(crate) fn all_over_alpha(
     omega: &Block,
     alpha: &Block,
     [k, rest, inverse, kappa, slope]: [&Block; 5],
-    [psi, mark]: [&mut Block; 2],
+    [psi, mark, less]: [&mut Block; 3],
     [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    each(&Sizes(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2]);
+    each(&Sizes(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2, less]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
-    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, k, rest];
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, &*less, k, rest];
     each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
     each(&Contraction, [omega, displacement, inverse, kappa, slope], [contraction]);
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂, A₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁, ω_d t₂, A₂, what the rounded Δ₀ lacks]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
 struct Sizes(Domain);
 
-impl AtPoint<4, 5> for Sizes {
+impl AtPoint<4, 6> for Sizes {
     #[inline(always)]
-    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 6] {
         let found = High::at(&self.0, omega, alpha, Pair::new(k, rest));
-        [found.displacement(), found.border, found.size(), found.phase(), found.inertia(omega)]
+        let (displacement, border) = (found.displacement(), found.border);
+        [displacement, border, found.size(), found.phase(), found.inertia(omega), found.rest()]
     }
 }
 

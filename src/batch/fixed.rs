@@ -168,10 +168,10 @@ impl Kernel<5> for FixedPeaksKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [a, b, c, ..] = work;
+        let [a, b, c, d, ..] = work;
         match &self.0.loops {
             Loops::High(of_omega) => {
-                over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
+                over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c, d], out);
             }
             Loops::Low(of_omega) => {
                 low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
@@ -197,10 +197,10 @@ impl Kernel<9> for FixedCycleKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [a, b, ..] = work;
+        let [a, b, c, ..] = work;
         match &self.0.loops {
             Loops::High(of_omega) => {
-                all_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);
+                all_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
             }
             Loops::Low(of_omega) => {
                 all_low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);

@@ -18,9 +18,9 @@ impl Kernel<5> for PeaksKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [k, rest, inverse, kappa, slope, a, b, c, _] = work;
+        let [k, rest, inverse, kappa, slope, a, b, c, d] = work;
         each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
-        over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c], out);
+        over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c, d], out);
     }
 
     #[inline(always)]
@@ -45,12 +45,12 @@ pub(crate) fn over_alpha(
     omega: &Block,
     alpha: &Block,
     [k, rest, inverse, kappa, slope]: [&Block; 5],
-    [phase2, psi, mark]: [&mut Block; 3],
+    [phase2, psi, mark, less]: [&mut Block; 4],
     [displacement, border, size, velocity, phase1]: [&mut Block; 5],
 ) {
-    each(&Displacement(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size, phase2]);
+    each(&Displacement(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size, phase2, less]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
-    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, &*less];
     each(&Arrival::new(), given, [velocity, phase1, border]);
 }
 
@@ -85,26 +85,26 @@ impl AtPoint<1, 5> for Parts {
     #[inline(always)]
     fn at(&self, [omega]: [f64; 1]) -> [f64; 5] {
         let k = self.0.at(omega);
-        let Frequency { inverse, kappa, offset_slope, .. } = Frequency::new(&self.1, omega, k.value());
+        let Frequency { inverse, kappa, offset_slope, .. } = Frequency::new(&self.1, omega, k);
         [k.hi, k.lo, inverse, kappa, offset_slope]
     }
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁, ω_d t₂, what the rounded Δ₀ lacks]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
 pub(crate) struct Displacement(Domain);
 
-impl AtPoint<4, 4> for Displacement {
+impl AtPoint<4, 5> for Displacement {
     #[inline(always)]
-    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 4] {
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
         let found = High::at(&self.0, omega, alpha, Pair::new(k, rest));
-        [found.displacement(), found.border, found.size(), found.phase()]
+        [found.displacement(), found.border, found.size(), found.phase(), found.rest()]
     }
 }
 
 #[inline(always)]
 fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> Waves<f64> {
-    Waves { max_displacement, at: Frequency { omega, inverse, kappa, offset_slope } }
+    Waves { max_displacement, rest: 0.0, at: Frequency { omega, inverse, kappa, offset_slope } }
 }
 
 /// ψ near the greatest velocity.
@@ -130,28 +130,35 @@ impl Arrival {
 
 impl Arrival {
     #[inline(always)]
-    fn find(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border]: [f64; 8]) -> ([f64; 3], f64) {
-        let (fastest, velocity) = waves([omega, delta, inverse, kappa, slope]).arrive(&self.0, psi);
+    fn find(
+        &self,
+        [omega, delta, inverse, kappa, slope, psi, phase2, border, rest]: [f64; 9],
+    ) -> ([f64; 3], f64) {
+        let waves = Waves { rest, ..waves([omega, delta, inverse, kappa, slope]) };
+        let (fastest, velocity) = waves.arrive(&self.0, psi);
         // Where there is no cycle, nothing could be found.
         let border = select(fastest.is_found | delta.is_nan(), border, f64::NAN);
         ([velocity, velocity_phase(phase2, omega, fastest.psi), border], fastest.psi)
     }
 }
 
-impl AtPoint<8, 3> for Arrival {
+impl AtPoint<9, 3> for Arrival {
     /// `[V₀, ω_d t₁, α_min]`, α_min NaN where the velocity is to be redone.
     #[inline(always)]
-    fn at(&self, given: [f64; 8]) -> [f64; 3] {
+    fn at(&self, given: [f64; 9]) -> [f64; 3] {
         self.find(given).0
     }
 }
 
-impl AtPoint<10, 4> for Arrival {
+impl AtPoint<11, 4> for Arrival {
     /// The same and Δ₁, from K and what the rounded K lacks, too.
     #[inline(always)]
-    fn at(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border, k, rest]: [f64; 10]) -> [f64; 4] {
+    fn at(
+        &self,
+        [omega, delta, inverse, kappa, slope, psi, phase2, border, less, k, rest]: [f64; 11],
+    ) -> [f64; 4] {
         let ([velocity, phase1, border], psi) =
-            self.find([omega, delta, inverse, kappa, slope, psi, phase2, border]);
+            self.find([omega, delta, inverse, kappa, slope, psi, phase2, border, less]);
         let beta = Frequency { omega, inverse, kappa, offset_slope: slope }.sin_cos_beta();
         [velocity, phase1, border, self.0.deviation(omega, beta, Pair::new(k, rest), psi)]
     }

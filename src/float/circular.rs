@@ -23,6 +23,7 @@ pub(crate) struct SinCos<F, const S: usize, const C: usize> {
 }
 
 /// For |x| ≤ π/2.
+#[cfg(any(feature = "batch", test))]
 pub(crate) const TO_HALF_PI: SinCos<f64, 8, 8> = SinCos {
     sin: [
         -0.166_666_666_666_666_66,
@@ -102,6 +103,7 @@ pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
 
 /// Coefficients as numbers that the compiler does not know: it then keeps each in a vector for the whole of a loop, where it would make
 /// it again from the constant for every use, a quarter of a loop's instructions with AVX2.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn held<T>(coefficients: T) -> T {
     core::hint::black_box(coefficients)

@@ -75,6 +75,11 @@ impl<F: Float> HalfCycle<F> {
         Self { displacement_rest, ..self }
     }
 
+    /// What the rounded Δ₀/B lacks.
+    pub(crate) const fn displacement_rest(&self) -> F {
+        self.displacement_rest
+    }
+
     /// `(sin β, cos β)`, β = π/2Ω.
     #[inline]
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {

@@ -66,6 +66,7 @@ impl<F: Float> Reversal<F> {
     }
 
     /// Whether Δ₀/B is less than that of a body that does not stick, by more than rounding; not where it is NaN.
+    #[cfg(feature = "batch")]
     #[inline(always)]
     pub(crate) fn falls_short(&self, omega: F) -> bool {
         self.over_least(omega) < least_but_for_rounding()

@@ -35,7 +35,7 @@ mod centre;
 use super::Reversal;
 use super::half_cycle::{HalfCycle, Jet};
 use super::waves::{Circular, Waves};
-use crate::float::{AtPrecision, Field, Float, Real};
+use crate::float::{AtPrecision, Field, Float, Real, pair::Pair};
 use crate::phase_function::{Frequency, Offset, PhaseFunction};
 use crate::root;
 use centre::from_centre;
@@ -116,7 +116,7 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return fastest_and_displacement(half, k, alpha).0;
     }
-    if let Some((found, _)) = by_waves(half, k) {
+    if let Some((found, _)) = by_waves(half, Pair::exact(k)) {
         return found.differentiated(half);
     }
     from_centre_or_afar(half, k, alpha).0.differentiated(half)
@@ -133,7 +133,7 @@ pub(crate) fn fastest_and_deviation<F: Float>(
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return fastest_and_displacement(half, k.value(), alpha);
     }
-    if let Some((found, beta)) = by_waves(half, k.value()) {
+    if let Some((found, beta)) = by_waves(half, k) {
         let found = found.differentiated(half);
         return (found, Circular::new().deviation(omega, beta, k, found.psi));
     }
@@ -150,12 +150,13 @@ pub(crate) fn fastest_and_deviation<F: Float>(
 /// The greatest velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near enough; and
 /// (sin β, cos β).
 #[inline(always)]
-fn by_waves<F: Float>(half: &HalfCycle<F>, k: F) -> Option<(Fastest<F>, (F, F))> {
+fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F, F))> {
     if !PhaseFunction::is_rational_enough(half.omega()) {
         return None;
     }
     let at = Frequency::new(&Offset::new(), half.omega(), k);
-    let waves = Waves { max_displacement: half.max_displacement(), at };
+    let (max_displacement, rest) = (half.max_displacement(), half.displacement_rest());
+    let waves = Waves { max_displacement, rest, at };
     let (found, velocity) = waves.arrive(&Circular::new(), waves.start());
     let fastest = Fastest { psi: found.psi, velocity };
     found.is_found.then_some((fastest, at.sin_cos_beta()))

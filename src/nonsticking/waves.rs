@@ -41,7 +41,9 @@ impl<F: Float> Circular<F> {
     pub(crate) fn deviation(&self, omega: F, beta: (F, F), phase_function: Pair<F>, psi: F) -> F {
         // sin β = cos w, w = (π/2)(1 − Ω)/Ω, where |w| ≤ π/4: its error counts most there.
         let one = F::int(1);
-        let (_, cosine) = self.psi.sin_cos(F::pi() * F::ratio(1, 2) * ((one - omega) / omega));
+        let w = Pair::exact(one - omega) / omega * (Pair::pi() * F::ratio(1, 2));
+        let (sine, cosine) = self.psi.sin_cos(w.hi);
+        let cosine = (-sine).mul_add(w.lo, cosine);
         let is_beside_one = (omega < F::int(2)) & (F::int(3) * omega >= F::int(2));
         let beta = (if is_beside_one { cosine } else { beta.0 }, beta.1);
         of_fastest(omega, beta, phase_function, self.psi.sin_cos(psi))
@@ -52,6 +54,8 @@ impl<F: Float> Circular<F> {
 #[derive(Clone, Copy)]
 pub(crate) struct Waves<F> {
     pub(crate) max_displacement: F,
+    /// What the rounded Δ₀/B lacks.
+    pub(crate) rest: F,
     pub(crate) at: Frequency<F>,
 }
 
@@ -118,7 +122,8 @@ impl<F: Float> Waves<F> {
         // The bounds of the polynomials for sine and cosine: of ψ and of m.
         let (greatest_psi, greatest_half_difference) = (F::ratio(17, 16), F::ratio(9, 32));
         let in_range = (psi.abs() <= greatest_psi) & (half_difference.abs() <= greatest_half_difference);
-        let velocity = inverse.mul_add(found.gain, delta.mul_add(co, inverse * swing));
+        let smaller = self.rest.mul_add(co, inverse * swing);
+        let velocity = inverse.mul_add(found.gain, delta.mul_add(co, smaller));
         (Arrived { is_found: found.is_found & in_range, ..found }, velocity)
     }
 }

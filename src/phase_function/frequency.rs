@@ -7,8 +7,8 @@
 //! u = (Ω − 1) Ω/((Ω + 1)(3Ω − 1)) U(z),   0 ≤ z ≤ 1,   U from π to 3.
 //! ```
 
-use crate::float::Float;
 use crate::float::circular::polynomial;
+use crate::float::{Float, pair::Pair};
 
 /// U, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and rounded. Error 5.6e-17.
 const U: [f64; 8] = [
@@ -48,7 +48,7 @@ pub(crate) struct Frequency<F> {
 impl<F: Float> Frequency<F> {
     /// From Ω ≥ 1/2 and K(Ω).
     #[inline(always)]
-    pub(crate) fn new(offset: &Offset<F>, omega: F, phase_function: F) -> Self {
+    pub(crate) fn new(offset: &Offset<F>, omega: F, phase_function: Pair<F>) -> Self {
         let one = F::int(1);
         let inverse = one / omega;
         let from_one = (omega - one) * inverse;
@@ -57,7 +57,7 @@ impl<F: Float> Frequency<F> {
             omega,
             inverse,
             // κ = KΩ/(1 + Ω)
-            kappa: phase_function * shared,
+            kappa: phase_function.hi.mul_add(shared, phase_function.lo * shared),
             offset_slope: polynomial(&offset.0, from_one * from_one) * shared
                 / F::int(3).mul_add(omega, -one),
         }

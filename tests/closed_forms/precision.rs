@@ -207,7 +207,7 @@ const PLAIN: [(&str, f64); 13] = [
     ("velocity_phase", 8.0),
     ("deviation", 8.0),
     ("min_force_ratio", 2.0),
-    ("min_force_ratio_turning_point", 2.0),
+    ("min_force_ratio_turning_point", 1.0),
     ("border_phase", 3.0),
     ("loop_size_stiffness", 1.0),
     ("loop_size_inertia", 1.0),
