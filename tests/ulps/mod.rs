@@ -50,7 +50,7 @@ pub(crate) const OUTPUTS: [Output; COUNT] = [
     output("min_force_ratio", "α_min", Unit::Own, Some(2.0), 2.0),
     output("min_force_ratio_turning_point", "eq. 61", Unit::Own, Some(2.0), 1.0),
     output("border_phase", "τ*", Unit::Phase, None, 3.3),
-    output("loop_size_stiffness", "A₁", Unit::Own, Some(2.0), 1.0),
+    output("loop_size_stiffness", "A₁", Unit::Own, Some(2.0), 2.0),
     output("loop_size_inertia", "A₂", Unit::Own, Some(2.0), 1.0),
     output("best_force_ratio", "α*", Unit::Own, Some(2.0), 1.0),
     output("best_loop_size", "A₁max", Unit::Own, Some(2.0), 1.0),
