@@ -30,6 +30,7 @@
 mod accounts;
 mod broken;
 mod confirm;
+mod cover;
 mod drive;
 mod equation;
 mod event;
@@ -54,6 +55,8 @@ mod stretch;
 mod trajectory;
 mod velocity_zero;
 mod walk;
+mod window;
+mod work;
 
 pub use drive::DrivePhase;
 pub use free::FreeDecay;

@@ -3,6 +3,7 @@
 //! [`Regime`] names it, by comparison with the border as rounded; [`Place`] says where in the plane the point lies, how
 //! far from the border, and admits that it cannot tell where the arithmetic cannot.
 
+pub(crate) mod damped;
 mod no_stop;
 mod observed;
 mod place;
@@ -47,11 +48,18 @@ impl Regime {
     }
 }
 
-/// The regime at (Ω, α), given the border at Ω.
+/// The regime at (Ω, α, ζ), given the border there.
+///
+/// With damping the exact motion decides below the border where it may reverse six times a cycle without a stop; one that does not settle
+/// counts as sticking.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
-    // Damping bounds the motion at Ω = 1.
-    let omega = if ratios.is_damped() { F::int(2) } else { ratios.omega() };
-    regime_above(omega, ratios.alpha(), border.min_force_ratio())
+    if !ratios.is_damped() {
+        return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio());
+    }
+    match damped::regime_by_border(ratios, border) {
+        Regime::Sticking if damped::never_stops(ratios) == Some(true) => Regime::NonSticking,
+        by_border => by_border,
+    }
 }
 
 /// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.

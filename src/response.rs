@@ -57,7 +57,7 @@ impl<F: Float> Response<F> {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
         let regime = regime_of(ratios, &border);
-        let cycle = (regime == Regime::NonSticking)
+        let cycle = (ratios.alpha() >= border.min_force_ratio() && regime == Regime::NonSticking)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {

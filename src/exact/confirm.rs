@@ -1,4 +1,4 @@
-//! The closed-form cycle confirmed as a motion, from one slide.
+//! The closed-form cycle without damping confirmed as a motion, from one slide.
 //!
 //! The rising half of the cycle begins at its least displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide of natural length
 //! `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular function, and the free one,
@@ -39,6 +39,9 @@ use crate::nonsticking::Cycle;
 #[inline]
 pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Option<SteadyState<F>> {
     let (zero, two) = (F::int(0), F::int(2));
+    if equation.is_damped() {
+        return None;
+    }
     let omega = equation.omega;
     let origin = DrivePhase::of_half_turn(0, zero);
     let least = origin.advanced(cycle.displacement_phase()).later_by_half_turns(-1);
@@ -66,7 +69,8 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     let residual = Residual::new(&equation, &y, (c * dx + s * dw, c * dw - s * dx));
     let rest =
         (arrival.rotation.0 * c - arrival.rotation.1 * s, arrival.rotation.1 * c + arrival.rotation.0 * s);
-    let monodromy = Matrix::identity().after_slide(rest).after_zero(reversal).after_slide(middle.rotation);
+    let monodromy =
+        Matrix::identity().after_slide(rest, zero).after_zero(reversal).after_slide(middle.rotation, zero);
     let inverse = monodromy.inverse_of_one_plus();
     if !(residual.is_rounding(1) && is_known(&y, inverse, &residual)) {
         return None;

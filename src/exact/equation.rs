@@ -1,4 +1,4 @@
-//! The equation of motion at one (Ω, α).
+//! The equation of motion at one (Ω, α, ζ).
 
 use super::broken::Broken;
 use super::drive::DrivePhase;
@@ -6,11 +6,15 @@ use crate::error::{Error, written};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// The equation of motion with what of it depends on (Ω, α) alone. α = 0 is free vibration.
+mod damped;
+
+/// The equation of motion with what of it depends on (Ω, α, ζ) alone. α = 0 is free vibration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Equation<F> {
     pub(crate) omega: F,
     pub(crate) alpha: F,
+    /// 2ζ: the viscous force is 2ζw, in units of r_y.
+    pub(crate) damping: F,
     half_sum: F,
     half_difference: F,
     per_one_plus: F,
@@ -20,24 +24,37 @@ pub(crate) struct Equation<F> {
 
 impl<F: Float> Equation<F> {
     pub(crate) fn new(ratios: Ratios<F>) -> Self {
-        Self::of(ratios.omega(), ratios.alpha())
+        Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio())
     }
 
-    /// Free vibration: no drive, and the unit of time 1/ω_n.
-    pub(crate) fn free() -> Self {
-        Self::of(F::int(1), F::int(0))
+    /// Free vibration with the damping ratio ζ: no drive, and the unit of time 1/ω_n.
+    pub(crate) fn free(zeta: F) -> Self {
+        Self::of(F::int(1), F::int(0), zeta)
     }
 
-    fn of(omega: F, alpha: F) -> Self {
+    fn of(omega: F, alpha: F, zeta: F) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         Self {
             omega,
             alpha,
+            damping: two * zeta,
             half_sum: (one + omega) / two,
             half_difference: (one - omega) / two,
             per_one_plus: one / (one + omega),
             double_per_one_minus: two / (one - omega),
         }
+    }
+
+    /// Whether there is a damper, ζ > 0.
+    #[inline]
+    pub(crate) fn is_damped(&self) -> bool {
+        self.damping > F::int(0)
+    }
+
+    /// The fastest rate at which anything of a slide changes, in natural time: `max(1, Ω, 2ζ)`.
+    #[inline]
+    pub(crate) fn pace(&self) -> F {
+        F::int(1).or_larger(self.omega).or_larger(self.damping)
     }
 
     /// The error of a search from `phase` on that passed its bound.
@@ -53,9 +70,12 @@ impl<F: Float> Equation<F> {
         })
     }
 
-    /// The circular functions and the quotients C, S, D of `slide` at φ.
+    /// The free vibrations and the quotients C, S, D of `slide` at φ.
     #[inline]
     pub(crate) fn waves(&self, phi: F) -> Waves<F> {
+        if self.is_damped() {
+            return self.damped_waves(phi);
+        }
         let one = F::int(1);
         let Parts { p: (sp, cp), sin_m: sm, free, drive } = self.parts(phi);
         let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
@@ -63,6 +83,7 @@ impl<F: Float> Equation<F> {
         let s = if self.omega < one { drive.0 - self.omega * qc } else { free.0 - qc };
         Waves {
             free,
+            versine: versine(free),
             drive,
             c: sp * q * self.per_one_plus,
             s: s * self.per_one_plus,
@@ -89,14 +110,16 @@ impl<F: Float> Equation<F> {
         Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
     }
 
-    /// [`Equation::waves`] at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1: there `m = β − π/2` and `p = m + π`.
+    /// [`Equation::waves`] at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β − π/2` and `p = m + π`.
     #[inline]
     pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let q = -(cos_beta * self.double_per_one_minus);
         let qc = -(q * sin_beta);
+        let free = (two * sin_beta * cos_beta, (cos_beta - sin_beta) * (cos_beta + sin_beta));
         Waves {
-            free: (two * sin_beta * cos_beta, (cos_beta - sin_beta) * (cos_beta + sin_beta)),
+            free,
+            versine: versine(free),
             drive: (zero, -one),
             c: cos_beta * q * self.per_one_plus,
             s: -(self.omega * qc) * self.per_one_plus,
@@ -113,10 +136,19 @@ struct Parts<F> {
     drive: (F, F),
 }
 
-/// The circular functions and quotients of `slide` at one time.
+/// `1 − cos φ` without cancellation, by (sin φ, cos φ).
+#[inline]
+fn versine<F: Float>((sine, cosine): (F, F)) -> F {
+    let one = F::int(1);
+    if cosine > F::int(0) { sine.square() / (one + cosine) } else { one - cosine }
+}
+
+/// The functions of natural time that a slide is made of, at one time.
 pub(crate) struct Waves<F> {
-    /// (sin φ, cos φ)
+    /// The free vibrations from (x, w) = (0, 1) and (1, 0): (sin φ, cos φ) without damping.
     pub(crate) free: (F, F),
+    /// 1 less the second of them.
+    pub(crate) versine: F,
     /// (sin Ωφ, cos Ωφ)
     pub(crate) drive: (F, F),
     pub(crate) c: F,

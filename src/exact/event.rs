@@ -2,8 +2,8 @@
 //!
 //! # What is assumed
 //!
-//! `f″ + f = g`, the derivatives of f up to the third at any φ, and `g ∝ ± cos(Ωφ + const)`: a right side whose sign changes exactly once
-//! in each half turn of the drive. Along a slide the speed `f = s w` is such a function, with `g = s αΩ cos θ`, and so is the acceleration.
+//! `f″ + 2ζf′ + f = g`, the derivatives of f up to the third at any φ, and `g ∝ ± cos(Ωφ + const)`: a right side whose sign changes exactly
+//! once in each half turn of the drive. Along a slide the speed `f = s w` is such a function, with `g = s αΩ cos θ`, and so is the acceleration.
 //!
 //! # What is proved
 //!
@@ -19,6 +19,10 @@
 //! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the backward cover
 //!   from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and polished proves itself.
 //!
+//! **With damping** the same holds of `u = e^{ζφ} f`, which has the zeros and the signs of f: `u″ + (1 − ζ²) u = e^{ζφ} g`, a right side with the
+//! sign of g. A stretch may be as long as π/√(1 − ζ²), and from ζ = 1 on of any length, for there a free vibration vanishes once at most; the
+//! covers are those of u (`cover`).
+//!
 //! These are statements of exact arithmetic. In floating point f > 0 at the beginning of a stretch, the sign of f at its end, the covers and
 //! the place where g changes its sign are each taken as computed, without a margin for their rounding; a dip counts as grazing where it is
 //! within `4ε` of the sum of the terms of f. So a zero can be taken for none, or none for a grazing, where f comes that close to zero
@@ -33,7 +37,8 @@
 //! a zero once it is as long as the fast period, but for the rounding of the window's ends; each window is at least half a slow period, not
 //! shorter than the fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
 //! 8 stretches or a few more where rounding matters. A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
-//! [`Verdict::Lost`]: an error, never an answer.
+//! [`Verdict::Lost`]: an error, never an answer. With damping the part that is left out is found anew from where the search is (`window`),
+//! because the free wave dies out, and the bound on the time is another.
 //!
 //! Within a stretch a bracket is halved at each step after the first PRECISION, so that it is closed after as many more. Each point in a dip
 //! halves the gap between the covers at least, so that after 2·PRECISION of them it is 4ε² wide: f varies within it by less than 4ε² times its
@@ -41,7 +46,9 @@
 //! 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps (Householder 1970) quadruple the good digits: 3.7
 //! evaluations a slide on average over 40,000 slides of every kind (a test holds 3.76 on average and 14 at most), 1 or 2 in a steady motion.
 
+use super::cover::Cover;
 use super::stretch::{Stretch, in_helping, in_opposing};
+use super::window::Waves;
 use crate::float::Float;
 
 /// A value and its first three derivatives.
@@ -89,6 +96,9 @@ impl<F: Float> Safe<F> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Search<F> {
     pub(crate) omega: F,
+    /// The fastest rate of change, [`super::equation::Equation::pace`].
+    pub(crate) pace: F,
+    pub(crate) cover: Cover<F>,
     /// The angle of g at φ = 0 within its half turn, in `[−π/2, π/2)`: `|g| ∝ cos`.
     pub(crate) angle: F,
     /// Whether g ≥ 0 on that half turn.
@@ -99,8 +109,10 @@ pub(crate) struct Search<F> {
     pub(crate) limit: Option<F>,
     /// Where the zero is expected.
     pub(crate) hint: F,
-    /// Where no zero can be.
+    /// Where no zero can be, without damping.
     pub(crate) safe: Option<Safe<F>>,
+    /// Where no zero can be, with damping.
+    pub(crate) waves: Option<Waves<F>>,
     /// What rounding can make of a zero of f.
     pub(crate) noise: F,
     /// The same at a short time: the coefficients of 1, φ, φ², φ³.
@@ -108,6 +120,11 @@ pub(crate) struct Search<F> {
 }
 
 impl<F: Float> Search<F> {
+    /// How many half turns of g have passed at φ.
+    fn half_turn_at(&self, phi: F) -> F {
+        ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
+    }
+
     /// What rounding can make of a zero of f at φ.
     pub(crate) fn noise_at(&self, phi: F) -> F {
         let Some([a, b, c, d]) = self.short_noise else { return self.noise };
@@ -133,7 +150,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     start: Jet<F>,
     f: impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
-    let longest = F::ratio(25, 8);
+    let longest = search.cover.longest();
     let mut phi = F::int(0);
     let mut jet = Some(start);
     let mut from_zero = search.from_zero;
@@ -146,7 +163,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
         return Verdict::Clear(None);
     }
     for stretches in 0..u32::MAX {
-        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, phi, stretches) {
+        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves, phi, stretches) {
             return Verdict::Lost(phi);
         }
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
@@ -165,7 +182,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             if is_empty {
                 // Narrower than its own rounding.
             } else if begins <= phi {
-                let skipped = ((ends * search.omega + search.angle) / F::pi() + F::ratio(1, 2)).floor();
+                let skipped = search.half_turn_at(ends);
                 if modulo_two(skipped - half_turn) {
                     helping = !helping;
                 }
@@ -177,6 +194,20 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             } else if begins < to {
                 to = begins;
             }
+        }
+        if let Some(waves) = &search.waves
+            && !from_zero
+            && let Some(ends) = waves.end(phi)
+        {
+            let skipped = search.half_turn_at(ends);
+            if modulo_two(skipped - half_turn) {
+                helping = !helping;
+            }
+            (half_turn, phi, passed, jet) = (skipped, ends, ends, None);
+            if search.limit.is_some_and(|l| l <= phi) {
+                return Verdict::Clear(None);
+            }
+            continue;
         }
         let mut last = false;
         if let Some(limit) = search.limit
@@ -203,9 +234,9 @@ const USUAL_STRETCHES: u32 = 64;
 /// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than so long a time is made of.
 #[cold]
 #[inline(never)]
-fn is_overdue<F: Float>(omega: F, phi: F, stretches: u32) -> bool {
+fn is_overdue<F: Float>(omega: F, waves: Option<Waves<F>>, phi: F, stretches: u32) -> bool {
     let (one, two) = (F::int(1), F::int(2));
-    let longest = F::pi() * (one + two / omega);
+    let longest = waves.map_or(F::pi() * (one + two / omega), |waves| waves.longest());
     let most = F::int(8) * (F::int(8) + omega + one / omega);
     phi > longest || F::from_f64(f64::from(stretches)) > most
 }
@@ -225,6 +256,9 @@ mod tests {
         let (from_zero, safe, short_noise) = (false, None, None);
         Search {
             omega,
+            pace: omega.max(1.0),
+            cover: super::Cover::new(0.0),
+            waves: None,
             angle: 0.3,
             helping: true,
             from_zero,

@@ -12,10 +12,12 @@ impl<F: Float> VelocityZero<F> {
     /// When the zero is expected where the start of the slide is disturbed by (δx, δw): a free vibration is added. To second order,
     /// and unmoved where it would move far.
     #[inline]
-    pub(crate) fn expected(&self, (x, w): (F, F)) -> F {
+    pub(crate) fn expected(&self, (x, w): (F, F), damping: F) -> F {
         let (s, c) = self.rotation;
-        let acceleration = self.acceleration - (s * w + c * x);
-        let first = (s * x - c * w) / acceleration;
+        // By how little the velocity is less: −δw after a slide.
+        let less = s * x - (c - damping * s) * w;
+        let acceleration = self.acceleration - (s * w + c * x) + damping * less;
+        let first = less / acceleration;
         let delay = first - first.square() * self.jerk / (F::int(2) * acceleration);
         if delay.abs() * F::int(4) <= self.phi { self.phi + delay } else { self.phi }
     }
@@ -36,7 +38,7 @@ impl<F: Float> Slide<F> {
         let (half, third) = (late / F::int(2), late / F::int(3));
         let x = -next.x - self.x - late * half * (acceleration - third * jerk);
         let w = late * (acceleration - half * jerk);
-        zero.expected((x, w)) - late
+        zero.expected((x, w), self.equation.damping) - late
     }
 }
 

@@ -26,7 +26,7 @@ use crate::ratios::Ratios;
 /// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its rounding only has one limit.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
     // 1/2 is the greatest of them.
-    if ratios.omega() * F::int(3) > F::int(2) {
+    if ratios.omega() * F::int(3) > F::int(2) || ratios.is_damped() {
         return false;
     }
     let p = PhaseFunction::of_valid(ratios.omega());

@@ -4,6 +4,9 @@
 //! same proof, one after the other, and the greatest speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2 there can
 //! be as many as fast periods in the slide; but only the neighbourhoods of its ends and of the crest of the slow wave count.
 //!
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`, and short slides are searched in the same way; in a long one of any other Ω, or from
+//! ζ = 1/2 on, where a slide lasts for many periods, the search is that of the closed-form cycle, which knows how the free wave dies out.
+//!
 //! # Why
 //!
 //! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest, is within (−π, π) for one
@@ -14,10 +17,13 @@
 //! the fast one is negative somewhere.)
 
 use super::broken::Broken;
+use super::cover::Cover;
 use super::event::{Found, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::Slide;
 use crate::float::Float;
+use crate::nonsticking::damped::fastest::fastest_time;
+use crate::nonsticking::damped::rising::Vibration;
 
 /// The fastest instant of a slide: its natural time and the velocity there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,6 +42,16 @@ impl<F: Float> Slide<F> {
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
+        let (damping, pace) = (self.equation.damping, one.or_larger(omega));
+        if damping > zero
+            && (end * pace <= F::int(10) || (omega * two >= one && omega <= two && damping < one))
+        {
+            self.scan((zero, &start), (end, arrival), &mut best)?;
+            return Ok(best);
+        }
+        if damping > zero {
+            return Ok(self.fastest_of_damped(end, arrival));
+        }
         if omega * two >= one && omega <= two {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
@@ -62,6 +78,30 @@ impl<F: Float> Slide<F> {
             }
         }
         Ok(best)
+    }
+
+    /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form cycle.
+    #[cold]
+    fn fastest_of_damped(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
+        let equation = &self.equation;
+        let sign = self.direction.sign::<F>();
+        let (x, w) = equation.forced(self.sin_cos_start());
+        // s times the velocity, the drive's share as Ω(a sin Ωφ − H cos Ωφ).
+        let h = -(sign * w / equation.omega);
+        let (free_x, free_w) = (self.x + sign - x, self.w - w);
+        let motion = Vibration {
+            free: equation.vibration(),
+            omega: equation.omega,
+            driven: (-(sign * x), h),
+            start: (sign * free_x, sign * free_w),
+            end,
+        };
+        let phi = fastest_time(&motion);
+        let found = if phi >= end { arrival.w } else { self.motion(phi).w };
+        let start = Fastest { phi: F::int(0), w: self.w };
+        [Fastest { phi, w: found }, Fastest { phi: end, w: arrival.w }]
+            .into_iter()
+            .fold(start, |best, next| if sign * next.w > sign * best.w { next } else { best })
     }
 
     /// The natural time of the crest of the slow wave that lies in the slide, if one does.
@@ -110,7 +150,7 @@ impl<F: Float> Slide<F> {
         for _ in 0..MOST_EXTREMA {
             let side = if speeds_up { sign } else { -sign };
             let search = self.acceleration_search(at, to, side, from_zero, noise);
-            let jet = |m: &Motion<F>| m.acceleration_jet(self.equation.omega, side);
+            let jet = |m: &Motion<F>| m.acceleration_jet(&self.equation, side);
             let verdict = next_zero(&search, jet(&motion), |phi| {
                 let m = if at + phi >= to { *last } else { self.motion(at + phi) };
                 (jet(&m), m)
@@ -126,7 +166,7 @@ impl<F: Float> Slide<F> {
                 return Ok(());
             }
             let (half, third) = (step / F::int(2), step / F::int(3));
-            let (fourth, _) = m.higher(self.equation.omega);
+            let (fourth, _) = m.higher(&self.equation);
             let w = m.w + step * (m.acceleration + half * (m.jerk + third * fourth));
             if speeds_up {
                 consider(at, w);
@@ -145,6 +185,9 @@ impl<F: Float> Slide<F> {
         let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));
         Search {
             omega,
+            pace: self.equation.pace(),
+            cover: Cover::new(self.equation.damping),
+            waves: None,
             angle: shifted.angle(),
             helping: shifted.is_even() == (side > F::int(0)),
             from_zero,

@@ -84,7 +84,7 @@ impl<F: Float> FreeDecay<F> {
 
     /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t.
     pub fn trajectory(&self) -> Trajectory<F> {
-        Trajectory::of(Equation::free(), self.start)
+        Trajectory::of(Equation::free(F::int(0)), self.start)
     }
 }
 

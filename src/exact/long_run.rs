@@ -24,11 +24,11 @@ pub enum LongRun<F> {
     /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md). Where Ω is 1/(2n) to within
     /// rounding only, one multiplier rounds to 1: no start comes close to the limit in any time that a machine runs.
     Periodic(SteadyState<F>),
-    /// Ω = 1/(2n) exactly, without sticking: one of a family of periodic motions, the one that this start leads to.
+    /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one that this start leads to.
     Family(SteadyState<F>),
     /// α ≤ 1: rest.
     Rest(Rest<F>),
-    /// Ω = 1 and α > 4/π: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
+    /// Ω = 1 and α > 4/π without damping: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
     Unbounded {
         /// Growth of the maximum displacement in a cycle, in the limit.
         growth: F,
@@ -93,7 +93,7 @@ impl<F: Float> LongRun<F> {
         if alpha <= one {
             return come_to_rest(ratios, start, &mut budget);
         }
-        if ratios.omega() == one && F::pi() * alpha > F::int(4) {
+        if ratios.omega() == one && F::pi() * alpha > F::int(4) && !ratios.is_damped() {
             return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
         }
         let equation = Equation::new(ratios);
@@ -198,10 +198,11 @@ fn settle_in<F: Float>(
     Ok((slide.point(half), half))
 }
 
-/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force.
+/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force. With
+/// damping every disturbance dies out, and its residual judges it.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
-    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) }
+    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
 }
 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.

@@ -24,15 +24,16 @@ impl<F: Float> Matrix<F> {
         Self { a: one, b: zero, c: zero, d: one }
     }
 
-    /// What a disturbance becomes in a slide of natural length φ, `rotation` = (sin φ, cos φ): a free vibration.
+    /// What a disturbance becomes in a slide: a free vibration, `rotation` being those from (0, 1) and (1, 0) over its time, (sin φ, cos φ)
+    /// without damping; `damping` is 2ζ.
     #[inline]
-    pub(crate) fn after_slide(self, rotation: (F, F)) -> Self {
-        let (s, c) = rotation;
+    pub(crate) fn after_slide(self, (s, c): (F, F), damping: F) -> Self {
+        let slope = c - damping * s;
         Self {
             a: c * self.a + s * self.c,
             b: c * self.b + s * self.d,
-            c: c * self.c - s * self.a,
-            d: c * self.d - s * self.b,
+            c: slope * self.c - s * self.a,
+            d: slope * self.d - s * self.b,
         }
     }
 

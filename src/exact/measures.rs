@@ -43,6 +43,8 @@ pub(crate) struct Tally<F> {
     pub(crate) work_in: F,
     /// Work done against friction, ∫ |dx|, in r_y B.
     pub(crate) work_out: F,
+    /// Work done against the damper, ∫ 2ζw dx, in r_y B.
+    pub(crate) damper: F,
 }
 
 impl<F: Float> Tally<F> {
@@ -61,6 +63,7 @@ impl<F: Float> Tally<F> {
             rest: zero,
             work_in: zero,
             work_out: zero,
+            damper: zero,
         }
     }
 
@@ -137,7 +140,9 @@ impl<F: Float> Tally<F> {
             self.moved(Extreme { value: v, phase: slide.start.advanced(omega * fastest.phi) });
         }
         self.work_out = self.work_out + (end.x - slide.x).abs();
-        self.work_in = self.work_in + slide.work_of_drive(end);
+        let works = slide.works(phi, end);
+        self.work_in = self.work_in + works.drive;
+        self.damper = self.damper + works.damper;
         Ok(())
     }
 
@@ -174,6 +179,7 @@ impl<F: Float> Tally<F> {
             rest: two * self.rest,
             work_in: two * self.work_in,
             work_out: two * self.work_out,
+            damper: two * self.damper,
             ..self
         }
     }
@@ -213,65 +219,14 @@ pub struct ErrorMeasures<F> {
     pub error_4: F,
 }
 
-impl<F: Float> Slide<F> {
-    /// Work of the drive `∫ α sin θ dx` from the start to `end`, in r_y B.
-    ///
-    /// From `(w″ + w) sin θ = αΩ cos θ sin θ` by parts, which owes nothing to the balance of energy:
-    ///
-    /// ```text
-    /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
-    /// ```
-    ///
-    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy instead:
-    /// `[½x² + ½w²] + |Δx|`.
-    pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
-        let (one, two) = (F::int(1), F::int(2));
-        let omega = self.equation.omega;
-        let sign = self.direction.sign::<F>();
-        let divisor = (one - omega) * (one + omega);
-        let start = self.motion_at_start();
-        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w: two terms.
-        let terms = |m: &Motion<F>| (m.force * (m.x + sign - m.force / two), (m.jerk + m.w) * m.w);
-        let ((a, b), (c, d)) = (terms(end), terms(&start));
-        let bracket = (a + b) - (c + d);
-        let largest = (a.abs() + b.abs()).or_larger(c.abs() + d.abs());
-        if divisor.abs() * F::int(64) < one || largest > F::int(32) * bracket.abs() {
-            let spring = (end.x - self.x) * (end.x + self.x);
-            let kinetic = (end.w - self.w) * (end.w + self.w);
-            return (spring + kinetic) / two + sign * (end.x - self.x);
-        }
-        bracket / divisor
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Extreme, Tally};
-    use crate::Ratios;
     use crate::exact::drive::DrivePhase;
-    use crate::exact::equation::Equation;
-    use crate::exact::slide::{Direction, Slide};
     use crate::exact::state::Point;
 
     fn phase(theta: f64) -> DrivePhase<f64> {
         DrivePhase::new(theta).unwrap()
-    }
-
-    /// Both forms are ∫ α sin θ dx: the sum over short steps.
-    #[test]
-    fn the_work_of_the_drive_is_force_along_the_way() {
-        for omega in [0.3, 0.995, 1.0, 1.003, 2.2] {
-            for direction in [Direction::Forward, Direction::Backward] {
-                let equation = Equation::new(Ratios::new(omega, 2.0).unwrap());
-                let slide = Slide::new(equation, phase(0.4), -0.7, 0.9, direction);
-                let steps = 4000;
-                let at = |n: i32| slide.motion(1.7 * f64::from(n) / f64::from(steps));
-                let sum: f64 =
-                    (0..steps).map(|n| (at(n).force + at(n + 1).force) / 2.0 * (at(n + 1).x - at(n).x)).sum();
-                let work = slide.work_of_drive(&at(steps));
-                assert!((work - sum).abs() < 1e-6, "Ω = {omega}: {work} for {sum}");
-            }
-        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! The motion at one instant of a slide, with its derivatives.
 
+use super::equation::Equation;
 use super::event::Jet;
 use crate::float::Float;
 
@@ -8,28 +9,30 @@ use crate::float::Float;
 pub(crate) struct Motion<F> {
     pub(crate) x: F,
     pub(crate) w: F,
-    /// `w′ = α sin θ − x − s`
+    /// `w′ = α sin θ − x − s − 2ζw`
     pub(crate) acceleration: F,
-    /// `w″ = αΩ cos θ − w`
+    /// `w″ = αΩ cos θ − w − 2ζw′`
     pub(crate) jerk: F,
     /// `α sin θ`
     pub(crate) force: F,
-    /// (sin φ, cos φ) of the time since the start of the slide.
+    /// The free vibrations over the time since the start of the slide: (sin φ, cos φ) without damping.
     pub(crate) rotation: (F, F),
 }
 
 impl<F: Float> Motion<F> {
-    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′` and `w⁗ = −Ω² αΩ cos θ − w″`.
+    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′ − 2ζw″` and `w⁗ = −Ω² αΩ cos θ − w″ − 2ζw‴`.
     #[inline]
-    pub(crate) fn higher(&self, omega: F) -> (F, F) {
-        let square = omega.square();
-        (-(square * self.force + self.acceleration), -(square * (self.jerk + self.w) + self.jerk))
+    pub(crate) fn higher(&self, equation: &Equation<F>) -> (F, F) {
+        let (square, damping) = (equation.omega.square(), equation.damping);
+        let third = -(square * self.force + self.acceleration + damping * self.jerk);
+        let force_rate = self.jerk + self.w + damping * self.acceleration;
+        (third, -(square * force_rate + self.jerk + damping * third))
     }
 
     /// The velocity with its derivatives, turned to the sign of the slide.
     #[inline]
-    pub(crate) fn velocity_jet(&self, omega: F, sign: F) -> Jet<F> {
-        let third = self.higher(omega).0;
+    pub(crate) fn velocity_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
+        let third = self.higher(equation).0;
         Jet {
             value: sign * self.w,
             first: sign * self.acceleration,
@@ -40,8 +43,8 @@ impl<F: Float> Motion<F> {
 
     /// The acceleration with its derivatives, turned to a sign.
     #[inline]
-    pub(crate) fn acceleration_jet(&self, omega: F, sign: F) -> Jet<F> {
-        let (second, third) = self.higher(omega);
+    pub(crate) fn acceleration_jet(&self, equation: &Equation<F>, sign: F) -> Jet<F> {
+        let (second, third) = self.higher(equation);
         Jet {
             value: sign * self.acceleration,
             first: sign * self.jerk,
@@ -61,8 +64,11 @@ mod tests {
     /// Each of a jet is the slope of the one before it.
     #[test]
     fn jets_are_slopes() {
-        for omega in [0.3, 1.0, 2.3] {
-            let equation = Equation::new(Ratios::new(omega, 1.7).unwrap());
+        for (omega, zeta) in
+            [(0.3, 0.0), (1.0, 0.0), (2.3, 0.0), (0.3, 0.4), (1.0, 0.02), (2.3, 1.0), (0.8, 3.0)]
+        {
+            let ratios = Ratios::new(omega, 1.7).unwrap();
+            let equation = Equation::new(ratios.with_damping_ratio(zeta).unwrap());
             let slide = Slide::new(equation, DrivePhase::new(0.4).unwrap(), -0.3, 0.8, Direction::Forward);
             for phi in [0.2, 0.7, 1.9] {
                 for sign in [1.0, -1.0] {
@@ -70,14 +76,17 @@ mod tests {
                     let [before, at, after] = [phi - d, phi, phi + d].map(|phi| slide.motion(phi));
                     let slope = |f: f64, g: f64| (g - f) / (2.0 * d);
                     let is = |jet: f64, slope: f64| {
-                        assert!((jet - slope).abs() < 1e-6, "{omega} {phi}: {jet} {slope}")
+                        assert!(
+                            (jet - slope).abs() < 1e-6 * (1.0 + jet.abs()),
+                            "{omega} {phi}: {jet} {slope}"
+                        )
                     };
-                    let [a, v, b] = [before, at, after].map(|m| m.velocity_jet(omega, sign));
+                    let [a, v, b] = [before, at, after].map(|m| m.velocity_jet(&equation, sign));
                     is(v.value, sign * slope(before.x, after.x));
                     is(v.first, slope(a.value, b.value));
                     is(v.second, slope(a.first, b.first));
                     is(v.third, slope(a.second, b.second));
-                    let [a, f, b] = [before, at, after].map(|m| m.acceleration_jet(omega, sign));
+                    let [a, f, b] = [before, at, after].map(|m| m.acceleration_jet(&equation, sign));
                     is(f.value, v.first);
                     is(f.first, slope(a.value, b.value));
                     is(f.second, slope(a.first, b.first));

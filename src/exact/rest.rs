@@ -5,7 +5,8 @@
 //! less than `9δ²/(αΩ²)` towards it. Let τ be the phase from the extreme of the force and δ = α(1 − cos η): the force beyond the bound is
 //! α(cos τ − cos η), positive from −η to η. Without the spring's pull, which only holds it back, the speed would be
 //! (α/Ω²) [sin τ + sin η − (τ + η) cos η], zero again before τ = 2.02η for cos η ≥ 15/16, and the way at most 4.56 δ²/(αΩ²).
-//! So once δ is below `α min(Ω², 1)/16` the body creeps to the edge of the interval and never gets there: a limit in closed form,
+//! With damping, which holds the body back as well, the way is at most that force over 2ζ, (α/2ζΩ) ∫(cos τ − cos η) dτ ≤ 1.89 δ √(δ/α)/2ζΩ.
+//! So once δ is below `α min(Ω², 1)/16` or `α min((2ζΩ)², 1)/16` the body creeps to the edge of the interval and never gets there: a limit in closed form,
 //! which no amount of simulation reaches (δ falls like 1/cycles).
 
 use super::equation::Equation;
@@ -40,7 +41,7 @@ pub(crate) fn come_to_rest<F: Float>(
     let (zero, one, turn) = (F::int(0), F::int(1), F::int(2) * F::pi());
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let edge = one - alpha;
-    let slow = omega.square();
+    let slow = omega.square().or_larger((F::int(2) * ratios.damping_ratio() * omega).square());
     let creeping = alpha * if slow < one { slow } else { one } / F::int(16);
     let mut slides = 0;
     let mut last = start;

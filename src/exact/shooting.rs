@@ -5,12 +5,13 @@
 //!
 //! # Why this finds the limit of every motion
 //!
-//! Friction is monotone: of two motions under the same drive, `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw ≤ 0`. So
+//! Friction is monotone: of two motions under the same drive, `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw − 2ζδw² ≤ 0`. So
 //!
 //! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from one half turn to
 //!   the next. A Newton step is kept where it halves the residual, and otherwise the motion is simply followed on.
 //! * Two periodic motions keep their distance for ever. For α > 1 that leaves **one limit only, and it is symmetric**: proved in
-//!   docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the border on, and Ω = 1 with α ≥ 4/π. For α ≤ 1 the limit is
+//!   docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the border on, and Ω = 1 with α ≥ 4/π. With damping there are
+//!   none: a distance that stays has δw = 0, and of two bodies a distance apart that slide alike one would have the other friction. For α ≤ 1 the limit is
 //!   rest, anywhere in an interval (`rest`); nothing is shot for there.
 //! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle are not needed for that, but they say how
 //!   fast it is approached; beside 1/(2n) one of them rounds to 1, and the closed-form cycle is taken where its residual is rounding.
@@ -88,10 +89,10 @@ impl<F: Float> Residual<F> {
     /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and that of the phase: half a unit
     /// of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
-        let Equation { omega, alpha, .. } = *equation;
+        let Equation { omega, alpha, damping, .. } = *equation;
         let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
         let forced = alpha / (one + omega.square());
-        let rate = (one + alpha + y.x.abs()) / omega;
+        let rate = (one + alpha + y.x.abs() + damping * y.w.abs()) / omega;
         Self {
             x,
             w,
@@ -129,7 +130,7 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> R
 /// Natural time to the first velocity zero that is expected of a walk from a point that differs by (δx, δw) from that of `walk`.
 fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
     match walk.parts.first() {
-        Some(Part::Slide(_, zero)) => zero.expected(change),
+        Some(Part::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
         Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
     }
 }

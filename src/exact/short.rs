@@ -6,27 +6,29 @@
 //! its place. The derivatives at the start are known to full relative accuracy, each from the equation of motion:
 //!
 //! ```text
-//! w⁽ⁿ⁺²⁾ = (αΩ cos(θ_i + Ωφ))⁽ⁿ⁾ − w⁽ⁿ⁾,   w⁽⁰⁾ = w_i,   w⁽¹⁾ = a_i
+//! w⁽ⁿ⁺²⁾ = (αΩ cos(θ_i + Ωφ))⁽ⁿ⁾ − w⁽ⁿ⁾ − 2ζw⁽ⁿ⁺¹⁾,   w⁽⁰⁾ = w_i,   w⁽¹⁾ = a_i
 //! ```
 
+use super::equation::Equation;
 use super::motion::Motion;
 use super::slide::Slide;
 use crate::float::Float;
 
 impl<F: Float> Slide<F> {
-    /// Whether φ is short beside both periods: `max(1, Ω) φ < 1/8`.
+    /// Whether φ is short beside both periods and the decay: `max(1, Ω, 4ζ) φ < 1/8`.
     #[inline]
     pub(crate) fn is_short(&self, phi: F) -> bool {
-        phi * F::int(8) < F::int(1) && phi * F::int(8) * self.equation.omega < F::int(1)
+        let (one, eight) = (F::int(1), phi * F::int(8));
+        eight < one && eight * self.equation.omega < one && eight * F::int(2) * self.equation.damping < one
     }
 
     /// The motion at a short φ.
     ///
-    /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, so that the series is cut off after
-    /// **at most PRECISION terms**, about 12 at f64.
+    /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with damping a `4ζφ/n`-th, so that the
+    /// series is cut off after **at most PRECISION terms**, about 12 at f64.
     pub(crate) fn short(&self, phi: F) -> Motion<F> {
         let (zero, one) = (F::int(0), F::int(1));
-        let omega = self.equation.omega;
+        let Equation { omega, damping, .. } = self.equation;
         let (sine, cosine) = self.sin_cos_start();
         // f and f′ of f = αΩ cos θ, whose higher derivatives are −Ω² times these.
         let rate = self.equation.alpha * omega;
@@ -40,7 +42,7 @@ impl<F: Float> Slide<F> {
             travelled = travelled + derivative * longer;
             w = w + derivative * power;
             acceleration = acceleration + next * power;
-            (derivative, next) = (next, force_rate - derivative);
+            (derivative, next) = (next, force_rate - derivative - damping * next);
             (force_rate, next_force_rate) = (next_force_rate, -(omega.square() * force_rate));
             power = longer;
             // Of the four first terms one at least is not small.
@@ -56,9 +58,9 @@ impl<F: Float> Slide<F> {
             x: self.x + travelled,
             w,
             acceleration,
-            jerk: rate * (cosine * cos_drive - sine * sin_drive) - w,
+            jerk: rate * (cosine * cos_drive - sine * sin_drive) - w - damping * acceleration,
             force: self.equation.alpha * (sine * cos_drive + cosine * sin_drive),
-            rotation: phi.sin_cos(),
+            rotation: self.equation.free_waves(phi),
         }
     }
 

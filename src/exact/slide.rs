@@ -96,7 +96,7 @@ impl<F: Float> Slide<F> {
         w: F,
         direction: Direction,
     ) -> Self {
-        let acceleration = equation.alpha * sin_start - x - direction.sign::<F>();
+        let acceleration = equation.alpha * sin_start - x - direction.sign::<F>() - equation.damping * w;
         Self { equation, start, direction, x, w, acceleration, sin_start, cos_start }
     }
 
@@ -141,6 +141,9 @@ impl<F: Float> Slide<F> {
             return self.short(phi);
         }
         if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
+            if self.equation.is_damped() {
+                return self.forced_and_free(phi);
+            }
             return self.slow_and_fast(phi);
         }
         self.motion_of(&self.equation.waves(phi))
@@ -155,21 +158,21 @@ impl<F: Float> Slide<F> {
     /// The motion from the functions of its natural time.
     #[inline]
     pub(crate) fn motion_of(&self, waves: &Waves<F>) -> Motion<F> {
-        let Equation { omega, alpha, .. } = self.equation;
-        let Waves { free: (sine, cosine), drive, c, s, d } = *waves;
+        let Equation { omega, alpha, damping, .. } = self.equation;
+        let Waves { free: (sine, cosine), versine, drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
         let sign = self.direction.sign::<F>();
-        // 1 − cos φ without cancellation.
-        let one = F::int(1);
-        let versine = if cosine > F::int(0) { sine.square() / (one + cosine) } else { one - cosine };
         let rate = alpha * omega;
         let travelled = self.w * sine - (self.x + sign) * versine + alpha * (ci * s + si * c);
         let w = self.acceleration * sine + self.w * cosine + rate * (ci * c - si * s);
+        // The slope of the first free vibration is the second less 2ζ times itself.
+        let falling = cosine - damping * sine;
+        let acceleration = self.acceleration * falling - self.w * sine + rate * (ci * d - omega * si * c);
         Motion {
             x: self.x + travelled,
             w,
-            acceleration: self.acceleration * cosine - self.w * sine + rate * (ci * d - omega * si * c),
-            jerk: rate * (ci * drive.1 - si * drive.0) - w,
+            acceleration,
+            jerk: rate * (ci * drive.1 - si * drive.0) - w - damping * acceleration,
             force: alpha * (si * drive.1 + ci * drive.0),
             rotation: (sine, cosine),
         }
@@ -203,10 +206,35 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// `w″ = αΩ cos θ − w` at the start.
+    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1.
+    ///
+    /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
+    fn forced_and_free(&self, phi: F) -> Motion<F> {
+        let Equation { omega, alpha, damping, .. } = self.equation;
+        let (si, ci) = (self.sin_start, self.cos_start);
+        let (sd, cd) = (omega * phi).sin_cos();
+        let theta = (si * cd + ci * sd, ci * cd - si * sd);
+        let (from, to) = (self.equation.forced((si, ci)), self.equation.forced(theta));
+        let square = omega.square();
+        let rotation = self.equation.free_waves(phi);
+        let (w_free, a_free) =
+            self.equation.freely(phi, rotation, (self.w - from.1, self.acceleration + square * from.0));
+        let (w, acceleration) = (to.1 + w_free, a_free - square * to.0);
+        Motion {
+            x: to.0 - self.direction.sign::<F>() - (a_free + damping * w_free),
+            w,
+            acceleration,
+            jerk: alpha * omega * theta.1 - w - damping * acceleration,
+            force: alpha * theta.0,
+            rotation,
+        }
+    }
+
+    /// `w″ = αΩ cos θ − w − 2ζw′` at the start.
     #[inline]
     pub(crate) fn jerk_at_start(&self) -> F {
-        self.equation.alpha * self.equation.omega * self.cos_start - self.w
+        let Equation { omega, alpha, damping, .. } = self.equation;
+        alpha * omega * self.cos_start - self.w - damping * self.acceleration
     }
 
     /// The greatest size of the terms of w, per unit of rounding.
@@ -215,7 +243,12 @@ impl<F: Float> Slide<F> {
         let Equation { omega, alpha, .. } = self.equation;
         // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ beside Ω = 1, where φ ≤ 3π.
         let gain = omega * alpha / (F::int(1) + omega.square());
-        self.acceleration.abs() + self.w.abs() + F::int(4) * gain
+        let mut acceleration = self.acceleration.abs();
+        if self.equation.is_damped() {
+            // The free vibration from (0, 1) is at most 1, and at most 1/2ζ.
+            acceleration = acceleration / F::int(1).or_larger(self.equation.damping);
+        }
+        acceleration + self.w.abs() + F::int(4) * gain
     }
 }
 

@@ -27,6 +27,7 @@ pub(crate) struct Summary<F> {
     stick_fraction: F,
     energy_in: F,
     energy_out: F,
+    damper_work: F,
 }
 
 impl<F: Float> Summary<F> {
@@ -42,10 +43,11 @@ impl<F: Float> Summary<F> {
             stick_fraction: tally.rest / (F::int(2) * F::pi()),
             energy_in: tally.work_in,
             energy_out: tally.work_out,
+            damper_work: tally.damper,
         }
     }
 
-    /// Of a symmetric cycle of two slides: its greatest displacement and velocity, and the work of the drive and against friction.
+    /// Of a symmetric cycle of two slides without damping: its greatest displacement and velocity, and the work of the drive and against friction.
     #[inline]
     pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
         Self {
@@ -58,6 +60,7 @@ impl<F: Float> Summary<F> {
             stick_fraction: F::int(0),
             energy_in,
             energy_out,
+            damper_work: F::int(0),
         }
     }
 }
@@ -162,7 +165,7 @@ impl<F: Float> SteadyState<F> {
     }
 
     /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps its digits, so that its
-    /// agreement with [`SteadyState::energy_out`] is a check, and from the balance of energy of each slide elsewhere (near Ω = 1, and where a
+    /// agreement with [`SteadyState::energy_out`], with damping together with [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near Ω = 1, and where a
     /// motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
         self.tally.energy_in
@@ -172,6 +175,12 @@ impl<F: Float> SteadyState<F> {
     /// displacements are.
     pub const fn energy_out(&self) -> F {
         self.tally.energy_out
+    }
+
+    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum with
+    /// [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
+    pub const fn damper_work(&self) -> F {
+        self.tally.damper_work
     }
 
     /// The multipliers of the cycle, each (re, im): what a small disturbance is multiplied by in one period. One is zero

@@ -1,4 +1,4 @@
-//! One stretch of the search for a zero: shorter than π, with a right side g of one sign (`event` has the proofs).
+//! One stretch of the search for a zero: shorter than half a free period, with a right side g of one sign (`event` has the proofs).
 
 use super::event::{Found, Jet, Search, Verdict};
 use crate::float::Float;
@@ -123,11 +123,11 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
 
 /// Whether what a step leaves is below the rounding of φ.
 ///
-/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of `max(1, Ω) h` each.
+/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of `max(1, Ω, 2ζ) h` each.
 #[inline]
 fn is_final<F: Float>(search: &Search<F>, jet: &Jet<F>, phi: F, step: F) -> bool {
     let curvature = (jet.second * step / jet.first).abs();
-    let turned = step.abs() * F::int(1).or_larger(search.omega);
+    let turned = step.abs() * search.pace;
     let left = step.abs() * (curvature + turned) * (curvature + turned).square();
     left <= F::epsilon() / F::int(4) * phi.abs().or_larger(step.abs())
         || jet.value == F::int(0)
@@ -141,12 +141,12 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
     let Stretch { from, to, jet, from_zero } = stretch;
-    // From zero upwards the cover is π long: the whole stretch.
+    // From zero upwards the cover is π/√(1 − ζ²) long: the whole stretch.
     if from_zero {
         return Verdict::Clear(None);
     }
     if let Some(j) = jet
-        && forward_cover(j) >= to - from
+        && search.cover.forward(j) >= to - from
     {
         return Verdict::Clear(None);
     }
@@ -160,7 +160,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     let (left, left_motion) = match jet {
         Some(j) => (j, None),
         // What the cover from the end does not leave open need not be looked at.
-        None if right.value > F::int(0) && backward_cover(right) >= to - from => {
+        None if right.value > F::int(0) && search.cover.backward(right) >= to - from => {
             return Verdict::Clear(Some((right, right_motion)));
         }
         None => {
@@ -184,18 +184,6 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
 fn start_of_bracket<F: Float>(from: F, to: F, left: Jet<F>) -> F {
     let h = first_zero_of_bound(left);
     if h > F::int(0) && from + h < to { from + h } else { (from + to) / F::int(2) }
-}
-
-/// How far ahead f is positive where g ≥ 0: the first zero of `f cos h + f′ sin h`.
-#[inline]
-fn forward_cover<F: Float>(jet: Jet<F>) -> F {
-    jet.value.atan2(-jet.first)
-}
-
-/// How far back f is positive where g ≥ 0.
-#[inline]
-fn backward_cover<F: Float>(jet: Jet<F>) -> F {
-    jet.value.atan2(jet.first)
 }
 
 /// Householder's method from the hint; an answer only where it settles on a downward zero in (from, to].
@@ -238,8 +226,8 @@ fn dip<F: Float, M: Copy>(
 ) -> Verdict<F, M> {
     let end = right.1;
     let (from, two) = (left.0, F::int(2));
-    let mut low = left.0 + forward_cover(left.1);
-    let mut high = right.0 - backward_cover(right.1);
+    let mut low = left.0 + search.cover.forward(left.1);
+    let mut high = right.0 - search.cover.backward(right.1);
     let mut lowest = right;
     for _ in 0..F::PRECISION.saturating_mul(2) {
         if low >= high {
@@ -257,9 +245,9 @@ fn dip<F: Float, M: Copy>(
             return bracketed(search, from, phi, true, (low + phi) / two, f);
         }
         if jet.first < F::int(0) {
-            low = phi + forward_cover(jet);
+            low = phi + search.cover.forward(jet);
         } else {
-            high = phi - backward_cover(jet);
+            high = phi - search.cover.backward(jet);
         }
         lowest = (phi, jet);
     }

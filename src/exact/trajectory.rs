@@ -210,7 +210,7 @@ impl<F: Float> Trajectory<F> {
     /// The motion at (Ω, α) from a start.
     ///
     /// # Errors
-    /// With damping ([`Error::Damped`]), and where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits.
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits. Where ζ is above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))
@@ -258,9 +258,13 @@ impl<F: Float> Iterator for Trajectory<F> {
 
 impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 
-/// (Ω, α) with Ω where phases keep their digits.
+/// (Ω, α, ζ) with Ω where phases keep their digits and ζ where velocities do.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
     let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
-    let ratios = ratios.undamped()?;
-    crate::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest).map(|_| ratios)
+    crate::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;
+    if ratios.is_damped() {
+        let zeta = ratios.damping_ratio();
+        crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), greatest)?;
+    }
+    Ok(ratios)
 }

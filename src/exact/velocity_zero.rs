@@ -1,11 +1,13 @@
 //! The end of a slide: the first zero of its velocity.
 
 use super::broken::Broken;
+use super::cover::Cover;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::event::{Found, Jet, Safe, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::{Direction, Slide};
+use super::window::Waves;
 use crate::float::Float;
 
 /// How a slide ends.
@@ -19,7 +21,7 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) acceleration: F,
     /// `w″` at the end.
     pub(crate) jerk: F,
-    /// (sin φ, cos φ)
+    /// The free vibrations, (sin φ, cos φ) without damping.
     pub(crate) rotation: (F, F),
     /// The velocity touches zero and keeps its sign.
     pub(crate) grazes: bool,
@@ -79,16 +81,16 @@ impl<F: Float> Slide<F> {
     /// The speed with its derivatives, and the motion that it is of.
     #[inline]
     fn velocity(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
-        let (omega, sign) = (self.equation.omega, self.direction.sign::<F>());
+        let sign = self.direction.sign::<F>();
         move |phi| {
             let m = self.motion(phi);
-            (m.velocity_jet(omega, sign), m)
+            (m.velocity_jet(&self.equation, sign), m)
         }
     }
 
     #[inline]
     fn velocity_at_start(&self) -> Jet<F> {
-        self.motion_at_start().velocity_jet(self.equation.omega, self.direction.sign::<F>())
+        self.motion_at_start().velocity_jet(&self.equation, self.direction.sign::<F>())
     }
 
     /// What is known of the velocity before it is looked at.
@@ -98,6 +100,9 @@ impl<F: Float> Slide<F> {
         let unit = F::int(4) * F::epsilon();
         Search {
             omega: self.equation.omega,
+            pace: self.equation.pace(),
+            cover: Cover::new(self.equation.damping),
+            waves: self.damped_waves(),
             angle: self.start.angle(),
             helping: self.start.is_even() == (self.direction == Direction::Forward),
             from_zero: sign * self.w <= F::int(0),
@@ -113,14 +118,19 @@ impl<F: Float> Slide<F> {
     #[inline]
     fn arrival(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
         let Found { at, step: h, motion: m, grazes } = *found;
-        let omega = self.equation.omega;
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
-        let (fourth, fifth) = m.higher(omega);
+        let (fourth, fifth) = m.higher(&self.equation);
         let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
         let jerk = m.jerk + h * fourth;
-        let (s, c) = m.rotation;
-        let rotation = (s + h * (c - half * (s + third * c)), c - h * (s + half * (c - third * s)));
+        // s′ = c − 2ζs, s″ = −(s + 2ζs′), s‴ = −(s′ + 2ζs″), and c′ = −s.
+        let ((s, c), damping) = (m.rotation, self.equation.damping);
+        let s1 = c - damping * s;
+        let s2 = s + damping * s1;
+        let rotation = (
+            s + h * (s1 - half * (s2 + third * (s1 - damping * s2))),
+            c - h * (s + half * (s1 - third * s2)),
+        );
         VelocityZero {
             phi: at + h,
             phase: self.start.advanced(self.equation.omega * (at + h)),
@@ -152,12 +162,21 @@ impl<F: Float> Slide<F> {
             w: self.w,
             acceleration: self.acceleration,
             jerk: self.jerk_at_start(),
-            force: self.acceleration + self.x + self.direction.sign::<F>(),
+            force: self.acceleration + self.x + self.direction.sign::<F>() + self.equation.damping * self.w,
             rotation: (zero, one),
         }
     }
 
-    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2].
+    /// The two waves of the velocity with damping, where a slide may be long: for Ω outside [1/2, 2] or ζ from 1/2 on.
+    #[inline]
+    fn damped_waves(&self) -> Option<Waves<F>> {
+        let (one, two) = (F::int(1), F::int(2));
+        let Equation { omega, damping, .. } = self.equation;
+        let long = self.equation.is_damped() && (omega * two < one || omega > two || damping >= one);
+        long.then(|| Waves::of(self))
+    }
+
+    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2] and ζ = 0.
     ///
     /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
     ///
@@ -169,7 +188,7 @@ impl<F: Float> Slide<F> {
     fn safe_window(&self) -> Option<Safe<F>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, alpha, .. } = self.equation;
-        if (omega * two >= one && omega <= two) || alpha == F::int(0) {
+        if (omega * two >= one && omega <= two) || alpha == F::int(0) || self.equation.is_damped() {
             return None;
         }
         let forced = alpha * omega / ((one - omega) * (one + omega));
@@ -296,11 +315,11 @@ mod tests {
                 let evaluations = Cell::new(0);
                 let verdict = next_zero(
                     &slide.velocity_search(hint, None),
-                    slide.motion_at_start().velocity_jet(omega, 1.0),
+                    slide.motion_at_start().velocity_jet(&equation, 1.0),
                     |phi| {
                         evaluations.set(evaluations.get() + 1);
                         let m = slide.motion(phi);
-                        (m.velocity_jet(omega, 1.0), m)
+                        (m.velocity_jet(&equation, 1.0), m)
                     },
                 );
                 let Verdict::Zero(zero) = verdict else { panic!("Ω = {omega}: {slide:?}") };

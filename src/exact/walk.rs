@@ -145,13 +145,13 @@ pub(crate) fn follow<F: Float>(
                             Next::Slide(back) => reversal_ratio(back.acceleration),
                             Next::Stick(_) => zero,
                         };
-                        monodromy = monodromy.after_slide(end.rotation).after_zero(ratio);
+                        monodromy = monodromy.after_slide(end.rotation, equation.damping).after_zero(ratio);
                         hint = usual;
                     }
                     Outcome::Onward(motion) => {
                         let end = Point { phase: target, x: motion.x, w: motion.w };
                         visit(Part::Onward(slide, limit, target, motion))?;
-                        return Ok((end, monodromy.after_slide(motion.rotation)));
+                        return Ok((end, monodromy.after_slide(motion.rotation, equation.damping)));
                     }
                 }
             }

@@ -15,11 +15,11 @@
 //! | λ | λ² + (1 + s) cos(π/Ω) λ + s = 0 | λ² + (M₁₁ + sM₂₂) λ + s e^{−2ζT} = 0 |
 
 mod border;
-mod fastest;
-mod free;
+pub(crate) mod fastest;
+pub(crate) mod free;
 mod half_period;
 mod peaks;
-mod rising;
+pub(crate) mod rising;
 
 use super::Border;
 use super::displacement::max_displacement;
@@ -50,7 +50,7 @@ impl<F: Float> DampedCycle<F> {
         let rising = Rising { half, amplitude };
         // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
         let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));
-        let tau = fastest::fastest_time(&rising);
+        let tau = fastest::fastest_time(&rising.vibration());
         let moment = half.at(tau);
         let [velocity, ..] = rising.velocity(&moment);
         Self {

@@ -121,10 +121,10 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α), `None` outside of [`force_ratios`].
+    /// The cycle at (Ω, α), `None` outside of [`force_ratios`], and with damping, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        if !is_within(omega, alpha) {
+        if ratios.is_damped() || !is_within(omega, alpha) {
             return None;
         }
         let frequency = Frequency::of(&PhaseFunction::of_valid(omega));

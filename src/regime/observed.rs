@@ -1,10 +1,9 @@
 //! The regime that the exact motion shows, one with that of the closed forms.
 
-use super::{NoStop, Regime, no_stop_force_ratios, regime_of};
+use super::{NoStop, Regime, damped, no_stop_force_ratios, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
-use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
 /// What the exact motion does in the long run, in the terms of [`Regime`].
@@ -20,7 +19,7 @@ pub struct Observed {
     pub by_border: bool,
 }
 
-/// The regime of a long run at (Ω, α).
+/// The regime of a long run at (Ω, α, ζ).
 ///
 /// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A stop, or the clearance of a
 /// velocity that nearly vanishes, may be smaller than that, within about 1e-10 of a border beside a pole and a few units in the last place
@@ -28,8 +27,12 @@ pub struct Observed {
 /// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`] agree.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
-    let border = Border::at(&PhaseFunction::of_valid(ratios.omega()));
-    let expected = regime_of(ratios, &border);
+    let border = Border::of(&ratios);
+    let expected = if ratios.is_damped() {
+        damped::regime_by_border(ratios, &border)
+    } else {
+        regime_of(ratios, &border)
+    };
     let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
@@ -73,6 +76,9 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     let touching = if border.is_turning_point() { at_turn } else { border.phase().sin().abs() };
     if close(border.min_force_ratio(), touching) {
         return true;
+    }
+    if ratios.is_damped() {
+        return false;
     }
     let six = no_stop_force_ratios(omega).ok().as_ref().and_then(NoStop::six_reversals);
     six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))

@@ -1,5 +1,6 @@
 //! Where a point lies in the plane of Ω and α, and how surely.
 
+use super::damped::never_stops;
 use super::{Family, Regime, Verdict};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
@@ -73,7 +74,8 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
-    /// The place of ratios with damping: no family and no unbounded motion, and undecided within [`Place::DAMPED_BORDER_ERROR`].
+    /// The place of ratios with damping: no family and no unbounded motion, and undecided within [`Place::DAMPED_BORDER_ERROR`]. Below the
+    /// border the exact motion decides where it may never stop (`regime::damped`).
     fn damped(ratios: Ratios<F>) -> Self {
         let (border, alpha, one) = (Border::of(&ratios), ratios.alpha(), F::int(1));
         let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
@@ -81,7 +83,11 @@ impl<F: Float> Place<F> {
         let verdict = if alpha <= one {
             Verdict::AtRest
         } else if alpha < least * (one - error) {
-            Verdict::Sticking
+            match never_stops(ratios) {
+                Some(true) => Verdict::SixReversals,
+                Some(false) => Verdict::Sticking,
+                None => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),
+            }
         } else if alpha > least * (one + error) {
             Verdict::NonSticking
         } else {

@@ -8,6 +8,8 @@ mod random;
 
 #[cfg(feature = "generators")]
 mod any_bits;
+#[cfg(feature = "mp")]
+mod damped;
 mod design_motion;
 mod exact_motion;
 #[cfg(feature = "mp")]

@@ -6,10 +6,13 @@
 
 use std::f64::consts::{PI, TAU};
 
-/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`.
+/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`, with damping the same with a lag δ of the forced
+/// wave, `x = A sin(θ − δ) − s + e^{−ζφ} [b cos dφ + (a + ζb) sin(dφ)/d]`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slide {
     pub(crate) omega: f64,
+    pub(crate) zeta: f64,
+    lag: f64,
     pub(crate) forced: f64,
     pub(crate) a: f64,
     pub(crate) b: f64,
@@ -21,20 +24,50 @@ impl Slide {
     pub(crate) fn new(omega: f64, alpha: f64, (theta, x, w): (f64, f64, f64), sign: f64) -> Self {
         let forced = alpha / ((1.0 - omega) * (1.0 + omega));
         let (sine, cosine) = theta.sin_cos();
-        Self { omega, forced, a: w - forced * omega * cosine, b: x + sign - forced * sine, theta, sign }
+        let (a, b) = (w - forced * omega * cosine, x + sign - forced * sine);
+        Self { omega, zeta: 0.0, lag: 0.0, forced, a, b, theta, sign }
+    }
+
+    pub(crate) fn damped([omega, zeta, alpha]: [f64; 3], (theta, x, w): (f64, f64, f64), sign: f64) -> Self {
+        if zeta == 0.0 {
+            return Self::new(omega, alpha, (theta, x, w), sign);
+        }
+        let (damper, spring) = (2.0 * zeta * omega, (1.0 - omega) * (1.0 + omega));
+        let (forced, lag) = (alpha / damper.hypot(spring), damper.atan2(spring));
+        let (sine, cosine) = (theta - lag).sin_cos();
+        let (a, b) = (w - forced * omega * cosine, x + sign - forced * sine);
+        Self { omega, zeta, lag, forced, a, b, theta, sign }
+    }
+
+    /// Displacement and velocity of the free wave.
+    fn free(&self, phi: f64) -> (f64, f64) {
+        let (a, b, zeta) = (self.a, self.b, self.zeta);
+        if zeta == 0.0 {
+            let (sine, cosine) = phi.sin_cos();
+            return (a * sine + b * cosine, a * cosine - b * sine);
+        }
+        let d = (1.0 - zeta * zeta).abs().sqrt();
+        if zeta < 1.0 {
+            let (decay, (sine, cosine)) = ((-zeta * phi).exp(), (d * phi).sin_cos());
+            let x = decay * (b * cosine + (a + zeta * b) * sine / d);
+            return (x, decay * (a * cosine - (b + zeta * a) * sine / d));
+        }
+        // p e^{−t/(ζ + d)} + (b − p) e^{−(ζ + d)t}
+        let (slow, fast) = (1.0 / (zeta + d), zeta + d);
+        let p = (a + fast * b) / (2.0 * d);
+        let (e, f) = (p * (-slow * phi).exp(), (b - p) * (-fast * phi).exp());
+        (e + f, -(slow * e + fast * f))
     }
 
     /// The speed in the direction of the slide after the natural time φ.
     pub(crate) fn speed(&self, phi: f64) -> f64 {
-        let (sine, cosine) = phi.sin_cos();
-        let drive = self.forced * self.omega * (self.theta + self.omega * phi).cos();
-        self.sign * (drive + self.a * cosine - self.b * sine)
+        let drive = self.forced * self.omega * (self.theta - self.lag + self.omega * phi).cos();
+        self.sign * (drive + self.free(phi).1)
     }
 
     fn x(&self, phi: f64) -> f64 {
-        let (sine, cosine) = phi.sin_cos();
-        let drive = self.forced * (self.theta + self.omega * phi).sin();
-        drive - self.sign + self.a * sine + self.b * cosine
+        let drive = self.forced * (self.theta - self.lag + self.omega * phi).sin();
+        drive - self.sign + self.free(phi).0
     }
 
     /// The size of the terms of the velocity.
@@ -44,7 +77,7 @@ impl Slide {
 
     /// A sixty-fourth of the faster period.
     pub(crate) fn step(&self) -> f64 {
-        TAU / 64.0 / self.omega.max(1.0)
+        TAU / 64.0 / self.omega.max(1.0).max(2.0 * self.zeta)
     }
 
     /// The first zero of the speed, if it is before `limit`.
@@ -97,6 +130,11 @@ impl Slide {
 
 /// Stops and velocity zeros in a cycle of the periodic motion through (θ, x, w), counted from the middle of a slide on.
 pub(crate) fn counts(omega: f64, alpha: f64, start: (f64, f64, f64)) -> (u32, u32) {
+    damped_counts([omega, 0.0, alpha], start)
+}
+
+/// The same at (Ω, ζ, α).
+pub(crate) fn damped_counts([omega, zeta, alpha]: [f64; 3], start: (f64, f64, f64)) -> (u32, u32) {
     let (mut theta, mut x, mut w) = start;
     let (mut stops, mut zeros) = (0, 0);
     let mut seam: Option<f64> = None;
@@ -120,8 +158,9 @@ pub(crate) fn counts(omega: f64, alpha: f64, start: (f64, f64, f64)) -> (u32, u3
                 sign
             }
         };
-        let slide = Slide::new(omega, alpha, (theta, x, w), sign);
-        let phi = slide.first_zero(PI * (1.0 + 2.0 / omega)).expect("every slide ends");
+        let slide = Slide::damped([omega, zeta, alpha], (theta, x, w), sign);
+        let longest = PI * (1.0 + 2.0 / omega) * if zeta > 0.3 { 100.0 * (1.0 + zeta) } else { 2.0 };
+        let phi = slide.first_zero(longest).expect("every slide ends");
         if zeros == 0 && seam.is_none() && w == 0.0 {
             seam = Some(theta + omega * phi / 2.0);
         }

@@ -1,36 +1,36 @@
-//! The greatest velocity of the half cycle, among however many maxima.
+//! The greatest velocity of the half cycle, or of any slide, among however many maxima.
 //!
-//! The half period is divided until each part is decided. From both ends of a part, with bounds of the
+//! Its time is divided until each part is decided. From both ends of a part, with bounds of the
 //! derivatives that hold from its left end on (the energy of free vibration and of its derivatives only
 //! falls), follows either that no velocity in it exceeds the greatest one found, or that the velocity has one
 //! sign of its slope, or that it is concave, so that it holds one maximum at most: a bracketed root of the
 //! acceleration. No sampling, no count of maxima, for any Ω and ζ; proved but for rounding.
 
-use super::rising::{Moment, Rising};
+use super::rising::{Moment, Vibration};
 use crate::float::{AtPrecision, Float};
 use crate::root::{newton, newton_within};
 
 /// The time τ of the greatest velocity.
-pub(crate) fn fastest_time<F: Float>(rising: &Rising<F>) -> F {
+pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let slope = |tau: F| {
-        let [_, slope, curvature] = rising.velocity(&rising.half.at(tau));
+        let [_, slope, curvature] = motion.velocity(&motion.at(tau));
         (slope, curvature)
     };
     let start = if F::PRECISION <= f64::MANTISSA_DIGITS {
-        Search::new(rising).run()
+        Search::new(motion).run()
     } else {
-        F::narrowed(AtLess(*rising))
+        F::narrowed(AtLess(*motion))
     };
-    let polished = newton(start, F::int(0), rising.half.period, slope);
+    let polished = newton(start, F::int(0), motion.end, slope);
     // Where the velocity is so flat that a step goes astray, the start is as good as the type can tell.
-    let speed = |tau: F| rising.velocity(&rising.half.at(tau))[0];
-    let noise = F::int(64) * F::epsilon() * rising.swing();
+    let speed = |tau: F| motion.velocity(&motion.at(tau))[0];
+    let noise = F::int(64) * F::epsilon() * motion.swing();
     let time = if speed(polished) + noise >= speed(start) { polished } else { start };
     time.implicit_root(slope)
 }
 
 /// The search at a lower precision.
-struct AtLess<F>(Rising<F>);
+struct AtLess<F>(Vibration<F>);
 
 impl<F: Float> AtPrecision<F> for AtLess<F> {
     type Output = F;
@@ -49,39 +49,42 @@ struct End<F> {
 }
 
 struct Search<'a, F> {
-    rising: &'a Rising<F>,
+    motion: &'a Vibration<F>,
     best: End<F>,
     /// What rounding may hide.
     noise: F,
     swing: F,
-    /// When the drive alone is fastest.
+    /// When the drive alone is fastest for the first time.
     turn: F,
 }
 
 impl<'a, F: Float> Search<'a, F> {
-    fn new(rising: &'a Rising<F>) -> Self {
-        let start = end(rising, F::int(0));
-        let swing = rising.swing();
-        let noise = F::int(2) * F::epsilon() * (swing + start.at.free.velocity_bound());
-        let turn = (F::pi() / F::int(2) + rising.half.h.atan2(rising.amplitude)) / rising.half.omega;
-        Self { rising, best: start, noise, swing, turn }
+    fn new(motion: &'a Vibration<F>) -> Self {
+        let (two, start) = (F::int(2), end(motion, F::int(0)));
+        let swing = motion.swing();
+        let noise = two * F::epsilon() * (swing + start.at.free.velocity_bound());
+        let (a, h) = motion.driven;
+        let crest = F::pi() / two + h.atan2(a);
+        let crest = if crest < F::int(0) { crest + two * F::pi() } else { crest };
+        Self { motion, best: start, noise, swing, turn: crest / motion.omega }
     }
 
     fn run(mut self) -> F {
-        let (rising, half) = (self.rising, &self.rising.half);
+        let motion = self.motion;
         // Where the drive alone is fastest, and the crests of the free vibration around it.
-        let summit = self.consider(self.turn);
-        if half.free.swings() {
-            let (v, a, d) = (summit.at.free.v, summit.at.free.a, half.free.frequency);
-            let crest = ((a + half.free.zeta * v) / d).atan2(v);
+        let middle = if self.turn < motion.end { self.turn } else { motion.end / F::int(2) };
+        let summit = self.consider(middle);
+        if motion.free.swings() {
+            let (v, a, d) = (summit.at.free.v, summit.at.free.a, motion.free.frequency);
+            let crest = ((a + motion.free.zeta * v) / d).atan2(v);
             for turns in [-1, 0, 1] {
                 let tau = summit.at.tau + (crest + F::int(2 * turns) * F::pi()) / d;
-                if tau > F::int(0) && tau < half.period {
+                if tau > F::int(0) && tau < motion.end {
                     self.consider(tau);
                 }
             }
         }
-        let (first, last) = (end(rising, F::int(0)), end(rising, half.period));
+        let (first, last) = (end(motion, F::int(0)), self.consider(motion.end));
         let mut parts = vec![(summit, last), (first, summit)];
         while let Some((left, right)) = parts.pop() {
             if self.is_decided(&left, &right) {
@@ -99,7 +102,7 @@ impl<'a, F: Float> Search<'a, F> {
 
     /// The velocity at τ, kept if it is the greatest.
     fn consider(&mut self, tau: F) -> End<F> {
-        let found = end(self.rising, tau);
+        let found = end(self.motion, tau);
         if found.velocity[0] > self.best.velocity[0] {
             self.best = found;
         }
@@ -108,11 +111,12 @@ impl<'a, F: Float> Search<'a, F> {
 
     /// Whether nothing in the part is to be found, or what is has been.
     fn is_decided(&mut self, left: &End<F>, right: &End<F>) -> bool {
-        let (zero, two, omega) = (F::int(0), F::int(2), self.rising.half.omega);
+        let (zero, two, omega) = (F::int(0), F::int(2), self.motion.omega);
         let half = (right.at.tau - left.at.tau) / two;
         let least = self.best.velocity[0] + self.noise;
         // No more than the drive alone and the free vibration give.
-        let driven = if left.at.tau < self.turn && right.at.tau > self.turn {
+        let turns = |tau: F| (omega * (tau - self.turn) / (two * F::pi())).floor();
+        let driven = if turns(left.at.tau) < turns(right.at.tau) {
             self.swing
         } else {
             left.driven.or_larger(right.driven)
@@ -146,7 +150,7 @@ impl<'a, F: Float> Search<'a, F> {
         }
         if slope > zero && slope_right < zero {
             let tau = newton_within(left.at.tau, right.at.tau, |tau| {
-                let [_, slope, curvature] = self.rising.velocity(&self.rising.half.at(tau));
+                let [_, slope, curvature] = self.motion.velocity(&self.motion.at(tau));
                 (slope, curvature)
             });
             self.consider(tau);
@@ -155,7 +159,7 @@ impl<'a, F: Float> Search<'a, F> {
     }
 }
 
-fn end<F: Float>(rising: &Rising<F>, tau: F) -> End<F> {
-    let at = rising.half.at(tau);
-    End { at, velocity: rising.velocity(&at), driven: rising.driven(&at).0 }
+fn end<F: Float>(motion: &Vibration<F>, tau: F) -> End<F> {
+    let at = motion.at(tau);
+    End { at, velocity: motion.velocity(&at), driven: motion.driven(&at).0 }
 }

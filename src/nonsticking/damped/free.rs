@@ -74,7 +74,7 @@ impl<F: Float> Free<F> {
 
     /// `1/(ζ + |d|)`, the slower of the two rates of decay above ζ = 1: `ζ − |d|` without cancellation.
     #[inline]
-    pub(super) fn slow_rate(&self) -> F {
+    pub(crate) fn slow_rate(&self) -> F {
         F::int(1) / (self.zeta + self.frequency)
     }
 

@@ -6,7 +6,7 @@
 //!
 //! h being free vibration from `(1 + G, b)`, a = √((α/q)² − H²).
 
-use super::free::{State, Waves};
+use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
 use crate::float::Float;
 
@@ -45,7 +45,77 @@ impl<F: Float> HalfPeriod<F> {
     }
 }
 
+/// A driven and a free vibration: the velocity of any slide.
+///
+/// ```text
+/// x′ = Ω(a sin Ωτ − H cos Ωτ) + h′,   h from (h_0, h_0′)
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Vibration<F> {
+    pub(crate) free: Free<F>,
+    pub(crate) omega: F,
+    /// a and H.
+    pub(crate) driven: (F, F),
+    /// `h_0` and `h_0′`.
+    pub(crate) start: (F, F),
+    /// How long it lasts.
+    pub(crate) end: F,
+}
+
+impl<F: Float> Vibration<F> {
+    /// The same in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Vibration<G> {
+        Vibration {
+            free: self.free.map(&to),
+            omega: to(self.omega),
+            driven: (to(self.driven.0), to(self.driven.1)),
+            start: (to(self.start.0), to(self.start.1)),
+            end: to(self.end),
+        }
+    }
+
+    /// The vibration at τ ≥ 0.
+    #[inline]
+    pub(crate) fn at(&self, tau: F) -> Moment<F> {
+        let waves = self.free.waves(tau);
+        let free = self.free.after(waves, self.start.0, self.start.1);
+        Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
+    }
+
+    /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
+    #[inline]
+    pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
+        let ((s, c), omega, (a, h)) = (at.drive, self.omega, self.driven);
+        (omega * (a * s - h * c), omega.square() * (a * c + h * s))
+    }
+
+    /// `x′/(B ω_n)` and its first two derivatives by τ.
+    #[inline]
+    pub(crate) fn velocity(&self, at: &Moment<F>) -> [F; 3] {
+        let (value, slope) = self.driven(at);
+        let curvature = -(self.omega.square() * value);
+        [value + at.free.v, slope + at.free.a, curvature + at.free.jerk]
+    }
+
+    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone.
+    pub(crate) fn swing(&self) -> F {
+        self.omega * self.driven.0.hypot(self.driven.1)
+    }
+}
+
 impl<F: Float> Rising<F> {
+    /// The half cycle as a vibration.
+    pub(crate) fn vibration(&self) -> Vibration<F> {
+        let half = &self.half;
+        Vibration {
+            free: half.free,
+            omega: half.omega,
+            driven: (self.amplitude, half.h),
+            start: (F::int(1) + half.shift, half.omega * half.h),
+            end: half.period,
+        }
+    }
+
     /// The same in another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
         Rising { amplitude: to(self.amplitude), half: self.half.map(to) }
@@ -66,16 +136,13 @@ impl<F: Float> Rising<F> {
     /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
     #[inline]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
-        let ((s, c), omega, h) = (at.drive, self.half.omega, self.half.h);
-        (omega * (self.amplitude * s - h * c), omega.square() * (self.amplitude * c + h * s))
+        self.vibration().driven(at)
     }
 
     /// `x′/(B ω_n)` and its first two derivatives by τ.
     #[inline]
     pub(crate) fn velocity(&self, at: &Moment<F>) -> [F; 3] {
-        let (value, slope) = self.driven(at);
-        let curvature = -(self.half.omega.square() * value);
-        [value + at.free.v, slope + at.free.a, curvature + at.free.jerk]
+        self.vibration().velocity(at)
     }
 
     /// `Ω√(a² + H²) = Ωα/q`, the velocity amplitude of the drive alone.

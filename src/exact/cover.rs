@@ -1,0 +1,115 @@
+//! How far around a point a vibration is positive where the right side helps it (`event`).
+//!
+//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and lies above the free vibration that
+//! it touches for a time of π/d, from ζ = 1 on for all time:
+//!
+//! ```text
+//! u(φ ± h) ≥ u cos dh ± u′ sin(dh)/d,   u′ = e^{ζφ} (f′ + ζf).
+//! ```
+//!
+//! The first zero of that is the cover. From ζ = 1 on, with D = √(ζ² − 1), it is `artanh(D f/−(f′ + ζf))/D`, of which `f/−(f′ + ζf)`,
+//! the zero of the tangent of u, is a lower bound, and there is none where `f′ + ζf ≥ −D f`.
+
+use super::event::Jet;
+use crate::float::Float;
+
+/// What of the cover depends on ζ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cover<F> {
+    damping: F,
+}
+
+impl<F: Float> Cover<F> {
+    /// `damping` is 2ζ.
+    #[inline]
+    pub(crate) fn new(damping: F) -> Self {
+        Self { damping }
+    }
+
+    /// How far ahead f is positive where g ≥ 0.
+    #[inline]
+    pub(crate) fn forward(self, jet: Jet<F>) -> F {
+        if self.damping == F::int(0) {
+            // The first zero of f cos h + f′ sin h.
+            return jet.value.atan2(-jet.first);
+        }
+        self.damped(jet.value, jet.first + self.half() * jet.value)
+    }
+
+    /// How far back f is positive where g ≥ 0.
+    #[inline]
+    pub(crate) fn backward(self, jet: Jet<F>) -> F {
+        if self.damping == F::int(0) {
+            return jet.value.atan2(jet.first);
+        }
+        self.damped(jet.value, -(jet.first + self.half() * jet.value))
+    }
+
+    /// The longest stretch that the proof holds on, a little less than π/d; infinite from ζ = 1 on.
+    #[inline]
+    pub(crate) fn longest(self) -> F {
+        let most = F::ratio(25, 8);
+        if self.damping == F::int(0) {
+            return most;
+        }
+        let square = self.square();
+        if square > F::int(0) { most / square.sqrt() } else { F::int(1) / F::int(0) }
+    }
+
+    /// ζ.
+    fn half(self) -> F {
+        self.damping / F::int(2)
+    }
+
+    /// d² = 1 − ζ².
+    fn square(self) -> F {
+        let (one, zeta) = (F::int(1), self.half());
+        (one - zeta) * (one + zeta)
+    }
+
+    /// The first zero of the free vibration from (u, u′).
+    fn damped(self, value: F, slope: F) -> F {
+        let (zero, square) = (F::int(0), self.square());
+        let rate = square.abs().sqrt();
+        if square > zero {
+            return (rate * value).atan2(-slope) / rate;
+        }
+        if slope >= -(rate * value) { F::int(1) / zero } else { value / -slope }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Cover, Jet};
+
+    /// The free vibration itself, g = 0, is positive up to its cover and no further, or where the cover is a bound at least up to it.
+    #[test]
+    fn free_vibration_is_positive_as_far_as_its_cover() {
+        for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {
+            let d = (1.0f64 - zeta * zeta).abs().sqrt();
+            for slope in [-30.0, -3.0, -1.0, -0.4, 0.0, 0.7, 4.0] {
+                let (value, second) = (0.6, -2.0 * zeta * slope - 0.6);
+                let cover = Cover::new(2.0 * zeta);
+                let jet = Jet { value, first: slope, second, third: 0.0 };
+                for (ahead, end) in [(1.0, cover.forward(jet)), (-1.0, cover.backward(jet))] {
+                    let u = |h: f64| {
+                        let (c, s) = if zeta < 1.0 {
+                            ((d * h).cos(), (d * h).sin() / d)
+                        } else if d == 0.0 {
+                            (1.0, h)
+                        } else {
+                            ((d * h).cosh(), (d * h).sinh() / d)
+                        };
+                        value * c + ahead * (slope + zeta * value) * s
+                    };
+                    let far = if end.is_finite() { end } else { 40.0 };
+                    for i in 0..1000 {
+                        let h = far * f64::from(i) / 1000.0;
+                        assert!(u(h) > 0.0, "ζ = {zeta}, {slope} {ahead}: {h} of {end}");
+                    }
+                    assert!(zeta >= 1.0 || u(end * (1.0 + 1e-9)) < 0.0, "ζ = {zeta}, {slope} {ahead}: {end}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,232 @@
+//! The functions of natural time with viscous damping.
+//!
+//! Let s and c be the free vibrations from (x, w) = (0, 1) and (1, 0), and λ = −ζ + id, d = √(1 − ζ²). The motion that the
+//! right side `e^{iΩφ}` brings about from rest is C + iS, the solution of `E″ + 2ζE′ + E = e^{iΩφ}`:
+//!
+//! ```text
+//! C + iS = (e^{iΩφ} − c − iΩs)/(1 − Ω² + 2iζΩ),   S′ = ΩC,   D = C′ = s − ΩS.
+//! ```
+//!
+//! The divisor vanishes as Ω → 1 and ζ → 0 together. It is `z z′` with z = iΩ − λ, z′ = iΩ − λ̄, and because
+//! `c = e^{λφ} + (ζ − id) s`, the numerator is z times a difference without cancellation:
+//!
+//! ```text
+//! C + iS = (Q − s)/z′,   Q = (e^{iΩφ} − e^{λφ})/z = −e^{iΩφ} (e^{−zφ} − 1)/z.
+//! ```
+
+use super::{Equation, Waves};
+use crate::float::Float;
+use crate::nonsticking::damped::free::Free;
+
+impl<F: Float> Equation<F> {
+    /// ζ.
+    #[inline]
+    pub(crate) fn zeta(&self) -> F {
+        self.damping / F::int(2)
+    }
+
+    /// Free vibration, ζ > 0.
+    #[inline]
+    pub(crate) fn vibration(&self) -> Free<F> {
+        Free::new(self.zeta())
+    }
+
+    /// The free vibrations from (x, w) = (0, 1) and (1, 0) after φ: (sin φ, cos φ) without damping.
+    #[inline]
+    pub(crate) fn free_waves(&self, phi: F) -> (F, F) {
+        if !self.is_damped() {
+            return phi.sin_cos();
+        }
+        let waves = self.vibration().waves(phi);
+        (waves.sine, waves.cosine + self.zeta() * waves.sine)
+    }
+
+    /// Free vibration of w after φ from (w, w′), `rotation` being [`Equation::free_waves`] at φ.
+    ///
+    /// From ζ = 1 on `w′ = −w/μ + (w_0′ + w_0/μ) e^{−μφ}` with the faster rate of decay μ = ζ + √(ζ² − 1): a slow creep keeps its digits.
+    pub(crate) fn freely(&self, phi: F, (s, c): (F, F), (w, rate): (F, F)) -> (F, F) {
+        let after = w * c + rate * s;
+        if self.damping < F::int(2) {
+            return (after, rate * (c - self.damping * s) - w * s);
+        }
+        let slow = self.vibration().slow_rate();
+        let fast = (-(phi / slow)).exp();
+        (after, (rate + slow * w) * fast - slow * after)
+    }
+
+    /// `1 − Ω² + 2iζΩ`, (real, imaginary): the stiffness that the drive meets.
+    #[inline]
+    pub(crate) fn stiffness(&self) -> (F, F) {
+        let (one, omega) = (F::int(1), self.omega);
+        ((one - omega) * (one + omega), self.damping * omega)
+    }
+
+    /// What the drive alone gives at (sin θ, cos θ): (x, w), without the shift by friction.
+    #[inline]
+    pub(crate) fn forced(&self, (sine, cosine): (F, F)) -> (F, F) {
+        let (real, imaginary) = self.stiffness();
+        let amplitude = self.alpha / (real.square() + imaginary.square());
+        let x = amplitude * (real * sine - imaginary * cosine);
+        (x, self.omega * amplitude * (real * cosine + imaginary * sine))
+    }
+
+    /// [`Equation::waves`] with damping.
+    pub(super) fn damped_waves(&self, phi: F) -> Waves<F> {
+        let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
+        let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
+        if near && phi * eight <= F::int(1000) {
+            return self.waves_beside_resonance(phi);
+        }
+        let free = self.vibration();
+        let at = free.waves(phi);
+        let zeta_sine = free.zeta * at.sine;
+        let (s, c) = (at.sine, at.cosine + zeta_sine);
+        let drive = (self.omega * phi).sin_cos();
+        let (real, imaginary) = self.stiffness();
+        let square = real.square() + imaginary.square();
+        let (above, beside) = (drive.1 - c, drive.0 - self.omega * s);
+        let sine = (beside * real - above * imaginary) / square;
+        Waves {
+            free: (s, c),
+            versine: -(free.cosine_less_one(phi) + zeta_sine),
+            drive,
+            c: (above * real + beside * imaginary) / square,
+            s: sine,
+            d: s - self.omega * sine,
+        }
+    }
+
+    /// The same by Q, for Ω in [1/2, 2] and ζ < 1/8.
+    ///
+    /// `Ω − d = (Ω² − 1 + ζ²)/(Ω + d)`, and dφ is Ωφ less that times φ: two circular functions in all.
+    fn waves_beside_resonance(&self, phi: F) -> Waves<F> {
+        let (one, two) = (F::int(1), F::int(2));
+        let Free { zeta, frequency: d, .. } = self.vibration();
+        let sum = self.omega + d;
+        let gap = ((self.omega - one) * (self.omega + one) + zeta.square()) / sum;
+        let (sin_drive, cos_drive) = (self.omega * phi).sin_cos();
+        // b = (Ω − d) φ by its half.
+        let (sin_half, cos_half) = (gap * phi / two).sin_cos();
+        let (sin_b, versine_b) = (two * sin_half * cos_half, two * sin_half.square());
+        let fall = (-(zeta * phi)).exp_m1();
+        let decay = one + fall;
+        let cos_b = one - versine_b;
+        // e^{−zφ} − 1
+        let (re, im) = (fall * cos_b - versine_b, -(decay * sin_b));
+        // Divided by −z = −(ζ + i(Ω − d)), and turned by Ωφ.
+        let size = zeta.hypot(gap);
+        let (unit_re, unit_im) = (zeta / size, gap / size);
+        let (re, im) = (-(re * unit_re + im * unit_im) / size, -(im * unit_re - re * unit_im) / size);
+        let (q_re, q_im) = (re * cos_drive - im * sin_drive, im * cos_drive + re * sin_drive);
+        // The free vibrations at dφ = Ωφ − b.
+        let sine = decay * (sin_drive * cos_b - cos_drive * sin_b) / d;
+        let cosine = decay * (cos_drive * cos_b + sin_drive * sin_b);
+        let c = cosine + zeta * sine;
+        // Divided by z′ = ζ + i(Ω + d).
+        let square = zeta.square() + sum.square();
+        let above = q_re - sine;
+        let s_part = (q_im * zeta - above * sum) / square;
+        // 1 − e^{−ζφ} cos dφ = −fall cos dφ + 2 sin²(dφ/2), and sin² dφ = (1 − cos)(1 + cos)
+        let (sin_d, cos_d) = (sine * d / decay, cosine / decay);
+        let versine_d = if cos_d > F::int(0) { sin_d.square() / (one + cos_d) } else { one - cos_d };
+        Waves {
+            free: (sine, c),
+            versine: versine_d - fall * cos_d - zeta * sine,
+            drive: (sin_drive, cos_drive),
+            c: (above * zeta + q_im * sum) / square,
+            s: s_part,
+            d: sine - self.omega * s_part,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Equation;
+    use crate::Ratios;
+    use crate::float::{Float, Real, mp::Mp};
+
+    fn equation<F: Float>(omega: F, zeta: F) -> Equation<F> {
+        Equation::new(Ratios::new(omega, F::int(2)).unwrap().with_damping_ratio(zeta).unwrap())
+    }
+
+    /// C, S, s, c and 1 − c by the power series of the equation itself.
+    fn series(omega: f64, zeta: f64, phi: f64) -> [Mp<6>; 5] {
+        type Wide = Mp<6>;
+        let (omega, damping, phi) = (Wide::from(omega), Wide::from(zeta) * Wide::int(2), Wide::from(phi));
+        let solve = |start: (Wide, Wide), drive: (Wide, Wide)| {
+            let (mut value, mut slope) = start;
+            let (mut force, mut next_force) = drive;
+            let (mut sum, mut power) = (Wide::int(0), Wide::int(1));
+            for n in 1..400 {
+                sum = sum + value * power;
+                (value, slope) = (slope, force - value - damping * slope);
+                (force, next_force) = (next_force, -(omega.square() * force));
+                power = power * phi / Wide::int(n);
+            }
+            sum
+        };
+        let (zero, one) = (Wide::int(0), Wide::int(1));
+        let c = solve((one, zero), (zero, zero));
+        [
+            solve((zero, zero), (one, zero)),
+            solve((zero, zero), (zero, omega)),
+            solve((zero, one), (zero, zero)),
+            c,
+            one - c,
+        ]
+    }
+
+    /// Through Ω = 1, ζ → 0 and ζ = 1 they are the solutions of their equations.
+    #[test]
+    fn waves_are_the_series_of_the_equation() {
+        for omega in [1e-3, 0.3, 0.55, 1.0 - 1e-9, 1.0, 1.0 + 1e-15, 1.2, 3.0, 40.0] {
+            for zeta in [1e-60, 1e-17, 1e-8, 0.01, 0.124, 0.126, 0.6, 1.0 - 1e-9, 1.0, 1.0 + 1e-12, 1.5, 20.0]
+            {
+                for phi in [0.13, 0.7, 2.0, 5.0] {
+                    if omega * phi > 30.0 || zeta * phi > 40.0 {
+                        continue;
+                    }
+                    let (waves, exact) = (equation(omega, zeta).waves(phi), series(omega, zeta, phi));
+                    let found = [waves.c, waves.s, waves.free.0, waves.free.1, waves.versine];
+                    let unit = 6.0 * f64::EPSILON * (1.0 + phi * omega.max(1.0));
+                    for (i, (found, exact)) in found.into_iter().zip(exact).enumerate() {
+                        let size = [1.0 / (1.0 + omega * omega), 1.0 / (1.0 + omega), 1.0, 1.0, 1.0][i];
+                        let size = if i < 2 { f64::max(size, exact.to_f64().abs()) } else { size };
+                        let error = (Mp::<6>::from(found) - exact).to_f64().abs();
+                        assert!(
+                            error <= unit * size,
+                            "{i} at Ω = {omega}, ζ = {zeta}, φ = {phi}: {found:e} {error:e}"
+                        );
+                    }
+                    let d = exact[2] - Mp::<6>::from(omega) * exact[1];
+                    assert!(
+                        (Mp::<6>::from(waves.d) - d).to_f64().abs() <= 2.0 * unit,
+                        "{omega} {zeta} {phi}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// As ζ → 0 they go over into those without damping.
+    #[test]
+    fn no_damping_is_the_limit() {
+        for omega in [0.1, 0.7, 1.0, 1.3, 7.0] {
+            let (with, without) = (equation(omega, 1e-20), equation(omega, 0.0));
+            for phi in [0.2, 1.0, 3.0] {
+                let (a, b) = (with.waves(phi), without.waves(phi));
+                for (x, y) in [
+                    (a.c, b.c),
+                    (a.s, b.s),
+                    (a.d, b.d),
+                    (a.free.0, b.free.0),
+                    (a.free.1, b.free.1),
+                    (a.versine, b.versine),
+                ] {
+                    assert!((x - y).abs() < 2e-15, "Ω = {omega}, φ = {phi}: {x} {y}");
+                }
+            }
+        }
+    }
+}

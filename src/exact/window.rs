@@ -1,0 +1,172 @@
+//! Where the velocity of a damped slide cannot vanish: what the search need not look at.
+//!
+//! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`, ψ = ψ_0 + Ωφ, and from any φ on the free
+//! one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
+//!
+//! ```text
+//! r = hypot(h, (h′ + ζh)/d),   β = ζ             for ζ < 1/2
+//! r = |h| + |h′ + σh| · 3/(4σ),  β = σ/2          above, by sin(dt)/d ≤ t and t e^{−σt/2} ≤ 2/(eσ)
+//! ```
+//!
+//! with σ the slower rate of decay, ζ below 1 and ζ − √(ζ² − 1) above. Two windows follow, both known by their two ends:
+//!
+//! * **The forced wave is larger**, `G cos ψ > r e^{−βt}`, on the half wave with cos ψ > 0: a concave function less a convex one, positive at
+//!   both ends and so between them.
+//! * **The free wave is larger**, `h > G`: h is the product of an exponential and a positive half wave, whose logarithm is concave, or from
+//!   ζ = 1 on has one extremum at most and tends to zero; either way h > G at both ends of less than π/d means h > G between them.
+//!
+//! The far end of a window is found from the inside, to within a part of the shorter period. What is left before the next zero is, where the
+//! free wave is larger, a period of the drive at most; where the forced one is, the time in which the free wave, at its lowest once in
+//! 2π/d, is not below it. So a slide needs a few windows and a few stretches at any Ω and ζ.
+
+use super::equation::Equation;
+use super::slide::Slide;
+use crate::float::Float;
+use crate::nonsticking::damped::free::Free;
+
+/// The two waves of a slide's velocity.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Waves<F> {
+    equation: Equation<F>,
+    free: Free<F>,
+    /// G.
+    gain: F,
+    /// ψ at φ = 0.
+    angle: F,
+    /// h and h′ at φ = 0.
+    start: (F, F),
+    /// What rounding can make of either wave.
+    noise: F,
+    /// σ and β.
+    rates: (F, F),
+}
+
+impl<F: Float> Waves<F> {
+    /// The waves of a slide with damping.
+    pub(crate) fn of(slide: &Slide<F>) -> Self {
+        let equation = slide.equation;
+        let (one, two) = (F::int(1), F::int(2));
+        let (omega, sign) = (equation.omega, slide.direction.sign::<F>());
+        let free = equation.vibration();
+        let (real, imaginary) = equation.stiffness();
+        let gain = equation.alpha * omega / real.hypot(imaginary);
+        let (sine, cosine) = slide.sin_cos_start();
+        let (x, w) = equation.forced((sine, cosine));
+        // F′ = −Ω² x
+        let start = (sign * (slide.w - w), sign * (slide.acceleration + omega.square() * x));
+        let angle = (sign * omega * x).atan2(sign * w);
+        let unit = F::int(16) * F::epsilon();
+        let noise = unit * (slide.w.abs() + slide.acceleration.abs() + (one + omega) * gain);
+        let slower = if free.swings() { free.zeta } else { free.slow_rate() };
+        let decay = if free.zeta * two < one { free.zeta } else { slower / two };
+        Self { equation, free, gain, angle, start, noise, rates: (slower, decay) }
+    }
+
+    /// h and h′ at φ.
+    fn free_at(&self, phi: F) -> (F, F) {
+        let rotation = self.equation.free_waves(phi);
+        self.equation.freely(phi, rotation, self.start)
+    }
+
+    /// r, by h and h′.
+    fn bound(&self, (h, rate): (F, F)) -> F {
+        let (slower, decay) = self.rates;
+        let turned = rate + slower * h;
+        if decay == slower {
+            return h.hypot(turned / self.free.frequency);
+        }
+        h.abs() + turned.abs() * F::ratio(3, 4) / slower
+    }
+
+    /// The end of the window that φ lies in, where there is one longer than what a stretch takes in at once.
+    pub(crate) fn end(&self, phi: F) -> Option<F> {
+        let (one, two, four) = (F::int(1), F::int(2), F::int(4));
+        let Equation { omega, .. } = self.equation;
+        let now = self.free_at(phi);
+        let r = self.bound(now) + self.noise;
+        let decay = self.rates.1;
+        let psi = self.angle + omega * phi;
+        let psi = psi - two * F::pi() * (psi / (two * F::pi())).round();
+        let noise = self.noise + F::int(4) * F::epsilon() * self.gain * (one + omega * phi);
+        let quarter = F::pi() / two;
+        if self.gain * psi.cos() > r + noise && psi < quarter {
+            let clear = |t: F| self.gain * (psi + omega * t).cos() - r * (-(decay * t)).exp() - noise;
+            let end = inner_end((quarter - psi) / omega, one / four, clear)?;
+            return (end > one).then(|| phi + end);
+        }
+        if now.0 > self.gain + noise {
+            let far = if self.free.swings() {
+                // h = 0 ends the half wave.
+                let (h, rate) = now;
+                let d = self.free.frequency;
+                (d * h).atan2(-(rate + self.free.zeta * h)) / d
+            } else {
+                // r e^{−βt} ≤ noise: e^{−y} < 2⁻ⁿ for y > n.
+                let digits = F::int(2) * F::from_f64(f64::from(F::PRECISION));
+                digits / decay
+            };
+            let clear = |t: F| {
+                let h = self.equation.freely(t, self.equation.free_waves(t), now).0;
+                h - self.gain - noise
+            };
+            let end = inner_end(far, one / (four * omega), clear)?;
+            return (end > one / omega).then(|| phi + end);
+        }
+        None
+    }
+
+    /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on it is below half of the forced
+    /// one after a time; each time the forced wave then changes its sign within half a turn of the drive. A turn more for rounding.
+    pub(crate) fn longest(&self) -> F {
+        let turns = F::int(3) * F::pi() / self.equation.omega;
+        let swing = if self.free.swings() { F::pi() / self.free.frequency } else { F::int(1) / F::int(0) };
+        // ln(2r/G)/β; the logarithm at f64 and rounded up.
+        let ratio = F::int(2) * self.bound(self.start) / self.gain;
+        let fall = F::from_f64(ratio.to_f64().max(1.0).ln() + 1.0) / self.rates.1;
+        turns + if swing < fall { swing } else { fall }
+    }
+}
+
+/// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below to within `close`.
+///
+/// The bracket shrinks by false position, with the weight of an end that stays halved (the Illinois rule), and at least halves in three steps.
+fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
+    let (zero, two) = (F::int(0), F::int(2));
+    let (mut low, mut high) = (zero, far);
+    let (mut at_low, mut at_high) = (f(low), f(high));
+    if at_high > zero {
+        return Some(high);
+    }
+    if !(at_low > zero) {
+        return None;
+    }
+    let (mut side, mut width) = (0, high - low);
+    for step in 1..=F::PRECISION.saturating_mul(4) {
+        if high - low <= close || high - low <= F::int(64) * F::epsilon() * high {
+            break;
+        }
+        let mut t = low + (high - low) * (at_low / (at_low - at_high));
+        if step % 3 == 0 {
+            if (high - low) * two > width {
+                t = low + (high - low) / two;
+            }
+            width = high - low;
+        }
+        if !(t > low && t < high) {
+            t = low + (high - low) / two;
+        }
+        let value = f(t);
+        if value > zero {
+            if side > 0 {
+                at_high = at_high / two;
+            }
+            (low, at_low, side) = (t, value, 1);
+        } else {
+            if side < 0 {
+                at_low = at_low / two;
+            }
+            (high, at_high, side) = (t, value, -1);
+        }
+    }
+    Some(low)
+}

@@ -1,0 +1,179 @@
+//! What the drive puts into a slide and the damper takes out of it, each by its own closed form.
+//!
+//! With `S = α sin θ` and `C = αΩ cos θ`, multiplying `w″ + 2ζw′ + w = C` by S, by C and by w and integrating by parts gives, [·] being the
+//! value at the end less that at the start and L the natural time between them,
+//!
+//! ```text
+//! (1 − Ω²) W − 2ζ J     = [S²/2 − w′S + wC − 2ζwS]                                  = R₁
+//! 2ζΩ² W + (1 − Ω²) J   = α²Ω²L/2 + [SC/2 − w′C − Ω²wS − 2ζwC]                       = R₂
+//! ∫ 2ζw² dφ             = 2ζ (J − [ww′] − ζ[w²]) + Ω² W + [wC] − [w² + w′²]/2
+//! ```
+//!
+//! for the work of the drive `W = ∫ S w dφ` and `J = ∫ C w dφ`. None of it uses the balance of energy.
+
+use super::motion::Motion;
+use super::slide::Slide;
+use crate::float::Float;
+
+/// The works of one slide, in r_y B.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Works<F> {
+    /// Of the drive, ∫ α sin θ dx.
+    pub(crate) drive: F,
+    /// Against the damper, ∫ 2ζw dx.
+    pub(crate) damper: F,
+}
+
+impl<F: Float> Slide<F> {
+    /// The works from the start to `end`, after the natural time `phi`.
+    #[inline]
+    pub(crate) fn works(&self, phi: F, end: &Motion<F>) -> Works<F> {
+        if self.equation.is_damped() {
+            return self.damped_works(phi, end);
+        }
+        Works { drive: self.work_of_drive(end), damper: F::int(0) }
+    }
+
+    /// Work of the drive `∫ α sin θ dx` from the start to `end` without damping, in r_y B.
+    ///
+    /// From `(w″ + w) sin θ = αΩ cos θ sin θ` by parts, which owes nothing to the balance of energy:
+    ///
+    /// ```text
+    /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
+    /// ```
+    ///
+    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy instead:
+    /// `[½x² + ½w²] + |Δx|`.
+    pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let omega = self.equation.omega;
+        let sign = self.direction.sign::<F>();
+        let divisor = (one - omega) * (one + omega);
+        let start = self.motion_at_start();
+        // α times the bracket, by α sin θ and αΩ cos θ = w″ + w: two terms.
+        let terms = |m: &Motion<F>| (m.force * (m.x + sign - m.force / two), (m.jerk + m.w) * m.w);
+        let ((a, b), (c, d)) = (terms(end), terms(&start));
+        let bracket = (a + b) - (c + d);
+        let largest = (a.abs() + b.abs()).or_larger(c.abs() + d.abs());
+        if divisor.abs() * F::int(64) < one || largest > F::int(32) * bracket.abs() {
+            return self.gained(end);
+        }
+        bracket / divisor
+    }
+
+    /// What the energy of the body and the friction make of the way to `end`: `[½x² + ½w²] + |Δx|`.
+    fn gained(&self, end: &Motion<F>) -> F {
+        let spring = (end.x - self.x) * (end.x + self.x);
+        let kinetic = (end.w - self.w) * (end.w + self.w);
+        (spring + kinetic) / F::int(2) + self.direction.sign::<F>() * (end.x - self.x)
+    }
+
+    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then an
+    /// integral by Gauss's rule, and the drive's follows from the balance of energy. So it does where its terms nearly cancel.
+    fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
+        let two = F::int(2);
+        let k = self.equation.damping;
+        let (p, _) = self.equation.stiffness();
+        let square = self.equation.omega.square();
+        let determinant = p.square() + k.square() * square;
+        if determinant * F::int(4096) < F::int(1) {
+            let damper = self.damper_by_quadrature(phi);
+            return Works { drive: self.gained(end) + damper, damper };
+        }
+        let start = self.motion_at_start();
+        let rate = |m: &Motion<F>| m.jerk + m.w + k * m.acceleration;
+        // Each bracket with the greatest of its terms.
+        let first = |m: &Motion<F>| {
+            let (s, c) = (m.force, rate(m));
+            s.square() / two - m.acceleration * s + m.w * c - k * m.w * s
+        };
+        let second = |m: &Motion<F>| {
+            let (s, c) = (m.force, rate(m));
+            s * c / two - m.acceleration * c - square * m.w * s - k * m.w * c
+        };
+        let third = |m: &Motion<F>| {
+            let kinetic = (m.w.square() + m.acceleration.square()) / two;
+            m.w * rate(m) - kinetic - k * m.w * (m.acceleration + k * m.w / two)
+        };
+        let (r1, r2) = (
+            first(end) - first(&start),
+            self.equation.alpha.square() * square * phi / two + (second(end) - second(&start)),
+        );
+        let drive = (p * r1 + k * r2) / determinant;
+        let mixed = (p * r2 - k * square * r1) / determinant;
+        let damper = k * mixed + square * drive + (third(end) - third(&start));
+        let size = |m: &Motion<F>| m.force.square() + (m.acceleration * m.force).abs();
+        if size(end).or_larger(size(&start)) > F::int(32) * drive.abs() {
+            return Works { drive: self.gained(end) + damper, damper };
+        }
+        Works { drive, damper }
+    }
+
+    /// `∫ 2ζw² dφ` up to φ by Gauss's rule with as many nodes as resolve a slide of one and a half periods at the precision of the type.
+    fn damper_by_quadrature(&self, phi: F) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let most = 10u32.saturating_add(F::PRECISION / 6);
+        let degree = F::from_f64(f64::from(most));
+        let mut sum = F::int(0);
+        for i in 1..=most {
+            let (_, guess) = (F::pi() * (F::from_f64(f64::from(i)) - F::ratio(1, 4))
+                / (degree + F::ratio(1, 2)))
+            .sin_cos();
+            let mut x = guess;
+            let mut slope = one;
+            // Each step of Newton's method doubles the good digits of a guess right to some three.
+            for _ in 0..F::PRECISION.ilog2() {
+                let (mut before, mut value) = (one, x);
+                for n in 2..=most {
+                    let n = F::from_f64(f64::from(n));
+                    (before, value) = (value, ((two * n - one) * x * value - (n - one) * before) / n);
+                }
+                slope = degree * (before - x * value) / ((one - x) * (one + x));
+                let step = value / slope;
+                x = x - step;
+                if step.abs() <= F::epsilon() {
+                    break;
+                }
+            }
+            let weight = two / ((one - x) * (one + x) * slope.square());
+            sum = sum + weight * self.motion(phi * (one + x) / two).w.square();
+        }
+        self.equation.damping * sum * phi / two
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::exact::drive::DrivePhase;
+    use crate::exact::equation::Equation;
+    use crate::exact::slide::{Direction, Slide};
+
+    /// Both forms are ∫ α sin θ dx and ∫ 2ζw dx: the sums over short steps.
+    #[test]
+    fn the_works_are_forces_along_the_way() {
+        for omega in [0.3, 0.995, 1.0, 1.003, 2.2] {
+            for zeta in [0.0, 1e-6, 0.003, 0.2, 1.0, 2.5] {
+                for direction in [Direction::Forward, Direction::Backward] {
+                    let ratios = Ratios::new(omega, 2.0).unwrap().with_damping_ratio(zeta).unwrap();
+                    let start = DrivePhase::new(0.4).unwrap();
+                    let slide = Slide::new(Equation::new(ratios), start, -0.7, 0.9, direction);
+                    let steps = 4000;
+                    let at = |n: i32| slide.motion(1.7 * f64::from(n) / f64::from(steps));
+                    let (mut drive, mut damper) = (0.0, 0.0);
+                    for n in 0..steps {
+                        let (a, b) = (at(n), at(n + 1));
+                        drive += (a.force + b.force) / 2.0 * (b.x - a.x);
+                        damper += zeta * (a.w + b.w) * (b.x - a.x);
+                    }
+                    let works = slide.works(1.7, &at(steps));
+                    let close = |a: f64, b: f64| (a - b).abs() < 1e-6;
+                    assert!(
+                        close(works.drive, drive) && close(works.damper, damper),
+                        "Ω = {omega}, ζ = {zeta}: {works:?} for {drive} {damper}"
+                    );
+                }
+            }
+        }
+    }
+}

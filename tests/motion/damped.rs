@@ -1,0 +1,407 @@
+//! The exact motion with viscous damping: known steady states, brute force, the closed forms, energy, multipliers, any precision.
+
+use crate::random::{Random, sampled};
+use std::f64::consts::{PI, TAU};
+use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
+use stickslip::float::mp::Mp;
+use stickslip::float::{Float, Real};
+use stickslip::{Border, Cycle, Ratios};
+
+fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
+    Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
+}
+
+fn from_rest<F: Float>(ratios: Ratios<F>) -> SteadyState<F> {
+    let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+    let LongRun::Periodic(steady) = limit else { panic!("{ratios:?}: {limit:?}") };
+    steady
+}
+
+/// Found by an independent simulation: extrema, stops and the part of the cycle at rest.
+#[test]
+fn two_steady_states_known_to_ten_digits() {
+    for (omega, zeta, alpha, most, sticks, at_rest) in [
+        (0.3, 0.1, 4.0, 3.339_881_800_0, 2, 0.408_975_651),
+        (0.5, 0.03, 2.2, 2.789_595_387_4, 2, 0.162_076_385),
+    ] {
+        let steady = from_rest(ratios(omega, zeta, alpha));
+        assert!((steady.max_displacement() - most).abs() < 1e-10, "{steady:?}");
+        assert!((steady.min_displacement() + most).abs() < 1e-10, "{steady:?}");
+        assert!((steady.stick_fraction() - at_rest).abs() < 1e-9, "{steady:?}");
+        assert_eq!(steady.sticks_per_cycle(), sticks);
+    }
+}
+
+/// (Ω, ζ, α) of the whole range, with a preference for the middle.
+fn plane(random: &mut Random) -> [f64; 3] {
+    let omega = match (random.next() * 4.0) as u32 {
+        0 => 2f64.powf(random.between(-20.0, 20.0)),
+        1 => random.between(0.08, 0.5),
+        _ => random.between(0.3, 2.5),
+    };
+    let zeta = match (random.next() * 4.0) as u32 {
+        0 => random.scale(1e-15, 1e-2),
+        1 => random.scale(0.5, 40.0),
+        2 => 1.0 + random.between(-1.0, 1.0) * random.scale(1e-12, 1e-2),
+        _ => random.scale(1e-2, 0.7),
+    };
+    [omega, zeta, random.scale(1.001, 50.0)]
+}
+
+/// The textbook solution of one slide at some other precision: forced wave and free wave.
+struct Textbook<F> {
+    omega: F,
+    zeta: F,
+    forced: (F, F),
+    theta: F,
+    free: (F, F),
+    sign: F,
+}
+
+impl<F: Float> Textbook<F> {
+    fn new([omega, zeta, alpha]: [F; 3], theta: F, x: F, w: F, sign: F) -> Self {
+        let one = F::int(1);
+        let (spring, damper) = (one - omega * omega, F::int(2) * zeta * omega);
+        let square = spring * spring + damper * damper;
+        let forced = (alpha * spring / square, alpha * damper / square);
+        let (s, c) = theta.sin_cos();
+        let free = (x + sign - (forced.0 * s - forced.1 * c), w - omega * (forced.0 * c + forced.1 * s));
+        Self { omega, zeta, forced, theta, free, sign }
+    }
+
+    /// The speed in the direction of the slide.
+    fn speed(&self, phi: F) -> F {
+        let (s, c) = (self.theta + self.omega * phi).sin_cos();
+        let driven = self.omega * (self.forced.0 * c + self.forced.1 * s);
+        let (x, v) = self.free;
+        let one = F::int(1);
+        let square = (one - self.zeta) * (one + self.zeta);
+        let d = square.abs().sqrt();
+        let free = if square > F::int(0) {
+            let (s, c) = (d * phi).sin_cos();
+            (-(self.zeta * phi)).exp() * (v * c - (x + self.zeta * v) * s / d)
+        } else if d == F::int(0) {
+            (-phi).exp() * (v - (x + v) * phi)
+        } else {
+            let (slow, fast) = (self.zeta - d, self.zeta + d);
+            let share = (v + fast * x) / (d + d);
+            -(slow * share * (-(slow * phi)).exp() + fast * (x - share) * (-(fast * phi)).exp())
+        };
+        self.sign * (driven + free)
+    }
+}
+
+/// Random motions: a speed below zero before the end that the library found is a zero that it missed. Signs that double precision cannot tell
+/// are told at 192 bits.
+fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
+    type Wide = Mp<3>;
+    let mut random = Random(seed);
+    let (mut slides, mut looked_closely) = (0, 0);
+    for number in 0..motions {
+        let [omega, zeta, alpha] = plane(&mut random);
+        let theta = random.between(0.0, TAU);
+        let reach = random.scale(0.01, 10.0) * (1.0 + alpha) / (1.0 + omega * omega);
+        let x = reach * random.between(-1.0, 1.0);
+        let v = if random.next() < 0.4 { 0.0 } else { reach * random.between(-1.0, 1.0) / omega };
+        let start = State::new(theta, x, v).unwrap();
+        for phase in Trajectory::new(ratios(omega, zeta, alpha), start).unwrap().take(4).map(Result::unwrap) {
+            let Kind::Slide(direction) = phase.kind() else { continue };
+            let (sign, from) = (direction.sign::<f64>(), phase.start());
+            let given = [omega, zeta, alpha];
+            let near = sampled::Slide::damped(given, (from.phase.reduced(), from.x, from.v * omega), sign);
+            let wide = Wide::from;
+            let turns = wide(from.phase.half_turns() as f64) * Wide::pi() + wide(from.phase.angle());
+            let far =
+                Textbook::new(given.map(wide), turns, wide(from.x), wide(from.v) * wide(omega), wide(sign));
+            let end = phase.duration().unwrap() / omega;
+            let size = near.size() + 1.0 + near.forced.abs() + from.x.abs();
+            let noise = 8e-15 * size + 2e-16 * end * (near.a.hypot(near.b) + alpha * omega.min(1.0));
+            let mut check = |phi: f64| {
+                if phi > 0.0 && phi < end && near.speed(phi) < 1e-6 * size {
+                    looked_closely += 1;
+                    let speed = far.speed(wide(phi)).to_f64();
+                    assert!(
+                        speed > -noise,
+                        "motion {number}, {given:?}: {speed:e} of {size:e} at {phi} in {phase:?}"
+                    );
+                }
+            };
+            // Dense where that is possible, at geometric distances from both ends, and periods anywhere.
+            let step = near.step() / 2.0;
+            if end < 3000.0 * step {
+                (1..=(end / step) as u32).for_each(|n| check(f64::from(n) * step));
+            }
+            let mut away = 1e-9 * end;
+            while away < end {
+                (0..8).for_each(|n| {
+                    check(away * (1.0 + 0.05 * f64::from(n)));
+                    check(end - away * (1.0 + 0.05 * f64::from(n)));
+                });
+                away *= 1.4;
+            }
+            for _ in 0..8 {
+                let middle = random.between(0.0, end);
+                (0..128).for_each(|n| check(middle + f64::from(n) * step));
+            }
+            let at_end = far.speed(wide(end)).to_f64().abs();
+            let rounding = 16.0 * noise + 1e-15 * end * (alpha + near.a.abs() + near.b.abs()) * (1.0 + zeta);
+            assert!(at_end <= rounding, "motion {number}, {given:?}: {at_end:e} at the end of {phase:?}");
+            slides += 1;
+        }
+    }
+    (slides, looked_closely)
+}
+
+#[test]
+fn no_velocity_zero_is_missed() {
+    let (slides, looked_closely) = no_zero_is_missed(1500, 31);
+    assert!(slides > 2000 && looked_closely > 1000, "{slides} {looked_closely}");
+}
+
+/// Stops and velocity zeros of steady states against dense sampling.
+fn steady_states_are_counted(states: u64, seed: u64) -> (u64, Vec<String>) {
+    let mut random = Random(seed);
+    let (mut compared, mut differ) = (0, Vec::new());
+    for _ in 0..states {
+        let [_, zeta, alpha] = plane(&mut random);
+        let omega = 2f64.powf(random.between(-8.0, 8.0));
+        let limit = LongRun::from_start(ratios(omega, zeta, alpha), State::rest()).unwrap();
+        let Some(steady) = limit.steady_state() else { continue };
+        let state = steady.state();
+        let start = (state.phase.reduced(), state.x, state.v * omega);
+        let counted = sampled::damped_counts([omega, zeta, alpha], start);
+        compared += 1;
+        if counted != (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()) {
+            differ.push(format!("Ω = {omega:?}, ζ = {zeta:?}, α = {alpha:?}: {counted:?}, {steady:?}"));
+        }
+    }
+    (compared, differ)
+}
+
+#[test]
+fn stops_are_those_of_dense_sampling() {
+    let (compared, differ) = steady_states_are_counted(300, 12);
+    assert!(compared > 290 && differ.is_empty(), "{} of {compared}: {differ:#?}", differ.len());
+}
+
+/// Where the cycle does not stick the long run from rest is the closed form.
+fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
+    let mut random = Random(seed);
+    let mut compared = 0;
+    for _ in 0..points {
+        let [omega, zeta, _] = plane(&mut random);
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        let alpha = least.max(1.0) * (1.0 + random.scale(1e-3, 10.0));
+        let ratios = ratios(omega, zeta, alpha);
+        let cycle = Cycle::new(ratios).unwrap();
+        let direct = SteadyState::from_cycle(&cycle).unwrap();
+        let direct = direct.steady_state().unwrap();
+        for steady in [&from_rest(ratios), direct] {
+            let (dx, dv) = steady.distance();
+            let scale =
+                cycle.max_displacement() + cycle.max_velocity() * omega.max(1.0) + 1.0 / omega.max(1.0);
+            let unit = 1e-13 * scale * (1.0 + 1.0 / omega) + 4.0 * (dx + dv * omega);
+            let close = |a: f64, b: f64, unit: f64| {
+                assert!((a - b).abs() <= unit, "{ratios:?}: {a} for {b}, {unit:e}: {steady:?}");
+            };
+            close(steady.max_displacement(), cycle.max_displacement(), unit);
+            close(steady.min_displacement(), -cycle.max_displacement(), unit);
+            close(steady.max_velocity(), cycle.max_velocity(), unit / omega);
+            let phase = (steady.max_displacement_phase() - cycle.displacement_phase()).sin();
+            let turn = alpha.max(1.0) / (omega * omega * cycle.max_displacement()).max(1e-300);
+            close(phase, 0.0, 1e-12 * (1.0 + turn) * (1.0 + 1.0 / omega) + unit);
+            close(steady.energy_out(), 4.0 * cycle.max_displacement(), 8.0 * unit);
+            let works = steady.energy_in() + steady.damper_work();
+            close(steady.damper_work(), cycle.damper_work(), 1e-12 * (1.0 + works) + 20.0 * unit * alpha);
+            // The spectral radius per cycle is that per half cycle twice; a double root splits by the root of rounding.
+            close(steady.contraction(), cycle.contraction() * cycle.contraction(), 1e-6);
+            assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (0, 2), "{ratios:?}");
+        }
+        compared += 1;
+    }
+    compared
+}
+
+#[test]
+fn the_closed_forms_are_the_limit_of_the_motion() {
+    assert_eq!(closed_forms_are_the_limit(1500, 41), 1500);
+}
+
+/// Just above the border the motion does not stop, and just below it does.
+fn border_is_where_stops_begin(points: u64, seed: u64) -> (u64, Vec<String>) {
+    let mut random = Random(seed);
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for _ in 0..points {
+        let omega = if random.next() < 0.5 { random.between(0.06, 0.5) } else { random.scale(0.06, 30.0) };
+        let zeta = random.scale(1e-4, 3.0);
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        if least < 1.0 + 1e-6 {
+            continue;
+        }
+        compared += 1;
+        for (over, sticks) in [(1.0 + 1e-9, false), (1.0 - 1e-9, true)] {
+            let ratios = ratios(omega, zeta, least * over);
+            let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+            let found = limit.steady_state().map(|s| s.sticks_per_cycle() > 0);
+            if found != Some(sticks) {
+                wrong.push(format!("{ratios:?} {over}: {limit:?}"));
+            }
+        }
+    }
+    (compared, wrong)
+}
+
+#[test]
+fn stops_begin_at_the_border() {
+    let (compared, wrong) = border_is_where_stops_begin(1500, 51);
+    assert!(compared > 1200 && wrong.is_empty(), "{} of {compared}: {wrong:#?}", wrong.len());
+}
+
+#[test]
+fn works_balance() {
+    let mut random = Random(61);
+    for _ in 0..1500 {
+        let [omega, zeta, alpha] = plane(&mut random);
+        let steady = from_rest(ratios(omega, zeta, alpha));
+        let out = steady.energy_out() + steady.damper_work();
+        let bound = 1e-13 * (1.0 + steady.max_displacement()) * (1.0 + 1.0 / omega);
+        assert!(
+            (steady.energy_in() - out).abs() <= bound * (1.0 + out),
+            "{omega} {zeta} {alpha}: {steady:?}"
+        );
+        assert!(
+            steady.damper_work() > 0.0 && steady.energy_out() > 0.0,
+            "{omega} {zeta} {alpha}: {steady:?}"
+        );
+    }
+}
+
+/// Multipliers by following four motions next to the limit for a cycle.
+#[test]
+fn multipliers_are_those_of_the_differenced_motion() {
+    type Wide = Mp<4>;
+    let h = Wide::exp2i(-80);
+    for (omega, zeta, alpha) in [
+        (0.7, 0.05, 2.4),
+        (0.4, 0.05, 9.0),
+        (1.0, 0.01, 3.0),
+        (1.5, 1.0, 9.0),
+        (0.8, 1.3, 14.0),
+        (0.3, 0.1, 4.0),
+    ] {
+        let ratios = ratios(Wide::from(omega), Wide::from(zeta), Wide::from(alpha));
+        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        let state = steady.state();
+        let after = |dx: Wide, dv: Wide| {
+            let start = State { x: state.x + dx, v: state.v + dv, ..state };
+            let from = start.phase.half_turns() + 2;
+            let mut phases = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
+            let last = phases.find(|p| p.end().is_some_and(|e| e.phase.half_turns() >= from + 1)).unwrap();
+            let _ = last;
+            let end = stickslip::exact::DrivePhase::in_cycle(
+                (from - state.phase.half_turns()) / 2,
+                Wide::from(state.phase.half_turns() as f64) * Wide::pi() + state.phase.angle(),
+            )
+            .unwrap();
+            let mut phases = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
+            let last = phases.find(|p| p.end().is_none_or(|e| e.phase.since(end) > Wide::int(0))).unwrap();
+            let there = last.at(end).state;
+            (there.x, there.v)
+        };
+        let zero = Wide::int(0);
+        let column = |(a, b): (Wide, Wide), (c, d): (Wide, Wide)| ((a - c) / (h + h), (b - d) / (h + h));
+        let (a, c) = column(after(h, zero), after(-h, zero));
+        let (b, d) = column(after(zero, h), after(zero, -h));
+        let [(r1, i1), (r2, i2)] = steady.multipliers();
+        let (trace, product) = (r1 + r2, r1 * r2 - i1 * i2);
+        let close = |found: Wide, exact: Wide, what: &str| {
+            let error = (found - exact).to_f64().abs();
+            assert!(error < 1e-22, "{what} at {omega} {zeta} {alpha}: {error:e}");
+        };
+        close(trace, a + d, "trace");
+        close(product, a * d - b * c, "determinant");
+    }
+}
+
+/// The same motion at 53 and at 256 bits, through sticking, ζ = 1 and beyond.
+#[test]
+fn digits_agree_at_any_precision() {
+    let mut random = Random(71);
+    for _ in 0..40 {
+        let omega = random.between(0.1, 2.5);
+        let zeta = [random.scale(1e-6, 0.9), 1.0, random.between(1.0, 5.0)][(random.next() * 3.0) as usize];
+        let alpha = random.scale(1.1, 30.0);
+        let narrow = from_rest(ratios(omega, zeta, alpha));
+        let wide = from_rest(ratios(Mp::<4>::from(omega), Mp::from(zeta), Mp::from(alpha)));
+        let size = narrow.max_displacement() + narrow.max_velocity() + 1.0;
+        for (a, b) in [
+            (narrow.max_displacement(), wide.max_displacement()),
+            (narrow.max_velocity(), wide.max_velocity()),
+            (narrow.energy_in(), wide.energy_in()),
+            (narrow.damper_work(), wide.damper_work()),
+            (narrow.stick_fraction(), wide.stick_fraction()),
+        ] {
+            let error = (Mp::<4>::from(a) - b).to_f64().abs();
+            assert!(error < 1e-11 * size * size, "{omega} {zeta} {alpha}: {a} {b} {error:e}");
+        }
+        let balance = wide.energy_in() - wide.energy_out() - wide.damper_work();
+        assert!(balance.to_f64().abs() < 1e-66 * size * size, "{omega} {zeta} {alpha}: {balance:e}");
+        assert_eq!(narrow.sticks_per_cycle(), wide.sticks_per_cycle());
+    }
+}
+
+/// From any start there is one limit, and a force no larger than friction leads to rest.
+#[test]
+fn every_start_has_the_same_limit() {
+    let mut random = Random(81);
+    for _ in 0..300 {
+        let [omega, zeta, alpha] = plane(&mut random);
+        let omega = omega.clamp(1e-3, 1e3);
+        let far = State::new(
+            random.between(0.0, TAU),
+            random.between(-9.0, 9.0),
+            random.between(-9.0, 9.0) / omega,
+        );
+        let found = LongRun::from_start(ratios(omega, zeta, alpha), far.unwrap()).unwrap();
+        let (a, b) = (from_rest(ratios(omega, zeta, alpha)), found.steady_state().unwrap().to_owned());
+        let off = a.distance().0 + b.distance().0 + (a.distance().1 + b.distance().1) * omega;
+        let bound = 4.0 * off + 1e-13 * (1.0 + a.max_displacement());
+        assert!(
+            (a.max_displacement() - b.max_displacement()).abs() <= bound,
+            "{omega} {zeta} {alpha}: {a:?} {b:?}"
+        );
+        let small =
+            LongRun::from_start(ratios(omega, zeta, 0.7 + 0.3 * random.next()), far.unwrap()).unwrap();
+        assert!(matches!(small, LongRun::Rest(_)), "{omega} {zeta}: {small:?}");
+    }
+}
+
+/// The campaigns of docs/robustness.md.
+#[test]
+#[ignore = "minutes: the whole campaign"]
+fn campaign_of_velocity_zeros() {
+    let (slides, looked_closely) = no_zero_is_missed(100_000, 3);
+    println!("{slides} slides, {looked_closely} samples looked at closely");
+    let (compared, differ) = steady_states_are_counted(3_000, 4);
+    assert!(differ.is_empty(), "{} of {compared}: {differ:#?}", differ.len());
+}
+
+#[test]
+#[ignore = "minutes: the whole campaign"]
+fn campaign_of_the_border() {
+    let (compared, wrong) = border_is_where_stops_begin(100_000, 5);
+    assert!(wrong.is_empty(), "{} of {compared}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
+    println!("{compared} compared");
+    closed_forms_are_the_limit(20_000, 6);
+}
+
+/// A start far outside on an overdamped spring creeps in for many turns of the drive: one slide.
+#[test]
+fn a_long_creep_is_one_slide() {
+    let start = State::new(0.0, -1e6, 0.0).unwrap();
+    let motion = Trajectory::new(ratios(1.0, 50.0, 2.0), start).unwrap();
+    let first = motion.map(Result::unwrap).next().unwrap();
+    assert!(first.duration().unwrap() > 100.0 * PI, "{first:?}");
+    assert!(matches!(first.kind(), Kind::Slide(_)));
+}
