@@ -45,6 +45,15 @@ impl<F: Float> Cover<F> {
         self.damped(jet.value, -(jet.first + self.half() * jet.value))
     }
 
+    /// Whether u = e^{ζφ} f falls.
+    #[inline]
+    pub(crate) fn falls(self, jet: Jet<F>) -> bool {
+        if self.damping == F::int(0) {
+            return jet.first < F::int(0);
+        }
+        jet.first + self.half() * jet.value < F::int(0)
+    }
+
     /// The longest stretch that the proof holds on, a little less than π/d; infinite from ζ = 1 on.
     #[inline]
     pub(crate) fn longest(self) -> F {

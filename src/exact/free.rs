@@ -1,20 +1,29 @@
-//! Free vibration: no drive, and friction takes 2B off the amplitude in every half cycle.
+//! Free vibration: no drive, and friction takes 2B off the amplitude in every half cycle; a damper takes a share of it.
 //!
 //! Displacements in units of B = r_y/k, velocities in B ω_n, time in 1/ω_n. From (x₀, v₀) the body slides about the point
-//! ∓1 that friction shifts its balance to. The first turn is at
+//! ∓1 that friction shifts its balance to. With d = √(1 − ζ²) the first turn is at
 //!
 //! ```text
-//! x₁ = s (R − 1),   R = hypot(x₀ + s, v₀),   s = sgn v₀
+//! x₁ = s (e^{−ζt₁} R − 1),   R² = y² + 2ζy|v₀| + v₀²,   y = s x₀ + 1,   s = sgn v₀,
+//! tan dt₁ = d|v₀|/(y + ζ|v₀|)
 //! ```
 //!
-//! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (|x| − 2)`, until `|x| ≤ 1`, where the body
-//! stays. So there are `n = ⌈(|x₁| − 1)/2⌉` of them, and the body rests at `(−1)ⁿ sgn x₁ (|x₁| − 2n)`.
+//! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (κ(|x| − 1) − 1)`, κ = e^{−ζπ/d}, until `|x| ≤ 1`, where
+//! the body stays. Without a damper, κ = 1, that is 2B less in each. After n of them
+//!
+//! ```text
+//! (−1)ⁿ sgn x₁ x_n = κⁿ|x₁| − (1 − κⁿ) coth(ζπ/2d),
+//! ```
+//!
+//! and there are `n = ⌈(|x₁| − 1)/2⌉` of them, or `⌈ln(1 + (|x₁| − 1)(1 − κ)/2) d/ζπ⌉`. From ζ = 1 on no half cycle comes to an end: the body
+//! turns once at most, and creeps to ±1 for ever where it slides after that or does not turn.
 
 use super::equation::Equation;
 use super::state::State;
 use super::trajectory::Trajectory;
-use crate::error::Error;
+use crate::error::{Error, Quantity};
 use crate::float::Float;
+use crate::ratios::valid_damping_ratio;
 
 /// Free vibration from a start, to rest.
 ///
@@ -23,69 +32,189 @@ use crate::float::Float;
 /// let decay = FreeDecay::new(12.0f64, 6.0)?;
 /// assert_eq!(decay.half_cycles(), 8);
 /// assert!((decay.rest_position() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
+/// let damped = FreeDecay::with_damping(12.0f64, 6.0, 0.05)?;
+/// assert_eq!(damped.half_cycles(), 5);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeDecay<F> {
     start: State<F>,
+    zeta: F,
     first_turn: F,
+    /// The time of the first turn; infinite where there is none.
+    first_time: F,
     /// Half cycles after the first turn.
     turns: F,
 }
 
 impl<F: Float> FreeDecay<F> {
-    /// Free vibration from the displacement x₀/B and the velocity v₀/(Bω_n).
+    /// Free vibration without damping from the displacement x₀/B and the velocity v₀/(Bω_n).
     ///
     /// # Errors
     /// Where one of them is not finite or too large for the type.
     pub fn new(x: F, v: F) -> Result<Self, Error> {
+        Self::with_damping(x, v, F::int(0))
+    }
+
+    /// The same with viscous damping of the ratio ζ.
+    ///
+    /// # Errors
+    /// As for [`FreeDecay::new`], and where ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`, e = [`Float::RATIO_EXPONENT`].
+    pub fn with_damping(x: F, v: F, zeta: F) -> Result<Self, Error> {
         let start = State::new(F::int(0), x, v)?;
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-        let first_turn = if v == zero {
-            x
+        let zeta = valid_damping_ratio(zeta)?;
+        if zeta > zero {
+            crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(20))?;
+        }
+        let mut found = Self { start, zeta, first_turn: x, first_time: zero, turns: zero };
+        if v != zero {
+            (found.first_turn, found.first_time) = found.turning();
+        }
+        let excess = found.first_turn.abs() - one;
+        if excess > zero && found.first_time.is_finite() {
+            found.turns = if zeta == zero {
+                // ⌈y⌉ = −⌊−y⌋
+                -((-excess / two).floor())
+            } else if zeta < one {
+                found.damped_turns(excess)
+            } else {
+                one
+            };
+        }
+        Ok(found)
+    }
+
+    /// Where and when a body with a velocity turns first.
+    fn turning(&self) -> (F, F) {
+        let (one, two) = (F::int(1), F::int(2));
+        let (x, v, zeta) = (self.start.x, self.start.v, self.zeta);
+        let sign = one.with_sign_of(v);
+        let (speed, y) = (sign * v, sign * x + one);
+        if zeta == F::int(0) {
+            // The angle left until the turn: R sin φ₁ = |v₀|.
+            return (sign * ((x + sign).hypot(v) - one), speed.atan2(y));
+        }
+        let square = (one - zeta) * (one + zeta);
+        let d = square.abs().sqrt();
+        let slowed = y + zeta * speed;
+        let time = if square > F::int(0) {
+            (d * speed).atan2(slowed) / d
+        } else if slowed <= d * speed {
+            // The limit of a creep.
+            return (-sign, one / F::int(0));
+        } else if d == F::int(0) {
+            speed / slowed
         } else {
-            let sign = one.with_sign_of(v);
-            sign * ((x + sign).hypot(v) - one)
+            // artanh(d|v₀|/(y + ζ|v₀|))/d
+            ln_1p(two * d * speed / (slowed - d * speed)) / (two * d)
         };
-        let excess = first_turn.abs() - one;
-        // ⌈y⌉ = −⌊−y⌋
-        let turns = if excess > zero { -((-excess / two).floor()) } else { zero };
-        Ok(Self { start, first_turn, turns })
+        // R² = (d v₀)² + (y + ζ|v₀|)², d² < 0 above ζ = 1, where it is (y + |v₀|/μ)(y + μ|v₀|), μ = ζ + |d|.
+        let reach = if square > F::int(0) {
+            (d * speed).hypot(slowed)
+        } else {
+            let fast = zeta + d;
+            ((y + speed / fast) * (y + fast * speed)).sqrt()
+        };
+        (sign * ((-(zeta * time)).exp() * reach - one), time)
+    }
+
+    /// The logarithmic decrement of half a cycle, ζπ/d, for ζ < 1.
+    fn decrement(&self) -> F {
+        let one = F::int(1);
+        self.zeta * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
+    }
+
+    /// `(−1)ⁿ sgn x₁ x_n`.
+    fn left_after(&self, turns: F) -> F {
+        let (first, two) = (self.first_turn.abs(), F::int(2));
+        if self.zeta == F::int(0) {
+            return first - two * turns;
+        }
+        if self.zeta >= F::int(1) {
+            // Once back, creeping to ±1 on the same side.
+            return if turns > F::int(0) { -F::int(1) } else { first };
+        }
+        let decrement = self.decrement();
+        let lost = (-(turns * decrement)).exp_m1();
+        let share = (-decrement).exp_m1();
+        // coth(ζπ/2d) = (1 + κ)/(1 − κ)
+        first + lost * (first - (two + share) / share)
+    }
+
+    /// How many half cycles after the first turn, ζ < 1: from the logarithm, and one more or less where rounding says so.
+    fn damped_turns(&self, excess: F) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let decrement = self.decrement();
+        let guess = ln_1p(-(excess * (-decrement).exp_m1() / two)) / decrement;
+        let mut turns = -((-guess).floor());
+        if turns > one && self.left_after(turns - one) <= one {
+            turns = turns - one;
+        }
+        if self.left_after(turns) > one { turns + one } else { turns.or_larger(one) }
     }
 
     /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one is part of a
-    /// half cycle where v₀ ≠ 0.
+    /// half cycle where v₀ ≠ 0. A creep that never ends counts as one.
     pub fn half_cycles(&self) -> u64 {
         let first = u64::from(self.start.v != F::int(0));
         (self.turns.to_f64() as u64).saturating_add(first)
     }
 
-    /// Where it turns first, x₁/B.
+    /// The damping ratio ζ.
+    pub const fn damping_ratio(&self) -> F {
+        self.zeta
+    }
+
+    /// Where it turns first, x₁/B; where it creeps without a turn, the limit of that.
     pub const fn first_turn(&self) -> F {
         self.first_turn
     }
 
-    /// Where it comes to rest, x/B. Accuracy at f64: that of x₁, half a unit in its last place.
+    /// Where it comes to rest, x/B, or what it creeps to. Accuracy at f64: that of x₁, half a unit in its last place without damping, a few
+    /// units of max(|x₁|, 1) with it.
     pub fn rest_position(&self) -> F {
-        let left = self.first_turn.abs() - F::int(2) * self.turns;
+        let left = self.left_after(self.turns);
         let half = self.turns / F::int(2);
         let rest = if half == half.floor() { left } else { -left };
         if self.first_turn < F::int(0) { -rest } else { rest }
     }
 
-    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π for each other.
+    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other. Infinite where it creeps, from ζ = 1 on.
     pub fn rest_time(&self) -> F {
-        let (x, v) = (self.start.x, self.start.v);
-        let sign = F::int(1).with_sign_of(v);
-        // The angle left until the turn: R sin φ₁ = |v₀|.
-        let first = if v == F::int(0) { F::int(0) } else { (sign * v).atan2(sign * x + F::int(1)) };
-        first + self.turns * F::pi()
+        let (zero, one) = (F::int(0), F::int(1));
+        if self.zeta == zero {
+            return self.first_time + self.turns * F::pi();
+        }
+        if self.turns == zero {
+            return self.first_time;
+        }
+        if self.zeta >= one {
+            return one / zero;
+        }
+        self.first_time + self.turns * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
     }
 
-    /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t.
+    /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends there when its velocity is rounding.
     pub fn trajectory(&self) -> Trajectory<F> {
-        Trajectory::of(Equation::free(F::int(0)), self.start)
+        Trajectory::of(Equation::free(self.zeta), self.start)
     }
+}
+
+/// `ln(1 + y)` of a y ≥ 0, by Newton's method on the exponential from the logarithm at f64: each step doubles the digits.
+fn ln_1p<F: Float>(y: F) -> F {
+    let (one, two) = (F::int(1), F::int(2));
+    let mut x = F::from_f64(y.to_f64().ln_1p());
+    for _ in 0..F::PRECISION.ilog2() {
+        // Halley's: 2 (y − (eˣ − 1))/(y + 1 + eˣ)
+        let e = x.exp_m1();
+        let step = two * (y - e) / (y + two + e);
+        x = x + step;
+        if step.abs() <= F::epsilon() * x.abs() || !(one + step.abs() > one) {
+            break;
+        }
+    }
+    x
 }
 
 #[cfg(test)]
@@ -122,6 +251,52 @@ mod tests {
         }
     }
 
+    /// With a damper: turns, place and time of rest are those of the motion followed slide by slide.
+    #[test]
+    fn closed_form_and_machinery_agree_with_damping() {
+        for zeta in [1e-12f64, 1e-5, 0.01, 0.2, 0.7, 0.95, 1.0, 1.3, 5.0] {
+            for (x, v) in [
+                (12.0f64, 6.0f64),
+                (0.3, 0.0),
+                (-0.3, 0.2),
+                (5.5, -2.0),
+                (-40.0, 17.0),
+                (3.0, 0.0),
+                (-2.5, 0.0),
+                (900.0, 1.0),
+            ] {
+                let decay = FreeDecay::with_damping(x, v, zeta).unwrap();
+                let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
+                let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
+                let last = phases.last().unwrap();
+                assert_eq!(slides, decay.half_cycles(), "({x}, {v}) ζ = {zeta}: {phases:?}");
+                assert_eq!(last.ends_by(), End::Never);
+                let error = (last.start().x - decay.rest_position()).abs();
+                let size = (1.0 + x.abs() + v.abs()) * (2 + slides) as f64;
+                assert!(error < 4e-15 * size, "({x}, {v}) ζ = {zeta}: {error:e} {decay:?}");
+                let time = last.start().phase.since(phases[0].start().phase);
+                let rest = decay.rest_time();
+                let late = (time - rest).abs() < 1e-14 * size * (1.0 + rest);
+                assert!(
+                    if rest.is_finite() { late } else { time > 3.0 },
+                    "({x}, {v}) ζ = {zeta}: {time} {rest}"
+                );
+            }
+        }
+    }
+
+    /// Viscous damping alone is the textbook's logarithmic decrement: far out friction hardly counts.
+    #[test]
+    fn far_out_the_decrement_is_the_viscous_one() {
+        let (zeta, x) = (0.1f64, 1e9);
+        let ratio = (-std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
+        let decay = FreeDecay::with_damping(x, 0.0, zeta).unwrap();
+        let turns = decay.half_cycles() as f64;
+        // κⁿx = coth(ζπ/2d) + 1 or a little less at rest.
+        let last = x * ratio.powf(turns);
+        assert!(last < 1.0 + (1.0 + ratio) / (1.0 - ratio) && last * 1.0 > ratio, "{last} {turns}");
+    }
+
     #[test]
     fn the_textbook_case() {
         // m = k = r_y = 1, x₀ = 12, v₀ = 6
@@ -149,6 +324,8 @@ mod tests {
     #[test]
     fn bad_starts_are_named() {
         let message = |x: f64, v: f64| FreeDecay::new(x, v).unwrap_err().to_string();
+        let damped = FreeDecay::with_damping(1.0, 0.0, -0.5).unwrap_err().to_string();
+        assert_eq!(damped, "damping ratio ζ = -0.5 must be ≥ 0");
         assert_eq!(message(f64::NAN, 0.0), "displacement x/B = NaN must be finite");
         assert_eq!(message(0.0, f64::INFINITY), "velocity v = inf must be finite");
     }

@@ -216,7 +216,8 @@ const MOST_POLISHES: u32 = 6;
 /// The dip between two points with f ≥ 0 where g ≥ 0: a zero, a grazing, or nothing.
 ///
 /// Each point evaluated in the gap between the two covers replaces the end on its side. Next to a dip the covers of a
-/// pair at distance d leave a gap of the order of d², so that the gap closes quadratically.
+/// pair at distance d leave a gap of the order of d², so that the gap closes quadratically. Where u falls (`cover`), its backward cover is
+/// longer than half a stretch, and the point replaces the left end; where it rises, the right one.
 fn dip<F: Float, M: Copy>(
     search: &Search<F>,
     left: (F, Jet<F>),
@@ -244,7 +245,7 @@ fn dip<F: Float, M: Copy>(
         if jet.value < F::int(0) {
             return bracketed(search, from, phi, true, (low + phi) / two, f);
         }
-        if jet.first < F::int(0) {
+        if search.cover.falls(jet) {
             low = phi + search.cover.forward(jet);
         } else {
             high = phi - search.cover.backward(jet);

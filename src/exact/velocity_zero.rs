@@ -47,10 +47,40 @@ impl<F: Float> Slide<F> {
     /// [`Lost`].
     #[inline]
     pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Lost> {
+        if self.equation.alpha == F::int(0)
+            && let Some(end) = self.end_of_creep()
+        {
+            return Ok(end);
+        }
         match self.ends(hint, None)? {
             Outcome::Zero(zero) => Ok(zero),
             Outcome::Onward(_) => Err(Lost),
         }
+    }
+
+    /// Without a drive and from ζ = 1 on: the end of a slide that creeps to ∓1 for ever, when its velocity is rounding.
+    ///
+    /// It turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`super::FreeDecay`]).
+    #[cold]
+    fn end_of_creep(&self) -> Option<VelocityZero<F>> {
+        let (zero, sign) = (F::int(0), self.direction.sign::<F>());
+        let free = self.equation.vibration();
+        let speed = sign * self.w;
+        let turns = sign * self.x + F::int(1) + free.zeta * speed > free.frequency * speed;
+        if !self.equation.is_damped() || free.swings() || turns {
+            return None;
+        }
+        // e^{−n} < 2⁻ⁿ
+        let phi = F::from_f64(f64::from(F::PRECISION)) / free.slow_rate();
+        Some(VelocityZero {
+            phi,
+            phase: self.start.advanced(self.equation.omega * phi),
+            x: -sign,
+            acceleration: zero,
+            jerk: zero,
+            rotation: (zero, zero),
+            grazes: false,
+        })
     }
 
     /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.

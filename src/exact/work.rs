@@ -69,7 +69,8 @@ impl<F: Float> Slide<F> {
     }
 
     /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then an
-    /// integral by Gauss's rule, and the drive's follows from the balance of energy. So it does where its terms nearly cancel.
+    /// integral by Gauss's rule, and the drive's follows from the balance of energy. So they do where their terms nearly cancel, but for the
+    /// damper's along a slide of many periods, which is then right to the rounding of the drive's.
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
         let two = F::int(2);
         let k = self.equation.damping;
@@ -101,7 +102,13 @@ impl<F: Float> Slide<F> {
         );
         let drive = (p * r1 + k * r2) / determinant;
         let mixed = (p * r2 - k * square * r1) / determinant;
-        let damper = k * mixed + square * drive + (third(end) - third(&start));
+        let mut damper = k * mixed + square * drive + (third(end) - third(&start));
+        // Little damping: what is left is rounding of terms without it.
+        let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
+        if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
+            let is_short = phi * self.equation.pace() < F::int(16);
+            damper = if is_short { self.damper_by_quadrature(phi) } else { damper.or_larger(F::int(0)) };
+        }
         let size = |m: &Motion<F>| m.force.square() + (m.acceleration * m.force).abs();
         if size(end).or_larger(size(&start)) > F::int(32) * drive.abs() {
             return Works { drive: self.gained(end) + damper, damper };

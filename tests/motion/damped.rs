@@ -154,8 +154,8 @@ fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
 
 #[test]
 fn no_velocity_zero_is_missed() {
-    let (slides, looked_closely) = no_zero_is_missed(1500, 31);
-    assert!(slides > 2000 && looked_closely > 1000, "{slides} {looked_closely}");
+    let (slides, looked_closely) = no_zero_is_missed(400, 31);
+    assert!(slides > 500 && looked_closely > 300, "{slides} {looked_closely}");
 }
 
 /// Stops and velocity zeros of steady states against dense sampling.
@@ -195,7 +195,7 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
         let ratios = ratios(omega, zeta, alpha);
         let cycle = Cycle::new(ratios).unwrap();
         let direct = SteadyState::from_cycle(&cycle).unwrap();
-        let direct = direct.steady_state().unwrap();
+        let Some(direct) = direct.steady_state() else { panic!("{ratios:?}: {direct:?}") };
         for steady in [&from_rest(ratios), direct] {
             let (dx, dv) = steady.distance();
             let scale =
@@ -362,8 +362,9 @@ fn every_start_has_the_same_limit() {
             random.between(0.0, TAU),
             random.between(-9.0, 9.0),
             random.between(-9.0, 9.0) / omega,
-        );
-        let found = LongRun::from_start(ratios(omega, zeta, alpha), far.unwrap()).unwrap();
+        )
+        .unwrap();
+        let found = LongRun::from_start(ratios(omega, zeta, alpha), far).unwrap();
         let (a, b) = (from_rest(ratios(omega, zeta, alpha)), found.steady_state().unwrap().to_owned());
         let off = a.distance().0 + b.distance().0 + (a.distance().1 + b.distance().1) * omega;
         let bound = 4.0 * off + 1e-13 * (1.0 + a.max_displacement());
@@ -371,8 +372,9 @@ fn every_start_has_the_same_limit() {
             (a.max_displacement() - b.max_displacement()).abs() <= bound,
             "{omega} {zeta} {alpha}: {a:?} {b:?}"
         );
-        let small =
-            LongRun::from_start(ratios(omega, zeta, 0.7 + 0.3 * random.next()), far.unwrap()).unwrap();
+        // A fast drive moves the body by next to nothing in each of its cycles: within the budget it need not settle.
+        let ratios = ratios(omega.min(1.0), zeta, 0.7 + 0.25 * random.next());
+        let small = LongRun::from_start(ratios, far).unwrap();
         assert!(matches!(small, LongRun::Rest(_)), "{omega} {zeta}: {small:?}");
     }
 }

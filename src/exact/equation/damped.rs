@@ -88,12 +88,40 @@ impl<F: Float> Equation<F> {
         let sine = (beside * real - above * imaginary) / square;
         Waves {
             free: (s, c),
-            versine: -(free.cosine_less_one(phi) + zeta_sine),
+            versine: self.step_response(phi, s),
             drive,
             c: (above * real + beside * imaginary) / square,
             s: sine,
             d: s - self.omega * sine,
         }
+    }
+
+    /// `1 − c`, the way of a body from rest under a unit force, where s is [`Equation::free_waves`]' first.
+    ///
+    /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μφ} − μs` with the slower rate of decay μ.
+    fn step_response(&self, phi: F, s: F) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let free = self.vibration();
+        if phi * (one + self.damping) * two > one {
+            if free.swings() {
+                return -(free.cosine_less_one(phi) + free.zeta * s);
+            }
+            let slow = free.slow_rate();
+            return -((-(slow * phi)).exp_m1() + slow * s);
+        }
+        // V⁽ⁿ⁺²⁾ = −V⁽ⁿ⁾ − 2ζV⁽ⁿ⁺¹⁾ from V″ = 1 on: each term is less than half of the one before.
+        let (mut before, mut derivative) = (F::int(0), one);
+        let mut power = phi.square() / two;
+        let mut sum = F::int(0);
+        for n in 3..=F::PRECISION.saturating_add(3) {
+            sum = sum + derivative * power;
+            if (derivative.abs() + before.abs()) * power <= F::epsilon() * sum.abs() {
+                break;
+            }
+            (before, derivative) = (derivative, -(before + self.damping * derivative));
+            power = power * phi / F::from_f64(f64::from(n));
+        }
+        sum
     }
 
     /// The same by Q, for Ω in [1/2, 2] and ζ < 1/8.
@@ -192,6 +220,8 @@ mod tests {
                     let unit = 6.0 * f64::EPSILON * (1.0 + phi * omega.max(1.0));
                     for (i, (found, exact)) in found.into_iter().zip(exact).enumerate() {
                         let size = [1.0 / (1.0 + omega * omega), 1.0 / (1.0 + omega), 1.0, 1.0, 1.0][i];
+                        // What a body has gone under a unit force keeps its digits.
+                        let size = if i == 4 && zeta >= 1.0 { 4.0 * exact.to_f64() } else { size };
                         let size = if i < 2 { f64::max(size, exact.to_f64().abs()) } else { size };
                         let error = (Mp::<6>::from(found) - exact).to_f64().abs();
                         assert!(
