@@ -33,7 +33,7 @@ use crate::ratios::valid_damping_ratio;
 /// assert_eq!(decay.half_cycles(), 8);
 /// assert!((decay.rest_position() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
 /// let damped = FreeDecay::with_damping(12.0f64, 6.0, 0.05)?;
-/// assert_eq!(damped.half_cycles(), 5);
+/// assert_eq!(damped.half_cycles(), 6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]

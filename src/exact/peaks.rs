@@ -14,7 +14,7 @@ use std::f64::consts::TAU;
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
-    /// Force of spring and friction on what carries them, `|k x + r|`, in r_y. At rest it is the drive's own force.
+    /// Force of spring, friction and damper on what carries them, `|k x + r + c x′|`, in r_y. At rest it is the drive's own force.
     pub transmitted_force: F,
     /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B.
     pub absolute_displacement: F,
@@ -51,7 +51,46 @@ impl<F: Float> SteadyState<F> {
 }
 
 impl<F: Float> Peaks<F> {
+    /// The peaks of a slide with damping.
+    ///
+    /// With `w = w_f + h`, h free vibration, `x″ = a_f + h′` and the force `x + s + 2ζw = x_f + 2ζw_f − h′`, and no derivative of h exceeds
+    /// the energy `hypot(h″, h‴)` that it begins with.
+    fn damped_slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
+        let (zero, one) = (F::int(0), F::int(1));
+        let equation = &slide.equation;
+        let (omega, damping, sign) = (equation.omega, equation.damping, slide.direction.sign::<F>());
+        let (square, end) = (omega.square(), length / omega);
+        let (real, imaginary) = equation.stiffness();
+        let amplitude = equation.alpha / real.hypot(imaginary);
+        let (x, w) = equation.forced(slide.sin_cos_start());
+        let (h, rate) = (slide.w - w, slide.acceleration + square * x);
+        let second = -(h + damping * rate);
+        let free = second.hypot(rate + damping * second);
+        let speed = omega * amplitude + h.hypot(rate);
+        let known = |curvature: F| move |_, _| Bound { curvature, value: one / zero };
+        let bend = square.square() * amplitude + free;
+        self.acceleration = greatest(zero, end, self.acceleration, known(bend), |phi| {
+            let m = slide.motion(phi);
+            Jet { value: m.acceleration, slope: m.jerk, second: m.higher(equation).0 }
+        });
+        let bend = square * amplitude * one.hypot(damping * omega) + free;
+        self.transmitted_force = greatest(zero, end, self.transmitted_force, known(bend), |phi| {
+            let m = slide.motion(phi);
+            let slope = m.w + damping * m.acceleration;
+            Jet { value: m.x + sign + damping * m.w, slope, second: m.acceleration + damping * m.jerk }
+        });
+        let bend = reach + one + damping * speed;
+        self.absolute_displacement = greatest(zero, end, self.absolute_displacement, known(bend), |phi| {
+            let m = slide.motion(phi);
+            let slope = m.w + (m.jerk + m.w + damping * m.acceleration) / square;
+            Jet { value: m.x + m.force / square, slope, second: -(m.x + sign + damping * m.w) }
+        });
+    }
+
     fn slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
+        if slide.equation.is_damped() {
+            return self.damped_slide(slide, length, reach);
+        }
         let (one, half) = (F::int(1), F::ratio(1, 2));
         let (omega, alpha) = (slide.equation.omega, slide.equation.alpha);
         let (square, sign) = (omega.square(), slide.direction.sign::<F>());
@@ -115,17 +154,22 @@ mod tests {
     /// Samples of the motion exceed no peak and come close, with stops and without.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
-        for (omega, alpha) in [
-            (0.05f64, 3.0f64),
-            (0.15, 3.0),
-            (0.3, 2.0),
-            (0.4, 6.0),
-            (0.4, 9.0),
-            (0.7, 1.2),
-            (1.6, 1.5),
-            (3.0, 1.3),
+        for (omega, alpha, zeta) in [
+            (0.05f64, 3.0f64, 0.0f64),
+            (0.15, 3.0, 0.0),
+            (0.3, 2.0, 0.0),
+            (0.4, 6.0, 0.0),
+            (0.4, 9.0, 0.0),
+            (0.7, 1.2, 0.0),
+            (1.6, 1.5, 0.0),
+            (3.0, 1.3, 0.0),
+            (0.3, 4.0, 0.1),
+            (0.05, 3.0, 0.02),
+            (0.8, 3.0, 0.4),
+            (1.0, 9.0, 2.0),
+            (3.0, 6.0, 1.0),
         ] {
-            let ratios = Ratios::new(omega, alpha).unwrap();
+            let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
             let found = LongRun::from_start(ratios, State::rest()).unwrap();
             let steady = found.steady_state().unwrap();
             let peaks = steady.peaks().unwrap();
@@ -134,8 +178,9 @@ mod tests {
             for i in Trajectory::new(ratios, steady.state()).unwrap().samples(count).unwrap().take(100_001) {
                 let i = i.unwrap();
                 let drive = alpha * i.state.phase.reduced().sin();
-                acceleration = acceleration.max((drive - i.state.x - i.friction).abs() / omega.powi(2));
-                force = force.max((i.state.x + i.friction).abs());
+                let carried = i.state.x + i.friction + 2.0 * zeta * omega * i.state.v;
+                acceleration = acceleration.max((drive - carried).abs() / omega.powi(2));
+                force = force.max(carried.abs());
                 absolute = absolute.max((i.state.x + drive / omega.powi(2)).abs());
             }
             for (found, sampled) in [
@@ -164,17 +209,21 @@ mod tests {
     /// Without stops the exact motion has the peaks of the closed forms.
     #[test]
     fn peaks_without_stops_are_those_of_the_closed_forms() {
-        for (omega, alpha) in [
-            (0.17, 60.0),
-            (0.3, 14.0),
-            (0.4, 9.0),
-            (0.55, 3.0),
-            (0.7, 2.0),
-            (0.999, 1.5),
-            (1.5, 2.5),
-            (4.4, 3.0),
+        for (omega, alpha, zeta) in [
+            (0.17, 60.0, 0.0),
+            (0.3, 14.0, 0.0),
+            (0.4, 9.0, 0.0),
+            (0.55, 3.0, 0.0),
+            (0.7, 2.0, 0.0),
+            (0.999, 1.5, 0.0),
+            (1.5, 2.5, 0.0),
+            (4.4, 3.0, 0.0),
+            (0.21, 60.0, 0.02),
+            (0.7, 2.4, 0.05),
+            (1.0, 3.0, 0.1),
+            (0.8, 14.0, 1.3),
         ] {
-            let ratios = Ratios::new(omega, alpha).unwrap();
+            let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
             let cycle = Cycle::new(ratios).unwrap();
             let found = LongRun::from_start(ratios, State::rest()).unwrap();
             let peaks = found.steady_state().unwrap().peaks().unwrap();

@@ -3,10 +3,9 @@
 
 use super::random::Random;
 use std::f64::consts::{PI, TAU};
-use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::float::mp::Mp;
 use stickslip::{
-    Border, Cycle, Drive, Error, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design, regime,
+    Border, Cycle, Drive, Error, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design,
 };
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
@@ -353,7 +352,6 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
 #[test]
 fn what_does_not_know_damping_refuses_it() {
     let damped = ratios(0.7, 0.05, 3.0);
-    let refused = |e: Error| assert_eq!(e, Error::Damped { damping_ratio: "0.05".to_owned() });
     let is_refused = |e: Error| assert!(matches!(e, Error::Damped { .. }), "{e}");
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(0.05).unwrap();
     let drive = Drive::force(3.0, 0.7).unwrap();
