@@ -61,6 +61,12 @@ impl<F: Float> Cover<F> {
         if self.damping == F::int(0) {
             return most;
         }
+        self.damped_longest(most)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_longest(self, most: F) -> F {
         let square = self.square();
         if square > F::int(0) { most / square.sqrt() } else { F::int(1) / F::int(0) }
     }
@@ -77,6 +83,8 @@ impl<F: Float> Cover<F> {
     }
 
     /// The first zero of the free vibration from (u, u′).
+    #[cold]
+    #[inline(never)]
     fn damped(self, value: F, slope: F) -> F {
         let (zero, square) = (F::int(0), self.square());
         let rate = square.abs().sqrt();

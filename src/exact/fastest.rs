@@ -18,6 +18,7 @@
 
 use super::broken::Broken;
 use super::cover::Cover;
+use super::equation::Equation;
 use super::event::{Found, Search, Verdict, next_zero};
 use super::motion::Motion;
 use super::slide::Slide;
@@ -42,17 +43,11 @@ impl<F: Float> Slide<F> {
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
-        let (damping, pace) = (self.equation.damping, one.or_larger(omega));
-        if damping > zero
-            && (end * pace <= F::int(10) || (omega * two >= one && omega <= two && damping < one))
-        {
-            self.scan((zero, &start), (end, arrival), &mut best)?;
-            return Ok(best);
-        }
-        if damping > zero {
+        let is_damped = self.equation.is_damped();
+        if is_damped && self.has_many_extrema(end) {
             return Ok(self.fastest_of_damped(end, arrival));
         }
-        if omega * two >= one && omega <= two {
+        if (omega * two >= one && omega <= two) || is_damped {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
         }
@@ -80,8 +75,19 @@ impl<F: Float> Slide<F> {
         Ok(best)
     }
 
+    /// Whether a slide with damping may hold more extrema than a few.
+    #[cold]
+    #[inline(never)]
+    fn has_many_extrema(&self, end: F) -> bool {
+        let (one, two) = (F::int(1), F::int(2));
+        let Equation { omega, damping, .. } = self.equation;
+        let middle = omega * two >= one && omega <= two && damping < one;
+        !middle && end * one.or_larger(omega) > F::int(10)
+    }
+
     /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form cycle.
     #[cold]
+    #[inline(never)]
     fn fastest_of_damped(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
         let equation = &self.equation;
         let sign = self.direction.sign::<F>();

@@ -128,7 +128,7 @@ mod tests {
             let s = 0.2 + 0.8 * f64::from(i) / 2000.0;
             let sum = (2.0 * s.sqrt() / (1.0 + s)).acos();
             let before = 0.3 * sum;
-            let rotated = |m: Matrix<f64>, angle: f64| m.after_slide(angle.sin_cos());
+            let rotated = |m: Matrix<f64>, angle: f64| m.after_slide(angle.sin_cos(), 0.0);
             let m = rotated(rotated(Matrix::identity(), before).after_zero(s), sum - before);
             let [(re, im), _] = m.squared_eigenvalues();
             worst = worst.max((re.hypot(im) / s - 1.0).abs());

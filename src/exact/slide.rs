@@ -209,6 +209,8 @@ impl<F: Float> Slide<F> {
     /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1.
     ///
     /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
+    #[cold]
+    #[inline(never)]
     fn forced_and_free(&self, phi: F) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
         let (si, ci) = (self.sin_start, self.cos_start);

@@ -43,6 +43,8 @@ pub(crate) struct Waves<F> {
 
 impl<F: Float> Waves<F> {
     /// The waves of a slide with damping.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn of(slide: &Slide<F>) -> Self {
         let equation = slide.equation;
         let (one, two) = (F::int(1), F::int(2));
@@ -79,6 +81,8 @@ impl<F: Float> Waves<F> {
     }
 
     /// The end of the window that φ lies in, where there is one longer than what a stretch takes in at once.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn end(&self, phi: F) -> Option<F> {
         let (one, two, four) = (F::int(1), F::int(2), F::int(4));
         let Equation { omega, .. } = self.equation;
@@ -117,6 +121,8 @@ impl<F: Float> Waves<F> {
 
     /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on it is below half of the forced
     /// one after a time; each time the forced wave then changes its sign within half a turn of the drive. A turn more for rounding.
+    #[cold]
+    #[inline(never)]
     pub(crate) fn longest(&self) -> F {
         let turns = F::int(3) * F::pi() / self.equation.omega;
         let swing = if self.free.swings() { F::pi() / self.free.frequency } else { F::int(1) / F::int(0) };

@@ -71,6 +71,8 @@ impl<F: Float> Slide<F> {
     /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then an
     /// integral by Gauss's rule, and the drive's follows from the balance of energy. So they do where their terms nearly cancel, but for the
     /// damper's along a slide of many periods, which is then right to the rounding of the drive's.
+    #[cold]
+    #[inline(never)]
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
         let two = F::int(2);
         let k = self.equation.damping;

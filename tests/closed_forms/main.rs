@@ -19,6 +19,8 @@ mod design;
 #[cfg(feature = "mp")]
 mod design_wide;
 mod errata;
+#[cfg(feature = "dual")]
+mod identify;
 #[cfg(feature = "matching")]
 mod identities;
 mod independent;

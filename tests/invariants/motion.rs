@@ -13,9 +13,18 @@ use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 /// # Panics
 /// Where a promise is broken: that is the finding.
 pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
-    let (Ok(ratios), Ok(start)) = (Ratios::new(omega, alpha), State::new(theta, x, v)) else { return };
+    damped_trajectory(omega, alpha, 0.0, theta, x, v);
+}
+
+/// The same with a damper of the ratio ζ.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
+    let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
+    let (Ok(ratios), Ok(start)) = (ratios, State::new(theta, x, v)) else { return };
     let Ok(motion) = Trajectory::new(ratios, start) else {
-        assert!(!(2f64.powi(-20)..=2f64.powi(20)).contains(&omega));
+        assert!(!(2f64.powi(-20)..=2f64.powi(20)).contains(&omega) || zeta > 2f64.powi(20));
         return;
     };
     let mut last = start;
@@ -49,7 +58,16 @@ pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
 /// # Panics
 /// As [`trajectory`].
 pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
-    let (Ok(ratios), Ok(start)) = (Ratios::new(omega, alpha), State::new(theta, x, v)) else { return };
+    damped_long_run(omega, alpha, 0.0, theta, x, v);
+}
+
+/// The same with a damper of the ratio ζ.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn damped_long_run(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
+    let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
+    let (Ok(ratios), Ok(start)) = (ratios, State::new(theta, x, v)) else { return };
     // Bounded work: a cycle has up to 4 + 4/Ω slides.
     let mut slides = 0;
     let limit = LongRun::within_while(ratios, start, 200, &mut || {
@@ -63,7 +81,7 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
         LongRun::Rest(rest) => {
             assert!(alpha <= 1.0 && rest.position.abs() <= (1.0 - alpha) + 1e-12 * (1.0 + x.abs()));
         }
-        LongRun::Unbounded { growth } => assert!(omega == 1.0 && *growth > 0.0),
+        LongRun::Unbounded { growth } => assert!(omega == 1.0 && *growth > 0.0 && zeta == 0.0),
         LongRun::NotConverged { .. } => {}
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             assert!(alpha > 1.0);
@@ -76,7 +94,7 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
             // No part of a motion drives two of them apart: rounding of a few units each, and near a double root the root of it.
             let rounding = 16.0 * f64::EPSILON * f64::from(zeros) + 2e-7;
             assert!(steady.contraction() <= 1.0 + rounding, "{} at {ratios:?}", steady.contraction());
-            let (work_in, work_out) = (steady.energy_in(), steady.energy_out());
+            let (work_in, work_out) = (steady.energy_in(), steady.energy_out() + steady.damper_work());
             // What the distance from the limit is worth in energy, and rounding in the large terms.
             let (far, fast) = steady.distance();
             assert!(far >= 0.0 && fast >= 0.0);

@@ -105,6 +105,21 @@ proptest! {
     }
 
     #[test]
+    fn any_hard_damped_motion(start in hard::<Start>(), z in -60.0..6.0) {
+        let Start { point: Point { omega, alpha }, theta, x, v } = start;
+        motion::damped_trajectory(omega, alpha, f64::exp2(z), theta, x, v);
+        motion::damped_long_run(omega, alpha, f64::exp2(z), theta, x, v);
+    }
+
+    #[test]
+    fn any_ordinary_damped_motion(
+        e in -6.0..6.0, a in -1.0..8.0, z in -12.0..6.0, theta in -9.0..9.0, x in -30.0..30.0, v in -30.0..30.0,
+    ) {
+        motion::damped_trajectory(2f64.powf(e), 2f64.powf(a), 2f64.powf(z), theta, x, v);
+        motion::damped_long_run(2f64.powf(e), 2f64.powf(a), 2f64.powf(z), theta, x, v);
+    }
+
+    #[test]
     fn any_question(e in -8.0..6.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0) {
         motion::questions(2f64.powf(e), 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
     }

@@ -38,8 +38,15 @@ impl<W: Write> Task for Run<'_, W> {
             Some(s) => (x0 / s.length, v0 * s.time / s.length),
             None => (x0, v0),
         };
-        let decay = FreeDecay::new(x, v).map_err(|e| {
+        let zeta = match &args.damping_ratio {
+            Some(text) => reader.value("--damping-ratio", text, Kind::Ratio)?,
+            None => F::int(0),
+        };
+        let decay = FreeDecay::with_damping(x, v, zeta).map_err(|e| {
             let argument = match e.quantity() {
+                Some(Quantity::DampingRatio) => {
+                    format!("--damping-ratio {}", args.damping_ratio.as_deref().unwrap_or("0"))
+                }
                 Some(Quantity::Velocity) => format!("--v0 {}", args.v0),
                 _ => format!("--x0 {}", args.x0),
             };
@@ -58,10 +65,17 @@ impl<W: Write> Task for Run<'_, W> {
                     )
                 };
                 let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
-                writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles())?;
+                let rests = decay.rest_time().is_finite();
+                if rests {
+                    writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles())?;
+                } else {
+                    writeln!(out, "It creeps to its place of rest for ever.\n")?;
+                }
                 writeln!(out, "  turns first at           {}", length(decay.first_turn()))?;
                 writeln!(out, "  comes to rest at         {}", length(decay.rest_position()))?;
-                writeln!(out, "  after a time of          {}", time(decay.rest_time()))?;
+                if rests {
+                    writeln!(out, "  after a time of          {}", time(decay.rest_time()))?;
+                }
                 Ok(())
             }
             Format::Jsonl | Format::Csv => {
@@ -77,7 +91,7 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<
             ("half_cycles", Cell::Count(Some(decay.half_cycles()))),
             ("first_turn", Cell::Number(Some(decay.first_turn()))),
             ("rest_position", Cell::Number(Some(decay.rest_position()))),
-            ("rest_time", Cell::Number(Some(decay.rest_time()))),
+            ("rest_time", Cell::Number(Some(decay.rest_time()).filter(|time| time.is_finite()))),
         ],
         physical: Physical::default(),
     };

@@ -16,7 +16,7 @@ use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::exact::{LongRun, Peaks, State, SteadyState};
 use stickslip::regime::{Observed, observed};
-use stickslip::{Error, Ratios, Regime};
+use stickslip::{Error, Quantity, Ratios, Regime};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
@@ -65,7 +65,14 @@ pub(crate) fn answer<F: Value>(
     let limit = LongRun::within(point.ratios, start, max_periods).map_err(|e| of_motion(given, e))?;
     let record = record(point.ratios, &limit, peaks).map_err(|e| given.at_fault(e))?;
     let zeta = point.ratios.damping_ratio();
-    let record = if given.has_damper() { record.with_damping_ratio(zeta) } else { record };
+    let record = if given.has_damper() {
+        let mut record = record.with_damping_ratio(zeta);
+        let work = limit.steady_state().map(SteadyState::damper_work);
+        record.fields.push(("damper_work", Cell::Number(work)));
+        record
+    } else {
+        record
+    };
     let record = match &point.machine {
         Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?,
         None => record,
@@ -75,7 +82,7 @@ pub(crate) fn answer<F: Value>(
 
 /// The failure behind the argument that the exact motion cannot be followed with.
 pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
-    if matches!(error, Error::Damped { .. }) {
+    if matches!(error, Error::Damped { .. }) || error.quantity() == Some(Quantity::DampingRatio) {
         return given.at_fault(error);
     }
     Failure::Input(format!("--omega or --frequency: {error}"))
@@ -169,6 +176,7 @@ fn with_machine<F: Value>(mut record: Record<F>, machine: &Machine<F>) -> Record
             }
             "energy_in" => ("energy_in", Kind::Energy, scales.force * scales.length),
             "energy_out" => ("energy_out", Kind::Energy, scales.force * scales.length),
+            "damper_work" => ("damper_energy_per_cycle", Kind::Energy, scales.force * scales.length),
             "distance" => ("distance", Kind::Length, scales.length),
             "rest_position" => ("rest_position", Kind::Length, scales.length),
             "periods" => ("followed_for", Kind::Time, turn),
@@ -275,6 +283,9 @@ fn motion<F: Value>(
     writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
     writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
     writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
+    if steady.damper_work() > F::int(0) {
+        writeln!(out, "  work against the damper  {}", work(steady.damper_work()))?;
+    }
     let left = digits(steady.contraction().to_f64());
     writeln!(out, "  a disturbance shrinks to {left} of itself in a cycle")?;
     let far = format!("{:.0e}", steady.distance().0.to_f64());

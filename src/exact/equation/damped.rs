@@ -34,9 +34,12 @@ impl<F: Float> Equation<F> {
     /// The free vibrations from (x, w) = (0, 1) and (1, 0) after φ: (sin φ, cos φ) without damping.
     #[inline]
     pub(crate) fn free_waves(&self, phi: F) -> (F, F) {
-        if !self.is_damped() {
-            return phi.sin_cos();
-        }
+        if self.is_damped() { self.damped_free_waves(phi) } else { phi.sin_cos() }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_free_waves(&self, phi: F) -> (F, F) {
         let waves = self.vibration().waves(phi);
         (waves.sine, waves.cosine + self.zeta() * waves.sine)
     }
@@ -71,6 +74,8 @@ impl<F: Float> Equation<F> {
     }
 
     /// [`Equation::waves`] with damping.
+    #[cold]
+    #[inline(never)]
     pub(super) fn damped_waves(&self, phi: F) -> Waves<F> {
         let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
         let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
@@ -127,6 +132,8 @@ impl<F: Float> Equation<F> {
     /// The same by Q, for Ω in [1/2, 2] and ζ < 1/8.
     ///
     /// `Ω − d = (Ω² − 1 + ζ²)/(Ω + d)`, and dφ is Ωφ less that times φ: two circular functions in all.
+    #[cold]
+    #[inline(never)]
     fn waves_beside_resonance(&self, phi: F) -> Waves<F> {
         let (one, two) = (F::int(1), F::int(2));
         let Free { zeta, frequency: d, .. } = self.vibration();

@@ -82,6 +82,9 @@ pub(crate) struct DecayArgs {
     /// Friction bound r_y, such as 5kN
     #[arg(long, value_name = "RY", allow_hyphen_values = true)]
     pub(crate) friction: Option<String>,
+    /// Damping ratio ζ = c/(2√(k m)), 0 unless given
+    #[arg(long, value_name = "ZETA", allow_hyphen_values = true)]
+    pub(crate) damping_ratio: Option<String>,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: String,

@@ -79,8 +79,8 @@ const USED: &[(&str, Mode, &str)] = &[
         "file mass stiffness period gravity force base_acceleration base_velocity base_displacement \
          foot_displacement format units",
     ),
-    ("decay", Ratios, "x0 v0 format bits"),
-    ("decay", Machine, "mass stiffness friction x0 v0 format bits units"),
+    ("decay", Ratios, "damping_ratio x0 v0 format bits"),
+    ("decay", Machine, "mass stiffness friction damping_ratio x0 v0 format bits units"),
     ("design force", Ratios, "omega damping_ratio no_stop format bits"),
     ("design force", Machine, "BODY frequency no_stop format bits units"),
     ("design friction", Ratios, "omega damping_ratio format bits"),
