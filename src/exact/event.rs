@@ -93,7 +93,7 @@ impl<F: Float> Safe<F> {
 }
 
 /// What is known of the function whose zero is sought.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Search<F> {
     pub(crate) omega: F,
     /// The fastest rate of change, [`super::equation::Equation::pace`].
@@ -112,7 +112,7 @@ pub(crate) struct Search<F> {
     /// Where no zero can be, without damping.
     pub(crate) safe: Option<Safe<F>>,
     /// Where no zero can be, with damping.
-    pub(crate) waves: Option<Waves<F>>,
+    pub(crate) waves: Option<Box<Waves<F>>>,
     /// What rounding can make of a zero of f.
     pub(crate) noise: F,
     /// The same at a short time: the coefficients of 1, φ, φ², φ³.
@@ -163,7 +163,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
         return Verdict::Clear(None);
     }
     for stretches in 0..u32::MAX {
-        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves, phi, stretches) {
+        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves.as_deref(), phi, stretches) {
             return Verdict::Lost(phi);
         }
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
@@ -234,9 +234,9 @@ const USUAL_STRETCHES: u32 = 64;
 /// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than so long a time is made of.
 #[cold]
 #[inline(never)]
-fn is_overdue<F: Float>(omega: F, waves: Option<Waves<F>>, phi: F, stretches: u32) -> bool {
+fn is_overdue<F: Float>(omega: F, waves: Option<&Waves<F>>, phi: F, stretches: u32) -> bool {
     let (one, two) = (F::int(1), F::int(2));
-    let longest = waves.map_or(F::pi() * (one + two / omega), |waves| waves.longest());
+    let longest = waves.map_or(F::pi() * (one + two / omega), Waves::longest);
     let most = F::int(8) * (F::int(8) + omega + one / omega);
     phi > longest || F::from_f64(f64::from(stretches)) > most
 }

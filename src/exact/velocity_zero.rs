@@ -199,11 +199,11 @@ impl<F: Float> Slide<F> {
 
     /// The two waves of the velocity with damping, where a slide may be long: for Ω outside [1/2, 2] or ζ from 1/2 on.
     #[inline]
-    fn damped_waves(&self) -> Option<Waves<F>> {
+    fn damped_waves(&self) -> Option<Box<Waves<F>>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, damping, .. } = self.equation;
         let long = self.equation.is_damped() && (omega * two < one || omega > two || damping >= one);
-        long.then(|| Waves::of(self))
+        long.then(|| Box::new(Waves::of(self)))
     }
 
     /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2] and ζ = 0.
