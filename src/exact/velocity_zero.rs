@@ -47,7 +47,7 @@ impl<F: Float> Slide<F> {
     /// [`Lost`].
     #[inline]
     pub(crate) fn velocity_zero(&self, hint: F) -> Result<VelocityZero<F>, Lost> {
-        if self.equation.alpha == F::int(0)
+        if self.equation.alpha * F::int(8) <= F::epsilon()
             && let Some(end) = self.end_of_creep()
         {
             return Ok(end);
@@ -58,7 +58,7 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Without a drive and from ζ = 1 on: the end of a slide that creeps to ∓1 for ever, when its velocity is rounding.
+    /// Without a drive, or one below rounding, and from ζ = 1 on: the end of a slide that creeps to ∓1 for ever, when its velocity is rounding.
     ///
     /// It turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`super::FreeDecay`]).
     #[cold]

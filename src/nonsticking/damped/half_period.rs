@@ -101,7 +101,8 @@ impl<F: Float> HalfPeriod<F> {
 
 /// `(e^{−ζT/2} cos(dT/2), e^{−ζT/2} sin(dT/2)/d)`; `half` is T/2.
 fn waves_at_half<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) {
-    if !free.swings() {
+    // Towards ζ = 1 d vanishes, and a difference would lose it; there no pole is near enough to ask for more.
+    if free.zeta * F::int(2) > F::int(1) {
         let waves = free.waves(half);
         return (waves.cosine, waves.sine);
     }
