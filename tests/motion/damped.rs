@@ -190,6 +190,8 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
     let mut compared = 0;
     for _ in 0..points {
         let [omega, zeta, _] = plane(&mut random);
+        // Beyond, rounding of a small motion may be more than the long run takes for settled.
+        let omega = omega.clamp(1e-5, 1e4);
         let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
         let alpha = least.max(1.0) * (1.0 + random.scale(1e-3, 10.0));
         let ratios = ratios(omega, zeta, alpha);
