@@ -56,10 +56,11 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
     if !ratios.is_damped() {
         return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio());
     }
-    match damped::regime_by_border(ratios, border) {
-        Regime::Sticking if damped::never_stops(ratios) == Some(true) => Regime::NonSticking,
-        by_border => by_border,
+    let by_border = damped::regime_by_border(ratios, border);
+    if by_border == Regime::Sticking && damped::never_stops(ratios) == Some(true) {
+        return Regime::NonSticking;
     }
+    by_border
 }
 
 /// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.

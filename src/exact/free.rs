@@ -210,7 +210,8 @@ fn ln_1p<F: Float>(y: F) -> F {
         let e = x.exp_m1();
         let step = two * (y - e) / (y + two + e);
         x = x + step;
-        if step.abs() <= F::epsilon() * x.abs() || !(one + step.abs() > one) {
+        let is_felt = one + step.abs() > one;
+        if step.abs() <= F::epsilon() * x.abs() || !is_felt {
             break;
         }
     }

@@ -143,7 +143,9 @@ fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
     if at_high > zero {
         return Some(high);
     }
-    if !(at_low > zero) {
+    // NaN is not above zero either.
+    let is_above = at_low > zero;
+    if !is_above {
         return None;
     }
     let (mut side, mut width) = (0, high - low);

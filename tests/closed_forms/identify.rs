@@ -1,5 +1,7 @@
 //! Friction and damping from noisy response curves: how often the true values lie within the interval that is given.
 
+#![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
+
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::design::{Measurement, identify};
