@@ -102,7 +102,7 @@ pub(crate) fn walk<F: Float>(
 /// times as many parts are an error.
 ///
 /// # Errors
-/// [`Error::SearchBound`], [`Error::Interrupted`], and what `visit` says.
+/// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and what `visit` says.
 pub(crate) fn follow<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
