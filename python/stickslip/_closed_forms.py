@@ -236,12 +236,12 @@ def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0, *, bits: Optional[i
         wide = decimals(_native.wide_response(precision(bits), texts))
         return Border({**wide, "omega": Decimal(texts[0]), "damping_ratio": Decimal(texts[2])})
     shape, columns = broadcast(omega, damping_ratio)
-    answer = response(columns[0], np.ones_like(columns[0]), columns[1], outputs=_OF_BORDER)
+    # The border is that of every force ratio.
     if shape is not None:
-        found = {name: getattr(answer, name).reshape(shape) for name in _OF_BORDER}
-        return Border({"omega": columns[0].reshape(shape), "damping_ratio": columns[1].reshape(shape), **found})
+        omegas, dampings = (column.reshape(shape) for column in columns)
+        return Border(response(omegas, 1.0, dampings, outputs=_OF_BORDER).to_dict())
     point, damping = columns[0].item(), columns[1].item()
-    single = response(point, 1.0, damping)
+    single = response(point, 1.0, damping, outputs=_OF_BORDER)
     no_stop = None if damping else _native.no_stop(point)
     return Border({**single.to_dict(), "no_stop_force_ratios": no_stop})
 

@@ -34,7 +34,7 @@ class Steady(Result):
     stick_fraction : float or array
         Share of the cycle at rest.
     energy_in, energy_out : float or array
-        Work of the drive, and work against friction and damper in a cycle (r B).
+        Work of the drive, and work against friction in a cycle (r B). The difference goes to the damper.
     multipliers : list of (float, float)
         Multipliers of a whole cycle, real and imaginary parts (a single point only).
     contraction : float or array
