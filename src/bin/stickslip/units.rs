@@ -185,7 +185,7 @@ mod tests {
             ("2 mm/s²", Kind::Acceleration, 0.002),
             ("4in/s2", Kind::Acceleration, 0.1016),
             ("3kN/mm", Kind::Stiffness, 3e6),
-            ("1 lbf/in", Kind::Stiffness, 175.126_835_246_476_38),
+            ("1 lbf/in", Kind::Stiffness, 175.126_835_246_476_4),
             ("2.2s", Kind::Time, 2.2),
             ("250ms", Kind::Time, 0.25),
             ("90°", Kind::Angle, PI / 2.0),
