@@ -127,9 +127,10 @@ impl<F: Float> Search<F> {
 
     /// What rounding can make of a zero of f at φ.
     pub(crate) fn noise_at(&self, phi: F) -> F {
-        let Some([a, b, c, d]) = self.short_noise else { return self.noise };
-        let short = a + phi * (b + phi * (c + phi * d));
-        if short < self.noise { short } else { self.noise }
+        let least = |x: F, y: F| if x < y { x } else { y };
+        let long = self.waves.as_ref().map_or(self.noise, |waves| least(waves.noise_at(phi), self.noise));
+        let Some([a, b, c, d]) = self.short_noise else { return long };
+        least(a + phi * (b + phi * (c + phi * d)), long)
     }
 }
 
@@ -236,8 +237,11 @@ const USUAL_STRETCHES: u32 = 64;
 #[inline(never)]
 fn is_overdue<F: Float>(omega: F, waves: Option<&Waves<F>>, phi: F, stretches: u32) -> bool {
     let (one, two) = (F::int(1), F::int(2));
-    let longest = waves.map_or(F::pi() * (one + two / omega), Waves::longest);
-    let most = F::int(8) * (F::int(8) + omega + one / omega);
+    let usual = F::pi() * (one + two / omega);
+    let longest = waves.map_or(usual, Waves::longest);
+    // As many times as many where a damped slide may last longer.
+    let times = if longest > usual { longest / usual } else { one };
+    let most = F::int(8) * (F::int(8) + omega + one / omega) * times;
     phi > longest || F::from_f64(f64::from(stretches)) > most
 }
 

@@ -188,7 +188,9 @@ pub(crate) fn shoot<F: Float>(
             let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare, budget)?;
             budget.walked(1);
             let after = residual(&equation, &trial, &tried);
-            if after.norm() * two <= left.norm() && !left.is_rounding(1) {
+            // Where the rounding of w is more than all of x, the norm does not see that x has settled.
+            let has_settled = after.is_rounding(16) && !left.is_rounding(64);
+            if (after.norm() * two <= left.norm() && !left.is_rounding(1)) || has_settled {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;

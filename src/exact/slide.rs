@@ -140,10 +140,11 @@ impl<F: Float> Slide<F> {
         if self.is_short(phi) {
             return self.short(phi);
         }
-        if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
-            if self.equation.is_damped() {
-                return self.forced_and_free(phi);
-            }
+        let is_long = self.equation.omega < F::ratio(1, 2) && phi > F::int(1);
+        if self.equation.is_damped() && (is_long || self.has_forgotten(phi)) {
+            return self.forced_and_free(phi);
+        }
+        if is_long {
             return self.slow_and_fast(phi);
         }
         self.motion_of(&self.equation.waves(phi))
@@ -206,7 +207,16 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1.
+    /// Whether a damped free vibration has died out by a factor e since the start: x is then no longer a sum with the x that it began at.
+    #[cold]
+    #[inline(never)]
+    fn has_forgotten(&self, phi: F) -> bool {
+        let free = self.equation.vibration();
+        let rate = if free.swings() { free.zeta } else { free.slow_rate() };
+        rate * phi > F::int(1)
+    }
+
+    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1, or once that has died out by a factor e.
     ///
     /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
     #[cold]

@@ -105,7 +105,12 @@ impl<F: Float> Slide<F> {
     /// The error of a search along this slide that passed its bound.
     #[cold]
     pub(crate) fn lost(&self, search: &'static str) -> Broken {
-        self.equation.lost(search, self.start, "π(1 + 2/Ω) of natural time")
+        let bound = if self.equation.is_damped() {
+            "3π/Ω of natural time, and what the free vibration takes to turn or to fall below the forced one"
+        } else {
+            "π(1 + 2/Ω) of natural time"
+        };
+        self.equation.lost(search, self.start, bound)
     }
 
     /// The speed with its derivatives, and the motion that it is of.

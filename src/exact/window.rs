@@ -35,8 +35,8 @@ pub(crate) struct Waves<F> {
     angle: F,
     /// h and h′ at φ = 0.
     start: (F, F),
-    /// What rounding can make of either wave.
-    noise: F,
+    /// |x′| + |x″| at φ = 0: the size of the terms that h and h′ are made of, beside the forced wave.
+    size: F,
     /// σ and β.
     rates: (F, F),
 }
@@ -57,17 +57,26 @@ impl<F: Float> Waves<F> {
         // F′ = −Ω² x
         let start = (sign * (slide.w - w), sign * (slide.acceleration + omega.square() * x));
         let angle = (sign * omega * x).atan2(sign * w);
-        let unit = F::int(16) * F::epsilon();
-        let noise = unit * (slide.w.abs() + slide.acceleration.abs() + (one + omega) * gain);
+        let size = slide.w.abs() + slide.acceleration.abs();
         let slower = if free.swings() { free.zeta } else { free.slow_rate() };
         let decay = if free.zeta * two < one { free.zeta } else { slower / two };
-        Self { equation, free, gain, angle, start, noise, rates: (slower, decay) }
+        Self { equation, free, gain, angle, start, size, rates: (slower, decay) }
     }
 
-    /// h and h′ at φ.
-    fn free_at(&self, phi: F) -> (F, F) {
-        let rotation = self.equation.free_waves(phi);
-        self.equation.freely(phi, rotation, self.start)
+    /// What rounding can make of the velocity at φ, by the free vibrations there: that of the start dies out with them.
+    fn noise_of(&self, phi: F, (s, c): (F, F)) -> F {
+        let (one, omega) = (F::int(1), self.equation.omega);
+        // The angle dφ, or the exponent σφ, is right to ε of itself.
+        let turned = if self.free.swings() { phi } else { self.rates.0 * phi };
+        let free = (s.abs() + c.abs()) * (one + turned) * (self.size + (one + omega) * self.gain);
+        F::int(16) * F::epsilon() * (free + (one + omega + omega * phi) * self.gain)
+    }
+
+    /// The same from the start.
+    #[cold]
+    #[inline(never)]
+    pub(crate) fn noise_at(&self, phi: F) -> F {
+        self.noise_of(phi, self.equation.free_waves(phi))
     }
 
     /// r, by h and h′.
@@ -86,12 +95,13 @@ impl<F: Float> Waves<F> {
     pub(crate) fn end(&self, phi: F) -> Option<F> {
         let (one, two, four) = (F::int(1), F::int(2), F::int(4));
         let Equation { omega, .. } = self.equation;
-        let now = self.free_at(phi);
-        let r = self.bound(now) + self.noise;
+        let rotation = self.equation.free_waves(phi);
+        let now = self.equation.freely(phi, rotation, self.start);
+        let noise = self.noise_of(phi, rotation);
+        let r = self.bound(now) + noise;
         let decay = self.rates.1;
         let psi = self.angle + omega * phi;
         let psi = psi - two * F::pi() * (psi / (two * F::pi())).round();
-        let noise = self.noise + F::int(4) * F::epsilon() * self.gain * (one + omega * phi);
         let quarter = F::pi() / two;
         if self.gain * psi.cos() > r + noise && psi < quarter {
             let clear = |t: F| self.gain * (psi + omega * t).cos() - r * (-(decay * t)).exp() - noise;

@@ -13,6 +13,8 @@ use crate::float::Real;
 mod accuracy;
 pub mod balanced;
 #[cfg(feature = "matching")]
+mod damped;
+#[cfg(feature = "matching")]
 mod fastest;
 #[cfg(feature = "matching")]
 pub mod newton;

@@ -2,6 +2,7 @@
 //!
 //! The solver knows eq. 21–25 and the motion without friction, and none of the closed forms.
 
+mod damped;
 mod equations;
 mod failures;
 mod points;

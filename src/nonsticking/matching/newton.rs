@@ -79,7 +79,8 @@ pub enum MatchingError {
 pub struct Solution<F> {
     /// t₁, t₂, V₀, Δ₀, Δ₁; lengths in units of B. t₂ in `[0, 2π)`, t₁ in the half cycle before it.
     pub unknowns: Unknowns<F>,
-    /// |left − right| of eq. 21–25 as the paper has them, in units of the last place of their largest term.
+    /// |left − right| of eq. 21–25 as the paper has them, with damping of the same conditions with it, in units of the last place of their
+    /// largest term.
     pub residuals: [F; 5],
     /// Newton iterations at the full precision.
     pub iterations: u32,
@@ -126,14 +127,18 @@ impl<F: Float + RealField> Solvable for F {
     }
 }
 
-/// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α).
+/// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same matching conditions with the free
+/// vibrations of a damped body, and at Ω = 1, too.
 ///
 /// # Errors
 /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
 /// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
 /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
 pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
-    let (omega, alpha) = (ratios.undamped()?.omega(), ratios.alpha());
+    if ratios.is_damped() {
+        return super::damped::solve(ratios);
+    }
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
     if omega == <F as Real>::int(1) {
         return Err(MatchingError::Resonance);
     }
@@ -222,7 +227,7 @@ fn friction_sign<F: Float>(omega: F, p: &PhaseFunction<F>) -> f64 {
     if below == (cosine > F::int(0)) { 1.0 } else { -1.0 }
 }
 
-fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
+pub(super) fn positive<F: Float>(what: &'static str, value: F) -> Result<(), MatchingError> {
     if value > F::int(0) { Ok(()) } else { Err(MatchingError::NotACycle { what, value: written(value) }) }
 }
 
@@ -256,11 +261,11 @@ fn to_f64<F: Float>(system: &Balanced<F>) -> Balanced<f64> {
 }
 
 /// Where the iteration ends.
-struct Found<F, const N: usize> {
-    at: [F; N],
-    iterations: u32,
-    step: f64,
-    residual: f64,
+pub(super) struct Found<F, const N: usize> {
+    pub(super) at: [F; N],
+    pub(super) iterations: u32,
+    pub(super) step: f64,
+    pub(super) residual: f64,
 }
 
 /// The last places a residual may have by rounding of the angles t/Ω.
@@ -269,7 +274,7 @@ fn rounding<F: Float>(omega: F) -> F {
 }
 
 /// Where the error is only halved, one iteration for each bit, and some.
-fn most_iterations<F: Float>() -> u32 {
+pub(super) fn most_iterations<F: Float>() -> u32 {
     F::PRECISION + 64
 }
 
@@ -296,7 +301,7 @@ pub(super) fn largest<F: Float>(x: &[F]) -> F {
 ///
 /// From ten good digits each step doubles them. Beside the end of the branch, α → |K|, where two cycles
 /// meet, it only halves the error, once for each bit: so many iterations are allowed.
-fn iterate<F: Float + RealField, const N: usize>(
+pub(super) fn iterate<F: Float + RealField, const N: usize>(
     start: [F; N],
     mut system: impl FnMut(&[F; N]) -> ([F; N], [[F; N]; N]),
 ) -> Result<Found<F, N>, MatchingError> {
