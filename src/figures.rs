@@ -150,8 +150,10 @@ impl Axis {
 /// Points of one kind, with a name.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// The name in the legend; series of one name share an entry, those without a name have none.
+    /// The name in the data.
     pub name: String,
+    /// The words in the legend, by default the name; series of the same words share an entry, those without words have none.
+    pub key: String,
     /// How it is drawn.
     pub style: Style,
     /// Which of the colours and marks, counted up.
@@ -193,7 +195,14 @@ impl Series {
         index: usize,
         points: impl IntoIterator<Item = (f64, f64)>,
     ) -> Self {
-        Self { name: name.into(), style, index, points: points.into_iter().collect() }
+        let name = name.into();
+        Self { key: name.clone(), name, style, index, points: points.into_iter().collect() }
+    }
+
+    /// The same with other words in the legend.
+    #[must_use]
+    pub fn with_key(self, key: impl Into<String>) -> Self {
+        Self { key: key.into(), ..self }
     }
 }
 

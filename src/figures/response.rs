@@ -40,16 +40,27 @@ fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
     inverse_force_ratios(6).map(curve).collect()
 }
 
+/// A line of the exact motion and marks of the closed form for each 1/α; in the legend each line, and the marks once.
+fn lines_and_marks(
+    of_motion: fn(&SteadyState<f64>) -> f64,
+    of_cycle: fn(&Cycle<f64>) -> f64,
+    closed_form: &str,
+) -> Vec<Series> {
+    let lines = inverse_force_ratios(6).map(|(index, alpha, name)| {
+        let points = frequency_ratios().map(|omega| (omega, exact(omega, alpha, of_motion)));
+        Series::new(format!("{name}, exact"), Style::Line, index, points).with_key(name)
+    });
+    let marks = inverse_force_ratios(6).map(|(index, alpha, name)| {
+        let points = marked_frequency_ratios().map(|omega| (omega, closed(omega, alpha, of_cycle)));
+        let series = Series::new(format!("{name}, {closed_form}"), Style::Marks, index, points);
+        series.with_key(format!("marks: {closed_form}"))
+    });
+    lines.chain(marks).collect()
+}
+
 /// Figure 4: Δ₀/B, exact and by eq. 44.
 pub(super) fn max_displacement() -> Figure {
-    let mut series = Vec::new();
-    for (index, alpha, name) in inverse_force_ratios(6) {
-        let line = frequency_ratios().map(|omega| (omega, exact(omega, alpha, |s| s.max_displacement())));
-        series.push(Series::new(format!("{name}, exact"), Style::Line, index, line));
-        let marks =
-            marked_frequency_ratios().map(|omega| (omega, closed(omega, alpha, |c| c.max_displacement())));
-        series.push(Series::new(format!("{name}, eq. 44"), Style::Marks, index, marks));
-    }
+    let series = lines_and_marks(|s| s.max_displacement(), |c| c.max_displacement(), "eq. 44");
     single(
         "4",
         "Maximum displacement",
@@ -101,14 +112,7 @@ pub(super) fn deviation() -> Figure {
 
 /// Figure 7: V₀/(Bω_d), exact, by the corrected eq. 49, and as printed.
 pub(super) fn max_velocity() -> Figure {
-    let mut series = Vec::new();
-    for (index, alpha, name) in inverse_force_ratios(6) {
-        let line = frequency_ratios().map(|omega| (omega, exact(omega, alpha, |s| s.max_velocity())));
-        series.push(Series::new(format!("{name}, exact"), Style::Line, index, line));
-        let marks =
-            marked_frequency_ratios().map(|omega| (omega, closed(omega, alpha, |c| c.max_velocity())));
-        series.push(Series::new(format!("{name}, closed form"), Style::Marks, index, marks));
-    }
+    let mut series = lines_and_marks(|s| s.max_velocity(), |c| c.max_velocity(), "closed form");
     for (index, alpha, _) in inverse_force_ratios(6) {
         let dashed =
             frequency_ratios().filter(|&omega| omega > 0.5).map(|omega| (omega, as_printed(omega, alpha)));

@@ -1,5 +1,7 @@
 //! `stickslip response-curve`: an amplitude over the frequency, for one machine or several, stops included.
 
+mod picture;
+
 use crate::args::{Curve, CurveArgs, Picture};
 use crate::failure::{Failure, Outcome};
 use crate::figure;
@@ -7,7 +9,6 @@ use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
-use crate::map::capital;
 use crate::note::digits;
 use crate::units::{Kind, Reader, System};
 use clap::ValueEnum;
@@ -15,15 +16,12 @@ use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::exact::{LongRun, State};
-use stickslip::figures::{Axis, Figure, Panel, Series, Style};
 use stickslip::{Error, Regime, Response};
 
 /// Curves in a picture: with the border, the resonance and the dashes its key has eight lines.
 const MOST_CURVES: u64 = 5;
 /// Frequencies of a curve.
 const MOST_POINTS: u64 = 100_000;
-/// Decades of the upward axis: what is lower is at rest for all that can be seen.
-const DECADES: f64 = 1e4;
 
 /// One frequency of a curve.
 #[derive(Clone, Copy)]
@@ -39,6 +37,8 @@ struct Place {
 struct Line {
     name: String,
     places: Vec<Place>,
+    /// Where it meets the border of sticking.
+    border: Vec<(f64, f64)>,
     /// Ω = 1 on its axis.
     natural: f64,
 }
@@ -155,19 +155,43 @@ impl Asked {
             ));
         }
         let natural = first.machine.as_ref().map_or(1.0, |m| m.oscillator.natural_frequency() / TAU);
-        let places = (0..self.grid.len()).into_par_iter().map(|place| {
-            let point = at(place)?;
-            let frequency = self.on_axis(&point);
-            let response = Response::new(point.ratios);
-            let margin = point.ratios.alpha() / response.border().min_force_ratio();
-            let (value, regime, sticks) = self.value(&point, &response)?;
-            Ok(Place { frequency, regime, sticks, margin, value })
-        });
-        Ok(Line {
-            name,
-            places: places.collect::<Result<_, Failure>>()?,
-            natural: self.natural(&first, natural),
-        })
+        let places = (0..self.grid.len()).into_par_iter().map(|place| self.place(&at(place)?));
+        let places = places.collect::<Result<Vec<_>, Failure>>()?;
+        let mut border = Vec::new();
+        for (pair, next) in places.windows(2).zip(1..) {
+            if let [a, b] = pair
+                && (a.margin >= 1.0) != (b.margin >= 1.0)
+            {
+                border.extend(self.crossing(given, (self.grid.value(next - 1), self.grid.value(next)))?);
+            }
+        }
+        Ok(Line { name, places, border, natural: self.natural(&first, natural) })
+    }
+
+    fn place(&self, point: &Point<f64>) -> Result<Place, Failure> {
+        let response = Response::new(point.ratios);
+        let margin = margin(point);
+        let (value, regime, sticks) = self.value(point, &response)?;
+        Ok(Place { frequency: self.on_axis(point), regime, sticks, margin, value })
+    }
+
+    /// Where the curve meets the border between two frequencies on either side of it: by halves, to the last bit.
+    fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
+        let at = |x: f64| {
+            let mut given = given.clone();
+            given.set(self.axis, x);
+            input::point(&given)
+        };
+        let slides = |point: &Point<f64>| margin(point) >= 1.0;
+        let (mut inside, mut outside) = if slides(&at(from)?) { (from, to) } else { (to, from) };
+        loop {
+            let middle = inside + (outside - inside) / 2.0;
+            if middle == inside || middle == outside {
+                let place = self.place(&at(inside)?)?;
+                return Ok(place.value.map(|value| (place.frequency, value)));
+            }
+            if slides(&at(middle)?) { inside = middle } else { outside = middle }
+        }
     }
 
     /// The frequency in hertz of a machine, and Ω of ratios.
@@ -202,16 +226,12 @@ impl Asked {
             }
             None if response.regime() == Regime::Unbounded => (None, "unbounded", false),
             None => {
-                let limit = match LongRun::from_start(point.ratios, State::rest()) {
-                    // The closed forms know damping where it does not stop: the rest is a gap.
-                    Err(Error::Damped { .. }) => return Ok((None, response.regime().name(), true)),
-                    other => other.map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?,
-                };
+                let fail = |e: Error| Failure::Input(format!("{}: {e}", self.axis.option()));
+                let limit = LongRun::from_start(point.ratios, State::rest()).map_err(fail)?;
                 match (limit.steady_state(), &limit) {
                     (Some(s), _) => {
                         let sticks = s.sticks_per_cycle() > 0;
-                        let peaks =
-                            s.peaks().map_err(|e| Failure::Input(format!("{}: {e}", self.axis.option())))?;
+                        let peaks = s.peaks().map_err(fail)?;
                         let of_motion = match self.what {
                             Curve::Displacement => s.max_displacement().abs().max(s.min_displacement().abs()),
                             Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
@@ -293,105 +313,11 @@ impl Asked {
         }
         Ok(writer.flush()?)
     }
-
-    fn figure(&self, lines: &[Line]) -> Result<Figure, Failure> {
-        let frequencies = || lines.iter().flat_map(|line| &line.places).map(|place| place.frequency);
-        let (left, right) =
-            (frequencies().fold(f64::INFINITY, f64::min), frequencies().fold(0.0f64, f64::max));
-        if left >= right {
-            return Err(Failure::Input(format!("{}: a picture needs two frequencies", self.axis.option())));
-        }
-        let logarithmic = matches!(self.grid, Grid::Even { logarithmic: true, .. });
-        let name = if self.is_machine() { "frequency (Hz)" } else { "frequency ratio Ω = ω_d/ω_n" };
-        let x =
-            if logarithmic { Axis::logarithmic(name, left, right) } else { Axis::linear(name, left, right) };
-        let (low, high, clipped) = self.range(lines);
-        let y = Axis::logarithmic(&self.label(), low, high);
-        let mut series = Vec::new();
-        let naturals: Vec<f64> = lines.iter().map(|line| line.natural).collect();
-        let one = naturals.windows(2).all(|pair| matches!(pair, [a, b] if (a / b - 1.0).abs() < 1e-9));
-        if let Some(&natural) = naturals.first().filter(|n| one && **n > left && **n < right) {
-            series.push(Series::new(
-                "natural frequency",
-                Style::Dotted,
-                0,
-                [(natural, low), (natural, high)],
-            ));
-        }
-        for (index, line) in lines.iter().enumerate() {
-            // Black is for what is the same in every picture: the border, the resonance.
-            let index = index + 1;
-            let part = |sticks: bool| {
-                let points = line.places.iter().enumerate().map(move |(i, place)| {
-                    // Both parts reach to the place where one ends, so that no gap is between them.
-                    let beside = line.places.get(i + 1).is_some_and(|next| next.sticks == sticks);
-                    let shown = place.sticks == sticks || (sticks && beside);
-                    let value = place.value.filter(|v| shown && *v >= low).unwrap_or(f64::NAN);
-                    (place.frequency, value)
-                });
-                points.collect::<Vec<_>>()
-            };
-            series.push(Series::new(line.name.clone(), Style::Line, index, part(false)));
-            series.push(Series::new("", Style::Dashed, index, part(true)));
-        }
-        let border = lines.iter().flat_map(|line| line.border(low, high)).collect::<Vec<_>>();
-        let is_dashed = |place: &Place| place.sticks && place.value.is_some();
-        if lines.iter().flat_map(|line| &line.places).any(is_dashed) {
-            series.push(Series::new("with stops (exact)", Style::Dashed, 0, []));
-        }
-        if !border.is_empty() {
-            series.push(Series::new("border of sticking", Style::Marks, 0, border));
-        }
-        let is_gap = |place: &Place| place.sticks && place.value.is_none();
-        if lines.iter().flat_map(|line| &line.places).any(is_gap) {
-            series.push(Series::new("gap: it stops, with damping", Style::Note, 0, []));
-        }
-        let mut title = format!("{} over the frequency", capital(words(self.what)));
-        if clipped {
-            let rounded = format!("{high:.1e}").parse().unwrap_or(high);
-            title.push_str(&format!(", cut off at {}", digits(rounded)));
-        }
-        Ok(Figure {
-            name: "response-curve".to_owned(),
-            title,
-            caption: String::new(),
-            panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
-        })
-    }
-
-    /// The ends of the upward axis, and whether a pole is cut off.
-    fn range(&self, lines: &[Line]) -> (f64, f64, bool) {
-        let mut values: Vec<f64> = lines
-            .iter()
-            .flat_map(|line| &line.places)
-            .filter_map(|place| place.value.filter(|v| *v > 0.0))
-            .collect();
-        values.sort_by(f64::total_cmp);
-        let most = values.last().copied().unwrap_or(1.0);
-        // What exceeds nine tenths of all points a hundredfold is a pole.
-        let usual = values.get(values.len() * 9 / 10).copied().unwrap_or(most);
-        let unbounded = lines.iter().flat_map(|line| &line.places).any(|place| place.regime == "unbounded");
-        let high = if most > 100.0 * usual { 100.0 * usual } else { most };
-        let least = values.iter().copied().find(|v| *v > high / DECADES).unwrap_or(high / 10.0);
-        let (low, top) = (least / 1.25, high * 1.25);
-        (low.min(top / 10.0), top, unbounded || most > high)
-    }
 }
 
-impl Line {
-    /// Where the curve crosses the border: between two frequencies on either side of it.
-    fn border(&self, low: f64, high: f64) -> Vec<(f64, f64)> {
-        let crossing = |pair: &[Place]| match pair {
-            [a, b] if (a.margin >= 1.0) != (b.margin >= 1.0) => {
-                let share = (1.0 - a.margin) / (b.margin - a.margin);
-                let value = a.value? + (b.value? - a.value?) * share;
-                let inside = value >= low && value <= high;
-                inside.then_some((a.frequency + (b.frequency - a.frequency) * share, value))
-            }
-            _ => None,
-        };
-        self.places.windows(2).filter_map(crossing).collect()
-    }
+/// The force over the least force without sticking, α/α_min.
+fn margin(point: &Point<f64>) -> f64 {
+    stickslip::Place::new(point.ratios).margin()
 }
 
 const fn words(what: Curve) -> &'static str {
@@ -402,5 +328,37 @@ const fn words(what: Curve) -> &'static str {
         Curve::Force => "transmitted force",
         Curve::Transmissibility => "transmissibility",
         Curve::Absolute => "maximum absolute displacement",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Asked, margin};
+    use crate::args::{Command, CommandLine};
+    use crate::input;
+    use clap::Parser;
+
+    #[test]
+    fn curves_meet_the_border_on_the_border() {
+        let words = "stickslip response-curve --omega 0.2:2:30 --alpha 1.3,1.5,4 --damping-ratio 0.05";
+        let Command::ResponseCurve(args) = CommandLine::parse_from(words.split(' ')).command else {
+            panic!()
+        };
+        let asked = Asked::new(&args, &args.units.reader()).ok().unwrap();
+        let lines = asked.lines().ok().unwrap();
+        let mut met = 0;
+        for (line, alpha) in lines.iter().zip([1.3, 1.5, 4.0]) {
+            for &(omega, amplification) in &line.border {
+                let mut given = asked.given.clone();
+                given.set(asked.axis, omega);
+                given.set(asked.other.as_ref().unwrap().0, alpha);
+                let point = input::point(&given).ok().unwrap();
+                assert!((margin(&point) - 1.0).abs() < 1e-14, "{alpha} {omega}");
+                let cycle = stickslip::Cycle::new(point.ratios).unwrap();
+                assert_eq!(amplification, cycle.max_displacement() / alpha);
+                met += 1;
+            }
+        }
+        assert!(met >= 3, "{met}");
     }
 }

@@ -99,6 +99,11 @@ impl<F: Value> Grid<F> {
         })
     }
 
+    /// Whether equal steps are equal ratios.
+    pub(crate) const fn is_logarithmic(&self) -> bool {
+        matches!(self, Self::Even { logarithmic: true, .. })
+    }
+
     /// All values.
     pub(crate) fn values(&self) -> impl Iterator<Item = F> + '_ {
         (0..self.len()).map(|place| self.value(place))

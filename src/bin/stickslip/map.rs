@@ -208,9 +208,7 @@ impl<'a> Map<'a> {
             Quantity::Regime => "regime".to_owned(),
             Quantity::Margin => "margin over the border, α/α_min".to_owned(),
             Quantity::Stops => "stops in a cycle".to_owned(),
-            Quantity::Output(..) => {
-                self.quantity.name().replace('_', " ").replace("max ", "maximum ").replace("min ", "minimum ")
-            }
+            Quantity::Output(..) => outputs::in_words(self.quantity.name()),
         };
         let unit = match self.kind {
             Some(kind) => kind.unit(&self.system),
@@ -229,7 +227,11 @@ impl<'a> Map<'a> {
         }
         let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
         let mut given = self.axes.at(0);
-        let at = |i: u32| left + (right - left) * f64::from(i) / f64::from(BORDER_POINTS);
+        let logarithmic = self.across.1.is_logarithmic();
+        let at = |i: u32| {
+            let share = f64::from(i) / f64::from(BORDER_POINTS);
+            if logarithmic { left * (right / left).powf(share) } else { left + (right - left) * share }
+        };
         let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
         let mut points = Vec::new();
         for x in (0..=BORDER_POINTS).map(at) {
@@ -279,9 +281,10 @@ impl<'a> Map<'a> {
             (unit, _) if unit.is_empty() => parameter.symbol().to_owned(),
             (unit, _) => format!("{} ({unit})", parameter.symbol()),
         };
-        match grid {
-            Grid::Even { logarithmic: true, .. } => Axis::logarithmic(&label, ends.0, ends.1),
-            Grid::Even { .. } | Grid::List(_) => Axis::linear(&label, ends.0, ends.1),
+        if grid.is_logarithmic() {
+            Axis::logarithmic(&label, ends.0, ends.1)
+        } else {
+            Axis::linear(&label, ends.0, ends.1)
         }
     }
 
@@ -294,8 +297,8 @@ impl<'a> Map<'a> {
             let (x, y) = (self.across.0.option(), self.up.0.option());
             return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
         };
-        // The regimes in this order, the others as they come.
-        let regimes = ["non-sticking", "sticking", "stuck", "unbounded"];
+        // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as they come.
+        let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
         let mut names: Vec<String> = regimes.map(str::to_owned).to_vec();
         let mut named = false;
         let mut values = Vec::new();

@@ -143,6 +143,46 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("followed_for", "time that the exact motion was followed for"),
 ];
 
+/// Words for the title of a picture, where the name itself would not say it.
+const TITLES: &[(&str, &str)] = &[
+    ("omega", "frequency ratio Ω"),
+    ("alpha", "force ratio α"),
+    ("displacement_phase", "phase of the maximum displacement"),
+    ("velocity_phase", "phase of the maximum velocity"),
+    ("deviation", "displacement at the maximum velocity"),
+    ("min_force_ratio", "least force ratio without sticking"),
+    ("min_force_ratio_turning_point", "least force ratio by eq. 61"),
+    ("loop_size_stiffness", "loop size A₁"),
+    ("loop_size_inertia", "loop size A₂"),
+    ("best_force_ratio", "force ratio of the largest loop"),
+    ("best_loop_size", "size of the largest loop"),
+    ("best_force_ratio_slides", "sliding at the force ratio of the largest loop"),
+    ("contraction", "part of a disturbance left after half a cycle"),
+    ("damper_work", "energy taken by the damper in a cycle"),
+    ("border_phase", "phase of the first stop on the border"),
+    ("least_displacement", "maximum displacement on the border"),
+    ("sticks_per_cycle", "stops in a cycle"),
+    ("velocity_zeros_per_cycle", "velocity zeros in a cycle"),
+    ("reversals_per_cycle", "reversals in a cycle"),
+    ("stick_fraction", "part of the time at rest"),
+    ("error_1", "asymmetry of the displacements"),
+    ("error_2", "asymmetry of the displacement phases"),
+    ("error_3", "asymmetry of the velocities"),
+    ("error_4", "asymmetry of the velocity phases"),
+    ("energy_in", "work of the drive in a cycle"),
+    ("energy_out", "work against friction and damper in a cycle"),
+    ("distance", "distance from the limit"),
+    ("periods", "periods of the drive followed"),
+];
+
+/// The name of an output in words, as a title has it.
+pub(crate) fn in_words(name: &str) -> String {
+    match TITLES.iter().find(|(own, _)| *own == name) {
+        Some((_, words)) => (*words).to_owned(),
+        None => name.replace('_', " ").replace("max ", "maximum ").replace("min ", "minimum "),
+    }
+}
+
 /// The entry of an output in ratios.
 pub(crate) fn entry(name: &str) -> Option<&'static Entry> {
     GROUPS.iter().flat_map(|(_, entries)| *entries).find(|(own, ..)| *own == name)
@@ -187,4 +227,16 @@ pub(crate) fn text() -> String {
 /// `stickslip outputs`.
 pub(crate) fn run(out: &mut impl Write) -> Outcome {
     Ok(out.write_all(text().as_bytes())?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{TITLES, entry, in_words};
+
+    #[test]
+    fn titles_are_of_outputs_and_in_words() {
+        assert!(TITLES.iter().all(|(name, _)| entry(name).is_some()));
+        assert_eq!(in_words("stick_fraction"), "part of the time at rest");
+        assert_eq!(in_words("max_acceleration"), "maximum acceleration");
+    }
 }

@@ -36,7 +36,7 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
 /// The width that the legend takes, in pixels; seven for a letter.
 pub(super) fn width(figure: &Figure) -> i32 {
     let letters = |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 16);
-    let series = entries(figure).into_iter().map(|series| 42 + 7 * letters(&series.name));
+    let series = entries(figure).into_iter().map(|series| 42 + 7 * letters(&series.key));
     let planes = keys(figure).into_iter().flat_map(|plane| {
         let names = match &plane.scale {
             Scale::Names(names) => names.iter().map(|name| letters(name)).max(),
@@ -47,12 +47,12 @@ pub(super) fn width(figure: &Figure) -> i32 {
     series.chain(planes).max().unwrap_or(0)
 }
 
-/// The series to be told apart, each name once. What is named where it stands, or has no name, is not among them.
+/// The series to be told apart, each key once. What is named where it stands, or has no key, is not among them.
 fn entries(figure: &Figure) -> Vec<&Series> {
     let mut shown: Vec<&Series> = Vec::new();
     for series in figure.panels.iter().flat_map(|panel| &panel.series) {
-        let in_place = matches!(series.style, Style::Named | Style::Arrow) || series.name.is_empty();
-        if !in_place && !shown.iter().any(|s| s.name == series.name) {
+        let in_place = matches!(series.style, Style::Named | Style::Arrow) || series.key.is_empty();
+        if !in_place && !shown.iter().any(|s| s.key == series.key) {
             shown.push(series);
         }
     }
@@ -89,10 +89,10 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
             stroke(canvas, line, series.style, colour)?;
             mark::draw(canvas, series.index, centre)?;
         }
-        Style::Note => return write(canvas, &series.name, (left, y), 13, Anchor::Left),
+        Style::Note => return write(canvas, &series.key, (left, y), 13, Anchor::Left),
         Style::Arrow | Style::Named => {}
     }
-    write(canvas, &series.name, (left + 42, y), 13, Anchor::Left)
+    write(canvas, &series.key, (left + 42, y), 13, Anchor::Left)
 }
 
 /// A square for each name that occurs.
