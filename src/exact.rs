@@ -50,6 +50,7 @@ mod short;
 mod slide;
 mod state;
 mod steady;
+mod steady_outputs;
 mod stick;
 mod stretch;
 mod trajectory;

@@ -89,7 +89,11 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("error_3", "1", "|max x′ + min x′|/max x′"),
             ("error_4", "1", "error_2 of the velocities"),
             ("energy_in", "r_y B", "work of the drive in a cycle"),
-            ("energy_out", "r_y B", "work against friction and damper in a cycle"),
+            (
+                "energy_out",
+                "r_y B",
+                "work against friction in a cycle; damper_work comes on top where damping was given",
+            ),
             ("multipliers", "1", "Floquet multipliers of a cycle, as pairs of real and imaginary part"),
             ("distance", "B", "estimate of how far the motion found is from the limit"),
             ("rest_position", "B", "where the body comes to rest for good"),
@@ -170,7 +174,7 @@ const TITLES: &[(&str, &str)] = &[
     ("error_3", "asymmetry of the velocities"),
     ("error_4", "asymmetry of the velocity phases"),
     ("energy_in", "work of the drive in a cycle"),
-    ("energy_out", "work against friction and damper in a cycle"),
+    ("energy_out", "work against friction in a cycle"),
     ("distance", "distance from the limit"),
     ("periods", "periods of the drive followed"),
 ];
