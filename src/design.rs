@@ -13,16 +13,18 @@
 //! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! With a damper: the least force and amplitude, the greatest friction, the force for a displacement and the friction that
-//! dissipates most. The other questions refuse it ([`crate::Error::Damped`]).
+//! With a damper: all but those without any stop and with sticking allowed, which refuse it ([`crate::Error::Damped`]); in ratios by the
+//! functions `…_with_damping`. Force, friction, displacement, velocity and the friction that dissipates most are then unique answers by proofs of
+//! their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
 //!
-//! Each answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. With
+//! Each other answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. With
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
 //! beside a pole reverses six times ([`crate::nonsticking::six_reversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
 mod bands;
+mod damped;
 mod dissipation;
 mod force;
 mod friction;
@@ -34,9 +36,10 @@ mod sticking;
 mod target;
 mod tuning;
 
-pub use bands::{Band, Bands, Edge, bands, frequency_bands};
+pub use bands::{Band, Bands, Edge, bands, bands_with_damping, frequency_bands};
 pub use dissipation::{
-    BestForceRatio, BestFriction, Optimum, most_dissipating_force_ratio, most_dissipating_friction,
+    BestForceRatio, BestFriction, Optimum, most_dissipating_force_ratio,
+    most_dissipating_force_ratio_with_damping, most_dissipating_friction,
 };
 pub use force::{least_amplitude, least_base_amplitude, least_force};
 pub use friction::greatest_friction;
@@ -48,7 +51,9 @@ pub use sticking::{
     most_dissipating_friction_of_all,
 };
 pub use target::{
-    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
+    force_for_displacement, force_for_velocity, force_ratio_for_displacement,
+    force_ratio_for_displacement_with_damping, force_ratio_for_velocity,
+    force_ratio_for_velocity_with_damping,
 };
 pub use tuning::{
     BestFrequencyRatio, BestStiffness, most_dissipating_frequency_ratio, most_dissipating_stiffness,

@@ -124,11 +124,6 @@ impl<F: Float> Oscillator<F> {
         F::int(2) * (self.stiffness.sqrt() * self.mass.sqrt())
     }
 
-    /// The same body, where it has no damper: for what is not known with one.
-    pub(crate) fn undamped(&self) -> Result<&Self, Error> {
-        crate::ratios::without_damping(self.damping_ratio()).map(|()| self)
-    }
-
     /// Natural angular frequency `ω_n = √(k/m)` (eq. 7), without damper and friction.
     pub fn natural_frequency(&self) -> F {
         (self.stiffness / self.mass).sqrt()

@@ -4,9 +4,11 @@
 //! happens beside the poles ([`super::bands_without_stop`]), is outside of the bands. `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one minimum and rises from
 //! it, both strictly ([`crate::nonsticking::border::lobe`]). And it is empty in every lobe n with (2n+1)² − 1 ≥ α, because
 //! α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all of them are found by looking once into each
-//! of those lobes: nothing is sampled, and nothing between two frequencies is missed.
+//! of those lobes: nothing is sampled, and nothing between two frequencies is missed. With a damper there is no such proof, and they are
+//! searched (`damped`).
 
-use super::force::frequency_ratio_of;
+use super::damped::{Damper, Search};
+use super::force::ratios_of;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -36,7 +38,7 @@ pub struct Band<F> {
     pub low_edge: Edge,
     /// What the upper end is.
     pub high_edge: Edge,
-    /// The lobe of the border that the band is in. Only that of index 0 can contain Ω = 1, where the body never sticks but
+    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one. Only that of index 0 can contain Ω = 1, where the body never sticks but
     /// its motion grows without bound.
     pub lobe: Lobe,
 }
@@ -47,9 +49,17 @@ pub struct Bands<F> {
     alpha: F,
     low: F,
     high: F,
-    next: Option<Lobe>,
-    last: Lobe,
+    source: Source<F>,
     frequency: Option<Frequency<F>>,
+}
+
+/// Where bands come from.
+#[derive(Debug, Clone)]
+enum Source<F> {
+    /// Each lobe from the next one to the last.
+    Lobes(Option<Lobe>, Lobe),
+    /// A search, with a damper.
+    Searched(Box<Search<F>>),
 }
 
 /// What turns frequency ratios back into angular frequencies.
@@ -89,16 +99,45 @@ pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
     // The casts of a float to an integer saturate.
     let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
     let next = first.min(Lobe::new(reachable)).max(last);
-    Ok(Bands { alpha, low, high, next: Some(next), last, frequency: None })
+    Ok(Bands { alpha, low, high, source: Source::Lobes(Some(next), last), frequency: None })
+}
+
+/// The same with damping, the damping ratio ζ being the same at every frequency; as [`bands`] for ζ = 0.
+///
+/// **Searched, not proved**: the border is followed on a mesh that is fine beside its peaks, each of its extrema next to α is looked for, and the
+/// ends are exact; a band or a gap may be missed that is far narrower than any structure of the border known. Proved is that there is none
+/// below Ω = 1/√(1 + α) (`src/design/damped.rs`).
+///
+/// ```
+/// use stickslip::design::bands_with_damping;
+/// let found = bands_with_damping(12.0f64, 0.05, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// assert_eq!(found.len(), 1);
+/// assert!((found[0].low - 0.378354).abs() < 1e-6);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`bands`], and where ζ is not in its domain.
+pub fn bands_with_damping<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
+    let ratios = Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
+    if !ratios.is_damped() {
+        return bands(alpha, low, high);
+    }
+    Ratios::new(high, alpha)?;
+    if low > high {
+        let quantity = Quantity::FrequencyRatio;
+        return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
+    }
+    let source = Source::Searched(Box::new(Search::new(alpha, Damper::Ratio(damping_ratio), low, high)));
+    Ok(Bands { alpha, low, high, source, frequency: None })
 }
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
-/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as [`bands`].
+/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as [`bands`], with a damper as [`bands_with_damping`].
 ///
 /// # Errors
-/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions, [`Error::Damped`] for a body
-/// with a damper.
+/// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions.
 pub fn frequency_bands<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -110,7 +149,8 @@ pub fn frequency_bands<F: Float>(
     }
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
-    let found = bands(alpha, frequency_ratio_of(body, low)?, frequency_ratio_of(body, high)?)?;
+    let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
+    let found = bands_with_damping(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
     Ok(Bands { frequency: Some(Frequency { natural, low, high }), ..found })
 }
 
@@ -118,15 +158,21 @@ impl<F: Float> Iterator for Bands<F> {
     type Item = Result<Band<F>, Error>;
 
     fn next(&mut self) -> Option<Self::Item> {
-        while let Some(lobe) = self.next {
-            self.next = if lobe == self.last { None } else { lobe.above() };
-            match band_in(lobe, self.alpha, self.low, self.high) {
+        loop {
+            let found = match &mut self.source {
+                Source::Searched(search) => Ok(Some(search.next()?)),
+                Source::Lobes(next, last) => {
+                    let lobe = (*next)?;
+                    *next = if lobe == *last { None } else { lobe.above() };
+                    band_in(lobe, self.alpha, self.low, self.high)
+                }
+            };
+            match found {
                 Ok(None) => {}
                 Ok(Some(band)) => return Some(Ok(self.in_units(band))),
                 Err(error) => return Some(Err(error)),
             }
         }
-        None
     }
 }
 

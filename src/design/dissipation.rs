@@ -73,7 +73,23 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<BestForceRatio
     })
 }
 
-/// The same with damping, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`.
+/// The same with a damping ratio ζ, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`; at Ω = 1, too.
+///
+/// # Errors
+/// Where Ω or ζ is outside the domain of [`crate::Ratios`]; at ζ = 0 as [`most_dissipating_force_ratio`].
+pub fn most_dissipating_force_ratio_with_damping<F: Float>(
+    omega: F,
+    damping_ratio: F,
+) -> Result<BestForceRatio<F>, Error> {
+    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
+    if ratios.is_damped() {
+        Ok(most_dissipating_with_damping(&ratios))
+    } else {
+        most_dissipating_force_ratio(omega)
+    }
+}
+
+/// The same at Ω and ζ > 0.
 ///
 /// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one change of sign for
 /// y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there on, as without damping.

@@ -1,8 +1,9 @@
 //! The force for a target displacement or velocity.
 
-use super::force::{frequency_ratio_of, ratios_of};
+use super::force::ratios_of;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
+use crate::nonsticking::damped::{fastest::fastest_time, half_period::HalfPeriod, rising::Rising};
 use crate::nonsticking::{Border, damped, force_ratio_from_displacement, max_velocity_from_displacement};
 use crate::oscillator::Oscillator;
 use crate::phase_function::{PhaseFunction, one_minus_square};
@@ -34,7 +35,7 @@ pub fn force_for_displacement<F: Float>(
     let ratios = ratios_of(body, angular_frequency)?;
     let length = positive(Quantity::FrictionDisplacement, body.friction_displacement())?;
     let alpha = if ratios.is_damped() {
-        damped_displacement_target(&ratios, max_displacement, length)?
+        damped_displacement_target(&ratios, max_displacement, length, Quantity::MaxDisplacement)?
     } else {
         displacement_target(ratios.omega(), max_displacement, length, Quantity::MaxDisplacement)?
     };
@@ -53,20 +54,67 @@ pub fn force_ratio_for_velocity<F: Float>(omega: F, max_velocity: F) -> Result<F
     velocity_target(omega, max_velocity, F::int(1), Quantity::MaxVelocityRatio)
 }
 
-/// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).
-///
-/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
+/// The force ratio whose non-sticking cycle with the damping ratio ζ has the maximum displacement Δ₀/B: `α = hypot(K, q (Δ₀/B + G))`, the only
+/// one, at Ω = 1, too.
 ///
 /// # Errors
-/// As there, the values in physical units; [`Error::Damped`] for a body with a damper.
+/// As [`force_ratio_for_displacement`], and where ζ is not in its domain.
+pub fn force_ratio_for_displacement_with_damping<F: Float>(
+    omega: F,
+    damping_ratio: F,
+    max_displacement: F,
+) -> Result<F, Error> {
+    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
+    if !ratios.is_damped() {
+        return force_ratio_for_displacement(omega, max_displacement);
+    }
+    damped_displacement_target(&ratios, max_displacement, F::int(1), Quantity::MaxDisplacementRatio)
+}
+
+/// The force ratio whose non-sticking cycle with the damping ratio ζ has the maximum velocity V₀/(Bω_d): the only one, as without
+/// damping, because V₀ grows with the amplitude a of the driven part and is convex in it; at Ω = 1, too.
+///
+/// ```
+/// use stickslip::{Cycle, Ratios};
+/// let alpha: f64 = stickslip::design::force_ratio_for_velocity_with_damping(1.0, 0.05, 8.0)?;
+/// let cycle = Cycle::new(Ratios::new(1.0, alpha)?.with_damping_ratio(0.05)?)?;
+/// assert!((cycle.max_velocity() - 8.0).abs() < 1e-13);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`force_ratio_for_velocity`], and where ζ is not in its domain.
+pub fn force_ratio_for_velocity_with_damping<F: Float>(
+    omega: F,
+    damping_ratio: F,
+    max_velocity: F,
+) -> Result<F, Error> {
+    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
+    if !ratios.is_damped() {
+        return force_ratio_for_velocity(omega, max_velocity);
+    }
+    damped_velocity_target(&ratios, max_velocity, F::int(1), Quantity::MaxVelocityRatio)
+}
+
+/// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).
+///
+/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k. With a damper
+/// [`force_ratio_for_velocity_with_damping`].
+///
+/// # Errors
+/// As there, the values in physical units.
 pub fn force_for_velocity<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
     max_velocity: F,
 ) -> Result<F, Error> {
-    let omega = frequency_ratio_of(body, angular_frequency)?;
+    let ratios = ratios_of(body, angular_frequency)?;
     let scale = positive(Quantity::VelocityScale, body.friction_displacement() * angular_frequency)?;
-    let alpha = velocity_target(omega, max_velocity, scale, Quantity::MaxVelocity)?;
+    let alpha = if ratios.is_damped() {
+        damped_velocity_target(&ratios, max_velocity, scale, Quantity::MaxVelocity)?
+    } else {
+        velocity_target(ratios.omega(), max_velocity, scale, Quantity::MaxVelocity)?
+    };
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
@@ -84,15 +132,64 @@ fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quanti
 /// α for the displacement `target` with damping, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
 ///
 /// The only one, Δ₀ growing with α.
-fn damped_displacement_target<F: Float>(ratios: &Ratios<F>, target: F, scale: F) -> Result<F, Error> {
+fn damped_displacement_target<F: Float>(
+    ratios: &Ratios<F>,
+    target: F,
+    scale: F,
+    quantity: Quantity,
+) -> Result<F, Error> {
     let half = damped::half_period(ratios);
-    let displacement = positive(Quantity::MaxDisplacement, target)? / scale;
+    let displacement = positive(quantity, target)? / scale;
     let least = damped::border(&half).least_displacement();
     if displacement < least {
-        return Err(sticks(Quantity::MaxDisplacement, target, least * scale, ratios.omega()));
+        return Err(sticks(quantity, target, least * scale, ratios.omega()));
     }
-    let alpha = force_ratio_from_displacement(half.k, displacement + half.shift, half.stiffness);
-    Ok(Ratios::new(ratios.omega(), alpha)?.alpha())
+    force_ratio_of_amplitude(&half, displacement + half.shift)
+}
+
+/// `α = hypot(K, qa)`, within the domain of the closed forms.
+fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Result<F, Error> {
+    let alpha = force_ratio_from_displacement(half.k, amplitude, half.stiffness);
+    Ok(Ratios::new(half.omega, alpha)?.alpha())
+}
+
+/// α for the velocity `target` with damping, given in units of `scale`.
+///
+/// V₀ is the greatest over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`: affine in a with a slope > 0, so that it grows with a and is convex in
+/// it, and it is at least its value at T/2, aΩ + h′(T/2). So Newton's method falls on the only solution from there.
+fn damped_velocity_target<F: Float>(
+    ratios: &Ratios<F>,
+    target: F,
+    scale: F,
+    quantity: Quantity,
+) -> Result<F, Error> {
+    let half = damped::half_period(ratios);
+    let velocity = positive(quantity, target)? / scale;
+    // V₀/(Bω_d) and its derivative by a.
+    let reached = |amplitude: F| {
+        let rising = Rising { half, amplitude };
+        let moment = half.at(fastest_time(&rising.vibration()));
+        let [speed, ..] = rising.velocity(&moment);
+        (speed / half.omega, moment.drive.0)
+    };
+    let least = damped::border(&half).least_displacement() + half.shift;
+    let (least_velocity, _) = reached(least);
+    if velocity < least_velocity {
+        return Err(sticks(quantity, target, least_velocity * scale, half.omega));
+    }
+    let middle = half.at(half.period / F::int(2));
+    let mut amplitude = (velocity - middle.free.v / half.omega).or_larger(least);
+    for _ in 0..F::PRECISION {
+        let (speed, slope) = reached(amplitude);
+        let step = (speed - velocity) / slope;
+        let next = amplitude - step;
+        // Beyond the solution by rounding, or at the border by it.
+        if !(step > F::epsilon() * amplitude && next > least) {
+            break;
+        }
+        amplitude = next;
+    }
+    force_ratio_of_amplitude(&half, amplitude)
 }
 
 /// α for the velocity `target`, given in units of `scale`.

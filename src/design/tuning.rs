@@ -21,6 +21,7 @@
 //! bound is below what has been found need not be looked into.
 
 use super::bands::{Band, Edge, band_in, bands};
+use super::damped::{Damper, best_frequency_ratio};
 use super::dissipation::Optimum;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
@@ -28,7 +29,7 @@ use crate::nonsticking::border::{Lobe, border_range, ordered_lobes};
 use crate::nonsticking::{loop_size_inertia, loop_size_stiffness, max_displacement, squared_sine};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
-use crate::ratios::positive;
+use crate::ratios::{Ratios, positive};
 use crate::root;
 
 /// The frequency ratio of the largest loop A₂ among the cycles that do not stick.
@@ -130,12 +131,13 @@ pub struct BestStiffness<F> {
 /// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle, of those with which the
 /// body does not stick.
 ///
-/// Mass and friction bound are those of `body`; its own stiffness plays no part. [`most_dissipating_frequency_ratio`] in
-/// physical units: `k = m ω_d²/Ω²`.
+/// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part. [`most_dissipating_frequency_ratio`] in
+/// physical units: `k = m ω_d²/Ω²`. With a damper it is the energy that friction takes, and the best of a search, not of a proof
+/// (`src/design/damped.rs`).
 ///
 /// # Errors
-/// As there; [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; [`Error::Damped`] for a body with a damper; and where a stiffness is not
-/// finite, not > 0 or `low > high`.
+/// As there (but with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; and
+/// where a stiffness is not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -146,7 +148,6 @@ pub fn most_dissipating_stiffness<F: Float>(
         return Err(Error::BaseMotion);
     }
     let frequency = drive.angular_frequency();
-    body.undamped()?;
     let inertia = positive(Quantity::PseudoStiffness, body.mass() * frequency.square())?;
     let (soft, hard) = (positive(Quantity::Stiffness, low)?, positive(Quantity::Stiffness, high)?);
     if soft > hard {
@@ -156,7 +157,16 @@ pub fn most_dissipating_stiffness<F: Float>(
     let p0 = drive.force_amplitude(body);
     let alpha = positive(Quantity::ForceRatio, p0 / body.friction_bound())?;
     let omega = |stiffness: F| (inertia / stiffness).sqrt();
-    let best = most_dissipating_frequency_ratio(alpha, omega(hard), omega(soft))?;
+    let best = if body.damping() > F::int(0) {
+        // ζ = γΩ has to be in its domain at both ends.
+        let gamma = body.damping() / (F::int(2) * body.mass() * frequency);
+        for omega in [omega(hard), omega(soft)] {
+            Ratios::new(omega, alpha)?.with_damping_ratio(gamma * omega)?;
+        }
+        best_frequency_ratio(alpha, Damper::Constant(gamma), omega(hard), omega(soft))?
+    } else {
+        most_dissipating_frequency_ratio(alpha, omega(hard), omega(soft))?
+    };
     let stiffness = if best.omega == omega(hard) {
         hard
     } else if best.omega == omega(soft) {

@@ -17,7 +17,7 @@
 mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
-mod half_period;
+pub(crate) mod half_period;
 mod peaks;
 pub(crate) mod rising;
 
@@ -172,7 +172,6 @@ pub(crate) fn half_period<F: Float>(ratios: &Ratios<F>) -> HalfPeriod<F> {
 }
 
 /// The half period at an Ω and a ζ > 0 that are in their domains.
-#[cfg(feature = "dual")]
 pub(crate) fn half_period_at<F: Float>(omega: F, zeta: F) -> HalfPeriod<F> {
     HalfPeriod::new(omega, zeta)
 }

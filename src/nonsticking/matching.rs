@@ -13,7 +13,7 @@ use crate::float::Real;
 mod accuracy;
 pub mod balanced;
 #[cfg(feature = "matching")]
-mod damped;
+pub(crate) mod damped;
 #[cfg(feature = "matching")]
 mod fastest;
 #[cfg(feature = "matching")]

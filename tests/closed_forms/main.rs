@@ -16,6 +16,7 @@ mod batches;
 #[cfg(feature = "mp")]
 mod damped;
 mod design;
+mod design_damped;
 #[cfg(feature = "mp")]
 mod design_wide;
 mod errata;

@@ -104,6 +104,49 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
     assert!(loop_size(at * 1.001) < loop_size(at) && loop_size(at * 0.999) < loop_size(at));
 }
 
+/// Each question that knows a damper answers with one, in both kinds of units, and what is searched says so; the others refuse it.
+#[test]
+fn with_a_damper() {
+    let damped = "--omega 1 --damping-ratio 0.05";
+    for (question, output) in [("velocity", "max_velocity"), ("displacement", "max_displacement")] {
+        let force = json(&format!("design {question} {damped} --target 8"));
+        let back = json(&format!("response {damped} --alpha {}", force["force_ratio"]));
+        close(number(&back[output]), 8.0);
+    }
+    let bands = json("design bands --alpha 31 --damping-ratio 0.01 --from 0.1 --to 2");
+    let bands = bands.as_array().unwrap();
+    assert_eq!((bands.len(), &bands[0]["found_by"]), (2, &Value::from("search")));
+    let border = json(&format!("border --damping-ratio 0.01 --omega {}", bands[0]["omega_from"]));
+    close(number(&border["min_force_ratio"]), 31.0);
+    assert!(stdout("design bands --alpha 31 --damping-ratio 0.01 --from 0.1 --to 2").contains("not a proof"));
+    let best = json("design dissipation --omega 0.7 --damping-ratio 0.05");
+    let back = json(&format!("response --omega 0.7 --damping-ratio 0.05 --alpha {}", best["force_ratio"]));
+    close(
+        number(&back["best_force_ratio"]).max(number(&back["min_force_ratio"])),
+        number(&best["force_ratio"]),
+    );
+    let machine = "--mass 50 --friction 5 --frequency 6 --force 12 --damping 20";
+    let stiff = json(&format!("design stiffness {machine} --from 500 --to 3000"));
+    assert_eq!(stiff["found_by"], "search");
+    let energy = |k: f64| {
+        let found = json(&format!("response {machine} --stiffness {k}"));
+        number(&found["loop_size_stiffness"]) / k
+    };
+    let k = number(&stiff["stiffness"]);
+    assert!(energy(k) >= energy(k * 1.001) && energy(k) >= energy(k * 0.999), "{stiff}");
+    for (arguments, says) in [
+        ("force --no-stop --omega 0.7", "this calculation does not include viscous damping"),
+        ("bands --no-stop --alpha 12 --from 0.1 --to 2", "this calculation does not include viscous damping"),
+        ("dissipation --sticking --omega 0.7", "this calculation does not include viscous damping"),
+        (
+            "stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 900",
+            "give the damping constant",
+        ),
+    ] {
+        refused(&format!("design {arguments} --damping-ratio 0.05"), &[says, "--damping-ratio"]);
+    }
+}
+
 #[test]
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));

@@ -211,10 +211,23 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.required(P::Omega)
     }
 
+    /// The damping ratio that is given, or none.
+    fn damping_ratio(&self) -> F {
+        self.given.get(P::DampingRatio).unwrap_or(F::int(0))
+    }
+
+    /// Refuses a damping ratio, where it is not known what it does.
+    fn undamped(&self) -> Result<(), Failure> {
+        let zeta = self.damping_ratio();
+        if zeta > F::int(0) {
+            return Err(self.fail(Error::Damped { damping_ratio: zeta.to_string() }));
+        }
+        Ok(())
+    }
+
     /// The border at Ω with the damping ratio that is given.
     fn border(&self, omega: F) -> Result<Border<F>, Failure> {
-        let zeta = self.given.get(P::DampingRatio).unwrap_or(F::int(0));
-        Border::with_damping(omega, zeta).map_err(|e| self.fail(e))
+        Border::with_damping(omega, self.damping_ratio()).map_err(|e| self.fail(e))
     }
 
     fn alpha(&self) -> Result<F, Failure> {
@@ -315,13 +328,15 @@ impl<'a, F: Value> Asked<'a, F> {
 
     fn bands(&self) -> Result<Answer<F>, Failure> {
         let (low, high) = self.range(Kind::Frequency)?;
+        let mut searched = self.damping_ratio() > F::int(0);
         let (found, unit) = if self.physical {
             let body = self.body(true, true)?;
+            searched = body.damping() > F::int(0);
             // The frequency of the drive is what is asked for: its amplitude alone counts.
             let drive = self.drive(&body, self.one)?;
             (design::frequency_bands(&body, &drive, low, high), "frequency")
         } else {
-            (design::bands(self.alpha()?, low, high), "omega")
+            (design::bands_with_damping(self.alpha()?, self.damping_ratio(), low, high), "omega")
         };
         let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
         let names =
@@ -331,18 +346,27 @@ impl<'a, F: Value> Asked<'a, F> {
             .map_err(|e| self.fail(e))?
             .map(|band| {
                 band.map(|b| {
-                    vec![
+                    let mut row = vec![
                         (names[0], kind, some(b.low)),
                         (names[1], kind, some(b.high)),
                         ("low_edge", Kind::Ratio, Cell::Text(edge(b.low_edge))),
                         ("high_edge", Kind::Ratio, Cell::Text(edge(b.high_edge))),
-                    ]
+                    ];
+                    row.extend(searched.then(searched_field));
+                    row
                 })
             })
             .collect::<Result<Vec<_>, Error>>()
             .map_err(|e| self.fail(e))?;
         let sentence = match rows.len() {
+            0 if searched => {
+                "It sticks, or rests, throughout that range, by a search that is not a proof.".to_owned()
+            }
             0 => "It sticks, or rests, throughout that range.".to_owned(),
+            n if searched => format!(
+                "It does not stick in {n} {} of that range, found by a search that is not a proof:",
+                if n == 1 { "band" } else { "bands" }
+            ),
             1 => "It does not stick in one band of that range:".to_owned(),
             n => format!("It does not stick in {n} bands of that range, which are all there are:"),
         };
@@ -355,7 +379,8 @@ impl<'a, F: Value> Asked<'a, F> {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             return self.force_for(design::force_for_displacement(&body, frequency, target));
         }
-        self.ratio_for(design::force_ratio_for_displacement(self.omega()?, target))
+        let (omega, zeta) = (self.omega()?, self.damping_ratio());
+        self.ratio_for(design::force_ratio_for_displacement_with_damping(omega, zeta, target))
     }
 
     fn velocity(&self) -> Result<Answer<F>, Failure> {
@@ -364,7 +389,8 @@ impl<'a, F: Value> Asked<'a, F> {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             return self.force_for(design::force_for_velocity(&body, frequency, target));
         }
-        self.ratio_for(design::force_ratio_for_velocity(self.omega()?, target))
+        let (omega, zeta) = (self.omega()?, self.damping_ratio());
+        self.ratio_for(design::force_ratio_for_velocity_with_damping(omega, zeta, target))
     }
 
     fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {
@@ -389,6 +415,11 @@ fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F
         ("base_displacement", Kind::Length, some(acceleration / frequency.square())),
         ("base_acceleration", Kind::Acceleration, some(acceleration)),
     ]
+}
+
+/// Of an answer that no proof shows to be the only one or the best: with a damper.
+const fn searched_field<F>() -> (&'static str, Kind, Cell<F>) {
+    ("found_by", Kind::Ratio, Cell::Text("search"))
 }
 
 fn some<F: Value>(x: F) -> Cell<F> {

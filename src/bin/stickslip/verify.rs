@@ -80,7 +80,8 @@ fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> 
         let (equation, statement) = (wide(v.equation, first), wide(v.statement, second));
         writeln!(out, "{equation}  {statement}  {:>6}  {worst:<12} {verdict}", v.points)?;
         if let (false, Some((omega, alpha))) = (v.passed, &v.at) {
-            writeln!(out, "         at Ω = {omega}, α = {alpha}")?;
+            let damper = v.damping_ratio.as_ref().map_or_else(String::new, |zeta| format!(", ζ = {zeta}"));
+            writeln!(out, "         at Ω = {omega}, α = {alpha}{damper}")?;
         }
     }
     let passed = verdicts.iter().filter(|v| v.passed).count();
@@ -104,6 +105,9 @@ struct Row<'a> {
     worst_residual: f64,
     worst_omega: Option<&'a str>,
     worst_alpha: Option<&'a str>,
+    /// Of the identities with damping alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    worst_damping_ratio: Option<&'a str>,
     passed: bool,
 }
 
@@ -120,6 +124,7 @@ impl<'a> From<&'a Verdict> for Row<'a> {
             worst_residual: v.worst,
             worst_omega: v.at.as_ref().map(|(omega, _)| omega.as_str()),
             worst_alpha: v.at.as_ref().map(|(_, alpha)| alpha.as_str()),
+            worst_damping_ratio: v.damping_ratio.as_deref(),
             passed: v.passed,
         }
     }
@@ -150,6 +155,7 @@ mod tests {
             points: 3,
             worst: 1e9,
             at: Some(("0.7".into(), "2".into())),
+            damping_ratio: Some("0.05".into()),
             passed,
         };
         assert!(conclusion(&[verdict(true), verdict(true)]).is_ok());
@@ -158,6 +164,6 @@ mod tests {
         let mut table = Vec::new();
         text::<f64>(&verdicts, &mut table).unwrap();
         let table = String::from_utf8(table).unwrap();
-        assert!(table.contains("FAILS") && table.contains("at Ω = 0.7, α = 2"), "{table}");
+        assert!(table.contains("FAILS") && table.contains("at Ω = 0.7, α = 2, ζ = 0.05"), "{table}");
     }
 }

@@ -30,7 +30,7 @@ use nalgebra::RealField;
 
 /// What the equations depend on; lengths in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
-struct System<F> {
+pub(crate) struct System<F> {
     omega: F,
     free: Free<F>,
     /// P and Q.
@@ -56,7 +56,7 @@ impl<F: Float> Waves<F> {
 }
 
 impl<F: Float> System<F> {
-    fn new(omega: F, zeta: F, friction: F) -> Self {
+    pub(crate) fn new(omega: F, zeta: F, friction: F) -> Self {
         let (spring, damper) = ((F::int(1) - omega) * (F::int(1) + omega), F::int(2) * zeta * omega);
         let square = spring.square() + damper.square();
         Self { omega, free: Free::new(zeta), forced: (spring / square, damper / square), friction }
@@ -79,7 +79,7 @@ impl<F: Float> System<F> {
     }
 
     /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁.
-    fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
+    pub(crate) fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
         let (zero, one, omega, damping) = (F::int(0), F::int(1), self.omega, self.damping());
         let (f1, g1) = self.forced_at(u.velocity_phase);
         let (f2, g2) = self.forced_at(u.displacement_phase);
@@ -109,20 +109,26 @@ impl<F: Float> System<F> {
         (residuals, jacobian)
     }
 
+    /// Displacement and velocity of the falling half at the phase since t₂.
+    pub(crate) fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
+        let (f2, g2) = self.forced_at(u.displacement_phase);
+        let start = (u.max_displacement - self.friction - f2, -g2);
+        let (f, g) = self.forced_at(u.displacement_phase + turn);
+        let [x, w, _] = self.waves(turn / self.omega).from(start, self.damping());
+        (f + self.friction + x, g + w)
+    }
+
     /// The same cycle with t₁ at the fastest instant of a grid over the rising half, where that is faster.
     fn faster(&self, u: &Unknowns<F>, per_swing: f64) -> Option<Unknowns<F>> {
-        let (two, omega) = (F::int(2), self.omega);
-        let (f2, g2) = self.forced_at(u.displacement_phase);
-        // From the minimum half a period before t₂ on, at −Δ₀: F is upside down there.
-        let start = (-u.max_displacement + self.friction + f2, g2);
+        let two = F::int(2);
+        // The falling half upside down: the rising one, half a turn before.
         let first = u.displacement_phase - F::pi();
         let at = |phase: F| {
-            let (f, g) = self.forced_at(phase);
-            let [x, w, _] = self.waves((phase - first) / omega).from(start, self.damping());
-            (g + w, f - self.friction + x)
+            let (x, w) = self.falling(u, phase - first);
+            (-w, -x)
         };
-        let points = 8 + (per_swing / omega.to_f64()).min(1e6) as i32;
-        let noise = F::int(1024) * F::epsilon() * (F::int(1) + F::int(1) / omega);
+        let points = 8 + (per_swing / self.omega.to_f64()).min(1e6) as i32;
+        let noise = F::int(1024) * F::epsilon() * (F::int(1) + F::int(1) / self.omega);
         let inside = u.velocity_phase > first && u.velocity_phase < u.displacement_phase;
         let before = if inside { at(u.velocity_phase).0 } else { F::int(0) };
         let mut best = None;

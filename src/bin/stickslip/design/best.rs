@@ -1,8 +1,9 @@
 //! `stickslip design dissipation` and `stiffness`: what dissipates most, and why it is the best.
 
-use super::{Answer, Asked, Row, some};
+use super::{Answer, Asked, Row, searched_field, some};
 use crate::bits::Value;
 use crate::failure::Failure;
+use crate::given::Parameter as P;
 use crate::note::digits;
 use crate::record::Cell;
 use crate::units::{Kind, System};
@@ -14,7 +15,9 @@ impl<F: Value> Asked<'_, F> {
             return self.dissipation_of_all();
         }
         if !self.physical {
-            let best = design::most_dissipating_force_ratio(self.omega()?).map_err(|e| self.fail(e))?;
+            let (omega, zeta) = (self.omega()?, self.damping_ratio());
+            let best =
+                design::most_dissipating_force_ratio_with_damping(omega, zeta).map_err(|e| self.fail(e))?;
             let size = ("loop_size_stiffness", Kind::Ratio, best.loop_size);
             return Ok(best_ratio(
                 "Most",
@@ -43,6 +46,7 @@ impl<F: Value> Asked<'_, F> {
     fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
+            self.undamped()?;
             let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
             let best = best.map_err(|e| self.fail(e))?;
             let (at, bound) = (("force_ratio", Kind::Ratio, best.force_ratio), Some(best.bound));
@@ -78,19 +82,23 @@ impl<F: Value> Asked<'_, F> {
                 best.optimum,
             ));
         }
+        if self.given.has(P::DampingRatio) {
+            let text = "--damping-ratio: it changes with the stiffness that is asked for; give the damping constant by --damping";
+            return Err(Failure::Input(text.to_owned()));
+        }
         let body = self.body(false, true)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_stiffness(&body, &drive, low, high).map_err(|e| self.fail(e))?;
         let System { force, length, .. } = *self.system();
-        let place = format!("on a stiffness of {} {force}/{length}", digits(best.stiffness));
-        Ok(self.best(
-            "Most",
-            &place,
-            ("stiffness", Kind::Stiffness, best.stiffness),
-            best.energy,
-            None,
-            best.optimum,
-        ))
+        let searched = body.damping() > F::int(0);
+        let by = if searched { " (by a search that is not a proof)" } else { "" };
+        let place = format!("on a stiffness of {} {force}/{length}{by}", digits(best.stiffness));
+        let at = ("stiffness", Kind::Stiffness, best.stiffness);
+        let mut answer = self.best("Most", &place, at, best.energy, None, best.optimum);
+        if searched {
+            answer.rows.iter_mut().for_each(|row| row.push(searched_field()));
+        }
+        Ok(answer)
     }
 
     fn friction_of(&self, friction: F) -> String {

@@ -17,6 +17,7 @@ impl<F: Value> Asked<'_, F> {
             let fields = force_and_base_motions(&body, frequency, forces.least());
             (forces, self.system().force, fields)
         } else {
+            self.undamped()?;
             let omega = self.omega()?;
             let ratios = no_stop_force_ratios(omega).map_err(|e| self.fail(e))?;
             let fields =
@@ -43,6 +44,7 @@ impl<F: Value> Asked<'_, F> {
             let found = design::frequency_bands_without_stop(&body, &drive, low, high);
             (found, ["frequency_from", "frequency_to"])
         } else {
+            self.undamped()?;
             (design::bands_without_stop(self.alpha()?, low, high), ["omega_from", "omega_to"])
         };
         let edge = |edge: Edge| if edge == Edge::Range { "end-of-range" } else { "border" };

@@ -1,0 +1,216 @@
+//! Questions over a range of frequency with a damper: what is proved of them, and what is searched.
+//!
+//! Without damping each lobe of the border has one minimum, so that nothing between two frequencies is missed (`bands`, `tuning`). No such
+//! proof is known with damping, where the border has finite peaks for poles.
+//!
+//! **Proved**: `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). For `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because
+//! `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (from ζ = 1 on the sine is a hyperbolic one), hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band
+//! the computed border changes sides between two numbers next to each other.
+//!
+//! **Searched**: what lies between. The border is looked at on a mesh, 32 times while the free vibration makes half a turn more in half a
+//! period of the drive, and closer towards its peaks at dT/π = 3, 5, …, down to a quarter of their width ζT/π; above Ω = 1, where it has no
+//! peaks, at steps of 3 %. Wherever a point of the mesh is next to an extremum on the wrong side of α the extremum itself is looked for.
+
+mod tuning;
+
+use super::bands::{Band, Edge};
+use crate::float::Float;
+use crate::nonsticking::border::Lobe;
+use crate::nonsticking::damped::{border, half_period_at};
+use crate::root;
+use std::collections::VecDeque;
+pub(super) use tuning::best_frequency_ratio;
+
+/// What of the damper stays the same while the frequency ratio changes.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Damper<F> {
+    /// ζ: the frequency of the drive changes.
+    Ratio(F),
+    /// c, as γ = c/(2mω_d): the stiffness changes, ζ = γΩ.
+    Constant(F),
+}
+
+impl<F: Float> Damper<F> {
+    /// ζ at Ω.
+    pub(super) fn ratio(self, omega: F) -> F {
+        match self {
+            Self::Ratio(zeta) => zeta,
+            Self::Constant(gamma) => gamma * omega,
+        }
+    }
+
+    /// The next point of the mesh.
+    fn next(self, omega: F) -> F {
+        let (one, two, three) = (F::int(1), F::int(2), F::int(3));
+        let (zeta, geometric) = (self.ratio(omega), omega * F::ratio(33, 32));
+        let square = (one - zeta) * (one + zeta);
+        let d = square.abs().sqrt();
+        if square <= F::int(0) || d <= two * omega {
+            return geometric;
+        }
+        // Half turns of the free vibration in half a period of the drive.
+        let turns = d / omega;
+        let peak = three.or_larger(two * ((turns - one) / two).round() + one);
+        let width = (zeta / omega).or_larger(F::int(64) * F::epsilon() * turns);
+        let step = (turns - peak).abs().or_larger(width) / F::int(4);
+        let finest = F::ratio(1, 32);
+        d / (turns - if step < finest { step } else { finest })
+    }
+}
+
+/// A point of the mesh: Ω, and α less the border there, not negative where the body slides.
+#[derive(Debug, Clone, Copy)]
+struct Node<F> {
+    omega: F,
+    excess: F,
+}
+
+/// The bands of a range, by increasing frequency, where the body has a damper.
+#[derive(Debug, Clone)]
+pub(super) struct Search<F> {
+    alpha: F,
+    damper: Damper<F>,
+    /// Where the range that was asked about begins and ends.
+    range: (F, F),
+    next: Option<F>,
+    /// The last point that was passed on, and the one that waits for its neighbour.
+    last: Option<Node<F>>,
+    waiting: Option<Node<F>>,
+    ready: VecDeque<Node<F>>,
+    /// The last point of the band before.
+    before: Option<Node<F>>,
+    least: Option<F>,
+}
+
+impl<F: Float> Search<F> {
+    /// The search at α in the range `[low, high]`, which is valid.
+    pub(super) fn new(alpha: F, damper: Damper<F>, low: F, high: F) -> Self {
+        let one = F::int(1);
+        let from = low.or_larger(one / (one + alpha).sqrt());
+        Self {
+            alpha,
+            damper,
+            range: (low, high),
+            next: (from <= high).then_some(from),
+            last: None,
+            waiting: None,
+            ready: VecDeque::new(),
+            before: None,
+            least: None,
+        }
+    }
+
+    /// The least border that was met.
+    pub(super) const fn least(&self) -> Option<F> {
+        self.least
+    }
+
+    fn excess(&self, omega: F) -> F {
+        self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio()
+    }
+
+    /// The next point, with the extrema between points where one may be on the other side of α.
+    fn node(&mut self) -> Option<Node<F>> {
+        loop {
+            if let Some(node) = self.ready.pop_front() {
+                return Some(node);
+            }
+            let Some(omega) = self.next else { return self.waiting.take() };
+            let high = self.range.1;
+            let after = self.damper.next(omega);
+            self.next = (omega < high).then(|| if after < high { after } else { high });
+            let found = Node { omega, excess: self.excess(omega) };
+            let least = self.alpha - found.excess;
+            self.least = Some(self.least.map_or(least, |old| if least < old { least } else { old }));
+            let Some(middle) = self.waiting.replace(found) else { continue };
+            let hidden = self.last.and_then(|first| self.hidden(first, middle, found));
+            self.last = Some(middle);
+            match hidden {
+                Some(extremum) if extremum.omega < middle.omega => self.ready.extend([extremum, middle]),
+                Some(extremum) => self.ready.extend([middle, extremum]),
+                None => self.ready.push_back(middle),
+            }
+        }
+    }
+
+    /// The extremum between three points on one side of α, of which the middle one is the nearest to it, if it is on the other side.
+    fn hidden(&self, first: Node<F>, middle: Node<F>, last: Node<F>) -> Option<Node<F>> {
+        let zero = F::int(0);
+        let slides = middle.excess >= zero;
+        let sign = F::int(if slides { 1 } else { -1 });
+        let is_side = |node: Node<F>| (node.excess >= zero) == slides;
+        let is_nearer = |node: Node<F>| sign * middle.excess <= sign * node.excess;
+        if !(is_side(first) && is_side(last) && is_nearer(first) && is_nearer(last)) {
+            return None;
+        }
+        let depth = |omega: F| -(sign * self.excess(omega));
+        let omega = highest(first.omega, last.omega, depth, |depth| depth > zero);
+        let found = Node { omega, excess: self.excess(omega) };
+        (!is_side(found)).then_some(found)
+    }
+}
+
+impl<F: Float> Iterator for Search<F> {
+    type Item = Band<F>;
+
+    fn next(&mut self) -> Option<Band<F>> {
+        let zero = F::int(0);
+        let mut open: Option<(F, Edge, Node<F>)> = None;
+        while let Some(node) = self.node() {
+            let slides = node.excess >= zero;
+            let previous = self.before.replace(node);
+            open = match (open, previous) {
+                (None, _) if !slides => None,
+                (None, Some(before)) => {
+                    let start = root::enclosed(before.omega, node.omega, |omega| self.excess(omega)).1;
+                    Some((start, Edge::Border, node))
+                }
+                (None, None) => {
+                    let edge = if node.omega > self.range.0 { Edge::Border } else { Edge::Range };
+                    Some((node.omega, edge, node))
+                }
+                (Some((start, edge, _)), _) if slides => Some((start, edge, node)),
+                (Some((low, low_edge, last)), _) => {
+                    let high = root::enclosed(last.omega, node.omega, |omega| self.excess(omega)).0;
+                    return Some(band(low, high, low_edge, Edge::Border));
+                }
+            };
+        }
+        open.map(|(low, low_edge, last)| band(low, last.omega, low_edge, Edge::Range))
+    }
+}
+
+/// A band, in the lobe of the border without damping that its lower end is in.
+fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
+    let lobe = Lobe::containing(low).unwrap_or(Lobe::new(u16::MAX));
+    Band { low, high, low_edge, high_edge, lobe }
+}
+
+/// The place of the greatest value between two, by golden sections: of a function with one maximum there, to half of the digits. Ends at the
+/// first value that is `enough`.
+pub(super) fn highest<F: Float>(low: F, high: F, f: impl Fn(F) -> F, enough: impl Fn(F) -> bool) -> F {
+    let two = F::int(2);
+    let part = (F::int(5).sqrt() - F::int(1)) / two;
+    let (mut low, mut high) = (low, high);
+    let mut left = high - part * (high - low);
+    let mut right = low + part * (high - low);
+    let (mut at_left, mut at_right) = (f(left), f(right));
+    for _ in 0..F::PRECISION {
+        if enough(at_left) {
+            return left;
+        }
+        if enough(at_right) || high - low <= F::epsilon() * high {
+            return right;
+        }
+        if at_left >= at_right {
+            (high, right, at_right) = (right, left, at_left);
+            left = high - part * (high - low);
+            at_left = f(left);
+        } else {
+            (low, left, at_left) = (left, right, at_right);
+            right = low + part * (high - low);
+            at_right = f(right);
+        }
+    }
+    if at_left >= at_right { left } else { right }
+}
