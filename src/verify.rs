@@ -11,6 +11,8 @@
 //!   differences, and its stops on either side of the border;
 //! * **Newton's method** on eq. 21–25 ([`crate::nonsticking::matching::newton`]), at the same points and on the border.
 //!
+//! The cycle with viscous damping is held against the same three (`damped`).
+//!
 //! ```
 //! use core::ops::ControlFlow;
 //! use stickslip::verify::verify;
@@ -20,6 +22,7 @@
 
 mod case;
 mod cycle;
+mod damped;
 mod formulae;
 mod matching;
 mod motion;
@@ -33,6 +36,7 @@ mod solved;
 use crate::float::Float;
 use crate::nonsticking::matching::newton::Solvable;
 use crate::nonsticking::{Border, Cycle};
+use crate::ratios::Ratios;
 pub use case::Case;
 use core::ops::ControlFlow;
 use formulae::{Formulae, Library};
@@ -101,6 +105,8 @@ pub struct Verdict {
     pub worst: f64,
     /// Ω and α where that is, with all digits.
     pub at: Option<(String, String)>,
+    /// The damping ratio ζ there, if there is a damper.
+    pub damping_ratio: Option<String>,
     /// Holds within [`TOLERANCE`], or is refuted by more than that.
     pub passed: bool,
 }
@@ -123,11 +129,22 @@ pub fn identities<F: Float>() -> Vec<Identity<F>> {
 /// `step` is told (done, all) points, a few times at each point, and may end it all by [`ControlFlow::Break`].
 ///
 /// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and beside Ω = 1, 1/3, 1/5 and 1/7
-/// at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4 times the exact border.
+/// at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4 times the exact border. With damping:
+/// twelve Ω from 0.18 to 4, 1 among them, and ζ from 0.01 to 1.6, each with one of these α.
 pub fn verify<F: Solvable, B>(
-    step: impl FnMut(usize, usize) -> ControlFlow<B>,
+    mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
 ) -> ControlFlow<B, Vec<Verdict>> {
-    verify_by::<F, B>(&Library, step)
+    let undamped = points::points::<F>().len();
+    let all = undamped.saturating_add(damped::POINTS);
+    let mut verdicts = match verify_by::<F, B>(&Library, |done, _| step(done, all)) {
+        ControlFlow::Continue(verdicts) => verdicts,
+        ControlFlow::Break(ended) => return ControlFlow::Break(ended),
+    };
+    let damped = damped::verify_by::<F, B>(&damped::Library, |done| step(undamped.saturating_add(done), all));
+    damped.map_continue(|damped| {
+        verdicts.extend(damped);
+        verdicts
+    })
 }
 
 /// The same of another set of formulae.
@@ -153,7 +170,11 @@ fn verify_by<F: Solvable, B>(
         step(done.saturating_add(1), points.len())?;
     }
     ControlFlow::Continue(
-        identities.iter().zip(tallies).map(|(identity, tally)| tally.verdict(identity)).collect(),
+        identities
+            .iter()
+            .zip(tallies)
+            .map(|(identity, tally)| tally.verdict(identity.equation, identity.statement, identity.standing))
+            .collect(),
     )
 }
 
@@ -177,26 +198,26 @@ impl<F: Float> Tally<F> {
         }
     }
 
-    fn verdict(self, identity: &Identity<F>) -> Verdict {
+    fn verdict(self, equation: &'static str, statement: &'static str, standing: Standing) -> Verdict {
         let (residual, at) = match self.worst {
-            Some((residual, cycle)) => {
-                let ratios = cycle.ratios();
-                (residual, Some((ratios.omega().to_string(), ratios.alpha().to_string())))
-            }
+            Some((residual, cycle)) => (residual, Some(cycle.ratios())),
             None => (F::int(0), None),
         };
+        let damping_ratio = at.filter(Ratios::is_damped).map(|ratios| ratios.damping_ratio().to_string());
+        let at = at.map(|ratios| (ratios.omega().to_string(), ratios.alpha().to_string()));
         let in_last_places = (residual / F::epsilon()).to_f64();
-        let (worst, passed) = match identity.standing {
+        let (worst, passed) = match standing {
             Standing::Holds => (in_last_places, in_last_places <= TOLERANCE),
             Standing::Refuted => (residual.to_f64(), in_last_places > TOLERANCE),
         };
         Verdict {
-            equation: identity.equation,
-            statement: identity.statement,
-            standing: identity.standing,
+            equation,
+            statement,
+            standing,
             points: self.points,
             worst,
             at,
+            damping_ratio,
             passed: passed && self.points > 0,
         }
     }
@@ -209,7 +230,7 @@ fn is_nan<F: Float>(x: F) -> bool {
 /// The cycle at α `times` the exact border, where there is one.
 fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
     let least = Border::new(omega).ok()?.min_force_ratio();
-    crate::Ratios::new(omega, least * times).and_then(Cycle::new).ok()
+    Ratios::new(omega, least * times).and_then(Cycle::new).ok()
 }
 
 #[cfg(test)]
@@ -266,7 +287,7 @@ mod tests {
         let passed = |standing, residuals: &[f64]| {
             let mut tally = Tally { points: 0, worst: None };
             residuals.iter().for_each(|&residual| tally.add(standing, residual, &cycle));
-            let verdict = tally.verdict(&Identity { standing, ..wrong });
+            let verdict = tally.verdict(wrong.equation, wrong.statement, standing);
             assert_eq!(verdict.points, residuals.len());
             verdict.passed
         };

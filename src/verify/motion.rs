@@ -8,15 +8,15 @@ use crate::ratios::Ratios;
 /// The limit of the motion from rest, and its half-turn map by differences.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Motion<F> {
-    steady: SteadyState<F>,
+    pub(super) steady: SteadyState<F>,
     /// How far (x, w) may be from the limit.
-    doubt: F,
+    pub(super) doubt: F,
     /// Trace and determinant of the derivative of the half-turn map, turned upside down.
-    half_map: Option<(F, F)>,
+    pub(super) half_map: Option<(F, F)>,
 }
 
 impl<F: Float> Motion<F> {
-    /// The motion at (Ω, α); `None` where it has no one limit, or none was found.
+    /// The motion at the ratios; `None` where it has no one limit, or none was found.
     pub(super) fn at(ratios: Ratios<F>) -> Option<Self> {
         let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::rest()).ok()? else { return None };
         let (x, v) = steady.distance();
@@ -73,7 +73,7 @@ macro_rules! moving {
 }
 
 /// 0 where a count is as it has to be, and otherwise far from it.
-fn count<F: Float>(found: u32, expected: u32) -> F {
+pub(super) fn count<F: Float>(found: u32, expected: u32) -> F {
     if found == expected { F::int(0) } else { F::int(1) }
 }
 

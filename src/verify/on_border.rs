@@ -44,7 +44,8 @@ impl<F: Solvable> OnBorder<F> {
 
     /// The same with the stops on either side.
     pub(super) fn with_stops(self, omega: F) -> Self {
-        Self { stops: stops_beside(omega, self.edge.min_force_ratio), ..self }
+        let at = |alpha: F| Ratios::new(omega, alpha).ok();
+        Self { stops: stops_beside(omega, self.edge.min_force_ratio, at), ..self }
     }
 
     /// The same with what is dissipated at the best force ratio.
@@ -54,34 +55,37 @@ impl<F: Solvable> OnBorder<F> {
 }
 
 /// The steady motion from rest.
-fn steady<F: Float>(omega: F, alpha: F) -> Option<SteadyState<F>> {
-    let limit = LongRun::from_start(Ratios::new(omega, alpha).ok()?, State::rest()).ok()?;
-    limit.steady_state().copied()
+fn steady<F: Float>(ratios: Ratios<F>) -> Option<SteadyState<F>> {
+    LongRun::from_start(ratios, State::rest()).ok()?.steady_state().copied()
 }
 
-/// A₁ of the exact motion at (Ω, α), by its work against friction; `None` where it is not one of two reversals without a stop.
-fn loop_size<F: Float>(omega: F, alpha: F) -> Option<F> {
-    let steady = steady(omega, alpha)?;
+/// A₁ of the exact motion, by its work against friction; `None` where it is not one of two reversals without a stop.
+pub(super) fn loop_size<F: Float>(ratios: Ratios<F>) -> Option<F> {
+    let (steady, alpha) = (steady(ratios)?, ratios.alpha());
     let slides = steady.sticks_per_cycle() == 0 && steady.velocity_zeros_per_cycle() == 2;
     slides.then(|| F::int(2) * (steady.energy_out() / alpha) / alpha)
 }
 
 /// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below the border
 /// ([errata](crate::nonsticking::printed) 4), and this is not asked there.
-fn stops_beside<F: Float>(omega: F, alpha: F) -> Option<(u32, u32)> {
+pub(super) fn stops_beside<F: Float>(
+    omega: F,
+    alpha: F,
+    at: impl Fn(F) -> Option<Ratios<F>>,
+) -> Option<(u32, u32)> {
     let turns = F::int(1) / omega;
     let nearest = F::int(2) * ((turns - F::int(1)) / F::int(2)).round() + F::int(1);
     let far = (turns - nearest).abs() * F::int(128) > F::int(1);
     let little = F::exp2i((F::PRECISION as i32 / 3).min(16).saturating_neg());
     let one = F::int(1);
-    let stops = |alpha: F| steady(omega, alpha).map(|s| s.sticks_per_cycle());
+    let stops = |alpha: F| steady(at(alpha)?).map(|s| s.sticks_per_cycle());
     far.then(|| Some((stops(alpha * (one - little))?, stops(alpha * (one + little))?)))?
 }
 
 /// A₁ at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little below.
 fn optimum<F: Float>(omega: F, alpha: F) -> Option<(F, F)> {
     let (one, h) = (F::int(1), third_of_digits::<F>());
-    let at = |alpha: F| loop_size(omega, alpha);
+    let at = |alpha: F| loop_size(Ratios::new(omega, alpha).ok()?);
     let _ = at(alpha * F::ratio(99, 100))?;
     let (here, ahead, back) = (at(alpha)?, at(alpha * (one + h))?, at(alpha * (one - h))?);
     Some((here, (ahead - back) / (F::int(2) * h * here)))
