@@ -8,6 +8,7 @@
 //! |---|---|
 //! | Ω | 1; 1/n and 1/(2n + 1); the least border; 1/2; the ends of its domain; any magnitude; ordinary values |
 //! | α | 1; 4/π; the size of K, and √2 times it; the exact border and eq. 61 at that Ω, and some way above; subnormal and huge values |
+//! | ζ | 0; 1; next to nothing; ordinary values; any magnitude |
 //! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; next to no speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //!
@@ -32,7 +33,7 @@ mod starts;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 pub use numbers::{any_bits, beside, magnitude, neighbours, ordinary};
-pub use points::{force_ratio, frequency_ratio};
+pub use points::{damping_ratio, force_ratio, frequency_ratio};
 
 /// A frequency ratio and a force ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,6 +48,16 @@ impl<'a> Arbitrary<'a> for Point {
     fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
         let omega = frequency_ratio(u)?;
         Ok(Self { omega, alpha: force_ratio(u, omega)? })
+    }
+}
+
+/// A damping ratio. Where no bytes are left it is 0, so that inputs kept from before it was asked for mean what they did.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DampingRatio(pub f64);
+
+impl<'a> Arbitrary<'a> for DampingRatio {
+    fn arbitrary(u: &mut Unstructured<'a>) -> Result<Self> {
+        damping_ratio(u).map(Self)
     }
 }
 
@@ -129,7 +140,7 @@ impl<'a> Arbitrary<'a> for Question {
 
 #[cfg(test)]
 mod tests {
-    use super::{Machine, Point, Question, Start};
+    use super::{DampingRatio, Machine, Point, Question, Start};
     use crate::exact::{End, State, Trajectory};
     use crate::{Border, Ratios, Regime, Response};
     use arbitrary::{Arbitrary, Unstructured};
@@ -205,6 +216,8 @@ mod tests {
         nothing::<Start>();
         nothing::<Machine>();
         nothing::<Question>();
+        nothing::<DampingRatio>();
+        assert_eq!(DampingRatio::arbitrary(&mut Unstructured::new(&[])).unwrap(), DampingRatio(0.0));
     }
 
     #[test]

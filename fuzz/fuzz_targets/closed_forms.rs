@@ -1,12 +1,12 @@
-//! Ω, α and a phase.
+//! Ω, α, ζ and a phase.
 #![no_main]
 
 #[path = "../../tests/invariants/mod.rs"]
 mod invariants;
 
-use stickslip::generators::Point;
+use stickslip::generators::{DampingRatio, Point};
 
-libfuzzer_sys::fuzz_target!(|input: (Point, f64)| {
-    let (Point { omega, alpha }, phase) = input;
-    invariants::closed_forms(omega, alpha, phase);
+libfuzzer_sys::fuzz_target!(|input: (Point, f64, DampingRatio)| {
+    let (Point { omega, alpha }, phase, DampingRatio(zeta)) = input;
+    invariants::damped_closed_forms(omega, alpha, zeta, phase);
 });

@@ -4,8 +4,9 @@
 #[path = "../../tests/invariants/motion.rs"]
 mod motion;
 
-use stickslip::generators::Question;
+use stickslip::generators::{DampingRatio, Question};
 
-libfuzzer_sys::fuzz_target!(|q: Question| {
-    motion::questions(q.point.omega, q.target, q.point.alpha, q.low, q.high);
+libfuzzer_sys::fuzz_target!(|input: (Question, DampingRatio)| {
+    let (q, DampingRatio(zeta)) = input;
+    motion::damped_questions(q.point.omega, zeta, q.target, q.point.alpha, q.low, q.high);
 });

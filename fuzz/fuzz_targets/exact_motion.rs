@@ -1,12 +1,12 @@
-//! Ω, α and a state: the motion from there.
+//! Ω, α, ζ and a state: the motion from there.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]
 mod motion;
 
-use stickslip::generators::{Point, Start};
+use stickslip::generators::{DampingRatio, Point, Start};
 
-libfuzzer_sys::fuzz_target!(|start: Start| {
-    let Start { point: Point { omega, alpha }, theta, x, v } = start;
-    motion::trajectory(omega, alpha, theta, x, v);
+libfuzzer_sys::fuzz_target!(|input: (Start, DampingRatio)| {
+    let (Start { point: Point { omega, alpha }, theta, x, v }, DampingRatio(zeta)) = input;
+    motion::damped_trajectory(omega, alpha, zeta, theta, x, v);
 });

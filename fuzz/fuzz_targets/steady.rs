@@ -1,12 +1,12 @@
-//! Ω, α and a state: what the motion from there tends to.
+//! Ω, α, ζ and a state: what the motion from there tends to.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]
 mod motion;
 
-use stickslip::generators::{Point, Start};
+use stickslip::generators::{DampingRatio, Point, Start};
 
-libfuzzer_sys::fuzz_target!(|start: Start| {
-    let Start { point: Point { omega, alpha }, theta, x, v } = start;
-    motion::long_run(omega, alpha, theta, x, v);
+libfuzzer_sys::fuzz_target!(|input: (Start, DampingRatio)| {
+    let (Start { point: Point { omega, alpha }, theta, x, v }, DampingRatio(zeta)) = input;
+    motion::damped_long_run(omega, alpha, zeta, theta, x, v);
 });

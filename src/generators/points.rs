@@ -59,6 +59,21 @@ pub fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     beside(u, place)
 }
 
+/// A damping ratio: none (a quarter of them), beside ζ = 1, ordinary, next to nothing, of any magnitude, or any bits.
+///
+/// # Errors
+/// As for [`any_bits`].
+pub fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
+    match u.int_in_range(0..=7)? {
+        0 | 1 => Ok(0.0),
+        2 => beside(u, 1.0),
+        3 => any_bits(u),
+        4 => magnitude(u),
+        5 => ordinary(u, -60.0, 6.0).map(f64::exp2),
+        _ => ordinary(u, -12.0, 3.0).map(f64::exp2),
+    }
+}
+
 /// A maximum displacement or velocity: what the border leads to at that Ω, more than that, or of any magnitude.
 pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=4)?;

@@ -48,6 +48,68 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     }
 }
 
+/// The same with a damper of the ratio ζ.
+///
+/// # Panics
+/// As [`closed_forms`].
+pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64) {
+    let range = 2f64.powi(-250)..=2f64.powi(250);
+    let ratios = match Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)) {
+        Ok(ratios) => ratios,
+        Err(error) if error.quantity() == Some(Quantity::DampingRatio) => {
+            assert!(
+                zeta != 0.0 && !range.contains(&zeta) && error.to_string().contains(" must be "),
+                "{error}"
+            );
+            return;
+        }
+        Err(error) => return refused(&error, range.contains(&omega), alpha > 0.0 && alpha <= *range.end()),
+    };
+    if !ratios.is_damped() {
+        return closed_forms(omega, alpha, phase);
+    }
+    let border = Border::with_damping(omega, zeta).unwrap();
+    let least = border.min_force_ratio();
+    assert!(least >= border.turning_point() && least > 0.0 && least.is_finite(), "α_min = {least:e}");
+    // Proved: α_min ≥ 1/Ω² − 1, and half the damped frequency on the turning point suffices.
+    assert!(least >= ((1.0 - omega) * (1.0 + omega) / omega / omega).min(1e70) * (1.0 - 1e-12), "{least:e}");
+    assert!(border.is_turning_point() || zeta < 1.0 && omega < 0.5);
+    assert!((0.0..=std::f64::consts::PI).contains(&border.phase()));
+    match Cycle::new(ratios) {
+        Ok(cycle) => {
+            assert!(alpha >= least);
+            damped_cycle(&cycle, phase);
+        }
+        Err(error) => assert!(alpha < least && error.to_string().contains(" must be "), "{error}"),
+    }
+}
+
+fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
+    let (omega, zeta, alpha) = {
+        let ratios = cycle.ratios();
+        (ratios.omega(), ratios.damping_ratio(), ratios.alpha())
+    };
+    let (delta, speed) = (cycle.max_displacement(), cycle.max_velocity());
+    // What Δ₀ = a − G is a difference of, and the velocity of.
+    let forced = alpha / (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
+    let size = forced + 2.0;
+    assert!(delta > -1e-12 * size && delta.is_finite(), "Δ₀ = {delta:e}");
+    assert!(speed > 0.0 && speed.is_finite(), "V₀ = {speed:e}");
+    assert!(cycle.damper_work() >= -1e-9 * size * alpha && cycle.damper_work().is_finite());
+    for value in [cycle.displacement_phase(), cycle.velocity_phase()] {
+        assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
+    }
+    assert!(cycle.deviation().is_finite());
+    assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
+    let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
+    assert_eq!(x.is_nan(), !phase.is_finite());
+    if phase.is_finite() {
+        let slack = 1e-11 * (1.0 + 1.0 / omega);
+        assert!(x.abs() <= delta + slack * size, "|x| = {x:e} above Δ₀ = {delta:e}");
+        assert!(v.abs() <= speed + slack * (size + (1.0 + zeta) / omega), "|v| = {v:e} above V₀ = {speed:e}");
+    }
+}
+
 /// A verdict that is decided is that of the rounded border, but for a few units in its last place at Ω = 1/(2n).
 fn place(ratios: Ratios<f64>, regime: Regime) {
     let place = Place::new(ratios);

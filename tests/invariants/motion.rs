@@ -159,3 +159,53 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
         }
     }
 }
+
+/// The same with a damper of the ratio ζ: an answer, put back, gives what was asked for.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, low: f64, high: f64) {
+    let at = |omega: f64, alpha: f64| Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
+    let Ok(ratios) = at(omega, 1.0) else { return };
+    if !ratios.is_damped() {
+        return questions(omega, target, alpha, low, high);
+    }
+    let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+    // The rounding of α in the terms that a target is the difference of.
+    let stiffness = (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
+    let slack = |force: f64| 1e-9 + 1e-12 * (force / stiffness + 2.0) * (1.0 + 1.0 / omega) / target;
+    let by_displacement = design::force_ratio_for_displacement_with_damping(omega, zeta, target);
+    if let Ok(force) = by_displacement
+        && let Ok(cycle) = at(omega, force.max(least)).and_then(Cycle::new)
+    {
+        let off = (cycle.max_displacement() / target - 1.0).abs();
+        assert!(off < slack(force), "{omega:e} {zeta:e} {target:e}: {off:e} by {force:e}");
+    }
+    let by_velocity = design::force_ratio_for_velocity_with_damping(omega, zeta, target);
+    if let Ok(force) = by_velocity
+        && let Ok(cycle) = at(omega, force.max(least)).and_then(Cycle::new)
+    {
+        let off = (cycle.max_velocity() / target - 1.0).abs();
+        assert!(off < slack(force) * (1.0 + zeta), "{omega:e} {zeta:e} {target:e}: {off:e} by {force:e}");
+    }
+    for error in [by_displacement.err(), by_velocity.err()].into_iter().flatten() {
+        assert!(error.to_string().contains(" must be "), "{error}");
+    }
+    let best = design::most_dissipating_force_ratio_with_damping(omega, zeta).unwrap();
+    assert!(best.force_ratio >= least && best.loop_size.is_finite(), "{best:?}");
+    // Bounded work: bands as many as √α/2, and a mesh of some hundred points for each.
+    if alpha < 1e3
+        && high < 1e3
+        && let Ok(bands) = design::bands_with_damping(alpha, zeta, low, high)
+    {
+        let mut last = low;
+        for band in bands.map(Result::unwrap) {
+            assert!(last <= band.low && band.low <= band.high && band.high <= high, "{band:?}");
+            last = band.high;
+            for end in [band.low, band.high] {
+                let border = Border::with_damping(end, zeta).unwrap().min_force_ratio();
+                assert!(border <= alpha, "{end:e} of {alpha:e}: {border:e}");
+            }
+        }
+    }
+}

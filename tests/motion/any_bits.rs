@@ -8,7 +8,7 @@ use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use std::fmt::Debug;
 use stickslip::Border;
-use stickslip::generators::{Machine, Point, Question, Start};
+use stickslip::generators::{DampingRatio, Machine, Point, Question, Start};
 
 /// What fuzzing has found, kept.
 #[test]
@@ -105,10 +105,10 @@ proptest! {
     }
 
     #[test]
-    fn any_hard_damped_motion(start in hard::<Start>(), z in -60.0..6.0) {
+    fn any_hard_damped_motion(start in hard::<Start>(), zeta in hard::<DampingRatio>()) {
         let Start { point: Point { omega, alpha }, theta, x, v } = start;
-        motion::damped_trajectory(omega, alpha, f64::exp2(z), theta, x, v);
-        motion::damped_long_run(omega, alpha, f64::exp2(z), theta, x, v);
+        motion::damped_trajectory(omega, alpha, zeta.0, theta, x, v);
+        motion::damped_long_run(omega, alpha, zeta.0, theta, x, v);
     }
 
     #[test]
@@ -122,6 +122,28 @@ proptest! {
     #[test]
     fn any_question(e in -8.0..6.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0) {
         motion::questions(2f64.powf(e), 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
+    }
+
+    #[test]
+    fn any_hard_damped_question(q in hard::<Question>(), zeta in hard::<DampingRatio>()) {
+        motion::damped_questions(q.point.omega, zeta.0, q.target, q.point.alpha, q.low, q.high);
+    }
+
+    #[test]
+    fn any_damped_question(
+        e in -8.0..6.0, z in -12.0..4.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0,
+    ) {
+        let (omega, zeta) = (2f64.powf(e), 2f64.powf(z));
+        motion::damped_questions(omega, zeta, 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
+    }
+
+    #[test]
+    fn any_hard_damped_point(point in hard::<Point>(), zeta in hard::<DampingRatio>(), over in -2.0..8.0, phase in -700.0..700.0) {
+        crate::invariants::damped_closed_forms(point.omega, point.alpha, zeta.0, phase);
+        if let Ok(border) = Border::with_damping(point.omega, zeta.0) {
+            let alpha = border.min_force_ratio() * f64::exp2(over);
+            crate::invariants::damped_closed_forms(point.omega, alpha, zeta.0, phase);
+        }
     }
 
     #[test]

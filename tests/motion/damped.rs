@@ -384,22 +384,36 @@ fn every_start_has_the_same_limit() {
     }
 }
 
-/// The campaigns of docs/robustness.md.
+/// The campaigns of docs/robustness.md, told of as they go: what is printed last is what has been done.
 #[test]
-#[ignore = "minutes: the whole campaign"]
+#[ignore = "hours: the whole campaign"]
 fn campaign_of_velocity_zeros() {
-    let (slides, looked_closely) = no_zero_is_missed(100_000, 3);
-    println!("{slides} slides, {looked_closely} samples looked at closely");
-    let (compared, differ) = steady_states_are_counted(3_000, 4);
-    assert!(differ.is_empty(), "{} of {compared}: {differ:#?}", differ.len());
+    let (mut slides, mut looked_closely) = (0, 0);
+    for part in 1..=100 {
+        let (more, closer) = no_zero_is_missed(1000, 1000 + part);
+        (slides, looked_closely) = (slides + more, looked_closely + closer);
+        println!("{} motions, {slides} slides, {looked_closely} samples looked at closely", part * 1000);
+    }
 }
 
 #[test]
 #[ignore = "minutes: the whole campaign"]
-fn campaign_of_the_border() {
-    let (compared, wrong) = border_is_where_stops_begin(100_000, 5);
-    assert!(wrong.is_empty(), "{} of {compared}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
+fn campaign_of_stops() {
+    let (compared, differ) = steady_states_are_counted(3_000, 4);
     println!("{compared} compared");
+    assert!(differ.is_empty(), "{} of {compared}: {differ:#?}", differ.len());
+}
+
+#[test]
+#[ignore = "hours: the whole campaign"]
+fn campaign_of_the_border() {
+    let (mut compared, mut wrong) = (0, Vec::new());
+    for part in 1..=100 {
+        let (more, found) = border_is_where_stops_begin(1000, 2000 + part);
+        (compared, wrong) = (compared + more, [wrong, found].concat());
+        println!("{compared} compared, {} wrong", wrong.len());
+    }
+    assert!(wrong.is_empty(), "{} of {compared}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
     closed_forms_are_the_limit(20_000, 6);
 }
 
