@@ -40,26 +40,6 @@ fn follow(
     Ok(Found { limit, seen })
 }
 
-/// An output of a steady state by its name.
-type OfSteady = (&'static str, fn(&SteadyState<f64>) -> f64);
-
-const OF_STEADY: [OfSteady; 14] = [
-    ("max_displacement", |s| s.max_displacement()),
-    ("max_displacement_phase", |s| s.max_displacement_phase()),
-    ("min_displacement", |s| s.min_displacement()),
-    ("min_displacement_phase", |s| s.min_displacement_phase()),
-    ("max_velocity", |s| s.max_velocity()),
-    ("max_velocity_phase", |s| s.max_velocity_phase()),
-    ("min_velocity", |s| s.min_velocity()),
-    ("min_velocity_phase", |s| s.min_velocity_phase()),
-    ("stick_fraction", |s| s.stick_fraction()),
-    ("energy_in", |s| s.energy_in()),
-    ("energy_out", |s| s.energy_out()),
-    ("contraction", |s| s.contraction()),
-    ("distance", |s| s.distance().0),
-    ("velocity_zeros_per_cycle", |s| f64::from(s.velocity_zeros_per_cycle())),
-];
-
 impl Found {
     const fn code(&self) -> u8 {
         match &self.limit {
@@ -112,10 +92,8 @@ fn steady_at<'py>(
     let dict = PyDict::new(py);
     dict.set_item("regime", found.seen.regime.name())?;
     dict.set_item("limit", LIMITS.get(usize::from(found.code())))?;
-    for (name, value) in OF_STEADY {
-        if name != "velocity_zeros_per_cycle" {
-            dict.set_item(name, steady.map(value))?;
-        }
+    for (name, value) in SteadyState::OUTPUTS {
+        dict.set_item(name, steady.map(value))?;
     }
     dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
     dict.set_item("sticks_per_cycle", found.seen.sticks)?;
@@ -178,16 +156,13 @@ fn columns(found: &[Result<Found, Error>]) -> Result<Table, Error> {
     let mut table = Table::default();
     table.code("regime", found().map(|f| code(f.map(|f| f.seen.regime))).collect(), &REGIMES);
     table.code("limit", found().map(|f| f.map_or(5, Found::code)).collect(), &LIMITS);
-    for (name, value) in OF_STEADY {
-        if name == "velocity_zeros_per_cycle" {
-            let zeros = |f: Option<&Found>| {
-                count(f.and_then(|f| f.limit.steady_state()).map(SteadyState::velocity_zeros_per_cycle))
-            };
-            table.count(name, found().map(zeros).collect());
-        } else {
-            table.number(name, found().map(|f| steady(f, value)).collect());
-        }
+    for (name, value) in SteadyState::OUTPUTS {
+        table.number(name, found().map(|f| steady(f, value)).collect());
     }
+    let zeros = |f: Option<&Found>| {
+        count(f.and_then(|f| f.limit.steady_state()).map(SteadyState::velocity_zeros_per_cycle))
+    };
+    table.count("velocity_zeros_per_cycle", found().map(zeros).collect());
     table.count("sticks_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.sticks))).collect());
     table.count("reversals_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.reversals))).collect());
     table.number("periods", found().map(|f| f.and_then(Found::periods).unwrap_or(f64::NAN)).collect());

@@ -98,7 +98,6 @@ fn steady<F: Float>(
     let limit = LongRun::within_while(ratios, start, periods, &mut || stop.asked())?;
     let seen = observed(ratios, &limit);
     let steady = limit.steady_state();
-    let of = |value: fn(&SteadyState<F>) -> F| digits(steady.map(value));
     let errors = steady.map(SteadyState::errors).transpose()?;
     let (kind, followed, rest) = match &limit {
         LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
@@ -109,25 +108,12 @@ fn steady<F: Float>(
     };
     let multipliers = steady.map(SteadyState::multipliers);
     let pairs = multipliers.map(|m| m.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec());
-    Ok(vec![
+    let mut cells = vec![
         ("regime", Cell::Word(seen.regime.name())),
         ("limit", Cell::Word(kind)),
-        ("max_displacement", of(|s| s.max_displacement())),
-        ("max_displacement_phase", of(|s| s.max_displacement_phase())),
-        ("min_displacement", of(|s| s.min_displacement())),
-        ("min_displacement_phase", of(|s| s.min_displacement_phase())),
-        ("max_velocity", of(|s| s.max_velocity())),
-        ("max_velocity_phase", of(|s| s.max_velocity_phase())),
-        ("min_velocity", of(|s| s.min_velocity())),
-        ("min_velocity_phase", of(|s| s.min_velocity_phase())),
         ("sticks_per_cycle", Cell::Count(seen.sticks)),
         ("velocity_zeros_per_cycle", Cell::Count(steady.map(SteadyState::velocity_zeros_per_cycle))),
         ("reversals_per_cycle", Cell::Count(seen.reversals)),
-        ("stick_fraction", of(|s| s.stick_fraction())),
-        ("energy_in", of(|s| s.energy_in())),
-        ("energy_out", of(|s| s.energy_out())),
-        ("contraction", of(|s| s.contraction())),
-        ("distance", of(|s| s.distance().0)),
         ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
         ("rest_position", digits(rest)),
         ("periods", digits(followed)),
@@ -135,7 +121,9 @@ fn steady<F: Float>(
         ("error_2", digits(errors.map(|e| e.error_2))),
         ("error_3", digits(errors.map(|e| e.error_3))),
         ("error_4", digits(errors.map(|e| e.error_4))),
-    ])
+    ];
+    cells.extend(SteadyState::OUTPUTS.map(|(name, value)| (name, digits(steady.map(value)))));
+    Ok(cells)
 }
 
 fn answer(py: Python<'_>, bits: u32, ratios: [String; 3], question: Question) -> PyResult<Bound<'_, PyDict>> {

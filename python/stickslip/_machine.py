@@ -32,6 +32,7 @@ _PHYSICAL = {
     "loop_size_stiffness": "energy_per_cycle",
     "best_force_ratio": "best_force",
     "best_loop_size": "best_force_energy",
+    "damper_work": "damper_energy_per_cycle",
     "periods": "followed_for",
 }
 #: Scales of what `steady` gives, beside those of `response`.
@@ -42,6 +43,7 @@ _OF_STEADY = {
     "min_velocity": "velocity",
     "energy_in": "work",
     "energy_out": "work",
+    "damper_work": "work",
     "periods": "period",
 }
 

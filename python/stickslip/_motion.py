@@ -34,7 +34,9 @@ class Steady(Result):
     stick_fraction : float or array
         Share of the cycle at rest.
     energy_in, energy_out : float or array
-        Work of the drive, and work against friction in a cycle (r B). The difference goes to the damper.
+        Work of the drive, and work against friction in a cycle (r B).
+    damper_work : float or array
+        Work against the damper in a cycle (r B): the rest of ``energy_in``.
     multipliers : list of (float, float)
         Multipliers of a whole cycle, real and imaginary parts (a single point only).
     contraction : float or array
@@ -71,6 +73,7 @@ class Steady(Result):
         "stick_fraction",
         "energy_in",
         "energy_out",
+        "damper_work",
         "contraction",
         "multipliers",
         "distance",
@@ -102,6 +105,7 @@ class Steady(Result):
     stick_fraction: Any
     energy_in: Any
     energy_out: Any
+    damper_work: Any
     contraction: Any
     multipliers: Any
     distance: Any

@@ -1,4 +1,4 @@
-"""A study that outgrows one process: steady states over frequency and force ratio, on Dask.
+"""A study that outgrows one process: steady states over frequency and force ratio, on Dask or on Ray Data.
 
 Each part is a file of its own, computed from the part's number alone. It is written under a name of its own and then
 renamed, so that a task tried twice, or a worker that dies while writing, leaves a whole file or none. The reductions
@@ -6,6 +6,7 @@ of the parts are small and come back to the client, which adds them up in the or
 same, bit for bit, on any number of workers.
 
     python steady_map.py --workers 2 --parts 16 --out map
+    python steady_map.py --workers 2 --parts 16 --out map --engine ray
 """
 
 from __future__ import annotations
@@ -15,10 +16,14 @@ import json
 import os
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 import stickslip as ss
+
+#: Number of parts, rows and columns of the map, and the directory.
+Options = tuple[int, int, int, str]
 
 
 def part(number: int, parts: int, rows: int, columns: int, out: str) -> dict[str, float]:
@@ -54,8 +59,37 @@ def whole(parts: list[dict[str, float]]) -> dict[str, float]:
     return total
 
 
+def on_dask(workers: int, options: Options) -> list[dict[str, float]]:
+    """All parts, on worker processes of Dask."""
+    from distributed import Client, LocalCluster
+
+    with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster:
+        with Client(cluster) as client:
+            tasks = client.map(lambda number: part(number, *options), range(options[0]), pure=False)
+            return list(client.gather(tasks))
+
+
+def on_ray(workers: int, options: Options) -> list[dict[str, float]]:
+    """All parts, as the rows of a dataset of Ray Data."""
+    import ray
+
+    def row(batch: dict[str, Any]) -> dict[str, Any]:
+        (number,) = batch["id"]
+        return {"id": [number], **{name: [value] for name, value in part(int(number), *options).items()}}
+
+    ray.init(num_cpus=workers, include_dashboard=False, log_to_driver=False)
+    try:
+        numbers = ray.data.range(options[0], override_num_blocks=options[0])
+        rows = numbers.map_batches(row, batch_size=1).take_all()
+    finally:
+        ray.shutdown()
+    rows.sort(key=lambda found: found["id"])
+    return [{name: value for name, value in found.items() if name != "id"} for found in rows]
+
+
 def main() -> None:
-    parser = argparse.ArgumentParser(description="A map of steady states on Dask")
+    parser = argparse.ArgumentParser(description="A map of steady states on Dask or Ray")
+    parser.add_argument("--engine", choices=["dask", "ray"], default="dask")
     parser.add_argument("--workers", type=int, default=2, help="worker processes; 0 computes in this one")
     parser.add_argument("--parts", type=int, default=16)
     parser.add_argument("--rows", type=int, default=160)
@@ -67,12 +101,7 @@ def main() -> None:
     if args.workers == 0:
         found = [part(number, *options) for number in range(args.parts)]
     else:
-        from distributed import Client, LocalCluster
-
-        with LocalCluster(n_workers=args.workers, threads_per_worker=1, dashboard_address=None) as cluster:
-            with Client(cluster) as client:
-                tasks = client.map(lambda number: part(number, *options), range(args.parts), pure=False)
-                found = client.gather(tasks)
+        found = {"dask": on_dask, "ray": on_ray}[args.engine](args.workers, options)
     print(json.dumps(whole(found)))
 
 

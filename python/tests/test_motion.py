@@ -127,3 +127,14 @@ def test_ctrl_c_is_heard(work):
     run.send_signal(signal.SIGINT)
     _, words = run.communicate(timeout=20)
     assert run.returncode != 0 and words.rstrip().endswith("KeyboardInterrupt")
+
+
+def test_friction_and_damper_take_what_the_drive_gives():
+    alone = ss.steady(0.8, 3, 0.1)
+    assert alone.damper_work > 0
+    assert alone.energy_in == pytest.approx(alone.energy_out + alone.damper_work, rel=1e-12)
+    several = ss.steady([0.8, 0.4], 3, 0.1)
+    assert several.damper_work[0] == alone.damper_work
+    machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0).with_damping_ratio(0.1)
+    physical = machine.steady(ss.Drive(force=9.0, angular_frequency=16.0)).physical
+    assert physical.energy_in == pytest.approx(physical.energy_out + physical.damper_energy_per_cycle, rel=1e-12)

@@ -93,7 +93,7 @@ impl Reader {
     }
 
     fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), Failure> {
-        if kind.is_dimensionless() || (kind == Kind::Frequency && !with_unit) {
+        if kind.is_dimensionless() {
             return Ok(());
         }
         let (own, other) = if with_unit {
@@ -217,7 +217,10 @@ mod tests {
     fn bare_numbers_are_in_the_named_system_and_do_not_mix_without_one() {
         let reader = Reader::new(None);
         assert_eq!(reader.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 800.0);
-        assert_eq!(reader.value::<f64>("--frequency", "2", Kind::Frequency).unwrap(), 2.0);
+        let bare = Reader::new(None);
+        assert_eq!(bare.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 800.0);
+        let error = bare.value::<f64>("--frequency", "2", Kind::Frequency).unwrap_err().to_string();
+        assert!(error.starts_with("--frequency 2: has no unit beside --mass 800kg"), "{error}");
         assert_eq!(reader.value::<f64>("--omega", "2", Kind::Ratio).unwrap(), 2.0);
         let error = reader.value::<f64>("--force", "12", Kind::Force).unwrap_err().to_string();
         assert!(error.starts_with("--force 12: has no unit beside --mass 800kg"), "{error}");
