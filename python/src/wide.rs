@@ -40,10 +40,9 @@ fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
 }
 
 impl Task<'_> {
-    /// At the least width of a few that has the bits: each is a copy of all that is computed at it.
+    /// At the least width of two that has the bits: each is a copy of all that is computed at it.
     fn at(self, bits: u32) -> Result<Cells, String> {
         match bits {
-            ..=128 => self.run::<Mp<2>>(),
             ..=256 => self.run::<Mp<4>>(),
             ..=1024 => self.run::<Mp<16>>(),
             _ => Err(format!("bits = {bits} must be ≤ 1024 here; the command has 8192")),
