@@ -71,7 +71,11 @@ fn mapped<'py>(
 }
 
 #[pyfunction]
-fn arrow_response<'py>(py: Python<'py>, input: AnyRecordBatch, outputs: Vec<String>) -> PyResult<Bound<'py, PyAny>> {
+fn arrow_response<'py>(
+    py: Python<'py>,
+    input: AnyRecordBatch,
+    outputs: Vec<String>,
+) -> PyResult<Bound<'py, PyAny>> {
     let (columns, regime) = closed_forms::columns(&outputs)?;
     mapped(py, input, |points, stop| {
         let damping = points.damping.as_ref().map(|d| &d.values()[..]);

@@ -15,8 +15,13 @@ use stickslip::{Output, Ratios, Regime, Response};
 const CHUNK: usize = 1 << 16;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
-pub(crate) const REGIMES: [&str; 5] =
-    [Regime::Stuck.name(), Regime::Sticking.name(), Regime::NonSticking.name(), Regime::Unbounded.name(), "invalid"];
+pub(crate) const REGIMES: [&str; 5] = [
+    Regime::Stuck.name(),
+    Regime::Sticking.name(),
+    Regime::NonSticking.name(),
+    Regime::Unbounded.name(),
+    "invalid",
+];
 
 pub(crate) const fn code(regime: Option<Regime>) -> u8 {
     match regime {
@@ -35,7 +40,12 @@ pub(crate) fn ratios(omega: f64, alpha: f64, damping_ratio: f64) -> Result<Ratio
 
 /// All outputs at one point, `None` for what does not exist there.
 #[pyfunction]
-fn response_at<'py>(py: Python<'py>, omega: f64, alpha: f64, damping_ratio: f64) -> PyResult<Bound<'py, PyDict>> {
+fn response_at<'py>(
+    py: Python<'py>,
+    omega: f64,
+    alpha: f64,
+    damping_ratio: f64,
+) -> PyResult<Bound<'py, PyDict>> {
     let answer = Response::new(ratios(omega, alpha, damping_ratio).map_err(refused)?);
     let dict = PyDict::new(py);
     dict.set_item("regime", answer.regime().name())?;
@@ -146,32 +156,40 @@ fn batched(omega: &[f64], alpha: &[f64], columns: &[Column], regime: bool, stop:
         // The slices have one length by construction, so that no batch is refused.
         let _ = match kept {
             0 => Ok(()),
-            3 => batch.triple(omega, alpha, Triple {
-                max_displacement: next(),
-                min_force_ratio: next(),
-                loop_size_stiffness: next(),
-            }),
-            5 => batch.peaks(omega, alpha, Peaks {
-                max_displacement: next(),
-                min_force_ratio: next(),
-                loop_size_stiffness: next(),
-                max_velocity: next(),
-                velocity_phase: next(),
-            }),
-            _ => {
-                let mut unused = vec![None; if regime { 0 } else { part.len() }];
-                batch.cycles(omega, alpha, Cycles {
-                    regime: regimes.get_mut(part.clone()).unwrap_or(&mut unused),
+            3 => batch.triple(
+                omega,
+                alpha,
+                Triple { max_displacement: next(), min_force_ratio: next(), loop_size_stiffness: next() },
+            ),
+            5 => batch.peaks(
+                omega,
+                alpha,
+                Peaks {
                     max_displacement: next(),
                     min_force_ratio: next(),
                     loop_size_stiffness: next(),
                     max_velocity: next(),
                     velocity_phase: next(),
-                    displacement_phase: next(),
-                    deviation: next(),
-                    contraction: next(),
-                    loop_size_inertia: next(),
-                })
+                },
+            ),
+            _ => {
+                let mut unused = vec![None; if regime { 0 } else { part.len() }];
+                batch.cycles(
+                    omega,
+                    alpha,
+                    Cycles {
+                        regime: regimes.get_mut(part.clone()).unwrap_or(&mut unused),
+                        max_displacement: next(),
+                        min_force_ratio: next(),
+                        loop_size_stiffness: next(),
+                        max_velocity: next(),
+                        velocity_phase: next(),
+                        displacement_phase: next(),
+                        deviation: next(),
+                        contraction: next(),
+                        loop_size_inertia: next(),
+                    },
+                )
             }
         };
     }

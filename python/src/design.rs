@@ -62,7 +62,11 @@ fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<
         design::frequency_bands(&body, &drive, low, high)?.collect::<Result<Vec<_>, Error>>()
     });
     let cut = |edge| edge == Edge::Range;
-    Ok(found.map_err(refused)?.into_iter().map(|b| (b.low, b.high, cut(b.low_edge), cut(b.high_edge))).collect())
+    Ok(found
+        .map_err(refused)?
+        .into_iter()
+        .map(|b| (b.low, b.high, cut(b.low_edge), cut(b.high_edge)))
+        .collect())
 }
 
 /// Friction bound and damping ratio from a response curve, each with its standard error and 95 % interval.

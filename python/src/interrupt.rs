@@ -55,7 +55,9 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
         match (raised, result) {
             (Some(signal), _) => Err(signal),
             (None, Ok(value)) => Ok(value),
-            (None, Err(_)) => Err(crate::refused("the work ended without an answer: a defect of this package")),
+            (None, Err(_)) => {
+                Err(crate::refused("the work ended without an answer: a defect of this package"))
+            }
         }
     })
 }

@@ -12,7 +12,12 @@ mod wide;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-pyo3::create_exception!(_native, Error, PyValueError, "An argument is outside the domain, or a question has no answer.");
+pyo3::create_exception!(
+    _native,
+    Error,
+    PyValueError,
+    "An argument is outside the domain, or a question has no answer."
+);
 
 /// The library's message as a Python exception.
 fn refused(error: impl std::fmt::Display) -> PyErr {

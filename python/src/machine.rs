@@ -32,7 +32,8 @@ pub(crate) fn excitation(name: &str) -> PyResult<Excitation> {
 /// The damping constant of a damping ratio.
 #[pyfunction]
 fn damping_constant(mass: f64, stiffness: f64, friction: f64, damping_ratio: f64) -> PyResult<f64> {
-    let body = Oscillator::new(mass, stiffness, friction).and_then(|body| body.with_damping_ratio(damping_ratio));
+    let body =
+        Oscillator::new(mass, stiffness, friction).and_then(|body| body.with_damping_ratio(damping_ratio));
     Ok(body.map_err(refused)?.damping())
 }
 
@@ -47,9 +48,19 @@ fn machine_columns<'py>(
     mean_force: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (body, kind) = (body(of).map_err(refused)?, excitation(kind)?);
-    let names =
-        ["omega", "alpha", "damping_ratio", "length", "velocity", "time", "force", "energy",
-        "energy_inertia", "acceleration", "mean_displacement"];
+    let names = [
+        "omega",
+        "alpha",
+        "damping_ratio",
+        "length",
+        "velocity",
+        "time",
+        "force",
+        "energy",
+        "energy_inertia",
+        "acceleration",
+        "mean_displacement",
+    ];
     let mut columns: [Vec<f64>; 11] = Default::default();
     for (&amplitude, &frequency) in amplitude.as_slice()?.iter().zip(angular_frequency.as_slice()?) {
         let row = (|| {

@@ -9,9 +9,11 @@ use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-use stickslip::exact::{DEFAULT_BUDGET, Direction, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::regime::{Observed, observed};
 use stickslip::Error;
+use stickslip::exact::{
+    DEFAULT_BUDGET, Direction, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory,
+};
+use stickslip::regime::{Observed, observed};
 
 /// The most rows of a simulation: what fits into memory.
 const MOST_ROWS: usize = 1 << 28;
@@ -166,7 +168,10 @@ fn columns(found: &[Result<Found, Error>]) -> Result<Table, Error> {
     table.count("sticks_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.sticks))).collect());
     table.count("reversals_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.reversals))).collect());
     table.number("periods", found().map(|f| f.and_then(Found::periods).unwrap_or(f64::NAN)).collect());
-    table.number("rest_position", found().map(|f| f.and_then(Found::rest_position).unwrap_or(f64::NAN)).collect());
+    table.number(
+        "rest_position",
+        found().map(|f| f.and_then(Found::rest_position).unwrap_or(f64::NAN)).collect(),
+    );
     Ok(table)
 }
 
@@ -219,7 +224,14 @@ fn phases(py: Python<'_>, point: (f64, f64, f64), start: Start, cycles: f64) -> 
         let mut table = Table::default();
         table.code("kind", kinds, &[]);
         table.code("ends_by", ends, &[]);
-        let names = ["start_phase", "end_phase", "duration", "start_displacement", "start_velocity", "end_displacement"];
+        let names = [
+            "start_phase",
+            "end_phase",
+            "duration",
+            "start_displacement",
+            "start_velocity",
+            "end_displacement",
+        ];
         for (name, column) in names.into_iter().zip(columns) {
             table.number(name, column);
         }
@@ -256,7 +268,9 @@ fn samples(
             if phase > until + half_step || stop.asked().is_break() {
                 break;
             }
-            for (column, value) in columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction]) {
+            for (column, value) in
+                columns.iter_mut().zip([phase, instant.state.x, instant.state.v, instant.friction])
+            {
                 column.push(value);
             }
         }

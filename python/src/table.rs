@@ -51,7 +51,8 @@ impl Table {
         let mut columns: Vec<(&str, ArrayRef)> = Vec::new();
         for (name, column, words) in self.codes {
             let last = words.len().saturating_sub(1);
-            let word = |&code: &u8| words.get(usize::from(code)).copied().filter(|_| usize::from(code) < last);
+            let word =
+                |&code: &u8| words.get(usize::from(code)).copied().filter(|_| usize::from(code) < last);
             columns.push((name, Arc::new(column.iter().map(word).collect::<StringArray>())));
         }
         for (name, column) in self.numbers {
@@ -62,6 +63,8 @@ impl Table {
             let values = column.iter().map(|&n| (n >= 0).then_some(n));
             columns.push((name, Arc::new(values.collect::<Int64Array>())));
         }
-        RecordBatch::try_from_iter_with_nullable(columns.into_iter().map(|(name, column)| (name, column, true)))
+        RecordBatch::try_from_iter_with_nullable(
+            columns.into_iter().map(|(name, column)| (name, column, true)),
+        )
     }
 }

@@ -26,7 +26,10 @@ type Cells = Vec<(&'static str, Cell)>;
 enum Question {
     Response,
     /// From a start, for at most so many periods.
-    Steady { start: [String; 3], periods: u32 },
+    Steady {
+        start: [String; 3],
+        periods: u32,
+    },
 }
 
 struct Task<'a> {
@@ -60,7 +63,8 @@ impl Task<'_> {
         match self.question {
             Question::Response => Ok(response(ratios)),
             Question::Steady { start: [phase, x, v], periods } => {
-                let start = State::new(number(&phase)?, number(&x)?, number(&v)?).map_err(|e| e.to_string())?;
+                let start =
+                    State::new(number(&phase)?, number(&x)?, number(&v)?).map_err(|e| e.to_string())?;
                 steady(ratios, start, periods, self.stop).map_err(|e| e.to_string())
             }
         }
