@@ -13,6 +13,7 @@
 //! | `portrait` | two motions in the phase plane |
 //! | `accuracy` | digits lost beside Ω = 1 |
 //! | `multipliers` | how fast the motion settles |
+//! | `damping` | what viscous damping changes |
 //! | `draw` | a figure as SVG or PNG |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes what [`Figure::svg`] draws.
@@ -26,6 +27,7 @@
 mod accuracy;
 mod border;
 mod cycle;
+mod damping;
 mod dissipation;
 mod draw;
 mod multipliers;
@@ -42,7 +44,7 @@ pub use plane::{Plane, Scale};
 use std::io::{self, Write};
 
 /// The names of all figures, in order: those of the paper by their numbers.
-pub const NAMES: [&str; 17] = [
+pub const NAMES: [&str; 18] = [
     "1",
     "2",
     "3",
@@ -60,6 +62,7 @@ pub const NAMES: [&str; 17] = [
     "accuracy",
     "multipliers",
     "poles",
+    "damping",
 ];
 
 /// The figure of that name, one of [`NAMES`].
@@ -83,6 +86,7 @@ pub fn figure(name: &str) -> Option<Figure> {
         "accuracy" => accuracy::beside_one(),
         "multipliers" => multipliers::of_the_cycle(),
         "poles" => poles::beside(),
+        "damping" => damping::four_ratios(),
         _ => return None,
     })
 }

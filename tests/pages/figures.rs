@@ -136,6 +136,38 @@ fn figure_2_measures_the_cycle_it_draws() {
     }
 }
 
+/// The lines of damping against the closed forms where the body does not stick, and its border; without a damper resonance has a gap.
+#[test]
+fn damping_bounds_resonance_and_the_poles() {
+    let figure = figure("damping").unwrap();
+    for zeta in [0.0, 0.01, 0.05, 0.2] {
+        let line = |panel: usize| {
+            let series = &figure.panels[panel].series;
+            series.iter().find(|s| s.name == format!("ζ = {zeta}")).unwrap().points.clone()
+        };
+        let ratios = |omega| Ratios::new(omega, 2.5).unwrap().with_damping_ratio(zeta).unwrap();
+        let mut compared = 0;
+        for (omega, amplitude) in line(0) {
+            if let (Ok(cycle), true) = (Cycle::new(ratios(omega)), amplitude.is_finite()) {
+                assert!(
+                    (amplitude * 2.5 / cycle.max_displacement() - 1.0).abs() < 1e-9,
+                    "{zeta} {omega}: {amplitude}"
+                );
+                compared += 1;
+            }
+        }
+        assert!(compared > 200, "{compared}");
+        for (omega, least) in line(1).into_iter().filter(|p| p.1.is_finite()) {
+            assert_eq!(least, Border::with_damping(omega, zeta).unwrap().min_force_ratio());
+        }
+        let gap = |panel: usize, at: f64| {
+            line(panel).iter().any(|(omega, y)| (omega - at).abs() < 0.02 && y.is_nan())
+        };
+        assert_eq!((gap(0, 1.0), gap(1, 1.0 / 3.0)), (zeta < 0.01, zeta < 0.01), "{zeta}");
+        assert!(line(2).iter().any(|p| p.1 > 0.1) && line(2).last().unwrap().1 == 0.0);
+    }
+}
+
 /// Each curve of figure 3 against a simulation of its own (`tests/data/figure_3.py`), and the settled motion symmetric to rounding.
 #[test]
 fn figure_3_shows_each_error_under_its_name() {

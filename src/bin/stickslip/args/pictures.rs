@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 pub(crate) const FIGURE_EXAMPLES: &str = "\
-Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper; stops, portrait, accuracy, multipliers, poles.
+Figures: 1, 2, 3, 4, 5, 6, 7, 8, 9a, 9b, 10a, 10b of the paper; stops, portrait, accuracy, multipliers, poles, damping.
 A drawing in SVG leaves its text to the viewer's own font; PNG needs a build with the feature png.
 
 Examples:

@@ -1,0 +1,85 @@
+//! What viscous damping changes: the response curve, the border, and how long the body rests.
+
+use super::{Axis, Figure, Panel, Series, Style, evenly};
+use crate::exact::{LongRun, State, SteadyState};
+use crate::{Border, Ratios};
+
+/// The damping ratios.
+const ZETA: [f64; 4] = [0.0, 0.01, 0.05, 0.2];
+
+/// The force ratio of the outer panels.
+const ALPHA: f64 = 2.5;
+
+/// Amplitude, border and rest over Ω, for four damping ratios.
+pub(super) fn four_ratios() -> Figure {
+    let amplitude = |steady: &SteadyState<f64>| steady.max_displacement() / ALPHA;
+    Figure {
+        name: "damping".to_owned(),
+        title: "What viscous damping changes".to_owned(),
+        caption: "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over that of a slow force, k Δ₀/p₀, at p₀ = 2.5 r_y, by the exact \
+            motion, stops included; without a damper it is infinite at Ω = 1, because friction alone cannot bound resonance from α = 4/π on. \
+            Second: the least force without sticking; the poles at 1/3 and 1/5 become peaks. Third: the part of the cycle at rest at p₀ = 2.5 r_y."
+            .to_owned(),
+        panels: vec![
+            Panel {
+                title: "maximum displacement at α = 2.5".to_owned(),
+                x: Axis::frequency_ratio(0.2, 2.0),
+                y: Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
+                plane: None,
+                series: each(|zeta| curve(zeta, (0.2, 2.0), 30.0, amplitude)),
+            },
+            Panel {
+                title: "least force without sticking".to_owned(),
+                x: Axis::frequency_ratio(0.15, 2.0),
+                y: Axis::logarithmic("force ratio α = p₀/r_y", 1.0, 300.0),
+                plane: None,
+                series: each(border),
+            },
+            Panel {
+                title: "rest at α = 2.5".to_owned(),
+                x: Axis::frequency_ratio(0.1, 1.0),
+                y: Axis::linear("part of the cycle at rest", 0.0, 0.8),
+                plane: None,
+                series: each(|zeta| curve(zeta, (0.1, 1.0), 1.0, SteadyState::stick_fraction)),
+            },
+        ],
+    }
+}
+
+/// A line for each damping ratio.
+fn each(points: impl Fn(f64) -> Vec<(f64, f64)>) -> Vec<Series> {
+    let line = |(index, &zeta): (usize, &f64)| {
+        Series::new(format!("ζ = {zeta}"), Style::Marked(60 + index), index, points(zeta))
+    };
+    ZETA.iter().enumerate().map(line).collect()
+}
+
+/// α_min over Ω in steps that miss 1/3, 1/5 and 1.
+fn border(zeta: f64) -> Vec<(f64, f64)> {
+    let least = |omega: f64| Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio());
+    shown(evenly(0.150_1, 1.999_7, 1400), 300.0, least)
+}
+
+/// A number of the steady state from rest over Ω.
+fn curve(
+    zeta: f64,
+    (from, to): (f64, f64),
+    most: f64,
+    of: impl Fn(&SteadyState<f64>) -> f64,
+) -> Vec<(f64, f64)> {
+    let at = |omega: f64| {
+        let ratios = Ratios::new(omega, ALPHA).and_then(|ratios| ratios.with_damping_ratio(zeta));
+        let limit = ratios.and_then(|ratios| LongRun::from_start(ratios, State::rest()));
+        limit.ok().and_then(|limit| limit.steady_state().map(&of)).unwrap_or(f64::NAN)
+    };
+    shown(evenly(from + 1e-4, to - 1e-4, 400), most, at)
+}
+
+/// The points, with a gap where they leave the axis.
+fn shown(omegas: impl Iterator<Item = f64>, most: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
+    let point = |omega: f64| {
+        let value = of(omega);
+        (omega, if value <= most { value } else { f64::NAN })
+    };
+    omegas.map(point).collect()
+}
