@@ -95,7 +95,7 @@ impl<F: Float> Slide<F> {
     /// The motion when the drive has turned by π: natural time π/Ω, by (sin β, cos β) of β = π/2Ω.
     #[inline]
     fn after_half_turn(&self, sin_cos_beta: (F, F)) -> Motion<F> {
-        self.motion_of(&self.equation.half_turn(sin_cos_beta))
+        self.motion_of::<false>(&self.equation.half_turn(sin_cos_beta))
     }
 
     /// Whether the velocity of a forward slide from rest has its first zero at `end`, a zero to within rounding, half a turn later.

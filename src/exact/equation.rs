@@ -15,8 +15,6 @@ pub(crate) struct Equation<F> {
     pub(crate) alpha: F,
     /// 2ζ: the viscous force is 2ζw, in units of r_y.
     pub(crate) damping: F,
-    half_sum: F,
-    half_difference: F,
     per_one_plus: F,
     /// `2/(1 − Ω)`, not used at Ω = 1.
     double_per_one_minus: F,
@@ -38,8 +36,6 @@ impl<F: Float> Equation<F> {
             omega,
             alpha,
             damping: two * zeta,
-            half_sum: (one + omega) / two,
-            half_difference: (one - omega) / two,
             per_one_plus: one / (one + omega),
             double_per_one_minus: two / (one - omega),
         }
@@ -71,11 +67,14 @@ impl<F: Float> Equation<F> {
     }
 
     /// The free vibrations and the quotients C, S, D of `slide` at φ.
-    #[inline]
+    #[cfg(test)]
     pub(crate) fn waves(&self, phi: F) -> Waves<F> {
-        if self.is_damped() {
-            return self.damped_waves(phi);
-        }
+        if self.is_damped() { self.damped_waves(phi) } else { self.undamped_waves(phi) }
+    }
+
+    /// The same without damping.
+    #[inline]
+    pub(crate) fn undamped_waves(&self, phi: F) -> Waves<F> {
         let one = F::int(1);
         let Parts { p: (sp, cp), sin_m: sm, free, drive } = self.parts(phi);
         let q = if self.omega == one { phi } else { sm * self.double_per_one_minus };
@@ -100,7 +99,8 @@ impl<F: Float> Equation<F> {
         let sum = |(s, c): (F, F), (t, d): (F, F)| (s * d + c * t, c * d - s * t);
         let opposite = |(s, c): (F, F)| (-s, c);
         if self.omega * two >= one && self.omega <= two {
-            let (p, m) = ((self.half_sum * phi).sin_cos(), (self.half_difference * phi).sin_cos());
+            let (half_sum, half_difference) = ((one + self.omega) / two, (one - self.omega) / two);
+            let (p, m) = ((half_sum * phi).sin_cos(), (half_difference * phi).sin_cos());
             return Parts { p, sin_m: m.0, free: sum(p, m), drive: sum(p, opposite(m)) };
         }
         let half = phi / two;

@@ -147,8 +147,9 @@ impl<F: Float> Slide<F> {
         };
         consider(from, first.w);
         consider(to, last.w);
-        let noise =
-            F::int(4) * F::epsilon() * self.velocity_scale() * F::int(1).or_larger(self.equation.omega);
+        let damped = self.equation.is_damped();
+        let scale = if damped { self.velocity_scale::<true>() } else { self.velocity_scale::<false>() };
+        let noise = F::int(4) * F::epsilon() * scale * F::int(1).or_larger(self.equation.omega);
         let (mut at, mut motion) = (from, *first);
         // At an extremum to within rounding, or at a release, the jerk says which way it goes.
         let mut from_zero = motion.acceleration.abs() <= noise;

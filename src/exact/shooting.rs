@@ -189,8 +189,8 @@ pub(crate) fn shoot<F: Float>(
             budget.walked(1);
             let after = residual(&equation, &trial, &tried);
             // Where the rounding of w is more than all of x, the norm does not see that x has settled.
-            let has_settled = after.is_rounding(16) && !left.is_rounding(64);
-            if (after.norm() * two <= left.norm() && !left.is_rounding(1)) || has_settled {
+            let is_less = after.norm() * two <= left.norm() && !left.is_rounding(1);
+            if is_less || (after.is_rounding(16) && !left.is_rounding(64)) {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;

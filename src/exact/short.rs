@@ -17,16 +17,17 @@ use crate::float::Float;
 impl<F: Float> Slide<F> {
     /// Whether φ is short beside both periods and the decay: `max(1, Ω, 4ζ) φ < 1/8`.
     #[inline]
-    pub(crate) fn is_short(&self, phi: F) -> bool {
+    pub(crate) fn is_short<const DAMPED: bool>(&self, phi: F) -> bool {
         let (one, eight) = (F::int(1), phi * F::int(8));
-        eight < one && eight * self.equation.omega < one && eight * F::int(2) * self.equation.damping < one
+        let is_slow = !DAMPED || eight * F::int(2) * self.equation.damping < one;
+        eight < one && eight * self.equation.omega < one && is_slow
     }
 
     /// The motion at a short φ.
     ///
     /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with damping a `4ζφ/n`-th, so that the
     /// series is cut off after **at most PRECISION terms**, about 12 at f64.
-    pub(crate) fn short(&self, phi: F) -> Motion<F> {
+    pub(crate) fn short<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         let (zero, one) = (F::int(0), F::int(1));
         let Equation { omega, damping, .. } = self.equation;
         let (sine, cosine) = self.sin_cos_start();
@@ -42,7 +43,8 @@ impl<F: Float> Slide<F> {
             travelled = travelled + derivative * longer;
             w = w + derivative * power;
             acceleration = acceleration + next * power;
-            (derivative, next) = (next, force_rate - derivative - damping * next);
+            let after = force_rate - derivative;
+            (derivative, next) = (next, if DAMPED { after - damping * next } else { after });
             (force_rate, next_force_rate) = (next_force_rate, -(omega.square() * force_rate));
             power = longer;
             // Of the four first terms one at least is not small.
@@ -54,13 +56,14 @@ impl<F: Float> Slide<F> {
             }
         }
         let (sin_drive, cos_drive) = (omega * phi).sin_cos();
+        let jerk = rate * (cosine * cos_drive - sine * sin_drive) - w;
         Motion {
             x: self.x + travelled,
             w,
             acceleration,
-            jerk: rate * (cosine * cos_drive - sine * sin_drive) - w - damping * acceleration,
+            jerk: if DAMPED { jerk - damping * acceleration } else { jerk },
             force: self.equation.alpha * (sine * cos_drive + cosine * sin_drive),
-            rotation: self.equation.free_waves(phi),
+            rotation: if DAMPED { self.equation.free_waves(phi) } else { phi.sin_cos() },
         }
     }
 
@@ -93,7 +96,8 @@ mod tests {
                 let s = slide(omega, 0.3, w);
                 for i in 1..=64 {
                     let phi = f64::from(i) / 512.0 / omega.max(1.0);
-                    let (series, closed) = (s.short(phi), s.motion_of(&s.equation.waves(phi)));
+                    let (series, closed) =
+                        (s.short::<true>(phi), s.motion_of::<true>(&s.equation.waves(phi)));
                     let close = |a: f64, b: f64, size: f64| {
                         assert!((a - b).abs() <= 4e-15 * size, "Ω = {omega}, φ = {phi}: {a:e} {b:e}");
                     };

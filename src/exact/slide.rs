@@ -100,6 +100,19 @@ impl<F: Float> Slide<F> {
         Self { equation, start, direction, x, w, acceleration, sin_start, cos_start }
     }
 
+    /// The same from rest.
+    #[inline]
+    pub(crate) fn from_rest(
+        equation: Equation<F>,
+        start: DrivePhase<F>,
+        (sin_start, cos_start): (F, F),
+        x: F,
+        direction: Direction,
+    ) -> Self {
+        let acceleration = equation.alpha * sin_start - x - direction.sign::<F>();
+        Self { equation, start, direction, x, w: F::int(0), acceleration, sin_start, cos_start }
+    }
+
     /// The slide that begins at rest with the force exactly at the friction bound and rising: zero velocity and zero
     /// acceleration, whatever rounding makes of their difference.
     #[inline]
@@ -137,17 +150,37 @@ impl<F: Float> Slide<F> {
     /// The motion at natural time φ after the start.
     #[inline]
     pub(crate) fn motion(&self, phi: F) -> Motion<F> {
-        if self.is_short(phi) {
-            return self.short(phi);
+        if self.equation.is_damped() { self.damped_motion(phi) } else { self.undamped_motion(phi) }
+    }
+
+    /// The same by what is known when the program is compiled, so that nothing of damping is computed without a damper.
+    #[inline]
+    pub(crate) fn motion_by<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
+        if DAMPED { self.damped_motion(phi) } else { self.undamped_motion(phi) }
+    }
+
+    #[inline]
+    fn undamped_motion(&self, phi: F) -> Motion<F> {
+        if self.is_short::<false>(phi) {
+            return self.short::<false>(phi);
         }
-        let is_long = self.equation.omega < F::ratio(1, 2) && phi > F::int(1);
-        if self.equation.is_damped() && (is_long || self.has_forgotten(phi)) {
-            return self.forced_and_free(phi);
-        }
-        if is_long {
+        if self.equation.omega < F::ratio(1, 2) && phi > F::int(1) {
             return self.slow_and_fast(phi);
         }
-        self.motion_of(&self.equation.waves(phi))
+        self.motion_of::<false>(&self.equation.undamped_waves(phi))
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_motion(&self, phi: F) -> Motion<F> {
+        if self.is_short::<true>(phi) {
+            return self.short::<true>(phi);
+        }
+        let is_long = self.equation.omega < F::ratio(1, 2) && phi > F::int(1);
+        if is_long || self.has_forgotten(phi) {
+            return self.forced_and_free(phi);
+        }
+        self.motion_of::<true>(&self.equation.damped_waves(phi))
     }
 
     /// The point of the motion at natural time φ.
@@ -158,7 +191,7 @@ impl<F: Float> Slide<F> {
 
     /// The motion from the functions of its natural time.
     #[inline]
-    pub(crate) fn motion_of(&self, waves: &Waves<F>) -> Motion<F> {
+    pub(crate) fn motion_of<const DAMPED: bool>(&self, waves: &Waves<F>) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
         let Waves { free: (sine, cosine), versine, drive, c, s, d } = *waves;
         let (si, ci) = (self.sin_start, self.cos_start);
@@ -167,13 +200,14 @@ impl<F: Float> Slide<F> {
         let travelled = self.w * sine - (self.x + sign) * versine + alpha * (ci * s + si * c);
         let w = self.acceleration * sine + self.w * cosine + rate * (ci * c - si * s);
         // The slope of the first free vibration is the second less 2ζ times itself.
-        let falling = cosine - damping * sine;
+        let falling = if DAMPED { cosine - damping * sine } else { cosine };
         let acceleration = self.acceleration * falling - self.w * sine + rate * (ci * d - omega * si * c);
+        let jerk = rate * (ci * drive.1 - si * drive.0) - w;
         Motion {
             x: self.x + travelled,
             w,
             acceleration,
-            jerk: rate * (ci * drive.1 - si * drive.0) - w - damping * acceleration,
+            jerk: if DAMPED { jerk - damping * acceleration } else { jerk },
             force: alpha * (si * drive.1 + ci * drive.0),
             rotation: (sine, cosine),
         }
@@ -208,8 +242,6 @@ impl<F: Float> Slide<F> {
     }
 
     /// Whether a damped free vibration has died out by a factor e since the start: x is then no longer a sum with the x that it began at.
-    #[cold]
-    #[inline(never)]
     fn has_forgotten(&self, phi: F) -> bool {
         let free = self.equation.vibration();
         let rate = if free.swings() { free.zeta } else { free.slow_rate() };
@@ -219,8 +251,6 @@ impl<F: Float> Slide<F> {
     /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1, or once that has died out by a factor e.
     ///
     /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
-    #[cold]
-    #[inline(never)]
     fn forced_and_free(&self, phi: F) -> Motion<F> {
         let Equation { omega, alpha, damping, .. } = self.equation;
         let (si, ci) = (self.sin_start, self.cos_start);
@@ -251,12 +281,12 @@ impl<F: Float> Slide<F> {
 
     /// The greatest size of the terms of w, per unit of rounding.
     #[inline]
-    pub(crate) fn velocity_scale(&self) -> F {
+    pub(crate) fn velocity_scale<const DAMPED: bool>(&self) -> F {
         let Equation { omega, alpha, .. } = self.equation;
         // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ beside Ω = 1, where φ ≤ 3π.
         let gain = omega * alpha / (F::int(1) + omega.square());
         let mut acceleration = self.acceleration.abs();
-        if self.equation.is_damped() {
+        if DAMPED {
             // The free vibration from (0, 1) is at most 1, and at most 1/2ζ.
             acceleration = acceleration / F::int(1).or_larger(self.equation.damping);
         }
@@ -282,7 +312,11 @@ mod tests {
         let s = slide(3.0, 2.0, 0.4, -0.7, -0.9);
         let acceleration: f64 = 2.0 * 0.4f64.sin() + 0.7 + 1.0;
         // 4 Ωα/(1 + Ω²) = 2.4
-        assert!((s.velocity_scale() - (acceleration + 0.9 + 2.4)).abs() < 1e-14, "{}", s.velocity_scale());
+        assert!(
+            (s.velocity_scale::<false>() - (acceleration + 0.9 + 2.4)).abs() < 1e-14,
+            "{}",
+            s.velocity_scale::<false>()
+        );
         let expected = [0.9, acceleration, 6.0 * 0.4f64.cos(), 18.0 * 0.4f64.sin()];
         for (found, expected) in s.short_velocity_scale().into_iter().zip(expected) {
             assert!((found - expected).abs() < 1e-14, "{found} {expected}");

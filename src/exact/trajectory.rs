@@ -139,7 +139,7 @@ impl<F: Float> Next<F> {
         let bound = F::int(1) + force_rounding(equation.alpha, x);
         if force.abs() > bound {
             let direction = Direction::of(force);
-            return Self::Slide(Slide::with_sin_cos(equation, phase, sin_cos, x, F::int(0), direction));
+            return Self::Slide(Slide::from_rest(equation, phase, sin_cos, x, direction));
         }
         let stick = Stick::new(equation, phase, x);
         match stick.release {

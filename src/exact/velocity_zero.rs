@@ -94,8 +94,26 @@ impl<F: Float> Slide<F> {
 
     /// Both of these: one call of the search, into which the compiler puts the motion of a slide.
     fn ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
-        match next_zero(&self.velocity_search(hint, limit), self.velocity_at_start(), self.velocity()) {
-            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival(&found))),
+        if self.equation.is_damped() {
+            self.damped_ends(hint, limit)
+        } else {
+            self.ends_by::<false>(hint, limit)
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn damped_ends(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        self.ends_by::<true>(hint, limit)
+    }
+
+    /// The same by what is known when the program is compiled.
+    #[inline]
+    fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
+        let (search, start) =
+            (self.velocity_search::<DAMPED>(hint, limit), self.velocity_at_start::<DAMPED>());
+        match next_zero(&search, start, self.velocity::<DAMPED>()) {
+            Verdict::Zero(found) => Ok(Outcome::Zero(self.arrival::<DAMPED>(&found))),
             Verdict::Clear(Some((_, motion))) => Ok(Outcome::Onward(motion)),
             Verdict::Clear(None) => limit.map(|limit| Outcome::Onward(self.motion(limit))).ok_or(Lost),
             Verdict::Lost(_) => Err(Lost),
@@ -115,57 +133,55 @@ impl<F: Float> Slide<F> {
 
     /// The speed with its derivatives, and the motion that it is of.
     #[inline]
-    fn velocity(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
+    fn velocity<const DAMPED: bool>(&self) -> impl Fn(F) -> (Jet<F>, Motion<F>) + '_ {
         let sign = self.direction.sign::<F>();
         move |phi| {
-            let m = self.motion(phi);
-            (m.velocity_jet(&self.equation, sign), m)
+            let m = self.motion_by::<DAMPED>(phi);
+            (m.velocity_jet::<DAMPED>(&self.equation, sign), m)
         }
     }
 
     #[inline]
-    fn velocity_at_start(&self) -> Jet<F> {
-        self.motion_at_start().velocity_jet(&self.equation, self.direction.sign::<F>())
+    fn velocity_at_start<const DAMPED: bool>(&self) -> Jet<F> {
+        self.motion_at_start().velocity_jet::<DAMPED>(&self.equation, self.direction.sign::<F>())
     }
 
     /// What is known of the velocity before it is looked at.
     #[inline]
-    fn velocity_search(&self, hint: F, limit: Option<F>) -> Search<F> {
+    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<F> {
         let sign = self.direction.sign::<F>();
         let unit = F::int(4) * F::epsilon();
         Search {
             omega: self.equation.omega,
             pace: self.equation.pace(),
-            cover: Cover::new(self.equation.damping),
-            waves: self.damped_waves(),
+            cover: Cover::new(if DAMPED { self.equation.damping } else { F::int(0) }),
+            waves: if DAMPED { self.damped_waves() } else { None },
             angle: self.start.angle(),
             helping: self.start.is_even() == (self.direction == Direction::Forward),
             from_zero: sign * self.w <= F::int(0),
             limit,
             hint,
-            safe: self.safe_window(),
-            noise: unit * self.velocity_scale(),
+            safe: if DAMPED { None } else { self.safe_window() },
+            noise: unit * self.velocity_scale::<DAMPED>(),
             short_noise: Some(self.short_velocity_scale().map(|term| unit * term)),
         }
     }
 
     /// The state at a zero found: the last step by Taylor's series, whose next term is below rounding.
     #[inline]
-    fn arrival(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
+    fn arrival<const DAMPED: bool>(&self, found: &Found<F, Motion<F>>) -> VelocityZero<F> {
         let Found { at, step: h, motion: m, grazes } = *found;
         let (half, third) = (h / F::int(2), h / F::int(3));
         let x = m.x + h * (m.w + half * (m.acceleration + third * m.jerk));
-        let (fourth, fifth) = m.higher(&self.equation);
+        let (fourth, fifth) = m.higher_by::<DAMPED>(&self.equation);
         let acceleration = m.acceleration + h * (m.jerk + half * (fourth + third * fifth));
         let jerk = m.jerk + h * fourth;
         // s′ = c − 2ζs, s″ = −(s + 2ζs′), s‴ = −(s′ + 2ζs″), and c′ = −s.
         let ((s, c), damping) = (m.rotation, self.equation.damping);
-        let s1 = c - damping * s;
-        let s2 = s + damping * s1;
-        let rotation = (
-            s + h * (s1 - half * (s2 + third * (s1 - damping * s2))),
-            c - h * (s + half * (s1 - third * s2)),
-        );
+        let s1 = if DAMPED { c - damping * s } else { c };
+        let s2 = if DAMPED { s + damping * s1 } else { s };
+        let s3 = if DAMPED { s1 - damping * s2 } else { s1 };
+        let rotation = (s + h * (s1 - half * (s2 + third * s3)), c - h * (s + half * (s1 - third * s2)));
         VelocityZero {
             phi: at + h,
             phase: self.start.advanced(self.equation.omega * (at + h)),
@@ -223,7 +239,7 @@ impl<F: Float> Slide<F> {
     fn safe_window(&self) -> Option<Safe<F>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, alpha, .. } = self.equation;
-        if (omega * two >= one && omega <= two) || alpha == F::int(0) || self.equation.is_damped() {
+        if (omega * two >= one && omega <= two) || alpha == F::int(0) {
             return None;
         }
         let forced = alpha * omega / ((one - omega) * (one + omega));
@@ -305,7 +321,7 @@ mod tests {
         let slide = Slide::new(equation, DrivePhase::new(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
         for (at, step) in [(0.4, 2e-3), (1.3, -2e-3), (2.1, 1e-3)] {
             let found = Found { at, step, motion: slide.motion(at), grazes: false };
-            let (zero, exact) = (slide.arrival(&found), slide.motion(at + step));
+            let (zero, exact) = (slide.arrival::<false>(&found), slide.motion(at + step));
             let is = |a: f64, b: f64| assert!((a - b).abs() < 4e-11, "{at}: {a} {b}");
             is(zero.phi, at + step);
             is(zero.phase.since(slide.start), 0.7 * (at + step));
@@ -316,14 +332,14 @@ mod tests {
             is(zero.rotation.1, exact.rotation.1);
         }
         let noise = 4.0 * f64::EPSILON;
-        let search = slide.velocity_search(1.0, None);
-        assert_eq!(search.noise, noise * slide.velocity_scale());
+        let search = slide.velocity_search::<false>(1.0, None);
+        assert_eq!(search.noise, noise * slide.velocity_scale::<false>());
         assert!(!search.from_zero);
         for (w, direction) in
             [(0.0, Direction::Forward), (0.0, Direction::Backward), (-1e-9, Direction::Forward)]
         {
             let slide = Slide::new(equation, slide.start, -0.4, w, direction);
-            assert!(slide.velocity_search(1.0, None).from_zero, "{w} {direction:?}");
+            assert!(slide.velocity_search::<false>(1.0, None).from_zero, "{w} {direction:?}");
         }
         assert_eq!(search.short_noise, Some(slide.short_velocity_scale().map(|term| noise * term)));
     }
@@ -349,12 +365,12 @@ mod tests {
             let found = |hint: f64| {
                 let evaluations = Cell::new(0);
                 let verdict = next_zero(
-                    &slide.velocity_search(hint, None),
-                    slide.motion_at_start().velocity_jet(&equation, 1.0),
+                    &slide.velocity_search::<false>(hint, None),
+                    slide.motion_at_start().velocity_jet::<false>(&equation, 1.0),
                     |phi| {
                         evaluations.set(evaluations.get() + 1);
                         let m = slide.motion(phi);
-                        (m.velocity_jet(&equation, 1.0), m)
+                        (m.velocity_jet::<false>(&equation, 1.0), m)
                     },
                 );
                 let Verdict::Zero(zero) = verdict else { panic!("Ω = {omega}: {slide:?}") };
@@ -388,12 +404,15 @@ mod tests {
             let x = x - direction.sign::<f64>();
             let slide = Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, direction);
             let evaluations = Cell::new(0);
-            let f = slide.velocity();
-            let verdict =
-                next_zero(&slide.velocity_search(PI / omega, None), slide.velocity_at_start(), |phi| {
+            let f = slide.velocity::<false>();
+            let verdict = next_zero(
+                &slide.velocity_search::<false>(PI / omega, None),
+                slide.velocity_at_start::<false>(),
+                |phi| {
                     evaluations.set(evaluations.get() + 1);
                     f(phi)
-                });
+                },
+            );
             assert!(matches!(verdict, Verdict::Zero(_)), "Ω = {omega}: {slide:?}");
             (most, sum) = (most.max(evaluations.get()), sum + evaluations.get());
         }
@@ -409,9 +428,9 @@ mod tests {
             let start = DrivePhase::new(0.3).unwrap();
             let slide = Slide::new(equation, start, -x, 0.0, Direction::Forward);
             let evaluations = Cell::new(0);
-            let f = slide.velocity();
-            let search = slide.velocity_search(PI / omega, None);
-            let verdict = next_zero(&search, slide.velocity_at_start(), |phi| {
+            let f = slide.velocity::<false>();
+            let search = slide.velocity_search::<false>(PI / omega, None);
+            let verdict = next_zero(&search, slide.velocity_at_start::<false>(), |phi| {
                 evaluations.set(evaluations.get() + 1);
                 f(phi)
             });

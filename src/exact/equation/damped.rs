@@ -76,7 +76,7 @@ impl<F: Float> Equation<F> {
     /// [`Equation::waves`] with damping.
     #[cold]
     #[inline(never)]
-    pub(super) fn damped_waves(&self, phi: F) -> Waves<F> {
+    pub(crate) fn damped_waves(&self, phi: F) -> Waves<F> {
         let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
         let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
         if near && phi * eight <= F::int(1000) {
