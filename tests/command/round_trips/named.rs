@@ -4,8 +4,8 @@ use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{Direction, End, Kind, LongRun, Phase, SteadyState};
-use stickslip::regime::observed;
-use stickslip::{Drive, Float, Oscillator, Ratios, Response, Scales};
+use stickslip::regime::no_stop_force_ratios;
+use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 
 /// A value: of numbers the digits of `{:e}`, which no two of a type share, the sign of zero included.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,10 +125,39 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
     ])
 }
 
+/// Regime, stops and reversals in a cycle by the counts of the exact motion. Where it has not settled, and within a billionth of a border,
+/// where a stop may be smaller than the rounding of the motion, by the borders.
+fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
+    let (alpha, without_stop) = (ratios.alpha(), no_stop_force_ratios(ratios.omega()).unwrap());
+    let six = without_stop.six_reversals();
+    let due = if alpha >= without_stop.border() {
+        (Regime::NonSticking, Some(2))
+    } else if six.is_some_and(|(low, high)| low <= alpha && alpha <= high) {
+        (Regime::NonSticking, Some(6))
+    } else {
+        (Regime::Sticking, None)
+    };
+    let steady = match limit {
+        LongRun::Rest(_) => return (Regime::Stuck, None, None),
+        LongRun::Unbounded { .. } => return (Regime::Unbounded, None, None),
+        LongRun::NotConverged { .. } => return (due.0, None, due.1),
+        LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
+    };
+    let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+    let found = if sticks > 0 { (Regime::Sticking, None) } else { (Regime::NonSticking, Some(zeros)) };
+    if found == due {
+        return (found.0, Some(sticks), found.1);
+    }
+    let edges = [Some(without_stop.border()), six.map(|(low, _)| low), six.map(|(_, high)| high)];
+    let beside = edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < 1e-9);
+    assert!(beside, "{found:?} by the motion, {due:?} by the borders at {ratios:?}");
+    (due.0, Some(if due.0 == Regime::NonSticking { 0 } else { sticks }), due.1)
+}
+
 pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
-    let seen = observed(ratios, limit);
+    let (regime, sticks, reversals) = counted(ratios, limit);
     let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
     let (kind, periods, rest) = match limit {
         LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
@@ -140,7 +169,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     named([
         ("omega", Cell::of(ratios.omega())),
         ("alpha", Cell::of(ratios.alpha())),
-        ("regime", Cell::text(seen.regime.name())),
+        ("regime", Cell::text(regime.name())),
         ("limit", Cell::text(kind)),
         ("max_displacement", number(|s| s.max_displacement())),
         ("max_displacement_phase", number(|s| s.max_displacement_phase())),
@@ -150,7 +179,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("max_velocity_phase", number(|s| s.max_velocity_phase())),
         ("min_velocity", number(|s| s.min_velocity())),
         ("min_velocity_phase", number(|s| s.min_velocity_phase())),
-        ("sticks_per_cycle", Cell::or_absent(seen.sticks)),
+        ("sticks_per_cycle", Cell::or_absent(sticks)),
         ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle()))),
         ("stick_fraction", number(|s| s.stick_fraction())),
         ("error_1", number(|s| s.errors().unwrap().error_1)),
@@ -166,7 +195,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("distance", number(|s| s.distance().0)),
         ("rest_position", Cell::or_absent(rest)),
         ("periods", Cell::or_absent(periods)),
-        ("reversals_per_cycle", Cell::or_absent(seen.reversals)),
+        ("reversals_per_cycle", Cell::or_absent(reversals)),
         (
             "dynamic_amplification",
             Cell::or_absent(
