@@ -15,8 +15,18 @@
 //! within the tolerance of the best value found are done with, the others are halved. What remains above the tolerance is
 //! nothing; the bound is returned with the answer.
 //!
-//! **A motion is known to within d.** Friction is monotone, so that the motion found and the limit, d apart in (x, x′/ω_n) at one instant,
-//! are never further apart, and the ways of a cycle differ by `∮ |δx′| dt ≤ (2π/Ω) d` at most, however often either stops. By that, and by
+//! **A motion is known to within d.** Friction is monotone, so that the motion found and the limit, δ = d apart in (x, w = x′/ω_n) at one
+//! instant, are never further apart. The difference of their ways in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, and that is small
+//! by two reasons:
+//!
+//! * `∮ |δw| dφ ≤ T d`, however often either stops.
+//! * Where neither goes backward, |w₁| − |w₂| is δx′, and where neither goes forward −δx′: over each such time no more than the change of δx, whose
+//!   size is at most d. Where they go opposite ways, `½(δx² + δw²)` falls by 2|δw| dφ, altogether by ½d² at most. So with n changes between
+//!   common forward and common backward, `|δW| ≤ 2(n + 1) d + ¼d²`. Each change begins with one of the two starting from rest, forward where
+//!   `P = α sin θ − x ≥ 1`, backward where P ≤ −1. The P of the two are d apart at most, so that P of the motion found goes 2 − 2d to and fro between two
+//!   changes, 4α + W in a cycle: `n ≤ 1 + (2α + ½W)/(1 − d)`.
+//!
+//! The second is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. By the smaller of them, and by
 //! the rounding of the sum, A₁ is taken as larger wherever it bounds an interval. The bound is as good as d, which is
 //! [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn, not an enclosure.
 //!
@@ -72,14 +82,26 @@ impl<F: Float> LoopSize<F> {
     fn of_motion(steady: &SteadyState<F>, omega: F, alpha: F) -> Self {
         let (x, v) = steady.distance();
         let work = steady.energy_out();
-        let turn = F::int(2) * F::pi() / omega;
+        let doubt = doubt_of_way(x.hypot(v * omega), omega, alpha, work);
         // Each end of a slide is rounded, and so is the sum.
         let ends = F::from_f64(f64::from(steady.velocity_zeros_per_cycle()) + 4.0);
         let rounding = F::int(2) * F::epsilon() * ends * (work + steady.max_displacement().abs());
-        let most = work + turn * x.hypot(v * omega) + rounding;
+        let most = work + doubt + rounding;
         let size = |work: F| F::int(2) * (work / alpha) / alpha;
         Self { found: size(work), most: size(most) }
     }
+}
+
+/// How far the way of a motion may be from that of the limit, `distance` apart at one instant: by the module's head.
+fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
+    let (one, two) = (F::int(1), F::int(2));
+    let by_time = two * F::pi() / omega * distance;
+    if distance * two >= one {
+        return by_time;
+    }
+    let changes = one + (two * alpha + way / two) / (one - distance);
+    let by_changes = two * (changes + one) * distance + (distance / two).square();
+    if by_changes < by_time { by_changes } else { by_time }
 }
 
 /// The loop size A₁ of the exact motion at (Ω, α): the friction work of a cycle over p₀²/(2k); zero at rest.
@@ -274,7 +296,7 @@ pub fn most_dissipating_friction_of_all<F: Float>(
 #[cfg(test)]
 mod tests {
     use super::{
-        LoopSize, bound_between, loop_size_of_motion, most_dissipating_force_ratio_of_all,
+        LoopSize, bound_between, doubt_of_way, loop_size_of_motion, most_dissipating_force_ratio_of_all,
         most_dissipating_friction_of_all,
     };
     use crate::design::Optimum;
@@ -297,7 +319,17 @@ mod tests {
     /// Two motions a little apart, stops included: their ways in a cycle differ by no more than the bound says.
     #[test]
     fn the_way_of_a_motion_known_within_d() {
-        for (omega, alpha) in [(0.13, 2.0), (0.3, 3.0), (0.4, 2.0), (0.7, 1.2), (0.7, 3.0), (1.3, 1.5)] {
+        let mut worst = 0.0f64;
+        for (omega, alpha) in [
+            (0.01, 2.0),
+            (0.03, 5.0),
+            (0.13, 2.0),
+            (0.3, 3.0),
+            (0.4, 2.0),
+            (0.7, 1.2),
+            (0.7, 3.0),
+            (1.3, 1.5),
+        ] {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let limit = LongRun::from_start(ratios, State::rest()).unwrap();
             let steady = limit.steady_state().unwrap();
@@ -314,17 +346,39 @@ mod tests {
                 let (s, c) = f64::from(i).sin_cos();
                 let d = 1e-3;
                 let change = (way(d * c, d * s) - usual).abs();
-                assert!(change <= std::f64::consts::TAU / omega * d, "{omega} {alpha}: {change}");
+                assert!(change <= doubt_of_way(d, omega, alpha, usual), "{omega} {alpha}: {change}");
+                worst = worst.max(change / d);
             }
             let size = LoopSize::of_motion(steady, omega, alpha);
             let (x, v) = steady.distance();
-            let doubt = 2.0 / alpha / alpha * std::f64::consts::TAU / omega * x.hypot(v * omega);
+            let doubt =
+                2.0 / alpha / alpha * doubt_of_way(x.hypot(v * omega), omega, alpha, steady.energy_out());
             assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
         }
+        assert!(worst > 1.0, "{worst}");
         // Found with its own doubt, at the tolerance that leaves least room for it.
         let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
         let again = loop_size_of_motion(0.3, best.force_ratio).unwrap();
         assert!(best.bound >= again.most && again.most > again.found);
+    }
+
+    /// The doubt by changes of direction does not grow with the length of a cycle; that by its length does.
+    #[test]
+    fn a_long_cycle_is_known_as_well() {
+        let doubt = |omega: f64| doubt_of_way(1e-10, omega, 2.0, 4.0);
+        assert!((doubt(1e-4) / 1.6e-9 - 1.0).abs() < 1e-8, "{}", doubt(1e-4));
+        assert_eq!(doubt(1e-4), doubt(1e-6));
+        assert!((doubt(10.0) / (std::f64::consts::TAU * 1e-11) - 1.0).abs() < 1e-12);
+        assert!((doubt_of_way(0.5, 0.1, 2.0, 4.0) / (std::f64::consts::TAU * 5.0) - 1.0).abs() < 1e-12);
+    }
+
+    /// A cycle of thousands of stops is known well enough for the coarsest question, and a fine one.
+    #[test]
+    fn far_below_one_a_motion_is_known() {
+        for alpha in [1.7, 2.0, 32.0] {
+            let size = loop_size_of_motion::<f64>(2e-4, alpha).unwrap();
+            assert!(size.most <= size.found * (1.0 + 1e-8), "{alpha}: {size:?}");
+        }
     }
 
     /// The bound holds, and is nearly met where friction hardly shortens the way.

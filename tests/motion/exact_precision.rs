@@ -1,8 +1,11 @@
 //! The exact motion at any precision: against the closed forms where it does not stick, N bits against 2N where it does.
 
-use stickslip::exact::{LongRun, State, SteadyState};
+#![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
+
+use super::random::Random;
+use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
 use stickslip::float::mp::Mp;
-use stickslip::{Cycle, Float, Ratios};
+use stickslip::{Cycle, Float, Ratios, Real};
 
 fn ratios<F: Float>((p, q): (i32, i32), (r, s): (i32, i32)) -> Ratios<F> {
     Ratios::new(F::ratio(p, q), F::ratio(r, s)).unwrap()
@@ -75,5 +78,84 @@ fn twice_the_bits_agree_where_it_sticks() {
             let error = ((Mp::<8>::from_rug(&a.to_rug()) - b) / b).abs().to_f64();
             assert!(error < 2f64.powi(-240), "{omega:?} {alpha:?}: {error:e}");
         }
+    }
+}
+
+/// Displacement and velocity x′/ω_n at each half turn of the drive, from a start at θ = 0.
+fn half_turns<F: Float>(ratios: Ratios<F>, (x, w): (f64, f64)) -> impl Iterator<Item = (F, F)> {
+    let omega = ratios.omega();
+    let start = State { x: F::from_f64(x), v: F::from_f64(w) / omega, ..State::rest() };
+    let samples = Trajectory::new(ratios, start).unwrap().samples(2).unwrap();
+    samples.map(move |sample| sample.map(|s| (s.state.x, s.state.v * omega)).unwrap())
+}
+
+/// How two motions approach: the half turns until they are 10⁻²⁵ apart, if so within `most`, and how far apart they are then, as a part of
+/// the distance that they began with. Their distance never grows on the way. Where they meet the motion is symmetric.
+fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Option<usize>, f64) {
+    let [one, other] = starts.map(|start| half_turns(ratios, start));
+    let near = Mp::from(1e-25);
+    let (mut first, mut last, mut before) = (None, None, None);
+    for (i, ((x, w), (y, u))) in one.zip(other).take(most).enumerate() {
+        let size = Mp::int(1) + x.abs() + w.abs() + y.abs() + u.abs();
+        let (distance, rounding) = ((x - y).hypot(w - u), Mp::exp2i(-110) * size);
+        let (begin, previous) = (*first.get_or_insert(distance), last.replace(distance).unwrap_or(distance));
+        assert!(distance <= previous + rounding, "{ratios:?}: {previous} to {distance} in half turn {i}");
+        if distance < near * size {
+            let (x_before, w_before): (Mp<2>, Mp<2>) = before.unwrap_or((x, w));
+            let apart = (x + x_before).hypot(w + w_before);
+            // Both are near the limit only where its own approach is no slower than that of the two.
+            assert!(apart < Mp::from(1e-12) * size, "{ratios:?}: not symmetric by {apart}");
+            return (Some(i), (distance / begin).to_f64());
+        }
+        before = Some((x, w));
+    }
+    let left = last.zip(first).map_or(1.0, |(last, first)| (last / first).to_f64());
+    (None, left)
+}
+
+/// One symmetric limit for α > 1 (docs/theory/stability.md), at 128 bits: two motions from anywhere meet.
+#[test]
+fn two_motions_meet_in_a_symmetric_one() {
+    let mut random = Random(81);
+    let mut start = || (random.between(-9.0, 9.0), random.between(-9.0, 9.0));
+    let mut meet = |omega: Mp<2>, alpha: f64, most| {
+        approach(Ratios::new(omega, Mp::from(alpha)).unwrap(), [start(), start()], most)
+    };
+    let mut points = Random(82);
+    let (mut met, mut all) = (0, 0);
+    let count = std::env::var("MEETINGS").map_or(24, |n| n.parse().unwrap());
+    for _ in 0..count {
+        let omega = points.scale(0.06, 5.0);
+        let alpha = 1.0 + points.scale(1e-2, 30.0);
+        let (found, left) = meet(Mp::from(omega), alpha, 1500);
+        assert!(left < 0.999, "({omega}, {alpha}): {left}");
+        all += 1;
+        met += i32::from(found.is_some());
+    }
+    assert!(met * 10 > all * 8, "{met} of {all}");
+    println!("{met} of {all} pairs of starts meet within 1500 half turns");
+    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. J odd and above 1: with stops, and of six reversals at
+    // 1/3. J even and J = 1: below the border.
+    for (inverse, alpha) in [
+        (3, 1.5),
+        (3, 20.0),
+        (3, 80.0),
+        (5, 8.0),
+        (5, 300.0),
+        (7, 30.0),
+        (2, 2.0),
+        (2, 2.9),
+        (4, 14.0),
+        (6, 30.0),
+        (1, 1.2),
+    ] {
+        let (found, left) = meet(Mp::int(1) / Mp::int(inverse), alpha, 3000);
+        assert!(found.is_some(), "(1/{inverse}, {alpha}): {left}");
+    }
+    // The exceptions: a family at Ω = 1/(2n) from the border on, and no bounded motion at Ω = 1.
+    for (inverse, alpha) in [(2, 3.5), (4, 17.0), (1, 1.3)] {
+        let ratios = Ratios::new(Mp::<2>::int(1) / Mp::int(inverse), Mp::from(alpha)).unwrap();
+        let (found, left) = approach(ratios, [(0.3, 0.1), (-0.2, -0.3)], 400);
+        assert!(found.is_none() && left > 1e-6, "(1/{inverse}, {alpha}): {left}");
     }
 }

@@ -10,7 +10,7 @@ use std::process;
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
 use std::thread;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 static ASKED_TO_STOP: AtomicBool = AtomicBool::new(false);
 static HEARD: AtomicBool = AtomicBool::new(false);
@@ -19,7 +19,7 @@ static WRITING: AtomicBool = AtomicBool::new(false);
 static WRITES: AtomicU32 = AtomicU32::new(0);
 
 /// Time to hear an interrupt before the command is ended from here.
-const GRACE: Duration = Duration::from_millis(200);
+const GRACE: Duration = Duration::from_millis(150);
 /// Time to end a write that has begun: one to a pipe that nobody reads may never end.
 const LAST_WRITE: Duration = Duration::from_millis(50);
 
@@ -62,20 +62,23 @@ pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
 }
 
 /// Ends the command unless it has heard of the interrupt in time, and where its last words find no reader.
+///
+/// By the clock and not by a number of sleeps, each of which a busy machine makes longer.
 fn watch() {
-    const LOOKS: u32 = 10;
     thread::sleep(GRACE);
-    let (mut writes, mut looks) = (WRITES.load(Ordering::SeqCst), 0);
-    while looks < LOOKS {
+    let (mut writes, mut since) = (WRITES.load(Ordering::SeqCst), Instant::now());
+    while since.elapsed() < LAST_WRITE {
         let (heard, writing) = (HEARD.load(Ordering::SeqCst), WRITING.load(Ordering::SeqCst));
         if !heard && !writing {
             break;
         }
         let now = WRITES.load(Ordering::SeqCst);
         // What has heard and goes on may take its time.
-        looks = if heard && (!writing || now != writes) { 0 } else { looks.saturating_add(1) };
+        if heard && (!writing || now != writes) {
+            since = Instant::now();
+        }
         writes = now;
-        thread::sleep(LAST_WRITE / LOOKS);
+        thread::sleep(LAST_WRITE / 10);
     }
     end();
 }

@@ -1,0 +1,138 @@
+//! Any bytes as a file of points: each row is answered as the command answers its values given as arguments, up to the first
+//! row that cannot be, and nothing but one line says what is wrong with that.
+//!
+//! The command's own modules are compiled in; what one of them comes to use has to be named here.
+#![no_main]
+
+#[allow(dead_code, unused_imports, reason = "the subcommands that are left out need them")]
+#[path = "../../src/bin/stickslip"]
+mod command {
+    pub(crate) mod args;
+    pub(crate) mod bits;
+    pub(crate) mod border;
+    pub(crate) mod failure;
+    pub(crate) mod given;
+    pub(crate) mod grid;
+    pub(crate) mod input;
+    pub(crate) mod interrupt;
+    pub(crate) mod machine;
+    pub(crate) mod note;
+    pub(crate) mod output;
+    pub(crate) mod outputs;
+    pub(crate) mod physical;
+    pub(crate) mod points;
+    pub(crate) mod progress;
+    pub(crate) mod record;
+    pub(crate) mod response;
+    pub(crate) mod sink;
+    pub(crate) mod style;
+    pub(crate) mod units;
+}
+
+use command::args::{Command, NoCommand, OutputArgs};
+use command::{
+    args, bits, border, failure, given, grid, input, interrupt, machine, note, output, outputs, physical,
+    points, progress, record, response, sink, style, units,
+};
+use csv::{ReaderBuilder, StringRecord, Trim};
+use failure::{Failure, Outcome};
+use serde_json::Value;
+use std::path::PathBuf;
+use std::sync::LazyLock;
+
+/// Where the points of a run are.
+static FILE: LazyLock<PathBuf> =
+    LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-points-{}", std::process::id())));
+
+const COMMANDS: [&str; 4] = ["response", "border", "response --units kN,mm", "border --units kN,mm"];
+/// Headers to begin with, the first none: then the bytes have their own.
+const HEADERS: [&str; 6] = [
+    "",
+    "omega,alpha\n",
+    "note,alpha,omega,damping_ratio\r\n",
+    "mass[t],stiffness[kN/mm],friction[kN],frequency[Hz],force[kN]\n",
+    "mass,period,friction_coefficient,frequency,base_acceleration\n",
+    "\u{feff}\"omega\" , \"alpha\"\n",
+];
+/// Rows to begin with, of which the bytes are what comes after.
+const ROWS: [&str; 4] = ["", "1.5,2.5\n", "a,3,0.4,0.05\n", "1,8,3,2,12\n"];
+
+/// Runs a command line into text.
+fn run<'a>(words: impl Iterator<Item = &'a str>) -> (Outcome, String) {
+    let mut out = Vec::new();
+    let outcome = match args::parse(std::iter::once("stickslip").chain(words)) {
+        Ok(args::CommandLine { command: Command::Response(args), .. }) => response::run(&args, &mut out),
+        Ok(args::CommandLine { command: Command::Border(args), .. }) => border::run(&args, &mut out),
+        Ok(_) | Err(NoCommand::Answered(_)) => return (Ok(()), String::new()),
+        Err(NoCommand::Failed(failure)) => Err(failure),
+    };
+    (outcome, String::from_utf8(out).expect("text"))
+}
+
+/// The fault is in the input, and one line that a terminal can show says so.
+fn is_one_line(failure: &Failure) {
+    let text = failure.message();
+    assert!(!text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000, "{text:?}");
+    assert!(matches!(failure, Failure::Input(_)), "{text}");
+}
+
+/// The rows as another reader has them, up to the first that is none.
+fn rows(content: &[u8]) -> (StringRecord, Vec<StringRecord>) {
+    let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(content);
+    let header = reader.headers().cloned().unwrap_or_default();
+    (header, reader.records().map_while(Result::ok).collect())
+}
+
+/// The arguments that say what a row says.
+fn arguments(header: &StringRecord, row: &StringRecord) -> Vec<String> {
+    let option = |(name, text): (&str, &str)| {
+        let name = name.trim_start_matches('\u{feff}').trim();
+        let (own, unit) = match name.strip_suffix(']').and_then(|name| name.split_once('[')) {
+            Some((own, unit)) => (own.trim(), unit.trim()),
+            None => (name, ""),
+        };
+        let own = own.replace('-', "_");
+        let known = given::Parameter::ALL.into_iter().find(|p| p.column() == own)?;
+        Some(format!("{}={text}{unit}", known.option()))
+    };
+    header.iter().zip(row).filter_map(option).collect()
+}
+
+libfuzzer_sys::fuzz_target!(|input: &[u8]| {
+    let [command, header, first, rest @ ..] = input else { return };
+    let command = COMMANDS[usize::from(*command) % COMMANDS.len()];
+    let mut content = HEADERS[usize::from(*header) % HEADERS.len()].as_bytes().to_vec();
+    content.extend_from_slice(ROWS[usize::from(*first) % ROWS.len()].as_bytes());
+    content.extend_from_slice(rest);
+    // A row that does not end, longer than any that is read.
+    if rest.ends_with(b"\0\0") {
+        content.extend(std::iter::repeat_n(b'1', 1 << 19));
+    }
+    std::fs::write(&*FILE, &content).expect("a temporary file");
+    let file = FILE.to_str().expect("a path of text");
+    let with_points = |format| run(command.split(' ').chain(["--points", file, "--format", format]));
+    let (outcome, lines) = with_points("jsonl");
+    let answers: Vec<Value> =
+        lines.lines().map(|line| serde_json::from_str(line).expect("an object a line")).collect();
+    let (header, rows) = rows(&content);
+    match &outcome {
+        Ok(()) => assert_eq!(answers.len(), rows.len(), "{}", String::from_utf8_lossy(&content)),
+        Err(failure) => {
+            is_one_line(failure);
+            assert!(answers.len() <= rows.len());
+        }
+    }
+    for (row, answer) in rows.iter().zip(&answers).take(20) {
+        let arguments = arguments(&header, row);
+        let words = command.split(' ').chain(arguments.iter().map(String::as_str)).chain(["--format", "json"]);
+        let (alone, text) = run(words);
+        assert!(alone.is_ok(), "{arguments:?}: {}", alone.err().map_or_else(String::new, |e| e.message()));
+        assert_eq!(&serde_json::from_str::<Value>(&text).expect("JSON"), answer, "{arguments:?}");
+    }
+    // The same rows as CSV.
+    let (again, table) = with_points("csv");
+    assert_eq!(again.is_ok(), outcome.is_ok());
+    let mut reader = ReaderBuilder::new().from_reader(table.as_bytes());
+    let count = reader.records().map(|row| row.expect("a row of CSV")).count();
+    assert_eq!(count, answers.len(), "{table}");
+});
