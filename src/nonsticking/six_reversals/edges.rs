@@ -77,7 +77,7 @@ const LONGEST_SECOND: f64 = 1.0;
 const FIRST_QUARTER: f64 = 0.7;
 
 /// A cheap necessary condition on Ω: |cot β| is nowhere as large on the edges.
-pub(super) fn may_exist<F: Float>(p: &PhaseFunction<F>) -> bool {
+fn may_exist<F: Float>(p: &PhaseFunction<F>) -> bool {
     if p.omega() * F::int(2) >= F::int(1) {
         return false;
     }

@@ -4,7 +4,7 @@
 //! box whose corners it holds. On one side of the pole the greatest α rises towards the pole, and the least is monotone on each of the two
 //! edges that it consists of. Both are seen in the curves themselves, not proved.
 
-use super::edges::{Edges, edges, is_strong_enough, may_exist};
+use super::edges::{Edges, edges, is_strong_enough};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 
@@ -26,12 +26,11 @@ pub(crate) fn within<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
     }
     let at = |omega: F| {
         let p = PhaseFunction::of_valid(omega);
-        (edges(&p), p.tangent() > F::int(0), may_exist(&p))
+        (edges(&p), p.tangent() > F::int(0))
     };
-    let ((left, left_side, left_near), (right, right_side, right_near)) = (at(omega.0), at(omega.1));
-    // On one side of one pole, not far from it.
-    let is_one_side =
-        left_side == right_side && left_near && right_near && omega.1 - omega.0 < omega.0.square();
+    let ((left, left_side), (right, right_side)) = (at(omega.0), at(omega.1));
+    // Between two neighbouring integers 1/Ω: on one side of one pole, to which the region reaches. What both ends miss, all between them do.
+    let is_one_side = left_side == right_side && omega.1 - omega.0 < omega.0.square();
     match (left, right) {
         (None, None) if omega.0 == omega.1 || is_one_side => Within::None,
         (Some(left), Some(right)) => between(&left, &right, alpha, is_one_side),
