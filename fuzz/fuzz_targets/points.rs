@@ -72,7 +72,10 @@ fn run<'a>(words: impl Iterator<Item = &'a str>) -> (Outcome, String) {
 /// The fault is in the input, and one line that a terminal can show says so.
 fn is_one_line(failure: &Failure) {
     let text = failure.message();
-    assert!(!text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000, "{text:?}");
+    assert!(
+        !text.trim().is_empty() && !text.chars().any(char::is_control) && text.len() < 10_000,
+        "{text:?}"
+    );
     assert!(matches!(failure, Failure::Input(_)), "{text}");
 }
 
@@ -124,7 +127,8 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     }
     for (row, answer) in rows.iter().zip(&answers).take(20) {
         let arguments = arguments(&header, row);
-        let words = command.split(' ').chain(arguments.iter().map(String::as_str)).chain(["--format", "json"]);
+        let words =
+            command.split(' ').chain(arguments.iter().map(String::as_str)).chain(["--format", "json"]);
         let (alone, text) = run(words);
         assert!(alone.is_ok(), "{arguments:?}: {}", alone.err().map_or_else(String::new, |e| e.message()));
         assert_eq!(&serde_json::from_str::<Value>(&text).expect("JSON"), answer, "{arguments:?}");

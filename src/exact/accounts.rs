@@ -6,8 +6,8 @@ use super::measures::Tally;
 use super::shooting::Budget;
 use super::state::Point;
 use super::walk::follow;
-use super::{LongRun, State, Trajectory};
-use crate::Ratios;
+use super::{LongRun, State, SteadyState, Trajectory, errors_after};
+use crate::{Cycle, Ratios};
 use std::f64::consts::{PI, TAU};
 
 fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
@@ -84,5 +84,43 @@ fn the_growth_at_resonance_is_that_of_the_motion() {
         let (early, late) = (greatest(999.0, 1000.0), greatest(1999.0, 2000.0));
         let found = (late - early) / 1000.0;
         assert!((found / growth - 1.0).abs() < 1e-3, "{alpha}: {found} {growth}");
+    }
+}
+
+/// A motion that does not settle is followed for as many periods as it may, and a few half turns more.
+#[test]
+fn a_budget_is_one_of_periods() {
+    for most in [100, 400] {
+        let limit = LongRun::within(ratios(0.7, 1.0 + 1e-10), State::rest(), most).unwrap();
+        let LongRun::NotConverged { periods, .. } = limit else { panic!("{limit:?}") };
+        let most = f64::from(most);
+        assert!(periods > most && periods < most + 40.0, "{periods} of {most}");
+    }
+}
+
+/// The errors after some cycles are those of the state reached by then, from a start that moves.
+#[test]
+fn errors_after_some_cycles_are_those_from_there() {
+    let start = State::new(0.0, 0.4, 0.9).unwrap();
+    let motion = Trajectory::new(ratios(0.7, 2.0), start).unwrap();
+    let there = motion.samples(1).unwrap().nth(3).unwrap().unwrap().state;
+    let (found, due) = (
+        errors_after(ratios(0.7, 2.0), start, 3).unwrap(),
+        errors_after(ratios(0.7, 2.0), there, 0).unwrap(),
+    );
+    for (a, b) in [(found.error_1, due.error_1), (found.error_2, due.error_2), (found.error_3, due.error_3)] {
+        assert!((a - b).abs() < 1e-12 && b.abs() > 1e-6, "{found:?} {due:?}");
+    }
+}
+
+/// Without a damper none takes work, however the motion was found.
+#[test]
+fn no_damper_takes_no_work() {
+    let cycle = Cycle::new(ratios(0.7, 2.0)).unwrap();
+    for limit in [
+        SteadyState::from_cycle(&cycle).unwrap(),
+        LongRun::from_start(ratios(0.7, 2.0), State::rest()).unwrap(),
+    ] {
+        assert_eq!(limit.steady_state().map(SteadyState::damper_work), Some(0.0));
     }
 }

@@ -130,7 +130,9 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) = (ratios.alpha(), no_stop_force_ratios(ratios.omega()).unwrap());
     let six = without_stop.six_reversals();
-    let due = if alpha >= without_stop.border() {
+    let due = if alpha >= without_stop.border() && ratios.omega() == 1.0 {
+        (Regime::Unbounded, None)
+    } else if alpha >= without_stop.border() {
         (Regime::NonSticking, Some(2))
     } else if six.is_some_and(|(low, high)| low <= alpha && alpha <= high) {
         (Regime::NonSticking, Some(6))
