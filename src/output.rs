@@ -179,7 +179,7 @@ impl Output {
 #[cfg(test)]
 mod tests {
     use super::Output;
-    use crate::Scales;
+    use crate::{Ratios, Response, Scales};
 
     /// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by hand.
     #[test]
@@ -216,6 +216,14 @@ mod tests {
             ("max_absolute_displacement", 3.0),
         ];
         assert_eq!(Output::ALL.map(|output| (output.name(), output.unit(&scales))), expected);
+    }
+
+    /// By the exact border, which eq. 61 falls short of at 0.4.
+    #[test]
+    fn the_margin_is_that_of_the_exact_border() {
+        let response = Response::new(Ratios::new(0.4, 6.5).unwrap());
+        let margin: f64 = Output::Margin.of(&response).unwrap();
+        assert!((margin - 6.5 / 6.949_737_755_908_733).abs() < 1e-15, "{margin}");
     }
 
     #[test]
