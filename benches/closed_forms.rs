@@ -1,7 +1,6 @@
-//! Time a point of the closed forms, generic and written plainly for f64, in one run.
+//! Time a point of the closed forms.
 
 mod kernels;
-mod plain;
 mod points;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
@@ -22,10 +21,8 @@ fn closed_forms(criterion: &mut Criterion) {
             });
         };
     }
-    bench!("triple/generic", kernels::triple);
-    bench!("triple/plain", plain::triple);
-    bench!("cycle/generic", kernels::cycle);
-    bench!("cycle/plain", plain::cycle);
+    bench!("triple", kernels::triple);
+    bench!("cycle", kernels::cycle);
     group.finish();
 }
 

@@ -1,8 +1,7 @@
 //! One kernel over many points and nothing else, to be run under an instruction counter.
 //!
 //! `instructions KERNEL N` evaluates KERNEL at N points; `benches/instructions.sh` takes the difference of two N, so
-//! that start-up does not count. Without arguments it checks that the generic and the plain kernels agree to the
-//! last bit.
+//! that start-up does not count.
 
 #![allow(
     clippy::print_stdout,
@@ -11,7 +10,6 @@
 )]
 
 mod kernels;
-mod plain;
 mod points;
 
 use std::hint::black_box;
@@ -28,19 +26,12 @@ fn main() {
     let points = points::points(2000);
     let mut args = std::env::args().skip(1).filter(|a| a != "--bench");
     let (Some(kernel), Some(n)) = (args.next(), args.next().and_then(|n| n.parse().ok())) else {
-        for &(omega, alpha) in &points {
-            let bits = |v: &[f64]| v.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-            assert_eq!(bits(&kernels::triple(omega, alpha)), bits(&plain::triple(omega, alpha)));
-            assert_eq!(bits(&kernels::cycle(omega, alpha)), bits(&plain::cycle(omega, alpha)));
-        }
-        println!("generic and plain kernels agree to the last bit at {} points", points.len());
+        println!("instructions KERNEL N");
         return;
     };
     let sum = match kernel.as_str() {
-        "triple-generic" => run(kernels::triple, &points, n),
-        "triple-plain" => run(plain::triple, &points, n),
-        "cycle-generic" => run(kernels::cycle, &points, n),
-        "cycle-plain" => run(plain::cycle, &points, n),
+        "triple" => run(kernels::triple, &points, n),
+        "cycle" => run(kernels::cycle, &points, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Instructions a call of each kernel (a point, for batches), callees included, counted by valgrind's callgrind: one line a kernel, after
-# a line of the conditions. Needs valgrind. The closed forms a second time for x86-64-v3, which has fused operations (-fused).
+# a line of the conditions. Needs valgrind.
 # With --check: compared with benches/instructions.txt, and an error where one is more than 3 % off, or is missing. Where the compiler,
 # the libraries or valgrind are others than that was written with, 25 % are allowed: their code differs, the library's does not.
 set -euo pipefail
@@ -20,20 +20,13 @@ conditions() {
 }
 report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
 
-closed_forms() { # SUFFIX
-    closed=$(program instructions)
-    "$closed" >&2
-    for kernel in triple cycle; do
-        report "$kernel-generic$1" "$(count "*kernels::$kernel*" "$closed" "$kernel-generic" 10000)" 10000
-        report "$kernel-plain$1" "$(count "*plain::$kernel*" "$closed" "$kernel-plain" 10000)" 10000
-    done
-}
-
-fused() { RUSTFLAGS="-C target-cpu=x86-64-v3" CARGO_TARGET_DIR=target/fused closed_forms -fused; }
-
 all() {
-    closed_forms ""
-    fused
+    closed=$(program instructions)
+    for kernel in triple cycle; do
+        # The difference of two numbers of points, so that start-up does not count; the loop over the points does.
+        once=$(collected "$closed" "$kernel" 10000)
+        report "$kernel" $(($(collected "$closed" "$kernel" 30000) - once)) 20000
+    done
     exact=$(program exact_instructions)
     for kernel in steady-from-rest steady-beside-resonance steady-from-cycle twenty-slides; do
         case $kernel in

@@ -5,14 +5,14 @@ use std::hint::black_box;
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::{loop_size_stiffness, max_displacement, turning_point_border};
 use stickslip::phase_function::{PhaseFunction, one_minus_square};
-use stickslip::{Cycle, Float, Ratios, Real};
+use stickslip::{Cycle, Field, Float, Ratios};
 
 /// {Δ₀, eq. 61, A₁}
 fn triple<F: Float>(omega: F, alpha: F) -> Option<[F; 3]> {
     let p = PhaseFunction::new(omega).ok()?;
-    let k = p.value();
-    let delta = max_displacement(k, alpha, one_minus_square(omega));
-    Some([delta, turning_point_border(k, omega), loop_size_stiffness(delta, alpha)])
+    let (k, q) = (p.value(), one_minus_square(omega));
+    let delta = max_displacement(k, alpha, q);
+    Some([delta, turning_point_border(k, q, omega), loop_size_stiffness(delta, alpha)])
 }
 
 /// A checked [`Cycle`], with all its outputs.

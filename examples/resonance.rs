@@ -10,7 +10,7 @@
 use std::io::Write;
 use stickslip::float::mp::Mp;
 use stickslip::phase_function::one_minus_square;
-use stickslip::{Border, Cycle, Ratios, Real};
+use stickslip::{Border, Cycle, Field, Ratios};
 
 /// 231 digits.
 type Number = Mp<12>;

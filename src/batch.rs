@@ -24,24 +24,22 @@
 //! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time: one set of
 //! loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
 //! cannot do well is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
-//! 1/(2n) than 0.0012 Ω of it, α² closer to the border's square than 2⁻⁴⁶ α² or to K² than α²/16, a start too far from the greatest velocity.
+//! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity.
 //! So there is an answer for every point of the domain, and on which side of the border it lies is decided as
 //! [`mod@crate::regime`] decides it.
 //!
 //! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
 //! there is no non-sticking cycle.
 //!
-//! [`Level::Portable`], [`Level::Avx2`] and [`Level::Avx512`] give the same bits, and threads do not change them.
+//! The loops run the functions that answer a point, so that every [`Level`] gives the bits of the point alone, and its accuracy. Threads
+//! do not change them.
 
 mod amplitude;
-mod arrival;
 mod block;
 mod careful;
-mod circular;
 mod columns;
 mod cycle;
 mod fixed;
-mod frequency;
 mod kernel;
 mod level;
 mod low;
@@ -51,7 +49,6 @@ mod steady;
 #[cfg(feature = "rayon")]
 mod threads;
 mod triple;
-mod velocity;
 
 pub use columns::{Cycles, LengthMismatch, Peaks, Triple};
 pub use fixed::FixedOmega;

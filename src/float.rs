@@ -1,18 +1,29 @@
 //! The number type every formula is written over.
 //!
-//! Two layers. [`Real`] is what a *formula* needs: the field operations, roots, circular functions,
-//! small integers and ratios, π. [`Float`] is what a *decision* needs on top: order, precision, and a
-//! way to and from `f64`. A formula asks for `Real` only, so that a value which cannot be compared (a
-//! symbolic one) still runs through it; a choice of branch or a stopping rule asks for `Float`.
+//! Three layers. [`Field`] is what most *formulae* need: the field operations, square roots, magnitudes, small integers and
+//! ratios. [`Real`] adds π and the circular functions. [`Float`] adds what a *decision* needs: order, precision, range, and a
+//! way to and from `f64`. A formula asks for the least layer it can, so that a value that cannot be compared (a symbol) and a
+//! value that has no circular functions (a compensated pair) still run through it.
 //!
-//! Both are `Copy`: generic code reads like the page it came from. Constants are integers and ratios
-//! of integers ([`Real::int`], [`Real::ratio`]), never decimal literals, so no formula carries the
+//! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] is the exact way in, [`pair::Pair::value`] rounds once on
+//! the way out. The steps that decide how many digits an answer has run in it, by the same functions.
+//!
+//! All are `Copy`: generic code reads like the page it came from. Constants are integers and ratios
+//! of integers ([`Field::int`], [`Field::ratio`]), never decimal literals, so no formula carries the
 //! rounding of a type narrower than its own.
+//!
+//! # The same bits everywhere
+//!
+//! At `f64` an operation gives the same bits on every processor and under every compiler flag: the four operations, the square root and
+//! the fused multiply-add are rounded correctly by IEEE 754, and the circular functions are those of the pinned crate `libm`. A
+//! fused operation stands where the source says [`Real::mul_add`], and nowhere else.
 
+use circular::TO_HALF_PI;
 use core::fmt::{Debug, Display, LowerExp};
-use core::ops::Neg;
-use num_traits::NumOps;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+use pair::Pair;
 
+pub(crate) mod circular;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
@@ -30,34 +41,67 @@ pub mod mp;
 pub mod pair;
 mod primitive;
 
-/// What a formula needs of its numbers.
+/// What most formulae need of their numbers: + − × ÷, √, magnitudes, small integers and ratios.
 ///
 /// Domains and special values are those of IEEE 754 where the type has them: `sqrt(−1)` is NaN.
-pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
+pub trait Field:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
     /// The integer `n`, exactly.
     fn int(n: i32) -> Self;
-    /// π, rounded once.
-    fn pi() -> Self;
     /// `√self`.
     fn sqrt(self) -> Self;
     /// `|self|`.
     fn abs(self) -> Self;
+
+    /// The ratio `p/q`, rounded once.
+    #[inline(always)]
+    fn ratio(p: i32, q: i32) -> Self {
+        Self::int(p) / Self::int(q)
+    }
+    /// `self²`.
+    #[inline(always)]
+    fn square(self) -> Self {
+        self * self
+    }
+    /// `√(self² + other²)`; a type may avoid needless overflow and underflow.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        (self.square() + other.square()).sqrt()
+    }
+    /// `√(self² − other²)`: a leg of the right triangle with this hypotenuse and the `other` leg.
+    ///
+    /// For |other| ≤ |self|; a type may have a better way than the product of the difference and the sum.
+    #[inline(always)]
+    fn leg(self, other: Self) -> Self {
+        ((self - other) * (self + other)).sqrt()
+    }
+    /// `n self`.
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        Self::int(n) * self
+    }
+}
+
+/// What a formula with angles needs on top: π and the circular functions.
+pub trait Real: Field {
+    /// π, rounded once.
+    fn pi() -> Self;
     /// `(sin self, cos self)`, the argument in radians.
     fn sin_cos(self) -> (Self, Self);
     /// `tan self`, the argument in radians.
     fn tan(self) -> Self;
     /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
     fn atan2(self, x: Self) -> Self;
-    /// `√(self² + other²)` without needless overflow or underflow.
-    fn hypot(self, other: Self) -> Self;
     /// `self · a + b` with one rounding.
     fn mul_add(self, a: Self, b: Self) -> Self;
 
-    /// The ratio `p/q`, rounded once.
-    #[inline]
-    fn ratio(p: i32, q: i32) -> Self {
-        Self::int(p) / Self::int(q)
-    }
     /// `sin self`.
     #[inline]
     fn sin(self) -> Self {
@@ -68,11 +112,16 @@ pub trait Real: Copy + Debug + NumOps + Neg<Output = Self> {
     fn cos(self) -> Self {
         self.sin_cos().1
     }
-    /// `self²`.
-    #[inline]
-    fn square(self) -> Self {
-        self * self
-    }
+}
+
+/// Work to be compiled for the processor's fused operation ([`Float::fused`]).
+///
+/// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what it calls often.
+pub trait Task {
+    /// What it comes to.
+    type Output;
+    /// The work.
+    fn run(self) -> Self::Output;
 }
 
 /// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`], [`Float::guarded`]).
@@ -83,6 +132,22 @@ pub trait AtPrecision<F> {
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output;
 }
 
+/// [`Float::sin_cos_acute`] with guard digits.
+struct SinCosOfPair<F>(Pair<F>);
+
+impl<F: Float> AtPrecision<F> for SinCosOfPair<F> {
+    type Output = (Pair<F>, Pair<F>);
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
+        let (sine, cosine) = (there(self.0.hi) + there(self.0.lo)).sin_cos();
+        let pair = |x: G| {
+            let hi = back(x);
+            Pair::new(hi, back(x - there(hi)))
+        };
+        (pair(sine), pair(cosine))
+    }
+}
+
 /// What a decision needs of its numbers: order, precision, range.
 pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
@@ -91,9 +156,6 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// keep every closed form of this crate free of overflow and underflow: about a quarter of the
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
-
-    /// Whether [`Real::mul_add`] is one instruction: then the cheapest way to the rest of a product, otherwise [`Float::halves`] are.
-    const IS_FUSED: bool = false;
 
     /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once.
     fn pi_rest() -> (Self, Self);
@@ -117,24 +179,35 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// `self · other − near` for a number near that product: what a rounded product or quotient lacks.
+    /// The same number in the wide arithmetic, exactly.
+    #[inline(always)]
+    fn wide(self) -> Pair<Self> {
+        Pair::exact(self)
+    }
+
+    /// Runs `task` with the processor's own fused multiply-add, where it has one that the program was not compiled for.
     ///
-    /// Exact where the type has a fused operation of its own, otherwise to half the digits of the type: the error is
-    /// `2⁻³ᵖᐟ²` of the product at most.
-    #[inline]
-    fn product_less(self, other: Self, near: Self) -> Self {
-        self.mul_add(other, -near)
+    /// The results are the same; what is not inlined into `task` is not faster either.
+    #[inline(always)]
+    fn fused<T: Task>(task: T) -> T::Output {
+        task.run()
     }
-    /// `self · factor + addend`: rounded once where that is one instruction, elsewhere twice.
-    #[inline]
-    fn times_plus(self, factor: Self, addend: Self) -> Self {
-        self * factor + addend
+
+    /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster way that needs a point on the unit circle.
+    #[inline(always)]
+    fn angle_of(sine: Self, cosine: Self) -> Self {
+        sine.atan2(cosine)
     }
-    /// `(high, low)` with `high + low = self` exactly and the product of two such high parts exact; of a type that has no use for
-    /// it, `(self, 0)`.
-    #[inline]
-    fn halves(self) -> (Self, Self) {
-        (self, Self::int(0))
+
+    /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has: the error is below a third of a unit in the last place
+    /// up to π/3, less than that for smaller angles.
+    #[inline(always)]
+    fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
+        if Self::PRECISION <= f64::MANTISSA_DIGITS {
+            TO_HALF_PI.of().wide(angle)
+        } else {
+            Self::guarded(SinCosOfPair(angle))
+        }
     }
 
     /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
@@ -193,6 +266,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     #[inline]
     fn or_larger(self, other: Self) -> Self {
         if other > self { other } else { self }
+    }
+    /// `self` where `sign` ≥ 0, its negative where `sign` < 0; a zero `sign` may count as either.
+    #[inline(always)]
+    fn times_sign_of(self, sign: Self) -> Self {
+        if sign < Self::int(0) { -self } else { self }
     }
     /// `|self|` with the sign of `sign`; a zero of either sign counts as positive.
     #[inline]

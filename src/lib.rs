@@ -166,7 +166,7 @@ pub mod uncertainty;
 pub mod verify;
 
 pub use error::{Error, Quantity};
-pub use float::{Float, Real};
+pub use float::{Field, Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Excitation, Oscillator, Scales};
 pub use output::Output;

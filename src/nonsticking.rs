@@ -18,6 +18,7 @@
 //! ω_d t in `[0, 2π)`.
 
 mod amplitude;
+mod arrival;
 pub mod border;
 pub(crate) mod damped;
 pub mod den_hartog;
@@ -25,6 +26,7 @@ mod deviation;
 mod displacement;
 mod dissipation;
 mod half_cycle;
+mod low;
 pub mod matching;
 mod motion;
 mod peaks;
@@ -34,10 +36,13 @@ mod reversal;
 pub mod six_reversals;
 pub mod stability;
 mod velocity;
+mod waves;
 
 pub use amplitude::force_ratio_from_displacement;
 pub(crate) use amplitude::max_velocity_from_displacement;
-pub use border::{Border, turning_point_border, turning_point_border_at, turning_point_criterion};
+pub use border::{
+    Border, border_force_ratio, turning_point_border, turning_point_border_at, turning_point_criterion,
+};
 pub(crate) use displacement::squared_sine;
 pub use displacement::{
     cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
@@ -51,13 +56,19 @@ pub use six_reversals::SixReversals;
 pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
 
 use crate::error::{Error, written};
-use crate::float::{Float, pair::Pair};
+use crate::float::{Float, Task, pair::Pair};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
+#[cfg(feature = "batch")]
+pub(crate) use border::border_near;
 use damped::DampedCycle;
 use half_cycle::HalfCycle;
+#[cfg(feature = "batch")]
+pub(crate) use low::{LowCircular, LowWaves};
 use motion::Motion;
-use phase::reduce;
+pub(crate) use phase::velocity_phase;
+#[cfg(feature = "batch")]
+pub(crate) use waves::{Circular, Waves};
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
@@ -94,13 +105,7 @@ impl<F: Float> Cycle<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
-        let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::least_force_ratio(&p);
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            Err(no_cycle(ratios, least))
-        } else {
-            Ok(Self::at(&p, ratios))
-        }
+        F::fused(NewCycle(ratios))
     }
 
     /// The cycle with damping.
@@ -129,21 +134,17 @@ impl<F: Float> Cycle<F> {
     }
 
     /// The cycle at (Ω, α) known to be on or above the border, Ω ≠ 1, ζ = 0; `p` is the phase function at Ω.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let reversal = Reversal::new(p, alpha).of_sliding(omega);
-        let k = reversal.phase_function.value();
         let Pair { hi: max_displacement, lo: rest } = reversal.max_displacement_pair();
         let half = HalfCycle::new(p, max_displacement).with_rest(rest);
-        let displacement_phase = displacement::phase_of_sine(reversal.sine.value(), k, alpha, omega);
-        let (fastest, deviation) = if F::PRECISION > f64::MANTISSA_DIGITS {
-            velocity::fastest_and_displacement(&half, k, alpha)
-        } else {
-            velocity::fastest_and_deviation(&half, &reversal, alpha)
-        };
-        let quarter = F::pi() / F::int(2);
-        let velocity_phase = reduce(displacement_phase - quarter - omega * fastest.psi);
+        let displacement_phase = reversal.displacement_phase();
+        let sin_cos_beta = p.sin_cos_of_cycle();
+        let given = velocity::Given { reversal, alpha, displacement_phase, sin_cos_beta };
+        let (fastest, deviation) = velocity::fastest_and_deviation(&half, &given);
+        let velocity_phase = velocity_phase(displacement_phase, omega, fastest.psi);
         Self {
             ratios,
             motion: Motion::Undamped { half, reversal },
@@ -152,7 +153,7 @@ impl<F: Float> Cycle<F> {
             max_velocity: fastest.velocity,
             velocity_phase,
             deviation,
-            contraction: stability::contraction(omega, max_displacement, half.sin_cos_beta()),
+            contraction: stability::contraction(omega, max_displacement, sin_cos_beta),
         }
     }
 
@@ -290,6 +291,25 @@ impl<F: Float> Cycle<F> {
     /// A/B of the equations that know no damping, NaN with it.
     fn undamped_amplitude(&self) -> F {
         if self.ratios.is_damped() { F::int(0) / F::int(0) } else { self.ratios.forced_amplitude() }
+    }
+}
+
+/// [`Cycle::new`].
+struct NewCycle<F>(Ratios<F>);
+
+impl<F: Float> Task for NewCycle<F> {
+    type Output = Result<Cycle<F>, Error>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let ratios = self.0;
+        let p = PhaseFunction::of_valid(ratios.omega());
+        let least = Border::least_force_ratio(&p);
+        if ratios.alpha() < least || ratios.omega() == F::int(1) {
+            Err(no_cycle(ratios, least))
+        } else {
+            Ok(Cycle::at(&p, ratios))
+        }
     }
 }
 

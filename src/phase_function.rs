@@ -15,29 +15,39 @@
 //! Ω = 1 and Ω = 1/n are as ordinary as any.
 
 mod cotangent;
+mod excess;
+mod frequency;
+mod low;
 mod reduction;
 mod slope;
 mod value;
 
 use crate::error::Error;
-use crate::float::{Float, Real, pair::Pair};
+use crate::float::{Field, Float, pair::Pair};
 use crate::ratios::frequency_ratio;
-pub(crate) use cotangent::cotangent_defect;
+use cotangent::cotangent_defect;
+pub(crate) use excess::{excess_close_to_one, is_close_to_one};
+pub(crate) use frequency::{Frequency, Offset};
+pub(crate) use low::LowAngle;
 use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
+#[cfg(feature = "batch")]
+pub(crate) use value::Quotient;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
 ///
 /// The definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
 /// that is smooth through Ω = 1.
-#[inline]
-pub fn phase_function_of_tangent<R: Real>(omega: R, tangent: R) -> R {
+#[inline(always)]
+pub fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
+    // K = (1 − Ω²) T/Ω
     one_minus_square(omega) * tangent / omega
 }
 
 /// `1 − Ω²` as the product `(1 − Ω)(1 + Ω)`, which keeps its relative accuracy at Ω = 1.
-#[inline]
-pub fn one_minus_square<R: Real>(omega: R) -> R {
+#[inline(always)]
+pub fn one_minus_square<R: Field>(omega: R) -> R {
+    // 1 − Ω² = (1 − Ω)(1 + Ω)
     (R::int(1) - omega) * (R::int(1) + omega)
 }
 
@@ -46,9 +56,8 @@ pub fn one_minus_square<R: Real>(omega: R) -> R {
 pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,
-    remainder: F,
+    remainder: Pair<F>,
     value: Pair<F>,
-    doubt: F,
 }
 
 impl<F: Float> PhaseFunction<F> {
@@ -65,30 +74,8 @@ impl<F: Float> PhaseFunction<F> {
     // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub(crate) fn of_valid(omega: F) -> Self {
-        let p = if F::PRECISION > f64::MANTISSA_DIGITS {
-            Self::of_many_digits(omega)
-        } else if omega >= F::int(2) {
-            Self::above(omega)
-        } else if F::int(3) * omega >= F::int(2) {
-            Self::beside_one(omega)
-        } else if omega >= F::ratio(1, 2) {
-            Self::between(omega)
-        } else {
-            Self::refined_at(omega)
-        };
-        p.differentiated()
-    }
-
-    /// The same with K as good as pairs give it.
-    #[inline]
-    pub(crate) fn refined(&self) -> Self {
-        if self.doubt == Self::none() { *self } else { Self::refined_at(self.omega) }
-    }
-
-    /// What the error of [`PhaseFunction::pair`] is proportional to, of the order of w²; infinite where no better K is to be had.
-    #[inline]
-    pub(crate) const fn doubt(&self) -> F {
-        self.doubt
+        if Self::is_rational_enough(omega) { Self::by_quotient(omega) } else { Self::refined_at(omega) }
+            .differentiated()
     }
 
     /// Frequency ratio Ω.
@@ -106,7 +93,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `w = β − q π/2`, in `[−π/4, π/4]`.
     #[inline]
     pub const fn remainder(&self) -> F {
-        self.remainder
+        self.remainder.hi
     }
 
     /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
@@ -123,7 +110,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
     #[inline]
     pub fn tangent(&self) -> F {
-        tangent(self.quarter, self.remainder)
+        tangent(self.quarter, self.remainder.hi)
     }
 
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
@@ -135,7 +122,7 @@ impl<F: Float> PhaseFunction<F> {
             let c = F::int(1) / (F::int(1) + t.square()).sqrt();
             (t * c, c)
         } else {
-            self.remainder.sin_cos()
+            self.remainder.hi.sin_cos()
         };
         match self.quarter {
             0 => (s, c),
@@ -145,11 +132,24 @@ impl<F: Float> PhaseFunction<F> {
         }
     }
 
+    /// `(sin β, cos β)`, from Ω = 1/2 on without circular functions, as batches have them.
+    #[inline(always)]
+    pub(crate) fn sin_cos_of_cycle(&self) -> (F, F) {
+        if Self::is_rational_enough(self.omega) {
+            Frequency::new(&Offset::new(), self.omega, self.value).sin_cos_beta()
+        } else if Self::is_acute_enough(self.omega) {
+            let (sine, cosine) = LowAngle::of(self).sin_cos();
+            (sine.value(), cosine.value())
+        } else {
+            self.sin_cos()
+        }
+    }
+
     /// `tan w`, from K.
     fn remainder_tangent(&self) -> F {
         let (omega, k) = (self.omega, self.value.value());
         if is_beside_one(omega) {
-            F::int(-2) * (F::int(1) + omega) * self.remainder / (F::pi() * k)
+            F::int(-2) * (F::int(1) + omega) * self.remainder.hi / (F::pi() * k)
         } else if self.quarter & 1 == 0 {
             k * omega / one_minus_square(omega)
         } else {
@@ -160,27 +160,7 @@ impl<F: Float> PhaseFunction<F> {
     /// `γ = β mod π`, in `[0, π)`: the phase of β within its lobe. Zero at Ω = 1/(2n).
     #[inline]
     pub(crate) fn lobe_phase(&self) -> Pair<F> {
-        let w = if F::PRECISION > f64::MANTISSA_DIGITS {
-            Pair::exact(self.remainder)
-        } else {
-            reduced(self.omega).1
-        };
-        if self.quarter & 1 == 1 {
-            Pair::pi() * F::ratio(1, 2) + w
-        } else if w.hi < F::int(0) {
-            Pair::pi() + w
-        } else {
-            w
-        }
-    }
-
-    /// `|sin β| = sin γ`, away from Ω = 1, from `tan w = ΩK/(1 − Ω²)` or its negative reciprocal.
-    pub(crate) fn sine_magnitude(&self) -> Pair<F> {
-        let (k, q) = (self.value * self.omega, self.one_minus_square());
-        let (numerator, other) = if self.quarter & 1 == 0 { (k, q) } else { (q, k) };
-        let tangent = (numerator / other).abs();
-        let secant = (tangent.square() + Pair::exact(F::int(1))).sqrt();
-        if self.quarter & 1 == 0 { tangent / secant } else { Pair::exact(F::int(1)) / secant }
+        LowAngle::of(self).lobe_phase()
     }
 
     /// The phase function `K(Ω) = (1 − Ω²) T/Ω`, finite for every float Ω.
@@ -188,23 +168,22 @@ impl<F: Float> PhaseFunction<F> {
     /// Beside Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
     ///
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
-    #[inline]
+    #[inline(always)]
     pub fn value(&self) -> F {
-        self.refined().value.value()
+        self.value.value()
     }
 
-    /// K(Ω) as a pair. From Ω = 1/2 on its errors are those of a few roundings and count as [`PhaseFunction::doubt`] says; that of
-    /// [`PhaseFunction::refined`] is within half a unit in the last place of K, and falls with (Ω − 1)² beside Ω = 1. At more bits
-    /// than f64 has, K alone.
-    #[inline]
-    pub(crate) const fn pair(&self) -> Pair<F> {
+    /// K(Ω) to more digits than the type has: its relative error is below half a unit in the last place of the type, and from Ω = 1/2 on
+    /// falls with (1 − 1/Ω)², down to u².
+    #[inline(always)]
+    pub(crate) const fn wide(&self) -> Pair<F> {
         self.value
     }
 
     /// `1 − Ω²` as a pair.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn one_minus_square(&self) -> Pair<F> {
-        one_minus_square_pair(self.omega)
+        one_minus_square_wide(self.omega)
     }
 }
 
@@ -212,27 +191,31 @@ impl<F: Float> PhaseFunction<F> {
 #[inline]
 fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
     let (quarter, rest) = nearest_quarter(omega);
-    (quarter, (Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2))).normalised())
+    (quarter, remainder(omega, rest))
+}
+
+/// `w = (π/2) (1 − qΩ)/Ω` from 1 − qΩ.
+#[inline(always)]
+fn remainder<F: Float>(omega: F, rest: F) -> Pair<F> {
+    (Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2))).normalised()
 }
 
 /// `1 − Ω²`, exactly but for the rounding of the rest.
-#[inline]
-pub(crate) fn one_minus_square_pair<F: Float>(omega: F) -> Pair<F> {
-    let square = Pair::product(omega, omega);
-    let Pair { hi, lo } = Pair::sum(F::int(1), -square.hi);
+#[inline(always)]
+pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
+    let square = Pair::two_prod(omega, omega);
+    let Pair { hi, lo } = Pair::two_sum(F::int(1), -square.hi);
     Pair::new(hi, lo - square.lo)
 }
 
-/// [`one_minus_square_pair`], halved, for Ω ≥ 1/2 not close to 1: with Ω in two halves `1 − h²` is exact.
-#[inline]
-pub(crate) fn one_minus_square_halved<F: Float>(omega: F) -> Pair<F> {
-    if F::IS_FUSED {
-        return one_minus_square_pair(omega);
-    }
-    let (high, low) = omega.halves();
-    let (most, rest) = (F::int(1) - high * high, low * (omega + high));
-    let (hi, _) = (most - rest).halves();
-    Pair::new(hi, (most - hi) - rest)
+/// The same for Ω ≤ 2²⁰, of fewer operations: 1 is a multiple of the last place of Ω², so that the sum is exact.
+#[cfg(feature = "batch")]
+#[inline(always)]
+pub(crate) fn one_minus_moderate_square(omega: f64) -> Pair<f64> {
+    let square = Pair::two_prod(omega, omega);
+    // The fast sum of 1 and −Ω², as a difference, which takes no negative.
+    let hi = 1.0 - square.hi;
+    Pair::new(hi, ((1.0 - hi) - square.hi) - square.lo)
 }
 
 /// `tan(q π/2 + w)`.

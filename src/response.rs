@@ -1,6 +1,6 @@
 //! The whole answer at one (Ω, α): the regime, and what exists there.
 
-use crate::float::{AtPrecision, Float};
+use crate::float::{AtPrecision, Float, Task};
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
@@ -35,6 +35,11 @@ impl<F: Float> Response<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
+        F::fused(NewResponse(ratios))
+    }
+
+    #[inline(always)]
+    fn of(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
         let regime = regime_of(ratios, &border);
@@ -154,6 +159,18 @@ impl<F: Float> Response<F> {
     /// non-sticking force ratio is the border itself.
     pub fn best_is_reached(&self) -> bool {
         self.best_force_ratio >= self.border.min_force_ratio()
+    }
+}
+
+/// [`Response::new`].
+struct NewResponse<F>(Ratios<F>);
+
+impl<F: Float> Task for NewResponse<F> {
+    type Output = Response<F>;
+
+    #[inline(always)]
+    fn run(self) -> Response<F> {
+        Response::of(self.0)
     }
 }
 

@@ -65,7 +65,11 @@ impl<const N: usize> Sensitivity<N> {
     /// The standard deviation of the value, to first order, for independent ones of the parameters: `√Σ(σᵢ ∂y/∂pᵢ)²`.
     #[must_use]
     pub fn deviation(&self, deviations: [f64; N]) -> f64 {
-        self.by.iter().zip(deviations).map(|(slope, sigma)| slope * sigma).fold(0.0, f64::hypot)
+        self.by
+            .iter()
+            .zip(deviations)
+            .map(|(slope, sigma)| slope * sigma)
+            .fold(0.0, crate::float::Field::hypot)
     }
 }
 

@@ -1,15 +1,26 @@
 //! The library's side of the comparison, one function a kernel.
 
-use stickslip::PhaseFunction;
-use stickslip::Ratios;
+use stickslip::float::Task;
 use stickslip::nonsticking::{Cycle, Reversal, turning_point_border_at};
+use stickslip::{Float, PhaseFunction, Ratios};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
 pub(crate) fn triple(omega: f64, alpha: f64) -> [f64; 3] {
-    let Ok(p) = PhaseFunction::new(omega) else { return [f64::NAN; 3] };
-    let reversal = Reversal::new(&p, alpha);
-    [reversal.max_displacement(), turning_point_border_at(&p), reversal.loop_size_stiffness()]
+    f64::fused(Three(omega, alpha))
+}
+
+struct Three(f64, f64);
+
+impl Task for Three {
+    type Output = [f64; 3];
+
+    #[inline(always)]
+    fn run(self) -> [f64; 3] {
+        let Ok(p) = PhaseFunction::new(self.0) else { return [f64::NAN; 3] };
+        let reversal = Reversal::new(&p, self.1);
+        [reversal.max_displacement(), turning_point_border_at(&p), reversal.loop_size_stiffness()]
+    }
 }
 
 /// {Δ₀, t₂, V₀, t₁, Δ₁, contraction} of a checked [`Cycle`].

@@ -36,17 +36,21 @@ pub(crate) fn each<const I: usize, const O: usize>(
     }
 }
 
-/// The same over outputs that are not blocks of a thread's own: that no two of them overlap is known of parameters only.
+/// The same over Ω, α and outputs that are not blocks of a thread's own, in one loop: that no two of them overlap is known of
+/// parameters only.
 #[inline(always)]
-pub(crate) fn each_straight<const I: usize>(
-    f: &impl AtPoint<I, 3>,
-    inputs: [&Block; I],
-    a: &mut Block,
-    b: &mut Block,
-    c: &mut Block,
+pub(crate) fn each_straight(
+    f: &impl AtPoint<2, 3>,
+    omega: &[Block],
+    alpha: &[Block],
+    a: &mut [Block],
+    b: &mut [Block],
+    c: &mut [Block],
 ) {
-    for (i, ((a, b), c)) in a.iter_mut().zip(b).zip(c).enumerate() {
-        [*a, *b, *c] = f.at(inputs.map(|block| block.get(i).copied().unwrap_or_default()));
+    let points = omega.as_flattened().iter().zip(alpha.as_flattened());
+    let outputs = a.as_flattened_mut().iter_mut().zip(b.as_flattened_mut()).zip(c.as_flattened_mut());
+    for ((&omega, &alpha), ((a, b), c)) in points.zip(outputs) {
+        [*a, *b, *c] = f.at([omega, alpha]);
     }
 }
 

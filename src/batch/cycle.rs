@@ -1,13 +1,14 @@
 //! All outputs of a cycle, over a block.
 
-use super::block::{AtPoint, Block, each, select};
+use super::amplitude::{Amplitude, Domain};
+use super::block::{AtPoint, Block, each};
 use super::careful;
-use super::circular::{SinCos, TO_HALF_PI, held};
-use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
-use super::low::{LowArrival, LowDisplacement, LowParts, LowStart, has_low_loops};
-use super::peaks::{Arrival, Displacement, Start};
-use core::f64::consts::PI;
+use super::low::{LowArrival, LowContraction, LowParts, LowSizes, LowStart, has_low_loops};
+use super::peaks::{Arrival, Parts, Start};
+use crate::float::pair::Pair;
+use crate::nonsticking::stability::contraction;
+use crate::phase_function::Frequency;
 
 /// {Δ₀, ω_d t₂, V₀, ω_d t₁, Δ₁, α_min, λ, A₁, A₂}.
 pub(crate) struct CycleKernel;
@@ -17,16 +18,16 @@ impl Kernel<9> for CycleKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [k, inverse, kappa, slope, a, b, ..] = work;
-        each(&Parts::new(), [omega], [k, inverse, kappa, slope]);
-        all_over_alpha(omega, alpha, [k, inverse, kappa, slope], [a, b], out);
+        let [k, rest, inverse, kappa, slope, a, b, c, ..] = work;
+        each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
+        all_over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c], out);
     }
 
     #[inline(always)]
     fn pass_low(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [k, inverse, sin_beta, cos_beta, force, a, b, ..] = work;
-        each(&LowParts::new(), [omega], [k, inverse, sin_beta, cos_beta, force]);
-        all_low_over_alpha(omega, alpha, [k, inverse, sin_beta, cos_beta, force], [a, b], out);
+        let [k, rest, inverse, sin_beta, cos_beta, least, a, b, c, ..] = work;
+        each(&LowParts, [omega], [k, rest, inverse, sin_beta, cos_beta, least]);
+        all_low_over_alpha(omega, alpha, [k, rest, inverse, sin_beta, cos_beta, least], [a, b, c], out);
     }
 
     fn has_low(&self, omega: f64) -> bool {
@@ -38,63 +39,63 @@ impl Kernel<9> for CycleKernel {
     }
 }
 
-/// The loops over α, from `[K, 1/Ω, κ, u/(Ω − 1)]`.
+/// The loops over α, from `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
 #[inline(always)]
 pub(crate) fn all_over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, kappa, slope]: [&Block; 4],
-    [psi, mark]: [&mut Block; 2],
+    [k, rest, inverse, kappa, slope]: [&Block; 5],
+    [psi, mark, less]: [&mut Block; 3],
     [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    each(&Displacement::new(), [omega, alpha, k, inverse], [displacement, mark, size1, phase2]);
+    each(&Sizes(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size1, phase2, size2, less]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
-    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, &*less, k, rest];
     each(&Arrival::new(), given, [velocity, phase1, border, deviation]);
-    each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
+    each(&Contraction, [omega, displacement, inverse, kappa, slope], [contraction]);
 }
 
-/// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
+/// `[Δ₀, α_min, A₁, ω_d t₂, A₂, what the rounded Δ₀ lacks]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+struct Sizes(Domain);
+
+impl AtPoint<4, 6> for Sizes {
+    #[inline(always)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 6] {
+        let found = Amplitude::high(&self.0, omega, alpha, Pair::new(k, rest));
+        let (displacement, border) = (found.displacement(), found.border);
+        [displacement, border, found.size(), found.phase(), found.inertia(omega), found.rest()]
+    }
+}
+
+/// The contraction λ.
+struct Contraction;
+
+impl AtPoint<5, 1> for Contraction {
+    #[inline(always)]
+    fn at(&self, [omega, displacement, inverse, kappa, offset_slope]: [f64; 5]) -> [f64; 1] {
+        let at = Frequency { omega, inverse, kappa, offset_slope };
+        [contraction(omega, displacement, at.sin_cos_beta())]
+    }
+}
+
+/// The loops over α below Ω = 1/2, from `[K, what the rounded K lacks, 1/Ω, sin β, cos β, α_min]`.
 #[inline(always)]
 pub(crate) fn all_low_over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, sin_beta, cos_beta, force]: [&Block; 5],
-    [theta, mark]: [&mut Block; 2],
+    [k, rest, inverse, sin_beta, cos_beta, least]: [&Block; 6],
+    [theta, mark, less]: [&mut Block; 3],
     [displacement, phase2, velocity, phase1, deviation, border, contraction, size1, size2]: [&mut Block; 9],
 ) {
-    each(&LowDisplacement::new(), [omega, alpha, k, force], [displacement, mark, size1, phase2]);
-    each(&LowStart::new(), [omega, alpha, displacement, inverse, sin_beta, cos_beta, phase2], [theta]);
-    let given = [omega, &*displacement, inverse, sin_beta, cos_beta, &*theta, &*phase2, &*mark];
+    let sizes = [&mut *displacement, &mut *mark, size1, &mut *phase2, size2, &mut *less];
+    each::<5, 6>(&LowSizes::new(), [omega, alpha, k, rest, least], sizes);
+    let (displacement, less, phase2) = (&*displacement, &*less, &*phase2);
+    each(
+        &LowStart::new(),
+        [omega, displacement, less, inverse, sin_beta, cos_beta, alpha, phase2],
+        [&mut *theta],
+    );
+    let given = [omega, displacement, less, inverse, sin_beta, cos_beta, &*theta, phase2, &*mark];
     each(&LowArrival::new(), given, [velocity, phase1, border, deviation]);
-    each(&Rest::new(), [omega, displacement, inverse, size1], [contraction, size2]);
-}
-
-/// The contraction λ and the loop size A₂.
-#[derive(Clone, Copy)]
-struct Rest(SinCos<8, 8>);
-
-impl Rest {
-    #[inline(always)]
-    fn new() -> Self {
-        Self(held(TO_HALF_PI))
-    }
-}
-
-impl AtPoint<4, 2> for Rest {
-    /// `[λ, A₂]` from `[Ω, Δ₀, 1/Ω, A₁]`.
-    #[inline(always)]
-    fn at(&self, [omega, displacement, inverse, size]: [f64; 4]) -> [f64; 2] {
-        // sin and cos of π/Ω up to sign, from its distance to the nearest multiple of π.
-        let multiple = inverse.round_ties_even();
-        let (sine, cosine) = self.0.sin_cos(PI * (-multiple).mul_add(omega, 1.0) * inverse);
-        let square = omega * omega;
-        let g = square * displacement;
-        let g_sine = g * sine.abs();
-        let is_complex = g_sine > 1.0;
-        let x = select(is_complex, g, g_sine);
-        let product = (x - 1.0) * (x + 1.0);
-        let modulus = select(is_complex, 0.0, g * cosine) + product.abs().sqrt();
-        [modulus / (g + 1.0), square * size]
-    }
+    each(&LowContraction, [omega, displacement, sin_beta, cos_beta], [contraction]);
 }

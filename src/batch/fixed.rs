@@ -1,16 +1,16 @@
 //! Rows of one frequency ratio: what depends on Ω is computed once.
 
-use super::amplitude::{Amplifier, has_loops};
-use super::block::{AtPoint, Block, POINTS, each, each_straight};
+use super::amplitude::{Amplitude, Domain, has_loops};
+use super::block::{AtPoint, Block, POINTS, each, each_straight, select};
 use super::careful;
 use super::cycle::{all_low_over_alpha, all_over_alpha};
-use super::frequency::Parts;
 use super::kernel::{Kernel, Work};
 use super::low::{LowParts, has_low_loops};
-use super::peaks::{low_over_alpha, over_alpha};
+use super::peaks::{Parts, low_over_alpha, over_alpha};
 use crate::error::Error;
+use crate::float::pair::Pair;
 use crate::nonsticking::Border;
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::{PhaseFunction, is_close_to_one};
 
 /// A frequency ratio with all that depends on it alone, for many force ratios.
 ///
@@ -37,10 +37,10 @@ pub struct FixedOmega {
 /// What the loops need of Ω.
 #[derive(Debug, Clone)]
 enum Loops {
-    /// Ω ≥ 1/2: `[K, 1/Ω, κ, u/(Ω − 1)]`.
-    High(Box<[Block; 4]>),
-    /// Below: `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
-    Low(Box<[Block; 5]>),
+    /// Ω ≥ 1/2: `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
+    High(Box<[Block; 5]>),
+    /// Below: `[K, what the rounded K lacks, 1/Ω, sin β, cos β, α_min]`.
+    Low(Box<[Block; 6]>),
     /// Beyond: each point on its own.
     None,
 }
@@ -52,19 +52,14 @@ impl FixedOmega {
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: f64) -> Result<Self, Error> {
         let p = PhaseFunction::new(omega)?;
-        let border = Border::at(&p);
-        let one_minus_square = one_minus_square(omega);
-        let point = PointAt {
-            omega,
-            phase_function: p.value(),
-            distance: one_minus_square.abs(),
-            force: one_minus_square * border.least_displacement(),
-            border: border.min_force_ratio(),
-        };
+        let border = Border::new(omega)?.min_force_ratio();
+        let point =
+            PointAt { omega, phase_function: p.wide(), one_minus_square: p.one_minus_square(), border };
         let loops = if has_loops(omega) {
             Loops::High(Box::new(Parts::new().at([omega]).map(|x| [x; POINTS])))
         } else if has_low_loops(omega) {
-            Loops::Low(Box::new(LowParts::new().at([omega]).map(|x| [x; POINTS])))
+            let [k, rest, inverse, sine, cosine, _] = LowParts.at([omega]);
+            Loops::Low(Box::new([k, rest, inverse, sine, cosine, border].map(|x| [x; POINTS])))
         } else {
             Loops::None
         };
@@ -92,23 +87,35 @@ impl FixedOmega {
 #[derive(Debug, Clone, Copy)]
 struct PointAt {
     omega: f64,
-    phase_function: f64,
-    /// |1 − Ω²|.
-    distance: f64,
-    /// (1 − Ω²) S.
-    force: f64,
+    phase_function: Pair<f64>,
+    /// 1 − Ω².
+    one_minus_square: Pair<f64>,
     border: f64,
 }
 
 #[derive(Clone, Copy)]
-struct Row(PointAt, Amplifier);
+struct Row {
+    point: PointAt,
+    domain: Domain,
+    /// The border, or NaN where the points of the row are to be redone: too close to Ω = 1.
+    border: f64,
+}
 
-impl AtPoint<1, 3> for Row {
+impl Row {
     #[inline(always)]
-    fn at(&self, [alpha]: [f64; 1]) -> [f64; 3] {
-        let PointAt { phase_function, distance, force, border, .. } = self.0;
-        let found = self.1.at(alpha, phase_function, distance, force, border, distance > 0.0);
-        [found.displacement, found.border, found.size]
+    fn new(row: &FixedOmega) -> Self {
+        let PointAt { omega, border, .. } = row.point;
+        let border = select(is_close_to_one(omega), f64::NAN, border);
+        Self { point: row.point, domain: Domain::new(), border }
+    }
+}
+
+impl AtPoint<2, 3> for Row {
+    #[inline(always)]
+    fn at(&self, [_, alpha]: [f64; 2]) -> [f64; 3] {
+        let PointAt { omega, phase_function, one_minus_square, .. } = self.point;
+        let found = Amplitude::at(&self.domain, omega, alpha, phase_function, one_minus_square, self.border);
+        [found.displacement(), found.border, found.size()]
     }
 }
 
@@ -120,18 +127,15 @@ impl Kernel<3> for FixedTripleKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, _: &mut Work, out: [&mut Block; 3]) {
-        // A copy, which the outputs cannot overlap.
-        each(&Row(self.0.point, Amplifier::new()), [alpha], out);
+        each(&Row::new(self.0), [alpha, alpha], out);
     }
 
     const IS_STRAIGHT: bool = true;
 
     #[inline(always)]
     fn pass_straight(&self, _: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
-        let row = Row(self.0.point, Amplifier::new());
-        for (((alpha, a), b), c) in alpha.iter().zip(a).zip(b).zip(c) {
-            each_straight(&row, [alpha], a, b, c);
-        }
+        // A copy, which the outputs cannot overlap.
+        each_straight(&Row::new(self.0), alpha, alpha, a, b, c);
     }
 
     fn careful(&self, _: f64, alpha: f64) -> [f64; 3] {
@@ -151,13 +155,13 @@ impl Kernel<5> for FixedPeaksKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [a, b, c, ..] = work;
+        let [a, b, c, d, e, ..] = work;
         match &self.0.loops {
             Loops::High(of_omega) => {
-                over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
+                over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c, d], out);
             }
             Loops::Low(of_omega) => {
-                low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
+                low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c, d, e], out);
             }
             Loops::None => {}
         }
@@ -180,13 +184,13 @@ impl Kernel<9> for FixedCycleKernel<'_> {
 
     #[inline(always)]
     fn pass(&self, _: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 9]) {
-        let [a, b, ..] = work;
+        let [a, b, c, ..] = work;
         match &self.0.loops {
             Loops::High(of_omega) => {
-                all_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);
+                all_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
             }
             Loops::Low(of_omega) => {
-                all_low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b], out);
+                all_low_over_alpha(&self.0.omega, alpha, of_omega.each_ref(), [a, b, c], out);
             }
             Loops::None => {}
         }

@@ -6,7 +6,7 @@ use super::places::Places;
 use crate::regime::{Regime, regime_above};
 
 /// Blocks for what passes from one loop to the next: made once for all the blocks of a run.
-pub(crate) type Work = [Block; 9];
+pub(crate) type Work = [Block; 11];
 
 /// A set of `N` outputs as functions of Ω and α.
 pub(crate) trait Kernel<const N: usize>: Sync {
@@ -44,10 +44,20 @@ pub(crate) trait Kernel<const N: usize>: Sync {
     }
 }
 
-/// Whether a mark says that its point is left. As integers, of which vectors are made.
+/// Whether a mark says that its point is left: one NaN makes a sum NaN. In sixteen sums, of which vectors are made.
 #[inline(always)]
-fn is_any_left(marks: &Block) -> bool {
-    marks.iter().fold(0, |any, mark| any | u64::from(mark.is_nan())) != 0
+fn is_any_left(marks: &[Block]) -> bool {
+    let mut sums = [0.0; 16];
+    for marks in marks.as_flattened().as_chunks::<16>().0 {
+        for (sum, mark) in sums.iter_mut().zip(marks) {
+            *sum += mark;
+        }
+    }
+    let mut total = 0.0;
+    for sum in sums {
+        total += sum;
+    }
+    total.is_nan()
 }
 
 struct Pass<'a, K, const N: usize> {
@@ -64,7 +74,7 @@ impl<K: Kernel<N>, const N: usize> Loops for Pass<'_, K, N> {
     fn run(self) -> bool {
         let Scratch { work, answer } = self.scratch;
         self.kernel.pass(self.omega, self.alpha, work, answer.each_mut());
-        answer.get(K::MARK).is_none_or(is_any_left)
+        answer.get(K::MARK).is_none_or(|marks| is_any_left(core::slice::from_ref(marks)))
     }
 }
 
@@ -82,8 +92,7 @@ impl<K: Kernel<N>, const N: usize> Loops for PassStraight<'_, '_, K, N> {
     fn run(self) -> bool {
         let mut out = self.out.each_mut().map(|column| column.as_chunks_mut().0);
         self.kernel.pass_straight(self.omega, self.alpha, out.each_mut().map(|blocks| &mut **blocks));
-        let marks = out.get(K::MARK).map(|blocks| blocks.iter());
-        marks.is_none_or(|blocks| blocks.fold(false, |any, block| any | is_any_left(block)))
+        is_any_left(out.get(K::MARK).map_or(&[], |blocks| &**blocks))
     }
 }
 
@@ -96,7 +105,7 @@ impl<K: Kernel<N>, const N: usize> Loops for PassLow<'_, K, N> {
     fn run(self) -> bool {
         let Pass { kernel, omega, alpha, scratch: Scratch { work, answer } } = self.0;
         kernel.pass_low(omega, alpha, work, answer.each_mut());
-        answer.get(K::MARK).is_none_or(is_any_left)
+        answer.get(K::MARK).is_none_or(|marks| is_any_left(core::slice::from_ref(marks)))
     }
 }
 
@@ -108,7 +117,7 @@ struct Scratch<const N: usize> {
 
 impl<const N: usize> Scratch<N> {
     const fn new() -> Self {
-        Self { work: [[0.0; POINTS]; 9], answer: [[0.0; POINTS]; N] }
+        Self { work: [[0.0; POINTS]; 11], answer: [[0.0; POINTS]; N] }
     }
 
     /// The answers where they belong.

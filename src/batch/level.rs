@@ -5,9 +5,8 @@ use pulp::x86::{V3, V4};
 
 /// The instructions a batch runs with.
 ///
-/// One source for all of them, with the same fused products in the same order: [`Level::Portable`], [`Level::Avx2`] and
-/// [`Level::Avx512`] give the same bits. [`Level::Scalar`] is the library's own code for one point at a time, which
-/// agrees with them to within the errors that [`crate::batch`] states.
+/// One source for all of them, with the same fused products in the same order: all give the same bits. [`Level::Scalar`] is the
+/// library's own code for one point at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Level {
     /// Point by point, without a batch's own code: where the processor has no fused product, the others would lose to it.

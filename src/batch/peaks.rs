@@ -1,14 +1,14 @@
 //! {Δ₀, α_min, A₁, V₀, ω_d t₁}: the two peaks of the motion, of displacement and velocity.
 
-use super::amplitude::{Amplifier, has_loops, one_minus_square};
+use super::amplitude::{Amplitude, Domain};
 use super::block::{AtPoint, Block, each, select};
 use super::careful;
-use super::circular::{ARCTANGENT, Arctangent, held};
-use super::frequency::{Frequency, Parts};
 use super::kernel::{Kernel, Work};
-use super::low::{LowDisplacement, LowParts, LowPeak, LowStart, has_low_loops};
-use super::velocity::{Circular, Waves, turned};
-use core::f64::consts::{FRAC_PI_2, PI};
+use super::low::{LowParts, LowPeak, LowSizes, LowStart, has_low_loops};
+use crate::float::circular::held;
+use crate::float::pair::Pair;
+use crate::nonsticking::{Circular, Waves, velocity_phase};
+use crate::phase_function::{Frequency, Offset, Quotient};
 
 /// {Δ₀, α_min, A₁, V₀, ω_d t₁}.
 pub(crate) struct PeaksKernel;
@@ -18,16 +18,16 @@ impl Kernel<5> for PeaksKernel {
 
     #[inline(always)]
     fn pass(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [k, inverse, kappa, slope, a, b, c, ..] = work;
-        each(&Parts::new(), [omega], [k, inverse, kappa, slope]);
-        over_alpha(omega, alpha, [k, inverse, kappa, slope], [a, b, c], out);
+        let [k, rest, inverse, kappa, slope, a, b, c, d, ..] = work;
+        each(&Parts::new(), [omega], [k, rest, inverse, kappa, slope]);
+        over_alpha(omega, alpha, [k, rest, inverse, kappa, slope], [a, b, c, d], out);
     }
 
     #[inline(always)]
     fn pass_low(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 5]) {
-        let [k, inverse, sin_beta, cos_beta, force, a, b, c, _] = work;
-        each(&LowParts::new(), [omega], [k, inverse, sin_beta, cos_beta, force]);
-        low_over_alpha(omega, alpha, [k, inverse, sin_beta, cos_beta, force], [a, b, c], out);
+        let [k, rest, inverse, sin_beta, cos_beta, least, a, b, c, d, e] = work;
+        each(&LowParts, [omega], [k, rest, inverse, sin_beta, cos_beta, least]);
+        low_over_alpha(omega, alpha, [k, rest, inverse, sin_beta, cos_beta, least], [a, b, c, d, e], out);
     }
 
     fn has_low(&self, omega: f64) -> bool {
@@ -39,63 +39,78 @@ impl Kernel<5> for PeaksKernel {
     }
 }
 
-/// The loops over α, from `[K, 1/Ω, κ, u/(Ω − 1)]`.
+/// The loops over α, from `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
 #[inline(always)]
 pub(crate) fn over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, kappa, slope]: [&Block; 4],
-    [phase2, psi, mark]: [&mut Block; 3],
+    [k, rest, inverse, kappa, slope]: [&Block; 5],
+    [phase2, psi, mark, less]: [&mut Block; 4],
     [displacement, border, size, velocity, phase1]: [&mut Block; 5],
 ) {
-    each(&Displacement::new(), [omega, alpha, k, inverse], [displacement, mark, size, phase2]);
+    each(&Displacement(Domain::new()), [omega, alpha, k, rest], [displacement, mark, size, phase2, less]);
     each(&Start, [omega, displacement, inverse, kappa, slope], [psi]);
-    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark];
-    each(&Peak::new(), given, [velocity, phase1, border]);
+    let given = [omega, &*displacement, inverse, kappa, slope, &*psi, &*phase2, &*mark, &*less];
+    each(&Arrival::new(), given, [velocity, phase1, border]);
 }
 
-/// The loops over α below Ω = 1/2, from `[K, 1/Ω, sin β, cos β, (1 − Ω²) S]`.
+/// The loops over α below Ω = 1/2, from `[K, what the rounded K lacks, 1/Ω, sin β, cos β, α_min]`.
 #[inline(always)]
 pub(crate) fn low_over_alpha(
     omega: &Block,
     alpha: &Block,
-    [k, inverse, sin_beta, cos_beta, force]: [&Block; 5],
-    [phase2, theta, mark]: [&mut Block; 3],
+    [k, rest, inverse, sin_beta, cos_beta, least]: [&Block; 6],
+    [phase2, theta, mark, less, size2]: [&mut Block; 5],
     [displacement, border, size, velocity, phase1]: [&mut Block; 5],
 ) {
-    each(&LowDisplacement::new(), [omega, alpha, k, force], [displacement, mark, size, phase2]);
-    each(&LowStart::new(), [omega, alpha, displacement, inverse, sin_beta, cos_beta, phase2], [theta]);
-    let given = [omega, &*displacement, inverse, sin_beta, cos_beta, &*theta, &*phase2, &*mark];
+    let sizes = [&mut *displacement, &mut *mark, size, &mut *phase2, size2, &mut *less];
+    each::<5, 6>(&LowSizes::new(), [omega, alpha, k, rest, least], sizes);
+    let (displacement, less, phase2) = (&*displacement, &*less, &*phase2);
+    each(
+        &LowStart::new(),
+        [omega, displacement, less, inverse, sin_beta, cos_beta, alpha, phase2],
+        [&mut *theta],
+    );
+    let given = [omega, displacement, less, inverse, sin_beta, cos_beta, &*theta, phase2, &*mark];
     each(&LowPeak::new(), given, [velocity, phase1, border]);
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂]` from `[Ω, α, K, 1/Ω]`; NaN for α_min says that the point is to be redone.
+/// What depends on Ω alone.
 #[derive(Clone, Copy)]
-pub(crate) struct Displacement(Arctangent, Amplifier);
+pub(crate) struct Parts(Quotient<f64>, Offset<f64>);
 
-impl Displacement {
+impl Parts {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(held(ARCTANGENT), Amplifier::new())
+        Self(held(Quotient::new()), held(Offset::new()))
     }
 }
 
-impl AtPoint<4, 4> for Displacement {
+impl AtPoint<1, 5> for Parts {
+    /// `[K, what the rounded K lacks, 1/Ω, κ, u/(Ω − 1)]`.
     #[inline(always)]
-    fn at(&self, [omega, alpha, k, inverse]: [f64; 4]) -> [f64; 4] {
-        let distance = one_minus_square(omega);
-        let force = distance * (inverse * inverse);
-        let border = force.mul_add(force, k * k).sqrt();
-        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
-        // For Ω ≥ 1/2, K ≤ 0.
-        let angle = self.0.first_quadrant_angle(found.sine, -k, alpha);
-        [found.displacement, found.border, found.size, PI + select(omega < 1.0, -angle, angle)]
+    fn at(&self, [omega]: [f64; 1]) -> [f64; 5] {
+        let k = self.0.at(omega);
+        let Frequency { inverse, kappa, offset_slope, .. } = Frequency::new(&self.1, omega, k);
+        [k.hi, k.lo, inverse, kappa, offset_slope]
+    }
+}
+
+/// `[Δ₀, α_min, A₁, ω_d t₂, what the rounded Δ₀ lacks]` from `[Ω, α, K, what the rounded K lacks]`; NaN for α_min says that the point is to be redone.
+#[derive(Clone, Copy)]
+pub(crate) struct Displacement(Domain);
+
+impl AtPoint<4, 5> for Displacement {
+    #[inline(always)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
+        let found = Amplitude::high(&self.0, omega, alpha, Pair::new(k, rest));
+        [found.displacement(), found.border, found.size(), found.phase(), found.rest()]
     }
 }
 
 #[inline(always)]
-fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> Waves {
-    Waves { max_displacement, at: Frequency { omega, inverse, kappa, offset_slope } }
+fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> Waves<f64> {
+    Waves { max_displacement, rest: 0.0, at: Frequency { omega, inverse, kappa, offset_slope } }
 }
 
 /// ψ near the greatest velocity.
@@ -110,45 +125,47 @@ impl AtPoint<5, 1> for Start {
 
 /// The greatest velocity.
 #[derive(Clone, Copy)]
-pub(crate) struct Arrival(Circular);
+pub(crate) struct Arrival(Circular<f64>);
 
 impl Arrival {
     #[inline(always)]
     pub(crate) fn new() -> Self {
-        Self(Circular::new())
+        Self(held(Circular::new()))
     }
 }
 
-impl AtPoint<8, 4> for Arrival {
-    /// `[V₀, ω_d t₁, α_min, Δ₁]`, α_min NaN where the velocity is to be redone.
+impl Arrival {
     #[inline(always)]
-    fn at(&self, [omega, delta, inverse, kappa, slope, psi, phase2, border]: [f64; 8]) -> [f64; 4] {
-        let fastest = waves([omega, delta, inverse, kappa, slope]).arrive(&self.0, psi);
-        [
-            fastest.velocity * inverse,
-            turned((-omega).mul_add(fastest.psi, phase2 - FRAC_PI_2)),
-            // Where there is no cycle, nothing could be found.
-            select(fastest.is_found | delta.is_nan(), border, f64::NAN),
-            fastest.displacement,
-        ]
+    fn find(
+        &self,
+        [omega, delta, inverse, kappa, slope, psi, phase2, border, rest]: [f64; 9],
+    ) -> ([f64; 3], f64) {
+        let waves = Waves { rest, ..waves([omega, delta, inverse, kappa, slope]) };
+        let (fastest, velocity) = waves.arrive(&self.0, psi);
+        // Where there is no cycle, nothing could be found.
+        let border = select(fastest.is_found | delta.is_nan(), border, f64::NAN);
+        ([velocity, velocity_phase(phase2, omega, fastest.psi), border], fastest.psi)
     }
 }
 
-/// The same without the deviation Δ₁.
-#[derive(Clone, Copy)]
-struct Peak(Arrival);
-
-impl Peak {
+impl AtPoint<9, 3> for Arrival {
+    /// `[V₀, ω_d t₁, α_min]`, α_min NaN where the velocity is to be redone.
     #[inline(always)]
-    fn new() -> Self {
-        Self(Arrival::new())
+    fn at(&self, given: [f64; 9]) -> [f64; 3] {
+        self.find(given).0
     }
 }
 
-impl AtPoint<8, 3> for Peak {
+impl AtPoint<11, 4> for Arrival {
+    /// The same and Δ₁, from K and what the rounded K lacks, too.
     #[inline(always)]
-    fn at(&self, given: [f64; 8]) -> [f64; 3] {
-        let [velocity, phase, border, _] = self.0.at(given);
-        [velocity, phase, border]
+    fn at(
+        &self,
+        [omega, delta, inverse, kappa, slope, psi, phase2, border, less, k, rest]: [f64; 11],
+    ) -> [f64; 4] {
+        let ([velocity, phase1, border], psi) =
+            self.find([omega, delta, inverse, kappa, slope, psi, phase2, border, less]);
+        let beta = Frequency { omega, inverse, kappa, offset_slope: slope }.sin_cos_beta();
+        [velocity, phase1, border, self.0.deviation(omega, beta, Pair::new(k, rest), psi)]
     }
 }

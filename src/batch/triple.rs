@@ -1,11 +1,12 @@
 //! {Δ₀, α_min, A₁} of a block.
 
-use super::amplitude::{Amplifier, has_loops, one_minus_square};
+use super::amplitude::{Amplitude, Domain};
 use super::block::{AtPoint, Block, each, each_straight};
 use super::careful;
-use super::frequency::PhaseFunction;
 use super::kernel::{Kernel, Work};
-use super::low::{LowDisplacement, LowParts, has_low_loops};
+use super::low::{LowParts, LowSizes, has_low_loops};
+use crate::float::circular::held;
+use crate::phase_function::Quotient;
 
 /// {Δ₀, α_min, A₁}.
 pub(crate) struct TripleKernel;
@@ -22,18 +23,14 @@ impl Kernel<3> for TripleKernel {
 
     #[inline(always)]
     fn pass_straight(&self, omega: &[Block], alpha: &[Block], [a, b, c]: [&mut [Block]; 3]) {
-        let point = Point::new();
-        for ((((omega, alpha), a), b), c) in omega.iter().zip(alpha).zip(a).zip(b).zip(c) {
-            each_straight(&point, [omega, alpha], a, b, c);
-        }
+        each_straight(&Point::new(), omega, alpha, a, b, c);
     }
 
     #[inline(always)]
     fn pass_low(&self, omega: &Block, alpha: &Block, work: &mut Work, out: [&mut Block; 3]) {
-        let [k, inverse, sin_beta, cos_beta, force, phase2, ..] = work;
-        let [displacement, border, size] = out;
-        each(&LowParts::new(), [omega], [k, inverse, sin_beta, cos_beta, force]);
-        each(&LowDisplacement::new(), [omega, alpha, k, force], [displacement, border, size, phase2]);
+        let [k, rest, inverse, sin_beta, cos_beta, border, ..] = work;
+        each(&LowParts, [omega], [k, rest, inverse, sin_beta, cos_beta, border]);
+        each::<5, 3>(&LowSizes::new(), [omega, alpha, k, rest, border], out);
     }
 
     fn has_low(&self, omega: f64) -> bool {
@@ -46,23 +43,20 @@ impl Kernel<3> for TripleKernel {
 }
 
 /// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
-struct Point(PhaseFunction, Amplifier);
+#[derive(Clone, Copy)]
+struct Point(Quotient<f64>, Domain);
 
 impl Point {
     #[inline(always)]
     fn new() -> Self {
-        Self(PhaseFunction::new(), Amplifier::new())
+        Self(held(Quotient::new()), Domain::new())
     }
 }
 
 impl AtPoint<2, 3> for Point {
     #[inline(always)]
     fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
-        let (k, inverse) = self.0.at(omega);
-        let distance = one_minus_square(omega);
-        let force = distance * (inverse * inverse);
-        let border = force.mul_add(force, k * k).sqrt();
-        let found = self.1.at(alpha, k, distance.abs(), force, border, has_loops(omega));
-        [found.displacement, found.border, found.size]
+        let found = Amplitude::high(&self.1, omega, alpha, self.0.at(omega));
+        [found.displacement(), found.border, found.size()]
     }
 }

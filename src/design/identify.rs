@@ -16,7 +16,7 @@
 
 use crate::error::{Error, Quantity};
 use crate::float::Real;
-use crate::float::dual::Dual;
+use crate::float::{Field, dual::Dual};
 use crate::nonsticking::damped;
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, finite, positive};

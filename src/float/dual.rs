@@ -3,7 +3,7 @@
 //! For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events and its limit are found by
 //! iterations that have not been taught the implicit function theorem, so that derivatives of a steady state are not to be relied on.
 //!
-//! A wrapper of [`num_dual::DualSVec64`] that is a [`Real`] and a [`Float`]:
+//! A wrapper of [`num_dual::DualSVec64`] that is a [`Field`], a [`Real`] and a [`Float`]:
 //!
 //! * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64 rounds them, and the
 //!   derivatives are computed beside them.
@@ -29,7 +29,7 @@
 
 mod operators;
 
-use super::{Float, Real};
+use super::{Field, Float, Real, Task};
 use core::cmp::Ordering;
 use core::fmt::{self, Display, LowerExp};
 use num_dual::DualSVec64;
@@ -125,14 +125,10 @@ impl<const N: usize> PartialOrd for Dual<N> {
     }
 }
 
-impl<const N: usize> Real for Dual<N> {
+impl<const N: usize> Field for Dual<N> {
     #[inline]
     fn int(n: i32) -> Self {
         Self::of(f64::from(n))
-    }
-    #[inline]
-    fn pi() -> Self {
-        Self::of(core::f64::consts::PI)
     }
     #[inline]
     fn sqrt(self) -> Self {
@@ -144,25 +140,32 @@ impl<const N: usize> Real for Dual<N> {
         self.chained(self.value().abs(), if self.value() < 0.0 { -1.0 } else { 1.0 })
     }
     #[inline]
+    fn hypot(self, other: Self) -> Self {
+        let length = Field::hypot(self.value(), other.value());
+        self.combined(length, self.value() / length, other, other.value() / length)
+    }
+}
+
+impl<const N: usize> Real for Dual<N> {
+    #[inline]
+    fn pi() -> Self {
+        Self::of(core::f64::consts::PI)
+    }
+    #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        let (s, c) = self.value().sin_cos();
+        let (s, c) = Real::sin_cos(self.value());
         (self.chained(s, c), self.chained(c, -s))
     }
     #[inline]
     fn tan(self) -> Self {
-        let tangent = self.value().tan();
+        let tangent = Real::tan(self.value());
         self.chained(tangent, tangent.mul_add(tangent, 1.0))
     }
     #[inline]
     fn atan2(self, x: Self) -> Self {
-        let radius = self.value().hypot(x.value());
+        let radius = Field::hypot(self.value(), x.value());
         let (sine, cosine) = (self.value() / radius, x.value() / radius);
-        self.combined(self.value().atan2(x.value()), cosine / radius, x, -(sine / radius))
-    }
-    #[inline]
-    fn hypot(self, other: Self) -> Self {
-        let length = self.value().hypot(other.value());
-        self.combined(length, self.value() / length, other, other.value() / length)
+        self.combined(Real::atan2(self.value(), x.value()), cosine / radius, x, -(sine / radius))
     }
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
@@ -197,17 +200,6 @@ impl<const N: usize> Float for Dual<N> {
         Self::of(x)
     }
     #[inline]
-    fn product_less(self, other: Self, near: Self) -> Self {
-        let rest = self.value().product_less(other.value(), near.value());
-        let product = self.combined(0.0, other.value(), other, self.value());
-        product.combined(rest, 1.0, near, -1.0)
-    }
-    #[inline]
-    fn halves(self) -> (Self, Self) {
-        let (high, low) = self.value().halves();
-        (Self(DualSVec64::new(high, self.0.eps)), Self::of(low))
-    }
-    #[inline]
     fn floor(self) -> Self {
         Self::of(self.value().floor())
     }
@@ -229,6 +221,14 @@ impl<const N: usize> Float for Dual<N> {
         self.chained(Float::exp_m1(self.value()), Float::exp(self.value()))
     }
     #[inline]
+    fn angle_of(sine: Self, cosine: Self) -> Self {
+        sine.combined(f64::angle_of(sine.value(), cosine.value()), cosine.value(), cosine, -sine.value())
+    }
+    #[inline(always)]
+    fn fused<T: Task>(task: T) -> T::Output {
+        f64::fused(task)
+    }
+    #[inline]
     fn constant(self) -> Self {
         Self::of(self.value())
     }
@@ -241,7 +241,7 @@ impl<const N: usize> Float for Dual<N> {
 #[cfg(test)]
 mod tests {
     use super::Dual;
-    use crate::float::{Float, Real};
+    use crate::float::{Field, Float, Real};
 
     type Function<const N: usize> = fn([Dual<N>; N]) -> Dual<N>;
 

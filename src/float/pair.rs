@@ -1,28 +1,37 @@
 //! Compensated pairs: a number as the unevaluated sum of two, which doubles the precision of the type.
 //!
-//! The transformations are exact where a type rounds to nearest: of any two numbers
+//! The textbook's error-free transformations, with u = 2⁻ᵖ half a unit in the last place of 1. Each is exact where a type rounds to
+//! nearest and nothing over- or underflows, and so for `f32`, `f64` and, because MPFR rounds correctly, `Mp`.
 //!
-//! ```text
-//! a + b = s + e,   s = fl(a + b),  e = fl[(a − (s − (s − a))) + (b − (s − a))]      (Knuth)
-//! a · b = p + e,   p = fl(a · b),  e = fl(a b − p), one fused operation
-//! ```
+//! | name | exact | operations | source |
+//! |---|---|---|---|
+//! | [`Pair::two_sum`] | a + b = hi + lo | 6 | Møller 1965, BIT 5; Knuth, *TAOCP* 2, 4.2.2, theorem B |
+//! | [`Pair::fast_two_sum`] | a + b = hi + lo for \|a\| ≥ \|b\| | 3 | Dekker 1971, Numer. Math. 18 |
+//! | [`Pair::two_prod`] | a b = hi + lo | 2, one of them fused | Ogita, Rump and Oishi 2005, SIAM J. Sci. Comput. 26 |
 //!
-//! and so for `f32`, `f64` and, because MPFR rounds correctly, `Mp`. Products, quotients and roots of pairs take the rest of a product
-//! from [`Float::product_less`], so that they are accurate to `2⁻²ᵖ` where the type has a fused operation of its own and to
-//! `2⁻³ᵖᐟ²` where it would be a call. None keeps |lo| below half a unit of hi: [`Pair::value`] rounds once at the end.
+//! Where there is a fused operation it takes the place of Veltkamp's split, which Dekker's product needs: both give the same rest, to
+//! the last bit, and a processor without one has it in software ([`super::Float::fused`]).
 //!
-//! Where the type has no fused operation, the cheapest arithmetic is that of *halved* numbers: a hi of half the digits, so that products
-//! of two are exact, and a lo of the order `2⁻ᵖᐟ²` of it ([`Pair::halved`], [`Pair::times_halved`] and so on); it has 3/2 of the
-//! digits, too. Where there is a fused operation, the same functions are those of whole pairs.
+//! What is built on them is that of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15; their "sloppy" sum), except
+//! that the last step of each but the sum, which makes |lo| half a unit of hi at most, is left out: [`Pair::value`] rounds once, at the
+//! end. With |lo| ≤ c u |hi| on the way in, the relative errors are at most
+//!
+//! | operation | error | \|lo\| ≤ … u \|hi\| on the way out |
+//! |---|---|---|
+//! | x + y of one sign | (2c + 1) u² | 1 |
+//! | x + y of two signs | (2c + 1) u² (\|x\| + \|y\|)/\|x + y\| | 1 |
+//! | x y | (c² + 5c + 1) u² | 1 + 2c |
+//! | x / y | (2c² + 7c + 6) u² | 3 + 2c |
+//! | √x | (c² + 3c + 3) u² | 1 + c |
+//! | √(x² − y²) | that of √ and half that of x² − y² | 2 |
 //!
 //! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
 
-mod halved;
 mod operators;
 
-use super::Float;
+use super::{Field, Float};
 
-/// The number `hi + lo`: |lo| is a few units in the last place of hi at most, or `2⁻ᵖᐟ²` of it in a halved number.
+/// The number `hi + lo`: |lo| is a few units in the last place of hi at most.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<F> {
     /// The leading part.
@@ -33,46 +42,50 @@ pub struct Pair<F> {
 
 impl<F: Float> Pair<F> {
     /// `hi + lo` as they stand.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub const fn new(hi: F, lo: F) -> Self {
         Self { hi, lo }
     }
 
     /// `x` exactly.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn exact(x: F) -> Self {
-        Self { hi: x, lo: F::int(0) }
+        // y + (−0) is y for every y, so that a compiler leaves the sum out; y + 0 is not where y is −0.
+        Self { hi: x, lo: -F::int(0) }
     }
 
     /// `a + b` exactly.
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn sum(a: F, b: F) -> Self {
+    pub fn two_sum(a: F, b: F) -> Self {
+        // s = fl(a + b), e = fl[(a − (s − (s − a))) + (b − (s − a))]
         let hi = a + b;
         let b_part = hi - a;
         Self { hi, lo: (a - (hi - b_part)) + (b - b_part) }
     }
 
     /// `a + b` exactly, of |a| ≥ |b| (or a = 0) in half the operations.
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn ordered_sum(a: F, b: F) -> Self {
+    pub fn fast_two_sum(a: F, b: F) -> Self {
+        // s = fl(a + b), e = fl[(a − s) + b]
         let hi = a + b;
-        Self { hi, lo: b - (hi - a) }
+        Self { hi, lo: (a - hi) + b }
     }
 
     /// `a · b` exactly.
-    #[inline]
+    #[inline(always)]
     #[must_use]
-    pub fn product(a: F, b: F) -> Self {
+    pub fn two_prod(a: F, b: F) -> Self {
+        // p = fl(a b), e = fl(a b − p), which is fused
         let hi = a * b;
         Self { hi, lo: a.mul_add(b, -hi) }
     }
 
     /// π: within `2⁻²ᵖ` of it.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn pi() -> Self {
         Self { hi: F::pi(), lo: F::pi_rest().0 }
@@ -85,77 +98,71 @@ impl<F: Float> Pair<F> {
     }
 
     /// The number, rounded once.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn value(self) -> F {
         self.hi + self.lo
     }
 
     /// The same number with hi its nearest.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn normalised(self) -> Self {
-        Self::ordered_sum(self.hi, self.lo)
+        Self::fast_two_sum(self.hi, self.lo)
+    }
+}
+
+impl<F: Float> Field for Pair<F> {
+    #[inline(always)]
+    fn int(n: i32) -> Self {
+        Self::exact(F::int(n))
     }
 
-    /// `√(hi + lo)`; of a zero zero, of a negative number NaN.
-    #[inline]
-    #[must_use]
-    pub fn sqrt(self) -> Self {
+    /// Of a zero zero, of a negative number NaN.
+    #[inline(always)]
+    fn sqrt(self) -> Self {
         let hi = self.hi.sqrt();
-        // Said so that NaN is kept.
-        if hi == F::int(0) {
-            return Self::exact(hi);
+        let lo = (self.lo - hi.mul_add(hi, -self.hi)) / (hi + hi);
+        Self { hi, lo: if hi == F::int(0) { hi } else { lo } }
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self { hi: self.hi.abs(), lo: self.lo.times_sign_of(self.hi) }
+    }
+
+    /// Two squares that nearly cancel leave the digits of a pair.
+    #[inline(always)]
+    fn leg(self, other: Self) -> Self {
+        let (square, less) = (self.square(), other.square());
+        // The fast sum of the leading parts, as a difference.
+        let hi = square.hi - less.hi;
+        let lo = (square.hi - hi) - less.hi;
+        Self::fast_two_sum(hi, lo + (square.lo - less.lo)).sqrt()
+    }
+
+    /// Without a rounding of the leading part where n is a power of two.
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        let factor = F::int(n);
+        if n & n.wrapping_sub(1) == 0 {
+            Self { hi: factor * self.hi, lo: factor * self.lo }
+        } else {
+            self * factor
         }
-        self.refined_root(hi)
     }
 
-    /// The root with what its rounded value > 0 lacks.
-    #[inline]
-    fn refined_root(self, hi: F) -> Self {
-        Self { hi, lo: (self.lo - hi.product_less(hi, self.hi)) / (hi + hi) }
-    }
-
-    /// `(hi + lo)²`.
-    #[inline]
-    #[must_use]
-    pub fn square(self) -> Self {
-        let hi = self.hi * self.hi;
-        Self { hi, lo: (self.hi + self.hi).times_plus(self.lo, self.hi.product_less(self.hi, hi)) }
-    }
-
-    /// The quotient, within one unit in the last place of the type.
-    #[inline]
-    #[must_use]
-    pub fn over(self, other: Self) -> F {
-        if F::IS_FUSED {
-            return (self / other).value();
-        }
-        let divisor = other.value();
-        let rest = (other.hi - divisor) + other.lo;
-        let quotient = self.value() / divisor;
-        (self.hi + (self.lo - quotient * rest)) / divisor
-    }
-
-    /// `√[(hi + lo)² + other²]`, rounded once, for squares within the range of the type.
-    #[inline]
-    #[must_use]
-    pub fn hypot(self, other: Self) -> F {
-        (self.square() + other.square()).sqrt().value()
-    }
-
-    /// `|hi + lo|`, of |lo| < |hi|.
-    #[inline]
-    #[must_use]
-    pub fn abs(self) -> Self {
-        if self.hi < F::int(0) { -self } else { self }
+    #[inline(always)]
+    fn square(self) -> Self {
+        let Self { hi, lo } = Self::two_prod(self.hi, self.hi);
+        Self { hi, lo: (self.hi + self.hi).mul_add(self.lo, lo) }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::Pair;
-    use crate::float::Float;
+    use crate::float::{Field, Float};
     use proptest::prelude::*;
 
     /// The rational value of a double as integer and exponent is exact in i128 for such as these: k·2⁻⁶⁰.
@@ -168,7 +175,7 @@ mod tests {
         fn sums_are_exact(a in -1e3f64..1e3, b in -1e-3f64..1e-3) {
             let (a, b) = (scaled(a) >> 8 << 8, scaled(b));
             let (a, b) = (a as f64, b as f64);
-            for pair in [Pair::sum(a, b), Pair::sum(b, a), Pair::ordered_sum(a, b)] {
+            for pair in [Pair::two_sum(a, b), Pair::two_sum(b, a), Pair::fast_two_sum(a, b)] {
                 prop_assert_eq!(pair.hi as i128 + pair.lo as i128, a as i128 + b as i128);
                 prop_assert!(pair.lo.abs() <= f64::EPSILON / 2.0 * pair.hi.abs());
             }
@@ -176,14 +183,14 @@ mod tests {
 
         #[test]
         fn products_are_exact(a in 1i64..1 << 53, b in -(1i64 << 53)..1 << 53) {
-            let pair = Pair::product(a as f64, b as f64);
+            let pair = Pair::two_prod(a as f64, b as f64);
             prop_assert_eq!(pair.hi as i128 + pair.lo as i128, i128::from(a) * i128::from(b));
         }
 
         #[test]
         fn what_is_built_on_them_has_twice_the_digits(a in 0.1f64..10.0, b in 0.1f64..10.0, c in 0.1f64..10.0) {
             let unit = f64::EPSILON * f64::EPSILON.sqrt();
-            let (x, y) = (Pair::product(a, b), Pair::sum(b, c));
+            let (x, y) = (Pair::two_prod(a, b), Pair::two_sum(b, c));
             let within = |p: Pair<f64>, q: Pair<f64>, size: f64| (p - q).value().abs() <= 8.0 * unit * size;
             let near = |p: Pair<f64>, q: Pair<f64>| within(p, q, q.value().abs());
             prop_assert!(near(x / y * y, x));
@@ -192,7 +199,21 @@ mod tests {
             let of = (x + y) * y;
             prop_assert!(within(of - y.square(), x * y, of.value()));
             prop_assert!(near(-(-x).abs(), -x));
-            prop_assert_eq!(x.hypot(y), (x.square() + y.square()).sqrt().normalised().hi);
+        }
+
+        #[test]
+        fn sides_of_a_triangle_and_multiples(a in 0.1f64..10.0, b in 0.1f64..10.0, c in 1e-12f64..1.0) {
+            let x = Pair::two_sum(a, 1e-17 * b);
+            let near = |found: Pair<f64>, exact: Pair<f64>, ulps: f64| {
+                let error = (found - exact).value().abs();
+                error <= ulps * (exact.hi.next_up() - exact.hi)
+            };
+            // However close the two are.
+            let longer = Pair::exact(a + a * c);
+            let (difference, sum) = (longer - x, longer + x);
+            prop_assert!(near(longer.leg(x), (difference * sum).sqrt(), 1e-9));
+            prop_assert_eq!((x.times(8).hi, x.times(8).lo), (8.0 * x.hi, 8.0 * x.lo));
+            prop_assert!(near(x.times(3), x + x + x, 0.5));
         }
     }
 
@@ -233,10 +254,10 @@ mod tests {
         let (a, b) = (Mp::<2>::of_int(1) / Mp::of_int(7), Mp::<2>::of_int(5) / Mp::of_int(3_000_017));
         let wide = |p: Pair<Mp<2>>| Mp::<5>::rounded(p.hi) + Mp::rounded(p.lo);
         let (wide_a, wide_b) = (Mp::<5>::rounded(a), Mp::<5>::rounded(b));
-        assert_eq!(wide(Pair::sum(a, b)), wide_a + wide_b);
-        assert_eq!(wide(Pair::sum(b, -a)), wide_b - wide_a);
-        assert_eq!(wide(Pair::product(a, b)), wide_a * wide_b);
-        let quotient = wide(Pair::product(a, b) / Pair::sum(a, b));
+        assert_eq!(wide(Pair::two_sum(a, b)), wide_a + wide_b);
+        assert_eq!(wide(Pair::two_sum(b, -a)), wide_b - wide_a);
+        assert_eq!(wide(Pair::two_prod(a, b)), wide_a * wide_b);
+        let quotient = wide(Pair::two_prod(a, b) / Pair::two_sum(a, b));
         let exact = wide_a * wide_b / (wide_a + wide_b);
         assert!((quotient - exact).abs() <= exact * Mp::<5>::exp2i(-251));
     }

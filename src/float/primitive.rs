@@ -1,52 +1,58 @@
-//! `f32` and `f64`: each operation is the standard library's own.
+//! `f32` and `f64`: the operations that IEEE 754 rounds correctly, and the circular functions of the pinned crate `libm`, so that
+//! results do not depend on the platform.
 
-use super::{Float, Real};
+use super::circular::ARCTANGENT;
+use super::{Field, Float, Real, Task};
 
 macro_rules! primitive {
-    ($float:ident, $bits:ty, low_half: $low:literal, ratio_exponent: $ratio_exponent:literal,
-     pi_rest: $second:literal $third:literal, exp: $exp:ident $expm1:ident) => {
-        impl Real for $float {
-            #[inline]
+    ($float:ident, $bits:ty, ratio_exponent: $ratio_exponent:literal, pi_rest: $second:literal $third:literal,
+     $sin:ident $cos:ident $sin_cos:ident $tan:ident $atan2:ident $hypot:ident
+     exp: $exp:ident $expm1:ident) => {
+        impl Field for $float {
+            #[inline(always)]
             fn int(n: i32) -> Self {
                 n as $float
             }
-            #[inline]
-            fn pi() -> Self {
-                core::$float::consts::PI
-            }
-            #[inline]
+            #[inline(always)]
             fn sqrt(self) -> Self {
                 self.sqrt()
             }
-            #[inline]
+            #[inline(always)]
             fn abs(self) -> Self {
                 self.abs()
             }
             #[inline]
+            fn hypot(self, other: Self) -> Self {
+                libm::$hypot(self, other)
+            }
+        }
+
+        impl Real for $float {
+            #[inline(always)]
+            fn pi() -> Self {
+                core::$float::consts::PI
+            }
+            #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
+                libm::$sin_cos(self)
             }
             #[inline]
             fn sin(self) -> Self {
-                self.sin()
+                libm::$sin(self)
             }
             #[inline]
             fn cos(self) -> Self {
-                self.cos()
+                libm::$cos(self)
             }
             #[inline]
             fn tan(self) -> Self {
-                self.tan()
+                libm::$tan(self)
             }
             #[inline]
             fn atan2(self, x: Self) -> Self {
-                self.atan2(x)
+                libm::$atan2(self, x)
             }
-            #[inline]
-            fn hypot(self, other: Self) -> Self {
-                self.hypot(other)
-            }
-            #[inline]
+            #[inline(always)]
             fn mul_add(self, a: Self, b: Self) -> Self {
                 self.mul_add(a, b)
             }
@@ -55,57 +61,38 @@ macro_rules! primitive {
         impl Float for $float {
             const PRECISION: u32 = $float::MANTISSA_DIGITS;
             const RATIO_EXPONENT: i32 = $ratio_exponent;
-            const IS_FUSED: bool = cfg!(target_feature = "fma");
 
-            #[inline]
+            #[inline(always)]
             fn pi_rest() -> (Self, Self) {
                 (<$float>::from_bits($second), <$float>::from_bits($third))
             }
-            #[inline]
+            #[inline(always)]
             fn epsilon() -> Self {
                 $float::EPSILON
             }
-            #[inline]
+            #[inline(always)]
             fn exp2i(e: i32) -> Self {
                 // The biased exponent alone: exact, and valid for every normal power of two.
                 const BIAS: i32 = $float::MAX_EXP - 1;
                 <$float>::from_bits((e.saturating_add(BIAS) as $bits) << ($float::MANTISSA_DIGITS - 1))
             }
-            #[inline]
+            #[inline(always)]
             fn to_f64(self) -> f64 {
                 f64::from(self)
             }
-            #[inline]
+            #[inline(always)]
             fn from_f64(x: f64) -> Self {
                 x as $float
             }
-            /// Without the instruction, the fused operation is a call into the library, which costs more than the halves.
-            #[inline]
-            fn product_less(self, other: Self, near: Self) -> Self {
-                if Self::IS_FUSED {
-                    return self.mul_add(other, -near);
-                }
-                let ((a, a_low), (b, b_low)) = (self.halves(), other.halves());
-                ((a * b - near) + a * b_low) + a_low * other
-            }
-            #[inline]
-            fn times_plus(self, factor: Self, addend: Self) -> Self {
-                if Self::IS_FUSED { self.mul_add(factor, addend) } else { self * factor + addend }
-            }
-            #[inline]
-            fn halves(self) -> (Self, Self) {
-                let high = <$float>::from_bits(self.to_bits() & !$low);
-                (high, self - high)
-            }
-            #[inline]
+            #[inline(always)]
             fn floor(self) -> Self {
                 self.floor()
             }
-            #[inline]
+            #[inline(always)]
             fn round(self) -> Self {
                 self.round()
             }
-            #[inline]
+            #[inline(always)]
             fn is_finite(self) -> bool {
                 self.is_finite()
             }
@@ -117,17 +104,59 @@ macro_rules! primitive {
             fn exp_m1(self) -> Self {
                 libm::$expm1(self)
             }
+            #[inline(always)]
+            fn angle_of(sine: Self, cosine: Self) -> Self {
+                ARCTANGENT.of().angle(sine, cosine)
+            }
+            #[inline(always)]
+            fn fused<T: Task>(task: T) -> T::Output {
+                fused(task)
+            }
+            #[inline(always)]
+            fn times_sign_of(self, sign: Self) -> Self {
+                // By bits, of which vectors are made without a comparison.
+                <$float>::from_bits(self.to_bits() ^ (sign.to_bits() & (-0.0 as $float).to_bits()))
+            }
         }
     };
 }
 
-primitive!(f32, u32, low_half: 0xfff, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, exp: expf expm1f);
-primitive!(f64, u64, low_half: 0x7ff_ffff, ratio_exponent: 250,
-    pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc, exp: exp expm1);
+/// On an x86-64 that has fused operations of which the program was not told, the task compiled for them.
+#[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
+#[inline(always)]
+#[allow(unsafe_code, reason = "a call that needs a feature of the processor, which is looked for")]
+fn fused<T: Task>(task: T) -> T::Output {
+    #[target_feature(enable = "fma")]
+    unsafe fn with_fma<T: Task>(task: T) -> T::Output {
+        task.run()
+    }
+    #[cold]
+    #[inline(never)]
+    fn without<T: Task>(task: T) -> T::Output {
+        task.run()
+    }
+    if std::arch::is_x86_feature_detected!("fma") {
+        // SAFETY: the processor has the feature.
+        unsafe { with_fma(task) }
+    } else {
+        without(task)
+    }
+}
+
+#[cfg(not(all(target_arch = "x86_64", not(target_feature = "fma"))))]
+#[inline(always)]
+fn fused<T: Task>(task: T) -> T::Output {
+    task.run()
+}
+
+primitive!(f32, u32, ratio_exponent: 30, pi_rest: 0xb3bb_bd2e 0xa777_2ced, sinf cosf sincosf tanf atan2f hypotf
+    exp: expf expm1f);
+primitive!(f64, u64, ratio_exponent: 250, pi_rest: 0x3ca1_a626_3314_5c07 0xb92f_1976_b7ed_8fbc,
+    sin cos sincos tan atan2 hypot exp: exp expm1);
 
 #[cfg(test)]
 mod tests {
-    use super::{Float, Real};
+    use super::{Field, Float};
 
     #[test]
     fn powers_of_two_are_exact() {
@@ -148,7 +177,7 @@ mod tests {
 
     #[test]
     fn a_ratio_is_the_rounded_quotient() {
-        assert_eq!(<f64 as Real>::ratio(1, 3), 1.0 / 3.0);
-        assert_eq!(<f32 as Real>::ratio(2, 7), 2.0f32 / 7.0);
+        assert_eq!(<f64 as Field>::ratio(1, 3), 1.0 / 3.0);
+        assert_eq!(<f32 as Field>::ratio(2, 7), 2.0f32 / 7.0);
     }
 }

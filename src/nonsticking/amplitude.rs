@@ -1,20 +1,22 @@
 //! The cycle by its amplitude: what force, and what velocity, belong to a maximum displacement Δ₀.
 
+use super::border::border_force_ratio;
 use super::half_cycle::HalfCycle;
 use super::velocity;
-use crate::float::{Float, Real};
+use crate::float::{Field, Float};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
 /// Eq. 44 solved for the force ratio: `α = √[K² + ((1 − Ω²) Δ₀/B)²]`.
 ///
 /// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Two squares are added, so that nothing cancels.
 #[inline]
-pub fn force_ratio_from_displacement<R: Real>(
+pub fn force_ratio_from_displacement<R: Field>(
     phase_function: R,
     max_displacement: R,
     one_minus_square: R,
 ) -> R {
-    phase_function.hypot(one_minus_square * max_displacement)
+    // α = hypot(K, (1 − Ω²) Δ₀/B)
+    border_force_ratio(phase_function, one_minus_square * max_displacement)
 }
 
 /// Maximum velocity `V₀/(Bω_d)` at a maximum displacement Δ₀/B, and its derivative by it, `cos Ωψ` at the maximum.

@@ -34,17 +34,18 @@
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
 pub mod lobe;
+mod near;
 mod range;
 mod shortfall;
 mod slope;
 mod stationary;
 
 use crate::error::Error;
-use crate::float::{Float, Real, pair::Pair};
-use crate::phase_function::{
-    PhaseFunction, one_minus_square, one_minus_square_halved, one_minus_square_pair,
-};
+use crate::float::{Field, Float, Task, pair::Pair};
+use crate::phase_function::{PhaseFunction, one_minus_square};
 pub use lobe::{Lobe, Minimum};
+#[cfg(feature = "batch")]
+pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
@@ -54,7 +55,8 @@ use stationary::inner_maximum;
 ///
 /// The body slides on where it is ≥ 0; eq. 58 and 59 put it to 0 at t₂, where x = Δ₀ and x′ = 0.
 #[inline]
-pub fn slip_excess<R: Real>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
+pub fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
+    // |p₀ sin ω_d t − k x| − r_y
     (p0 * sin_phase - stiffness * x).abs() - friction_bound
 }
 
@@ -63,7 +65,7 @@ pub fn slip_excess<R: Real>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bo
 ///
 /// `k/r_y = 1/B` and `p₀/(r_y A) = (1−Ω²)/B`. Zero on eq. 61.
 #[inline]
-pub fn turning_point_residual<R: Real>(b: R, alpha: R, omega: R, tangent: R) -> R {
+pub fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
     let q = one_minus_square(omega);
     let stiffness_to_friction = R::int(1) / b;
     let force_to_amplitude = q / b;
@@ -75,54 +77,50 @@ pub fn turning_point_residual<R: Real>(b: R, alpha: R, omega: R, tangent: R) -> 
 
 /// The border at the turning point (eq. 61): `α = √{(1/Ω² − 1)² [1 + (ΩT)²]} = hypot(K, 1/Ω² − 1)`.
 ///
-/// `phase_function` is K(Ω). Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2; below, necessary but not
-/// sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the body sticks up to
+/// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2; below, necessary but
+/// not sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the body sticks up to
 /// 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞.
 /// Source: Hong & Liu 2001, eq. 61. Accuracy at f64: 5 ulp.
-#[inline]
-pub fn turning_point_border<R: Real>(phase_function: R, omega: R) -> R {
-    phase_function.hypot(one_minus_square(omega) / omega.square())
+#[inline(always)]
+pub fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
+    // α = hypot(K, (1 − Ω²)/Ω²)
+    border_force_ratio(phase_function, one_minus_square / omega.square())
+}
+
+/// The border from the least displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44 solved for α.
+///
+/// `phase_function` is K(Ω), `width` is (1 − Ω²) S.
+#[inline(always)]
+pub fn border_force_ratio<R: Field>(phase_function: R, width: R) -> R {
+    // α_min = √{K² + [(1 − Ω²) S]²}
+    phase_function.hypot(width)
+}
+
+/// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
+///
+/// Where T > 0 (`rises`) it is, even if rounding hides by how much.
+#[inline(always)]
+fn is_stationary_value_larger<F: Float>(
+    one_minus_square: Pair<F>,
+    omega: F,
+    width: Pair<F>,
+    rises: bool,
+) -> bool {
+    rises | (width.value() > (one_minus_square / omega.wide().square()).value())
 }
 
 /// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
 ///
-/// Dimensionless. With 1/Ω² − 1 as a pair for Ω < 4/5, where it is not the smaller term by far; above, the root of the sum of the squares
-/// as they are, which stay within the range of the type. Accuracy at f64: 2 ulp.
+/// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.
 #[inline(always)]
 pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    let (omega, k) = (p.omega(), p.pair());
-    if F::PRECISION > f64::MANTISSA_DIGITS || omega * F::int(5) < F::int(4) {
-        return turning_point_border_below(omega, k);
-    }
-    root_of_squares(k, one_minus_square_halved(omega).value() / (omega * omega))
-}
-
-/// `√(K² + b²)`; K² = hi² + lo (hi + K), of which the second term would be the largest of the errors.
-#[inline]
-fn root_of_squares<F: Float>(k: Pair<F>, width: F) -> F {
-    k.lo.times_plus(k.hi + k.value(), k.hi.times_plus(k.hi, width * width)).sqrt()
-}
-
-/// [`turning_point_border_at`] for Ω < 4/5; where b = 1/Ω² − 1 is the larger term, `b + b [√(1 + (K/b)²) − 1]`.
-#[cold]
-#[inline(never)]
-fn turning_point_border_below<F: Float>(omega: F, k: Pair<F>) -> F {
-    if F::PRECISION > f64::MANTISSA_DIGITS || omega < F::ratio(1, 2) {
-        return k.hypot(one_minus_square_pair(omega) / Pair::product(omega, omega));
-    }
-    let width = one_minus_square_halved(omega).halved_quotient(Pair::loose_square(omega).halved());
-    if omega * F::int(3) >= F::int(2) {
-        return root_of_squares(k, width.value());
-    }
-    let ratio = (k.hi / width.value()).square();
-    let one = F::int(1);
-    width.hi + (width.lo + width.value() * (ratio / (one + (one + ratio).sqrt())))
+    turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
 }
 
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
 #[inline]
 pub fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
-    alpha >= turning_point_border(phase_function, omega)
+    alpha >= turning_point_border(phase_function, one_minus_square(omega), omega)
 }
 
 /// The least force ratio at a frequency ratio: exact, and by eq. 61.
@@ -140,7 +138,7 @@ impl<F: Float> Border<F> {
     /// # Errors
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: F) -> Result<Self, Error> {
-        PhaseFunction::new(omega).map(|p| Self::at(&p))
+        crate::ratios::frequency_ratio(omega).map(|omega| F::fused(NewBorder(omega)))
     }
 
     /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
@@ -184,7 +182,7 @@ impl<F: Float> Border<F> {
     }
 
     /// The border at the frequency ratio of `p`.
-    #[inline]
+    #[inline(always)]
     pub fn at(p: &PhaseFunction<F>) -> Self {
         let omega = p.omega();
         let turning_point = turning_point_border_at(p);
@@ -198,25 +196,28 @@ impl<F: Float> Border<F> {
         if omega >= F::ratio(1, 2) {
             return at_turning_point;
         }
-        let Some(inner) = inner_maximum(omega) else { return at_turning_point };
-        let supremum = (inner.width / p.one_minus_square()).value();
-        // Where T > 0, so that τ* lies in the first quarter, it exceeds the limit even if rounding hides by how much.
-        if supremum > limit || inner.phase * F::int(2) < F::pi() {
-            Self {
+        match inner_maximum(omega) {
+            Some(inner) if inner.is_border(p) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
-                phase: inner.phase,
-                least_displacement: limit.or_larger(supremum),
-            }
-        } else {
-            at_turning_point
+                phase: inner.phase(),
+                least_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
+            },
+            _ => at_turning_point,
         }
     }
 
     /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
-        if p.omega() >= F::ratio(1, 2) { turning_point_border_at(p) } else { Self::at(p).min_force_ratio }
+        let turning_point = turning_point_border_at(p);
+        if p.omega() >= F::ratio(1, 2) {
+            return turning_point;
+        }
+        match inner_maximum(p.omega()) {
+            Some(inner) if inner.is_border(p) => turning_point.or_larger(inner.force_ratio(p)),
+            _ => turning_point,
+        }
     }
 
     /// The exact border α_min(Ω): at and above it the steady motion does not stick.
@@ -245,6 +246,18 @@ impl<F: Float> Border<F> {
     /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
     pub const fn least_displacement(&self) -> F {
         self.least_displacement
+    }
+}
+
+/// [`Border::new`].
+struct NewBorder<F>(F);
+
+impl<F: Float> Task for NewBorder<F> {
+    type Output = Border<F>;
+
+    #[inline(always)]
+    fn run(self) -> Border<F> {
+        Border::at(&PhaseFunction::of_valid(self.0))
     }
 }
 

@@ -14,29 +14,32 @@
 //! R − 1 = v [(π²/8) C − 1]/cos β,   C = (1 − cos β)/(β²/2) = 1 − 2β²/4! + 2β⁴/6! − ….
 //! ```
 
-use super::half_cycle::HalfCycle;
-use crate::float::{Float, pair::Pair};
+use crate::float::{Field, Float, pair::Pair};
 
-/// Δ₁/B of a half cycle with Ω ≥ 1/2; `phase_function` is K(Ω), and (sin ψ, cos ψ) are given.
-#[inline]
-pub(super) fn of_fastest<F: Float>(half: &HalfCycle<F>, phase_function: Pair<F>, (s, c): (F, F)) -> F {
-    let (omega, one) = (half.omega(), F::int(1));
-    let (sin_beta, cos_beta) = half.sin_cos_beta();
+/// Δ₁/B of a half cycle with Ω ≥ 1/2; `phase_function` is K(Ω), (sin β, cos β) and (sin ψ, cos ψ) are given.
+///
+/// All forms are computed, so that loops do not branch.
+#[inline(always)]
+pub(crate) fn of_fastest<F: Float>(
+    omega: F,
+    (sin_beta, cos_beta): (F, F),
+    phase_function: Pair<F>,
+    (s, c): (F, F),
+) -> F {
+    let one = F::int(1);
     let fall = s * s / (one + c);
-    if half.is_beside_one() {
-        let product = Pair::exact_halved(omega).times_halved(Pair::exact_halved(sin_beta));
-        let r = -phase_function.halved().halved_quotient(product.halved());
-        return (r.hi - one) + (r.lo - r.value() * fall);
-    }
+    let r = -(phase_function / (omega.wide() * sin_beta));
+    let beside_one = (r.hi - one) + (r.lo - r.value() * fall);
     let v = one / (omega * omega);
     let r = (one - v) / cos_beta;
-    if omega < one {
-        return r * c - one;
-    }
     let half_pi = F::pi() * F::ratio(1, 2);
     let Pair { hi, lo } = (Pair::pi() * F::ratio(1, 2)).square() * F::ratio(1, 2);
     let bend = cosine_bend(half_pi * half_pi * v);
-    v * ((hi * bend - one) + lo * bend) / cos_beta - r * fall
+    let above = v * ((hi * bend - one) + lo * bend) / cos_beta - r * fall;
+    let below = r * c - one;
+    let is_beside_one = (omega < F::int(2)) & (F::int(3) * omega >= F::int(2));
+    let away = if omega < one { below } else { above };
+    if is_beside_one { beside_one } else { away }
 }
 
 /// `(1 − cos β)/(β²/2)` from β² ≤ (π/4)²: seven terms of its series after the first.

@@ -1,13 +1,14 @@
 //! Size of the dissipation loop, and the force ratio that makes it largest (eq. 63–67).
 
-use crate::float::{Float, Real, pair::Pair};
+use crate::float::{Field, Float};
 use crate::phase_function::PhaseFunction;
 
 /// Energy dissipated in a cycle, `s = 4 r_y Δ₀` (eq. 63): the area of the friction loop.
 ///
 /// `friction_bound` is r_y and `max_displacement` is Δ₀, in consistent units.
 #[inline]
-pub fn loop_size<R: Real>(friction_bound: R, max_displacement: R) -> R {
+pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
+    // s = 4 r_y Δ₀
     R::int(4) * friction_bound * max_displacement
 }
 
@@ -15,16 +16,18 @@ pub fn loop_size<R: Real>(friction_bound: R, max_displacement: R) -> R {
 ///
 /// `max_displacement` is Δ₀/B. How the loop depends on friction where k, p₀ and Ω are given.
 /// Source: Hong & Liu 2001, eq. 64.
-#[inline]
-pub fn loop_size_stiffness<R: Real>(max_displacement: R, alpha: R) -> R {
-    R::int(8) * (max_displacement / alpha) / alpha
+#[inline(always)]
+pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
+    // A₁ = 8(Δ₀/B)/α²
+    (max_displacement / alpha / alpha).times(8)
 }
 
 /// Loop size per lossless static pseudo-elastic energy (eq. 67): `A₂ = 2 m ω_d² s/p₀² = Ω² A₁`.
 ///
 /// How the loop depends on stiffness where m, p₀, ω_d and α are given. Source: Hong & Liu 2001, eq. 67.
-#[inline]
-pub fn loop_size_inertia<R: Real>(loop_size_stiffness: R, omega: R) -> R {
+#[inline(always)]
+pub fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
+    // A₂ = Ω² A₁
     omega.square() * loop_size_stiffness
 }
 
@@ -35,7 +38,8 @@ pub fn loop_size_inertia<R: Real>(loop_size_stiffness: R, omega: R) -> R {
 /// ratio is the border itself. At Ω = 1/(2n) K = 0, and this formula gives 0.
 /// Source: Hong & Liu 2001, eq. 65.
 #[inline]
-pub fn best_force_ratio<R: Real>(phase_function: R) -> R {
+pub fn best_force_ratio<R: Field>(phase_function: R) -> R {
+    // α* = √2 |K|
     R::int(2).sqrt() * phase_function.abs()
 }
 
@@ -43,22 +47,21 @@ pub fn best_force_ratio<R: Real>(phase_function: R) -> R {
 ///
 /// Counts where that does. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
 #[inline]
-pub fn best_loop_size<R: Real>(phase_function: R, one_minus_square: R) -> R {
+pub fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
+    // A₁max = 4/(|K| |1 − Ω²|)
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
 }
 
 /// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_force_ratio_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    (Pair::exact(F::int(2)).sqrt() * p.refined().pair().abs()).value()
+    best_force_ratio(p.wide()).value()
 }
 
 /// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
 #[inline]
 pub(crate) fn best_loop_size_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    let product = p.refined().pair() * p.one_minus_square();
-    if product.hi == F::int(0) {
-        return F::int(4) / product.hi.abs();
-    }
-    (Pair::exact(F::int(4)) / product.abs()).value()
+    let (k, q, zero) = (p.wide(), p.one_minus_square(), F::int(0));
+    // A pair has no infinity.
+    if k.hi == zero || q.hi == zero { F::int(1) / zero } else { best_loop_size(k, q).value() }
 }

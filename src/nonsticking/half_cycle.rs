@@ -75,6 +75,11 @@ impl<F: Float> HalfCycle<F> {
         Self { displacement_rest, ..self }
     }
 
+    /// What the rounded Δ₀/B lacks.
+    pub(crate) const fn displacement_rest(&self) -> F {
+        self.displacement_rest
+    }
+
     /// `(sin β, cos β)`, β = π/2Ω.
     #[inline]
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {
@@ -123,12 +128,6 @@ impl<F: Float> HalfCycle<F> {
         self.max_displacement
     }
 
-    /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
-    #[inline]
-    pub(crate) fn is_beside_one(&self) -> bool {
-        self.beside_one
-    }
-
     /// Ω < 1, decided by 1 − Ω itself.
     #[inline]
     pub(crate) fn is_below_one(&self) -> bool {
@@ -169,11 +168,7 @@ impl<F: Float> HalfCycle<F> {
         let omega2 = omega.square();
         // Three terms of either sign: the product is the largest.
         let swing = delta * co;
-        let value = if F::PRECISION > f64::MANTISSA_DIGITS {
-            swing + h
-        } else {
-            swing + (h + self.displacement_rest.times_plus(co, delta.product_less(co, swing)))
-        };
+        let value = swing + (h + self.displacement_rest.mul_add(co, delta.mul_add(co, -swing)));
         let first = h1 - omega * delta * so;
         // v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β
         let forcing = -(self.offset * (F::int(1) + omega));

@@ -6,7 +6,7 @@ use crate::float::Float;
 ///
 /// More than one period away, by the sine and cosine, whose own reduction is exact however large the phase.
 #[inline]
-pub(super) fn reduce<F: Float>(phase: F) -> F {
+pub(crate) fn reduce<F: Float>(phase: F) -> F {
     let (zero, period) = (F::int(0), F::int(2) * F::pi());
     if phase >= zero && phase < period {
         return phase;
@@ -14,6 +14,18 @@ pub(super) fn reduce<F: Float>(phase: F) -> F {
     let reduced = if phase >= -period && phase < zero { phase + period } else { principal(phase) };
     // Rounding can carry a tiny negative phase to the period itself.
     if reduced >= period { zero } else { reduced }
+}
+
+/// Phase ω_d t₁ of the maximum velocity, in `[0, 2π)`, from that of the maximum displacement and the centred time ψ = ω_n(t₂ − t₁) − β.
+///
+/// `ω_d t₁ = ω_d t₂ − π/2 − Ωψ`
+#[inline(always)]
+pub(crate) fn velocity_phase<F: Float>(displacement_phase: F, omega: F, psi: F) -> F {
+    let period = F::int(2) * F::pi();
+    let phase = (-omega).mul_add(psi, displacement_phase - F::pi() * F::ratio(1, 2));
+    let phase = if phase < F::int(0) { phase + period } else { phase };
+    // Rounding can carry a tiny negative phase to the period itself.
+    if phase >= period { F::int(0) } else { phase }
 }
 
 /// The angle of `phase` in `[0, 2π]`.

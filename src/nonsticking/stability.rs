@@ -11,18 +11,18 @@
 //! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
 use super::Cycle;
-use crate::float::{Float, Real};
+use crate::float::{Field, Float};
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
 #[inline]
-pub fn multiplier_product<R: Real>(omega: R, max_displacement: R) -> R {
+pub fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
     let g = omega.square() * max_displacement;
     (g - R::int(1)) / (g + R::int(1))
 }
 
 /// `λ² + (1 + s) cos(π/Ω) λ + s`: zero for a multiplier λ of the half-cycle map.
 #[inline]
-pub fn characteristic_polynomial<R: Real>(lambda: R, product: R, cos_pi_1: R) -> R {
+pub fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -> R {
     lambda.square() + (R::int(1) + product) * cos_pi_1 * lambda + product
 }
 
@@ -40,19 +40,18 @@ pub fn characteristic_polynomial<R: Real>(lambda: R, product: R, cos_pi_1: R) ->
 ///
 /// Source: linearisation of the exact half-cycle map. Accuracy at f64: 4 ulp, away from the double root
 /// gσ = 1, where λ itself turns like a square root.
-#[inline]
+#[inline(always)]
 pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let (s, c) = sin_cos_beta;
     let g = omega.square() * max_displacement;
     let g_sine = g * (two * s * c).abs();
-    if g_sine > one {
-        // Written with 1/g, so that an infinite g gives the limit 1.
-        ((one - one / g) / (one + one / g)).sqrt()
-    } else {
-        let g_cosine = g * ((c - s) * (c + s)).abs();
-        (g_cosine + ((one - g_sine) * (one + g_sine)).sqrt()) / (g + one)
-    }
+    // Written with 1/g, so that an infinite g gives the limit 1. Both are computed, so that loops do not branch.
+    let inverse = one / g;
+    let complex = ((one - inverse) / (one + inverse)).sqrt();
+    let g_cosine = g * ((c - s) * (c + s)).abs();
+    let real = (g_cosine + ((one - g_sine) * (one + g_sine)).sqrt()) / (g + one);
+    if g_sine > one { complex } else { real }
 }
 
 /// A pair of multipliers, complex conjugate or real.

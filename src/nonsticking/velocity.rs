@@ -34,8 +34,10 @@ mod centre;
 
 use super::Reversal;
 use super::half_cycle::{HalfCycle, Jet};
-use crate::float::{AtPrecision, Float, Real};
-use crate::phase_function::PhaseFunction;
+use super::low::{LowCircular, LowWaves};
+use super::waves::{Circular, Waves};
+use crate::float::{AtPrecision, Field, Float, Real, Task, pair::Pair};
+use crate::phase_function::{Frequency, Offset, PhaseFunction};
 use crate::root;
 use centre::from_centre;
 
@@ -45,7 +47,8 @@ use centre::from_centre;
 /// force p₀ the length Δ₁ falls with α. The paper's remarks on Figure 6 and in its conclusion mean one
 /// each. Source: Hong & Liu 2001, eq. 47.
 #[inline]
-pub fn deviation<R: Real>(alpha: R, sin_velocity_phase: R) -> R {
+pub fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
+    // Δ₁/B = α sin ω_d t₁ − 1
     alpha * sin_velocity_phase - R::int(1)
 }
 
@@ -81,7 +84,7 @@ pub fn velocity_phase_residual<R: Real>(
 /// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel beside Ω = 1 near the
 /// border; [`crate::nonsticking::Cycle`] takes another way there. Source: Hong & Liu 2001, eq. 49.
 #[inline]
-pub fn max_velocity_from_phase<R: Real>(
+pub fn max_velocity_from_phase<R: Field>(
     amplitude: R,
     omega: R,
     cos_pi_1: R,
@@ -106,40 +109,115 @@ pub(crate) struct Fastest<F> {
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
-/// Third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]); where they do not
+/// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere third-order Householder steps,
+/// each of which quadruples the good digits, from the centre ([`centre`]); where they do not
 /// settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return fastest_and_displacement(half, k, alpha).0;
     }
-    if half.omega() >= F::ratio(1, 2)
-        && let Some((found, _)) = from_centre(half)
-    {
+    if let Some((found, _)) = by_waves(half, Pair::exact(k)) {
         return found.differentiated(half);
     }
-    from_afar(half.omega(), half.max_displacement(), k, alpha).differentiated(half)
+    from_centre_or_afar(half, k, alpha).0.differentiated(half)
 }
 
-/// [`fastest`] at no more digits than f64 has, and the deviation Δ₁/B there.
-#[inline]
-pub(crate) fn fastest_and_deviation<F: Float>(
-    half: &HalfCycle<F>,
-    reversal: &Reversal<F>,
-    alpha: F,
-) -> (Fastest<F>, F) {
-    let (omega, k) = (half.omega(), reversal.phase_function.value());
+/// What is known of a cycle besides its half cycle.
+#[derive(Clone, Copy)]
+pub(crate) struct Given<F> {
+    pub(crate) reversal: Reversal<F>,
+    pub(crate) alpha: F,
+    /// ω_d t₂.
+    pub(crate) displacement_phase: F,
+    /// `(sin β, cos β)`.
+    pub(crate) sin_cos_beta: (F, F),
+}
+
+/// [`fastest`], and the deviation Δ₁/B there.
+#[inline(always)]
+pub(crate) fn fastest_and_deviation<F: Float>(half: &HalfCycle<F>, given: &Given<F>) -> (Fastest<F>, F) {
+    let &Given { ref reversal, alpha, .. } = given;
+    let (omega, k) = (half.omega(), reversal.phase_function());
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return fastest_and_displacement(half, k.value(), alpha);
+    }
+    if omega < F::ratio(1, 2)
+        && let Some((found, displacement)) = by_low_waves(half, given)
+    {
+        let found = found.differentiated(half);
+        return (found, displacement.differentiated_as(|| reversal.deviation(omega, found.psi)));
+    }
+    if let Some((found, beta)) = by_waves(half, k) {
+        let found = found.differentiated(half);
+        return (found, Circular::new().deviation(omega, beta, k, found.psi));
+    }
+    let (found, at) = from_centre_or_afar(half, k.value(), alpha);
+    let found = found.differentiated(half);
     if omega < F::ratio(1, 2) {
-        let found = from_afar(omega, half.max_displacement(), k, alpha).differentiated(half);
         return (found, reversal.deviation(omega, found.psi));
     }
-    let (found, (s, c)) = from_centre(half).unwrap_or_else(|| {
-        let found = from_afar(omega, half.max_displacement(), k, alpha);
-        (found, found.psi.sin_cos())
-    });
-    let found = found.differentiated(half);
+    let (s, c) = at.unwrap_or_else(|| found.psi.sin_cos());
     let at = (s.differentiated_as(|| found.psi.sin()), c.differentiated_as(|| found.psi.cos()));
-    (found, super::deviation::of_fastest(half, reversal.phase_function, at))
+    (found, super::deviation::of_fastest(omega, half.sin_cos_beta(), k, at))
+}
+
+/// The greatest velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near enough; and
+/// (sin β, cos β).
+#[inline(always)]
+fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F, F))> {
+    if !PhaseFunction::is_rational_enough(half.omega()) {
+        return None;
+    }
+    let at = Frequency::new(&Offset::new(), half.omega(), k);
+    let (max_displacement, rest) = (half.max_displacement(), half.displacement_rest());
+    let waves = Waves { max_displacement, rest, at };
+    let (found, velocity) = waves.arrive(&Circular::new(), waves.start());
+    let fastest = Fastest { psi: found.psi, velocity };
+    found.is_found.then_some((fastest, at.sin_cos_beta()))
+}
+
+/// The greatest velocity below Ω = 1/2 without circular functions of the type's own, where the start is near enough; and Δ₁/B there.
+///
+/// Not inlined, so that the path above 1/2 keeps everything in registers.
+#[inline(never)]
+fn by_low_waves<F: Float>(half: &HalfCycle<F>, given: &Given<F>) -> Option<(Fastest<F>, F)> {
+    F::fused(ByLowWaves { half: *half, given: *given })
+}
+
+struct ByLowWaves<F> {
+    half: HalfCycle<F>,
+    given: Given<F>,
+}
+
+impl<F: Float> Task for ByLowWaves<F> {
+    type Output = Option<(Fastest<F>, F)>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let Given { alpha, displacement_phase, sin_cos_beta, .. } = self.given;
+        let (omega, circular) = (self.half.omega(), LowCircular::new());
+        let waves = LowWaves {
+            omega,
+            inverse: F::int(1) / omega,
+            max_displacement: self.half.max_displacement(),
+            rest: self.half.displacement_rest(),
+            beta: sin_cos_beta,
+        };
+        let theta = waves.start(&circular, alpha, displacement_phase);
+        let (found, velocity) = waves.arrive(&circular, displacement_phase, theta);
+        found.is_found.then_some((Fastest { psi: found.psi, velocity }, found.displacement))
+    }
+}
+
+/// The greatest velocity by iteration, and (sin, cos) of its ψ where that is known.
+#[inline(never)]
+fn from_centre_or_afar<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, Option<(F, F)>) {
+    let centred = if half.omega() >= F::ratio(1, 2) { from_centre(half) } else { None };
+    match centred {
+        Some((found, at)) => (found, Some(at)),
+        None => (from_afar(half.omega(), half.max_displacement(), k, alpha), None),
+    }
 }
 
 impl<F: Float> Fastest<F> {
@@ -157,7 +235,7 @@ impl<F: Float> Fastest<F> {
 
 /// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,
 /// which are the cost at high precision.
-pub(crate) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
+fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
     polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
 }
 
@@ -255,7 +333,7 @@ fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
     use core::f64::consts::{FRAC_PI_2, TAU};
     let omega = half.omega();
     // asin(K/α) as atan2(K, √(α² − K²))
-    let angle = k.atan2(super::displacement::squared_sine(k, alpha).or_larger(0.0).sqrt());
+    let angle = Real::atan2(k, super::displacement::squared_sine(k, alpha).or_larger(0.0).sqrt());
     let centre = if half.is_below_one() { -angle } else { angle } / omega;
     let crest = FRAC_PI_2.with_sign_of(half.cos_beta());
     let crest = crest + TAU * ((centre - crest) / TAU).round();

@@ -8,37 +8,18 @@
 //! and less than a ninetieth in `y cot y`. Hence t needs no compensation, z and the two outer levels do. Below f64's precision t is one
 //! quotient of polynomials with integer coefficients, the convergent of the level 17; above, the levels one by one.
 
-use crate::float::{Float, pair::Pair};
+use crate::float::{Field, Float, pair::Pair};
 
 /// `g = 1 − y cot y` to full relative accuracy of the pair as y → 0; `square` is y².
 #[inline]
-pub(crate) fn cotangent_defect<F: Float>(square: Pair<F>) -> Pair<F> {
-    square / Pair::ordered_sum(F::int(3), -tail(square.hi))
-}
-
-/// `g = 1 − y cot y` with the roundings of the type, from y².
-#[inline]
-pub(super) fn plain_defect<F: Float>(square: F) -> F {
-    square / (F::int(3) - tail(square))
-}
-
-/// `tan y/y − 1 = z/(3 − z − t)` with the roundings of the type, from z = y².
-#[inline]
-pub(super) fn tangent_excess<F: Float>(square: F) -> F {
-    square / ((F::int(3) - square) - tail(square))
+pub(super) fn cotangent_defect<F: Float>(square: Pair<F>) -> Pair<F> {
+    square / Pair::fast_two_sum(F::int(3), -tail(square.hi))
 }
 
 /// `y cot y`, with the rounding errors of t only: a thirtieth of a unit in the last place at |y| = π/4, fewer with y⁴.
 #[inline]
 pub(super) fn y_cot_y<F: Float>(y: Pair<F>) -> Pair<F> {
-    let square = y.hi * y.hi;
-    let Pair { hi: level, lo: rest } = Pair::ordered_sum(F::int(3), -tail(square));
-    let defect = square / level;
-    let Pair { hi, lo } = Pair::ordered_sum(F::int(1), -defect);
-    // What the square, the level and the quotient lack, to first order.
-    let product = y.hi.product_less(y.hi, square) + (y.hi + y.hi) * y.lo;
-    let lacking = product - defect * rest - defect.product_less(level, square);
-    Pair::new(hi, lo - lacking / level)
+    Pair::exact(F::int(1)) - cotangent_defect(y.square())
 }
 
 /// t from z.
@@ -48,9 +29,8 @@ fn tail<F: Float>(z: F) -> F {
         return tail_by_levels(z);
     }
     let n = F::int;
-    let numerator = (n(858) - z).times_plus(z, -n(96_525)).times_plus(z, n(2_297_295));
-    let denominator =
-        (-n(44)).times_plus(z, n(12_870)).times_plus(z, -n(810_810)).times_plus(z, n(11_486_475));
+    let numerator = (n(858) - z).mul_add(z, -n(96_525)).mul_add(z, n(2_297_295));
+    let denominator = (-n(44)).mul_add(z, n(12_870)).mul_add(z, -n(810_810)).mul_add(z, n(11_486_475));
     z * numerator / denominator
 }
 
@@ -64,7 +44,7 @@ fn tail_by_levels<F: Float>(z: F) -> F {
 #[cfg(test)]
 mod tests {
     use super::{tail, tail_by_levels, y_cot_y};
-    use crate::float::pair::Pair;
+    use crate::float::{Field, pair::Pair};
 
     #[test]
     fn the_convergent_is_the_continued_fraction() {
@@ -97,7 +77,7 @@ mod tests {
     fn smooth_through_zero() {
         assert_eq!(y_cot_y(Pair::exact(0.0)).value(), 1.0);
         let tiny = 1e-9f64;
-        let third = Pair::product(tiny, tiny) / 3.0;
+        let third = Pair::two_prod(tiny, tiny) / 3.0;
         assert_eq!(super::cotangent_defect(Pair::exact(tiny).square()).value(), third.value());
     }
 }

@@ -235,7 +235,7 @@ impl MonteCarlo {
             return None;
         }
         let mean = values.iter().sum::<f64>() / n;
-        let squares: f64 = values.iter().map(|y| (y - mean).powi(2)).sum();
+        let squares: f64 = values.iter().map(|y| (y - mean) * (y - mean)).sum();
         Some(Estimate { value: mean, standard_error: (squares / (n - 1.0) / n).sqrt() })
     }
 }

@@ -29,7 +29,7 @@ fn by_49<F: Float>(c: &Case<'_, F>) -> F {
 /// α of eq. 61, and the Δ₀/B and sin ω_d t₂ that belong to it.
 fn at_turning_point<F: Float>(c: &Case<'_, F>) -> (F, F, F) {
     let (k, q) = (c.k(), c.one_minus_square);
-    let alpha = c.formulae.turning_point_border(k, c.omega());
+    let alpha = c.formulae.turning_point_border(k, q, c.omega());
     let delta = c.formulae.max_displacement(k, alpha, q);
     (alpha, delta, c.formulae.sin_displacement_phase(delta, alpha, q))
 }

@@ -173,8 +173,8 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
         border::turning_point_residual(F::int(1), alpha, omega, tangent)
     }
     /// Eq. 61.
-    fn turning_point_border(&self, k: F, omega: F) -> F {
-        border::turning_point_border(k, omega)
+    fn turning_point_border(&self, k: F, one_minus_square: F, omega: F) -> F {
+        border::turning_point_border(k, one_minus_square, omega)
     }
     /// Eq. 63.
     fn loop_size(&self, max_displacement: F) -> F {

@@ -115,8 +115,8 @@ mutants! {
     "C₂ = B": cosine_coefficient() -> f64 = 1.0;
     "T² added in eq. 42": max_displacement_from_amplitude(a: f64, tangent: f64, omega: f64) -> f64 =
         a.hypot(tangent / omega);
-    "K² taken off in eq. 61": turning_point_border(k: f64, omega: f64) -> f64 =
-        ((one_minus_square(omega) / omega.powi(2)).powi(2) - k * k).abs().sqrt();
+    "K² taken off in eq. 61": turning_point_border(k: f64, q: f64, omega: f64) -> f64 =
+        ((q / omega.powi(2)).powi(2) - k * k).abs().sqrt();
     "eq. 37 with its root positive": max_velocity(g: G<'_>, u: U<'_>, _sign: f64) -> f64 = g.max_velocity(u, 1.0);
     "sgn(Ω − 1) in eq. 49": max_velocity_from_phase(a: f64, omega: f64, cos_pi_1: f64, at: (f64, f64), deviation: f64, sign: f64) -> f64 =
         crate::nonsticking::max_velocity_from_phase(a, omega, cos_pi_1, at, deviation, -sign);

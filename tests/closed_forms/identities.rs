@@ -89,8 +89,8 @@ proptest! {
     fn equations_57_to_62_meet_on_the_border(omega in 0.15f64..4.0) {
         prop_assume!([1.0, 3.0, 5.0].iter().all(|n| (omega * n - 1.0).abs() > 1e-3));
         let p = PhaseFunction::new(omega).unwrap();
-        let alpha = border::turning_point_border(p.value(), omega);
         let q = (1.0 - omega) * (1.0 + omega);
+        let alpha = border::turning_point_border(p.value(), q, omega);
         let delta = nonsticking::max_displacement(p.value(), alpha, q);
         let sine = nonsticking::sin_displacement_phase(delta, alpha, q);
         let scale = 1.0 + alpha * alpha / (q * q);

@@ -6,7 +6,7 @@ use crate::random::Random;
 use stickslip::float::dual::Dual;
 use stickslip::float::mp::Mp;
 use stickslip::sensitivity::{OMEGA, Sensitivities};
-use stickslip::{Border, Drive, Float, Oscillator, Output, PhaseFunction, Ratios, Real, Response, Scales};
+use stickslip::{Border, Drive, Field, Float, Oscillator, Output, PhaseFunction, Ratios, Response, Scales};
 
 type Wide = Mp<8>;
 

@@ -1,8 +1,9 @@
 //! The matching equations with damping, solved without the closed forms, against the closed forms with damping.
 
 use nalgebra::RealField;
+use stickslip::float::{Field, Real};
 use stickslip::nonsticking::matching::newton::{self, MatchingError};
-use stickslip::{Border, Cycle, Float, Ratios, Real};
+use stickslip::{Border, Cycle, Float, Ratios};
 
 /// Damping ratios below, at and above ζ = 1, in thousandths.
 const DAMPING: [i32; 8] = [1, 10, 50, 200, 700, 1000, 1200, 3000];
@@ -11,12 +12,12 @@ const DAMPING: [i32; 8] = [1, 10, 50, 200, 700, 1000, 1200, 3000];
 fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
     let (mut worst, mut cycles) = (0.0f64, 0);
     for &zeta in &DAMPING {
-        let zeta = <F as Real>::ratio(zeta, 1000);
+        let zeta = <F as Field>::ratio(zeta, 1000);
         for &omega in omegas {
-            let omega = <F as Real>::ratio(omega, 1000);
+            let omega = <F as Field>::ratio(omega, 1000);
             let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
             for &over in over {
-                let alpha = least * <F as Real>::ratio(over, 1000);
+                let alpha = least * <F as Field>::ratio(over, 1000);
                 let cycle =
                     Cycle::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()).unwrap();
                 let found = match newton::solve(cycle.ratios()) {
@@ -24,7 +25,7 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
                     Err(error) => panic!("({omega}, {zeta}, {alpha}): {error}"),
                 };
                 let u = &found.unknowns;
-                let turn = <F as Real>::pi() * <F as Real>::int(2);
+                let turn = <F as Real>::pi() * <F as Field>::int(2);
                 // Phases as the angle between them.
                 let apart = |a: F, b: F| {
                     let d = (a - b) / turn;
@@ -37,7 +38,7 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
                     apart(u.displacement_phase, cycle.displacement_phase()),
                     (u.max_velocity - speed) / speed,
                     apart(u.velocity_phase, cycle.velocity_phase()),
-                    (u.deviation - cycle.deviation()) / (cycle.max_displacement() + <F as Real>::int(1)),
+                    (u.deviation - cycle.deviation()) / (cycle.max_displacement() + <F as Field>::int(1)),
                 ];
                 let unit = <F as Float>::epsilon() * Float::exp2i(found.lost_bits.min(60) as i32);
                 for (i, error) in errors.into_iter().enumerate() {

@@ -6,13 +6,13 @@ use stickslip::nonsticking::{
     sin_displacement_phase, velocity_phase_residual,
 };
 use stickslip::phase_function::one_minus_square;
-use stickslip::{Float, PhaseFunction, Real};
+use stickslip::{Field, Float, PhaseFunction, Real};
 
 /// (name, residual, size of its terms, whether it compares with a closed form) of each.
 ///
 /// Where an equation divides by 1 + cos π₁ or holds for a square root only, it is taken multiplied out or squared.
 pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&'static str, F, F, bool)> {
-    let (one, two) = (<F as Real>::int(1), <F as Real>::int(2));
+    let (one, two) = (<F as Field>::int(1), <F as Field>::int(2));
     let q = one_minus_square(omega);
     let g = Given { amplitude: alpha / q, friction_displacement: one, omega };
     let p = PhaseFunction::new(omega).unwrap();
@@ -22,41 +22,45 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
     let (s1, c1) = Real::sin_cos(pi_1(omega));
     let (sin_t1, cos_t1) = Real::sin_cos(u.velocity_phase);
     let (sin_t2, cos_t2) = Real::sin_cos(u.displacement_phase);
-    let amplitude = Real::abs(g.amplitude);
+    let amplitude = Field::abs(g.amplitude);
     // The angles are good to a last place of t/Ω.
     let turns = one + one / omega;
-    let linear = turns * (amplitude * (one + Real::square(omega)) + Real::abs(rho) + Real::abs(x) + one);
+    let linear = turns * (amplitude * (one + Field::square(omega)) + Field::abs(rho) + Field::abs(x) + one);
     let squares = linear * linear;
     let sign = Float::with_sign_of(one, one - omega);
     // Eq. 37 and 49 with their root squared, which rounding can make negative where it is nearly zero.
     let rest = u.max_velocity / omega - g.amplitude * cos_t1;
     let velocity = max_velocity_from_phase(g.amplitude, omega, c1, (sin_t1, cos_t1), u.deviation, sign);
     let root = velocity - g.amplitude * cos_t1;
-    let root = if Float::is_finite(root) { root } else { <F as Real>::int(0) };
+    let root = if Float::is_finite(root) { root } else { <F as Field>::int(0) };
     let phase = displacement_phase(p.value(), alpha, omega);
     let delta = max_displacement(p.value(), alpha, q);
     let by_40 = sin_displacement_phase(u.max_displacement, alpha, q);
     let all = vec![
         ("28", g.elimination_of_rate(u), linear),
         ("29", g.elimination_of_position(u), linear),
-        ("32", Real::square(a) + Real::square(b) - g.squared_coefficients(u), squares),
-        ("33", (Real::square(a) + Real::square(b)) * c + two * b, squares),
-        ("34", (Real::square(a) + Real::square(b)) * s - two * a, squares),
-        ("35", Real::square(a) + Real::square(b) - <F as Real>::int(4), squares),
-        ("36", (one + c1) * (Real::square(rho) + Real::square(x)) - two, squares),
+        ("32", Field::square(a) + Field::square(b) - g.squared_coefficients(u), squares),
+        ("33", (Field::square(a) + Field::square(b)) * c + two * b, squares),
+        ("34", (Field::square(a) + Field::square(b)) * s - two * a, squares),
+        ("35", Field::square(a) + Field::square(b) - <F as Field>::int(4), squares),
+        ("36", (one + c1) * (Field::square(rho) + Field::square(x)) - two, squares),
         ("38", c - g.cos_lag(u), linear),
         ("39", s - g.sin_lag(u), linear),
         ("40", sin_t2 - by_40, one),
         ("41", cos_t2 - cos_displacement_phase(p.value(), alpha), one),
-        ("42, 44", (Real::square(u.max_displacement) - Real::square(delta)) / Real::square(amplitude), one),
+        (
+            "42, 44",
+            (Field::square(u.max_displacement) - Field::square(delta)) / Field::square(amplitude),
+            one,
+        ),
         ("43", Real::sin(u.displacement_phase - phase) * by_40, one),
         ("45", g.combined_lag(u), linear),
         ("46", velocity_phase_residual(g.amplitude, omega, (s1, c1), g.lag(u), sin_t1), linear),
         ("47", (u.deviation - deviation(alpha, sin_t1)) / (one + alpha), one),
-        ("37, 49", (one + c1) * (Real::square(rest) - Real::square(root)), squares / Real::square(omega)),
+        ("37, 49", (one + c1) * (Field::square(rest) - Field::square(root)), squares / Field::square(omega)),
         (
             "37, 49: sign",
-            if rest * sign >= -linear * Float::exp2i(-20) { <F as Real>::int(0) } else { linear },
+            if rest * sign >= -linear * Float::exp2i(-20) { <F as Field>::int(0) } else { linear },
             linear,
         ),
     ];

@@ -4,18 +4,18 @@ use crate::equations::equations;
 use nalgebra::RealField;
 use std::collections::BTreeMap;
 use stickslip::nonsticking::matching::newton;
-use stickslip::nonsticking::turning_point_border;
-use stickslip::{Cycle, Float, PhaseFunction, Ratios, Real};
+use stickslip::nonsticking::turning_point_border_at;
+use stickslip::{Cycle, Field, Float, PhaseFunction, Ratios};
 
 /// `10⁻ᵏ`.
 pub(crate) fn tenth_power<F: Float>(k: u32) -> F {
-    (0..k).fold(<F as Real>::int(1), |x, _| x / <F as Real>::int(10))
+    (0..k).fold(<F as Field>::int(1), |x, _| x / <F as Field>::int(10))
 }
 
 /// Ω = 1 and 1/(2n+1), n = 1, 2, 3, each ± 10⁻ᵏ of itself.
 pub(crate) fn special<F: Float>(powers: &[u32]) -> Vec<F> {
-    let one = <F as Real>::int(1);
-    let beside = |odd: i32, off: F| (one + off) / <F as Real>::int(odd);
+    let one = <F as Field>::int(1);
+    let beside = |odd: i32, off: F| (one + off) / <F as Field>::int(odd);
     let at = |k: &u32| {
         let off = tenth_power::<F>(*k);
         [1, 3, 5, 7].map(|odd| [beside(odd, off), beside(odd, -off)])
@@ -49,8 +49,8 @@ impl Worst {
             Err(e) => panic!("Ω = {omega}, α = {alpha}: {e}"),
         };
         let (u, w) = (found.unknowns, cycle.unknowns());
-        let one = <F as Real>::int(1);
-        let apart = |a: F, b: F, size: F| Float::to_f64(Real::abs(a - b) / size / <F as Float>::epsilon());
+        let one = <F as Field>::int(1);
+        let apart = |a: F, b: F, size: F| Float::to_f64(Field::abs(a - b) / size / <F as Float>::epsilon());
         let errors = [
             apart(u.max_displacement, w.max_displacement, w.max_displacement),
             apart(u.max_velocity, w.max_velocity, w.max_velocity),
@@ -66,7 +66,7 @@ impl Worst {
         self.iterations = self.iterations.max(found.iterations);
         self.lost_bits = self.lost_bits.max(found.lost_bits);
         for (name, residual, size, against_closed_form) in equations(omega, alpha, &u) {
-            let ulp = apart(residual, <F as Real>::int(0), size);
+            let ulp = apart(residual, <F as Field>::int(0), size);
             // Eq. 40–44, 47 and 49 compare with a closed form: there the lost bits show.
             let lost = if against_closed_form { 2f64.powi(found.lost_bits as i32) } else { 1.0 };
             assert!(ulp < 8.0 * lost, "eq. {name} at Ω = {omega}, α = {alpha}: {ulp} ulp");
@@ -81,7 +81,7 @@ impl Worst {
             Ok(found) => found,
             Err(e) => panic!("border at Ω = {omega}: {e}"),
         };
-        let by_61 = turning_point_border(PhaseFunction::new(omega).unwrap().value(), omega);
+        let by_61 = turning_point_border_at(&PhaseFunction::new(omega).unwrap());
         let error = Float::to_f64((found.force_ratio - by_61) / by_61 / <F as Float>::epsilon()).abs();
         let per_turn = 1.0 + 1.0 / Float::to_f64(omega);
         assert!(

@@ -4,7 +4,7 @@ use crate::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::matching::newton;
-use stickslip::{Border, Float, Ratios, Real};
+use stickslip::{Border, Field, Float, Ratios, Real};
 
 /// Both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between, in thousandths.
 const ORDINARY: [i32; 19] =
@@ -15,12 +15,12 @@ const OVER: [i32; 3] = [10_001, 15_000, 80_000];
 
 fn all<F: Float + RealField>(name: &str, iterations: u32) -> Worst {
     let beside = special::<F>(&[3, 10, 30]);
-    let points = ORDINARY.iter().map(|n| <F as Real>::ratio(*n, 1000));
+    let points = ORDINARY.iter().map(|n| <F as Field>::ratio(*n, 1000));
     let mut worst = Worst::default();
     for omega in points.chain(beside) {
         let border = Border::new(omega).unwrap().min_force_ratio();
         for over in OVER {
-            worst.add(omega, border * <F as Real>::ratio(over, 10_000));
+            worst.add(omega, border * <F as Field>::ratio(over, 10_000));
         }
         worst.add_border(omega);
     }
@@ -50,12 +50,12 @@ fn at_4096_bits() {
 /// Where the two cycles of eq. 42 all but meet, or velocities do, f64 leads to the wrong one.
 fn on_the_border_and_just_above() -> Worst {
     type Wide = Mp<4>;
-    let one = <Wide as Real>::int(1);
+    let one = <Wide as Field>::int(1);
     let mut worst = Worst::default();
-    let points = ORDINARY.iter().map(|n| <Wide as Real>::ratio(*n, 1000));
+    let points = ORDINARY.iter().map(|n| <Wide as Field>::ratio(*n, 1000));
     for omega in points.chain(special::<Wide>(&[3, 6, 8, 10, 12, 15, 18])) {
         let border = Border::new(omega).unwrap().min_force_ratio();
-        for above in [<Wide as Real>::int(0), tenth_power(20), tenth_power(12), tenth_power(6)] {
+        for above in [<Wide as Field>::int(0), tenth_power(20), tenth_power(12), tenth_power(6)] {
             worst.add(omega, border * (one + above));
         }
     }
@@ -68,7 +68,7 @@ fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
     type Wide = Mp<8>;
     for k in [3, 10, 20, 30] {
         for sign in [1, -1] {
-            let omega = <Wide as Real>::int(1) + <Wide as Real>::int(sign) * tenth_power::<Wide>(k);
+            let omega = <Wide as Field>::int(1) + <Wide as Field>::int(sign) * tenth_power::<Wide>(k);
             let alpha = Border::new(omega).unwrap().min_force_ratio();
             let mut worst = Worst::default();
             worst.add(omega, alpha);
@@ -82,8 +82,8 @@ fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
 
 #[test]
 fn the_border_at_resonance_itself_is_four_over_pi() {
-    let found = newton::solve_border(<Mp<4> as Real>::int(1) + tenth_power::<Mp<4>>(60)).unwrap();
-    let four_over_pi = <Mp<4> as Real>::int(4) / <Mp<4> as Real>::pi();
+    let found = newton::solve_border(<Mp<4> as Field>::int(1) + tenth_power::<Mp<4>>(60)).unwrap();
+    let four_over_pi = <Mp<4> as Field>::int(4) / <Mp<4> as Real>::pi();
     let off = Float::to_f64((found.force_ratio - four_over_pi) / tenth_power::<Mp<4>>(60));
     // The border rises with the slope 2/π there.
     assert!((off - std::f64::consts::FRAC_2_PI).abs() < 1e-9 && found.iterations < 40, "{off}");

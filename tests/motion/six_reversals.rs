@@ -9,7 +9,7 @@ use stickslip::float::mp::Mp;
 use stickslip::nonsticking::SixReversals;
 use stickslip::nonsticking::six_reversals::force_ratios;
 use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
-use stickslip::{Border, Error, Float, Ratios, Real, Regime, Response, regime};
+use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
 
 fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
     LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap()
@@ -112,7 +112,7 @@ fn the_edges_are_sharp_at_any_precision() {
             worst = f64::max(worst, error);
         }
         if i < 4 {
-            let (one, off) = (Mp::<8>::int(1), Mp::<8>::exp2i(-200));
+            let (one, off) = (Mp::<8>::of_int(1), Mp::<8>::exp2i(-200));
             for (edge, inward) in [(wide_low, one + off), (wide_high, one - off)] {
                 let (inside, beyond) = (edge * inward, edge * (one + one - inward));
                 let motion = long_run(Mp::from(omega), inside);

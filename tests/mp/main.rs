@@ -18,7 +18,7 @@ use proptest::prelude::*;
 use rug::ops::AssignRound;
 use rug::{Assign, Float, Integer, Rational};
 use stickslip::float::mp::{Mp, WIDTHS, WithPrecision, with_precision};
-use stickslip::{Float as _, Real};
+use stickslip::{Field, Float as _, Real};
 
 fn recipe() -> impl Strategy<Value = Recipe> {
     let regular = |exponents: std::ops::RangeInclusive<i32>| {

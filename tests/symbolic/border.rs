@@ -41,7 +41,7 @@ fn equations_60_and_61_are_equivalent() {
     let k = phase_function_of_tangent(omega, tan);
     let q = one_minus_square(omega);
     let e60 = turning_point_residual(b, alpha, omega, tan);
-    let border = turning_point_border(k, omega);
+    let border = turning_point_border(k, one_minus_square(omega), omega);
     // (1 − Ω²)² times eq. 60 is Ω⁶ (α² − α₆₁²): each is zero where the other is, Ω ≠ 0, 1.
     let difference = alpha * alpha - border * border;
     let six = |x: Symbol| x * x * x * x * x * x;

@@ -3,7 +3,7 @@
 use crate::ideal::Ideal;
 use crate::scalar::{Symbol, free, reset};
 use crate::setting::int;
-use stickslip::Real;
+use stickslip::Field;
 use stickslip::nonsticking::{
     best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness, max_displacement,
 };

@@ -10,6 +10,7 @@ mod dissipation;
 mod fraction;
 mod ideal;
 mod matching;
+mod one_text;
 mod operators;
 mod polynomial;
 mod scalar;

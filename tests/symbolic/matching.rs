@@ -4,10 +4,10 @@ use crate::ideal::Ideal;
 use crate::polynomial::Polynomial;
 use crate::scalar::{Symbol, angle, angle_with, free};
 use crate::setting::{Matching, int};
-use stickslip::Real;
 use stickslip::nonsticking::cos_displacement_phase;
 use stickslip::nonsticking::matching::half_period_later;
 use stickslip::phase_function::one_minus_square;
+use stickslip::{Field, Real};
 
 #[test]
 fn the_symbols_rho_and_x_are_the_librarys() {

@@ -10,7 +10,7 @@ use crate::polynomial::Polynomial;
 use num_rational::BigRational;
 use std::cell::RefCell;
 use std::collections::BTreeSet;
-use stickslip::Real;
+use stickslip::{Field, Real};
 
 /// A rational function in the arena of this thread.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -212,20 +212,9 @@ impl std::fmt::Debug for Symbol {
     }
 }
 
-impl Real for Symbol {
+impl Field for Symbol {
     fn int(n: i32) -> Self {
         stored(Fraction::int(n))
-    }
-
-    /// π is a free generator; of the angle π/2 the sine is 1 and the cosine 0.
-    fn pi() -> Self {
-        if let Some(pi) = arena(|a| a.pi) {
-            return pi;
-        }
-        let pi = free("π");
-        arena(|a| a.pi = Some(pi));
-        angle_with(pi / Self::int(2), Self::int(1), Self::int(0));
-        pi
     }
 
     /// A generator whose square is `self`; which of the two roots is not said.
@@ -240,6 +229,19 @@ impl Real for Symbol {
 
     fn abs(self) -> Self {
         (self * self).sqrt()
+    }
+}
+
+impl Real for Symbol {
+    /// π is a free generator; of the angle π/2 the sine is 1 and the cosine 0.
+    fn pi() -> Self {
+        if let Some(pi) = arena(|a| a.pi) {
+            return pi;
+        }
+        let pi = free("π");
+        arena(|a| a.pi = Some(pi));
+        angle_with(pi / Self::int(2), Self::int(1), Self::int(0));
+        pi
     }
 
     fn sin_cos(self) -> (Self, Self) {
@@ -264,10 +266,6 @@ impl Real for Symbol {
         let (size, h) = (free("atan2"), self.hypot(x));
         angle_with(size, self / h, x / h);
         size
-    }
-
-    fn hypot(self, other: Self) -> Self {
-        (self * self + other * other).sqrt()
     }
 
     fn mul_add(self, a: Self, b: Self) -> Self {

@@ -4,10 +4,10 @@
 //! Q = A sin ω_d t₂ in place of the sine and cosine: a change of variables, so that the algebra stays small.
 
 use crate::scalar::{Symbol, angle, angle_with, factor, free, reset};
-use stickslip::Real;
 use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
 use stickslip::nonsticking::{cos_displacement_phase, sin_displacement_phase};
 use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};
+use stickslip::{Field, Real};
 
 pub(crate) fn int(n: i32) -> Symbol {
     Symbol::int(n)

@@ -3,12 +3,12 @@
 use crate::ideal::Ideal;
 use crate::scalar::{Symbol, free};
 use crate::setting::{Matching, int};
-use stickslip::Real;
 use stickslip::nonsticking::{
     deviation, max_displacement, max_displacement_from_amplitude, max_velocity_from_phase, printed,
     velocity_phase_residual,
 };
 use stickslip::phase_function::one_minus_square;
+use stickslip::{Field, Real};
 
 /// Eq. 46 of the library.
 fn equation_46(m: &Matching) -> Symbol {

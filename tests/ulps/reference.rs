@@ -2,7 +2,7 @@
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Real, Response};
+use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
 /// A number whose errors are looked for.
 pub(crate) trait Narrow: Float {

@@ -181,7 +181,7 @@ mod tests {
     use crate::Ratios;
     use crate::float::Float;
     #[cfg(feature = "mp")]
-    use crate::float::{Real, mp::Mp};
+    use crate::float::{Field, mp::Mp};
 
     fn equation<F: Float>(omega: F, zeta: F) -> Equation<F> {
         Equation::new(Ratios::new(omega, F::int(2)).unwrap().with_damping_ratio(zeta).unwrap())

@@ -1,16 +1,12 @@
-//! [`Real`] and [`Float`] for [`Mp`].
+//! [`Field`], [`Real`] and [`Float`] for [`Mp`].
 
 use super::Mp;
-use crate::float::{AtPrecision, Float, Real};
+use crate::float::{AtPrecision, Field, Float, Real};
 
-impl<const LIMBS: usize> Real for Mp<LIMBS> {
+impl<const LIMBS: usize> Field for Mp<LIMBS> {
     #[inline]
     fn int(n: i32) -> Self {
         Self::of_int(n)
-    }
-    #[inline]
-    fn pi() -> Self {
-        Self::pi()
     }
     #[inline]
     fn sqrt(self) -> Self {
@@ -19,6 +15,21 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
     #[inline]
     fn abs(self) -> Self {
         self.abs()
+    }
+    #[inline]
+    fn hypot(self, other: Self) -> Self {
+        self.hypot(other)
+    }
+    #[inline]
+    fn square(self) -> Self {
+        self.square()
+    }
+}
+
+impl<const LIMBS: usize> Real for Mp<LIMBS> {
+    #[inline]
+    fn pi() -> Self {
+        Self::pi()
     }
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
@@ -33,10 +44,6 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
         self.atan2(x)
     }
     #[inline]
-    fn hypot(self, other: Self) -> Self {
-        self.hypot(other)
-    }
-    #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self.mul_add(a, b)
     }
@@ -47,10 +54,6 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
     #[inline]
     fn cos(self) -> Self {
         self.cos()
-    }
-    #[inline]
-    fn square(self) -> Self {
-        self.square()
     }
 }
 
@@ -107,6 +110,15 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         self.exp_m1()
     }
 
+    /// From its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. One pair of sine and cosine, where the
+    /// inverse function costs twice that.
+    fn angle_of(sine: Self, cosine: Self) -> Self {
+        let start = Self::narrowed(Angle { sine, cosine });
+        let (s, c) = start.sin_cos();
+        let d = sine * c - cosine * s;
+        start + (d + d.square() * d / Self::of_int(6))
+    }
+
     /// At the least of a few widths that has a quarter of the bits and a guard limb.
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         match LIMBS {
@@ -141,5 +153,19 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
             97..=128 => task.run::<Mp<129>>(Mp::rounded, Self::rounded),
             _ => task.run::<Self>(|x| x, |x| x),
         }
+    }
+}
+
+/// The angle with this sine and cosine, at a lower precision.
+struct Angle<F> {
+    sine: F,
+    cosine: F,
+}
+
+impl<F: Float> AtPrecision<F> for Angle<F> {
+    type Output = F;
+
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
+        back(G::angle_of(there(self.sine), there(self.cosine)))
     }
 }

@@ -6,26 +6,25 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 impl<F: Float> Neg for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 }
 
-/// Accurate to the pair where the two do not cancel.
+/// Where the leading parts cancel, the rests may be as large as what is left, so that the sum is made a pair again.
 impl<F: Float> Add for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let sum = Self::sum(self.hi, other.hi);
-        Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
+        let sum = Self::two_sum(self.hi, other.hi);
+        Self::fast_two_sum(sum.hi, sum.lo + (self.lo + other.lo))
     }
 }
 
-/// As the sum.
 impl<F: Float> Sub for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -33,38 +32,41 @@ impl<F: Float> Sub for Pair<F> {
 
 impl<F: Float> Mul for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        let hi = self.hi * other.hi;
-        let cross = self.hi.times_plus(other.lo, self.lo * other.hi);
-        Self { hi, lo: self.hi.product_less(other.hi, hi) + cross }
+        let Self { hi, lo } = Self::two_prod(self.hi, other.hi);
+        Self { hi, lo: lo + self.hi.mul_add(other.lo, self.lo * other.hi) }
     }
 }
 
 impl<F: Float> Mul<F> for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn mul(self, other: F) -> Self {
-        let hi = self.hi * other;
-        Self { hi, lo: self.lo.times_plus(other, self.hi.product_less(other, hi)) }
+        let Self { hi, lo } = Self::two_prod(self.hi, other);
+        Self { hi, lo: self.lo.mul_add(other, lo) }
     }
 }
 
+/// By one quotient, 1/y: what it lacks in hi is in lo.
 impl<F: Float> Div for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: Self) -> Self {
-        let hi = self.hi / other.hi;
-        let rest = (-hi).times_plus(other.lo, self.lo) - hi.product_less(other.hi, self.hi);
-        Self { hi, lo: rest / other.hi }
+        let inverse = F::int(1) / other.hi;
+        let hi = self.hi * inverse;
+        let rest = (-hi).mul_add(other.lo, self.lo) + (-hi).mul_add(other.hi, self.hi);
+        Self { hi, lo: rest * inverse }
     }
 }
 
+/// As the quotient of two pairs.
 impl<F: Float> Div<F> for Pair<F> {
     type Output = Self;
-    #[inline]
+    #[inline(always)]
     fn div(self, other: F) -> Self {
-        let hi = self.hi / other;
-        Self { hi, lo: (self.lo - hi.product_less(other, self.hi)) / other }
+        let inverse = F::int(1) / other;
+        let hi = self.hi * inverse;
+        Self { hi, lo: (self.lo + (-hi).mul_add(other, self.hi)) * inverse }
     }
 }

@@ -1,57 +1,65 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
 
+use super::near::{Known, near};
 use super::slope::inner_change;
+use super::{border_force_ratio, is_stationary_value_larger};
 use crate::float::{AtPrecision, Float, Real, pair::Pair};
-use crate::phase_function::{PhaseFunction, arc_less_sine, one_minus_square};
+use crate::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
 /// The stationary value as a width of the cycle, and where it is.
 pub(super) struct Inner<F> {
     /// `(1 − Ω²) S`.
     pub(super) width: Pair<F>,
-    /// The phase τ* in (0, π).
-    pub(super) phase: F,
+    omega: F,
+    gamma: Pair<F>,
+    eta: F,
+    /// Whether T > 0, so that τ* lies in the first quarter.
+    rises: bool,
 }
 
 impl<F: Float> Inner<F> {
+    /// The phase τ* in (0, π), where the width asks for less of it than is known.
+    pub(super) fn phase(&self) -> F {
+        let condition = |eta| stationarity(self.omega, self.gamma.value(), eta);
+        let eta = root::newton(self.eta, F::int(0), F::pi(), condition).implicit_root(condition);
+        let tau = ((self.gamma + Pair::exact(eta)) * self.omega).value();
+        if self.rises { tau } else { F::pi() - tau }
+    }
+
+    /// Whether the border is here, and not at the turning point.
+    pub(super) fn is_border(&self, p: &PhaseFunction<F>) -> bool {
+        is_stationary_value_larger(p.one_minus_square(), self.omega, self.width, self.rises)
+    }
+
     /// `hypot(K, (1 − Ω²) S)`, whose squares can be out of range where Ω is very small.
     pub(super) fn force_ratio(&self, p: &PhaseFunction<F>) -> F {
-        let (k, width) = (p.pair(), self.width);
+        let (k, width) = (p.wide(), self.width);
         if p.omega() > F::exp2i(-F::RATIO_EXPONENT / 2) {
-            return k.hypot(width);
+            return border_force_ratio(k, width).value();
         }
         let down = F::exp2i(-F::RATIO_EXPONENT);
-        (k * down).hypot(width * down) / down
+        border_force_ratio(k * down, width * down).value() / down
     }
 }
 
 /// The stationary value below Ω = 1/2; `None` where T = 0.
 ///
-/// With sin γ = |sin β| and K: `(1 − Ω²) S = |K| [sin γ cos τ + sin η]/(sin γ sin τ)`, in which K and sin γ are pairs. S is
-/// stationary in η but not in τ and γ: τ = Ω(γ + η) is a pair, too, and what is left are the roundings of sin η, sin τ, cos τ.
-///
 /// Takes Ω alone and reduces it again, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
 pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
     let p = PhaseFunction::of_valid(omega);
-    let tangent = p.tangent();
-    if tangent == F::int(0) {
+    if p.is_even_subharmonic() {
         return None;
     }
-    let gamma = p.lobe_phase();
-    let eta = stationary_point(omega, gamma.value());
-    // τ lies in (0, π/2] and cos β is not zero.
-    let tau = (gamma + Pair::exact(eta)) * omega;
-    let (s, c) = tau.hi.sin_cos();
-    let (sin_tau, cos_tau) = (Pair::new(s, c * tau.lo), Pair::new(c, -(s * tau.lo)));
-    let sin_gamma = p.sine_magnitude();
-    let width =
-        p.refined().pair().abs() * (sin_gamma * cos_tau + Pair::exact(eta.sin())) / (sin_gamma * sin_tau);
-    let tau = tau.value();
+    let angle = LowAngle::of(&p);
+    let known = Known::new(omega, &angle, p.wide());
+    let eta = near(&known).unwrap_or_else(|| stationary_point(omega, known.gamma.value()));
+    let width = known.width(eta);
     // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
     let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
     let width = Pair::new(hi, width.lo.constant());
-    Some(Inner { width, phase: if tangent > F::int(0) { tau } else { F::pi() - tau } })
+    Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })
 }
 
 /// The derivative of `(1 − Ω²) S` by Ω.

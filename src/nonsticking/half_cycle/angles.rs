@@ -2,6 +2,7 @@
 
 use super::HalfCycle;
 use crate::float::Float;
+use crate::float::circular::sinc_cos_small;
 
 /// Sine and cosine of the two angles ψ and Ωψ, and of their half sum and half difference.
 pub(crate) struct Angles<F> {
@@ -55,42 +56,5 @@ impl<F: Float> HalfCycle<F> {
                 (s / self.one_minus_omega, c)
             }
         }
-    }
-}
-
-/// (sin x/x, cos x) by their series for |x| ≤ 3/8 at no more digits than f64 has.
-#[inline]
-fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
-    let square = x * x;
-    if F::PRECISION > f64::MANTISSA_DIGITS || square > F::ratio(9, 64) {
-        return None;
-    }
-    let series = |first: i32, last: i32| {
-        (first..=last)
-            .rev()
-            .step_by(2)
-            .fold(F::int(1), |sum, k| F::int(1) - square * F::ratio(1, k * (k + 1)) * sum)
-    };
-    Some((series(2, 12), F::int(1) - square * F::ratio(1, 2) * series(3, 11)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::sinc_cos_small;
-
-    #[test]
-    fn the_series_of_small_angles() {
-        assert_eq!(sinc_cos_small(0.0), Some((1.0, 1.0)));
-        for i in 1..=375 {
-            let x = f64::from(i) / 1000.0;
-            let (sinc, cos) = sinc_cos_small(x).unwrap();
-            assert!((sinc - x.sin() / x).abs() <= 2.0 * f64::EPSILON, "{x}: {sinc}");
-            assert!((cos - x.cos()).abs() <= 2.0 * f64::EPSILON, "{x}: {cos}");
-        }
-        assert_eq!(sinc_cos_small(0.376), None);
-        assert!(sinc_cos_small(0.1f32).is_some());
-        // More digits than the series has.
-        #[cfg(feature = "mp")]
-        assert_eq!(sinc_cos_small(crate::float::mp::Mp::<1>::of_f64(0.1)), None);
     }
 }

@@ -2,7 +2,7 @@
 
 use super::balanced::Balanced;
 use super::{Given, Unknowns};
-use crate::float::{Float, Real};
+use crate::float::{Field, Float};
 use nalgebra::{DMatrix, RealField};
 
 /// The largest term of eq. 21–25.
@@ -20,7 +20,7 @@ pub(super) fn in_last_places<F: Float>(residual: F, size: F) -> F {
 /// of their terms.
 pub(super) fn lost_bits<F: Float + RealField>(system: &Balanced<F>, u: &Unknowns<F>) -> u32 {
     let given = system.given();
-    let one = <F as Real>::int(1);
+    let one = <F as Field>::int(1);
     let parts =
         [system.omega, one / system.omega, given.friction_displacement, given.rho(u), given.offset(u)];
     let terms = parts.into_iter().fold(1.0, |sum, x| sum + Float::to_f64(x).abs());

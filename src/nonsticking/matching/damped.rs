@@ -23,7 +23,7 @@ use super::newton::{
     MatchingError, Solution, in_order, iterate, largest, most_iterations, newton_step, positive, unknowns,
 };
 use crate::error::written;
-use crate::float::{Float, Real};
+use crate::float::{Field, Float};
 use crate::nonsticking::damped::free::Free;
 use crate::ratios::Ratios;
 use nalgebra::RealField;
@@ -218,7 +218,7 @@ fn settled(system: &System<f64>, from: &Unknowns<f64>) -> Option<Unknowns<f64>> 
 /// Solves eq. 21–25 at (Ω, α, ζ), ζ > 0.
 pub(super) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
-    let one = <F as Real>::int(1);
+    let one = <F as Field>::int(1);
     let system = System::new(omega, ratios.damping_ratio(), one / alpha);
     let near = path(&system.at_less()).map_err(|part| MatchingError::NoCycle {
         omega: written(omega),
@@ -239,12 +239,12 @@ pub(super) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<
     positive("Δ₀/B", u.max_displacement)?;
     let (residuals, jacobian) = system.equations(&u);
     let (p, q) = system.forced;
-    let amplitude = Real::hypot(p, q);
+    let amplitude = Field::hypot(p, q);
     let parts = [one, amplitude, u.max_displacement, u.max_velocity, omega * amplitude];
     let size = parts.into_iter().fold(system.friction, F::or_larger);
     let residuals = residuals.map(|r| super::accuracy::in_last_places(r, size));
     let lost_bits = super::accuracy::lost_bits_of(&jacobian, Float::to_f64(size), &u);
-    if largest(&residuals) > <F as Real>::int(64) * (one + one / omega) {
+    if largest(&residuals) > <F as Field>::int(64) * (one + one / omega) {
         return Err(MatchingError::NoConvergence { iterations, step: found.step, residual: found.residual });
     }
     u = Unknowns {

@@ -26,7 +26,7 @@ use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
 use super::{Given, Unknowns, fastest, start};
 use crate::error::{Error, written};
-use crate::float::{Float, Real};
+use crate::float::{Field, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
 use nalgebra::{DMatrix, DVector, RealField};
@@ -139,7 +139,7 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
         return super::damped::solve(ratios);
     }
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
-    if omega == <F as Real>::int(1) {
+    if omega == <F as Field>::int(1) {
         return Err(MatchingError::Resonance);
     }
     let phase_function = PhaseFunction::new(omega)?;
@@ -166,7 +166,7 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     };
     let unknowns = in_units_of_b(&u, alpha / q);
     positive("Δ₀/B", unknowns.max_displacement)?;
-    let given = Given { amplitude: alpha / q, friction_displacement: <F as Real>::int(1), omega };
+    let given = Given { amplitude: alpha / q, friction_displacement: <F as Field>::int(1), omega };
     let size = largest_term(&given, &unknowns);
     let residuals = given.residuals(&unknowns).map(|r| in_last_places(r, size));
     if faster.is_some() || largest(&residuals) > rounding(omega) {
@@ -207,7 +207,7 @@ pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>,
     positive("force ratio α", force_ratio)?;
     let amplitude = force_ratio / q;
     let unknowns = in_units_of_b(&unknowns(&[t1, t2, v, d, e]), amplitude);
-    let one = <F as Real>::int(1);
+    let one = <F as Field>::int(1);
     let given = Given { amplitude, friction_displacement: one, omega };
     let size = largest_term(&given, &unknowns);
     let [r1, r2, r3, r4, r5] = given.residuals(&unknowns);
@@ -285,7 +285,7 @@ pub(super) fn newton_step<F: Float + RealField, const N: usize>(
 ) -> Option<[F; N]> {
     let matrix = DMatrix::from_row_iterator(N, N, jacobian.iter().flatten().copied());
     let step = matrix.lu().solve(&DVector::from_column_slice(residuals))?;
-    let mut result = [<F as Real>::int(0); N];
+    let mut result = [<F as Field>::int(0); N];
     for (slot, value) in result.iter_mut().zip(step.iter()) {
         *slot = *value;
     }
@@ -305,8 +305,8 @@ pub(super) fn iterate<F: Float + RealField, const N: usize>(
     start: [F; N],
     mut system: impl FnMut(&[F; N]) -> ([F; N], [[F; N]; N]),
 ) -> Result<Found<F, N>, MatchingError> {
-    let (mut at, mut last) = (start, <F as Real>::int(1));
-    let small = Real::sqrt(<F as Float>::epsilon());
+    let (mut at, mut last) = (start, <F as Field>::int(1));
+    let small = Field::sqrt(<F as Float>::epsilon());
     let mut residual = last;
     for iterations in 1..=most_iterations::<F>() {
         let (residuals, jacobian) = system(&at);
@@ -316,8 +316,8 @@ pub(super) fn iterate<F: Float + RealField, const N: usize>(
             *x -= *dx;
         }
         let size = largest(&step);
-        let least = last <= small || residual <= <F as Real>::int(16) * <F as Float>::epsilon();
-        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Real>::ratio(3, 2) >= last);
+        let least = last <= small || residual <= <F as Field>::int(16) * <F as Float>::epsilon();
+        let settled = size <= <F as Float>::epsilon() || (least && size * <F as Field>::ratio(3, 2) >= last);
         if settled {
             let (step, residual) = (Float::to_f64(size), Float::to_f64(residual));
             return Ok(Found { at, iterations, step, residual });

@@ -3,6 +3,7 @@
 use super::balanced::Balanced;
 use super::fastest;
 use super::newton::{in_order, largest, newton_step, unknowns};
+use crate::float::{Field, Real};
 use core::f64::consts::{FRAC_PI_2, PI};
 
 /// A point of the path: the unknowns of the system with a friction.
@@ -103,7 +104,7 @@ fn off_the_other_branch(at: [f64; 5], below: bool) -> [f64; 5] {
     let [t1, t2, v, d, e] = at;
     let least = 1e-6;
     let shift = if sign * d < least { sign * least - d } else { 0.0 };
-    [t1, t2 + shift / t2.cos(), v, d + shift, e]
+    [t1, t2 + shift / Real::cos(t2), v, d + shift, e]
 }
 
 /// A cycle near the border: where the force left over at t₂ has fallen to a tenth, or the path ends before.
@@ -113,7 +114,7 @@ pub(super) fn on_the_border(system: &Balanced<f64>, sign: f64) -> [f64; 6] {
     let excess = |p: &Point| Balanced { friction: p.friction, ..*system }.turning_point(&unknowns(&p.at));
     let whole = excess(&start);
     // More friction than any border has: the force left over is gone, or the path at its end, long before.
-    let beyond = sign * 8.0 * (1.0 + system.omega).powi(2);
+    let beyond = sign * 8.0 * (1.0 + system.omega).square();
     let end = follow(system, start, beyond, |p| excess(p) / whole);
     let [t1, t2, v, d, e] = end.at;
     [t1, t2, v, d, e, end.friction]

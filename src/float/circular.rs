@@ -1,4 +1,4 @@
-//! Circular functions on the bounded angles a batch needs, without branches.
+//! Circular functions on bounded angles, without branches, so that loops over them become vector instructions.
 //!
 //! Polynomials that interpolate at Chebyshev nodes, found at 60 digits and rounded; the errors below are those
 //! of the rounded coefficients, without the rounding of their evaluation:
@@ -13,15 +13,17 @@
 //! | cos x | \|x\| ≤ 0.28125 | 1 − x²/2 + x⁴ C₃(x²) | 4.0e-18 |
 //! | atan t | \|t\| ≤ tan π/8 | t (1 + t² A₁₀(t²)) | 7.1e-18 of it |
 
+use super::{Float, pair::Pair};
+
 /// Coefficients from the constant term up, of S and C in the table.
 #[derive(Clone, Copy)]
-pub(crate) struct SinCos<const S: usize, const C: usize> {
-    sin: [f64; S],
-    cos: [f64; C],
+pub(crate) struct SinCos<F, const S: usize, const C: usize> {
+    sin: [F; S],
+    cos: [F; C],
 }
 
 /// For |x| ≤ π/2.
-pub(crate) const TO_HALF_PI: SinCos<8, 8> = SinCos {
+pub(crate) const TO_HALF_PI: SinCos<f64, 8, 8> = SinCos {
     sin: [
         -0.166_666_666_666_666_66,
         0.008_333_333_333_333_316,
@@ -44,7 +46,7 @@ pub(crate) const TO_HALF_PI: SinCos<8, 8> = SinCos {
     ],
 };
 /// For |x| ≤ 1.0625.
-pub(crate) const TO_ONE: SinCos<7, 6> = SinCos {
+pub(crate) const TO_ONE: SinCos<f64, 7, 6> = SinCos {
     sin: [
         -0.166_666_666_666_666_66,
         0.008_333_333_333_333_264,
@@ -64,7 +66,7 @@ pub(crate) const TO_ONE: SinCos<7, 6> = SinCos {
     ],
 };
 /// For |x| ≤ 0.28125.
-pub(crate) const TO_QUARTER: SinCos<5, 4> = SinCos {
+pub(crate) const TO_QUARTER: SinCos<f64, 5, 4> = SinCos {
     sin: [
         -0.166_666_666_666_666_66,
         0.008_333_333_333_332_719,
@@ -81,10 +83,10 @@ pub(crate) const TO_QUARTER: SinCos<5, 4> = SinCos {
 };
 /// Coefficients from the constant term up, of A in the table.
 #[derive(Clone, Copy)]
-pub(crate) struct Arctangent([f64; 11]);
+pub(crate) struct Arctangent<F>([F; 11]);
 
 /// The only ones.
-pub(crate) const ARCTANGENT: Arctangent = Arctangent([
+pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
     -0.333_333_333_333_333_3,
     0.199_999_999_999_955_2,
     -0.142_857_142_846_665_42,
@@ -100,6 +102,7 @@ pub(crate) const ARCTANGENT: Arctangent = Arctangent([
 
 /// Coefficients as numbers that the compiler does not know: it then keeps each in a vector for the whole of a loop, where it would make
 /// it again from the constant for every use, a quarter of a loop's instructions with AVX2.
+#[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn held<T>(coefficients: T) -> T {
     core::hint::black_box(coefficients)
@@ -107,57 +110,130 @@ pub(crate) fn held<T>(coefficients: T) -> T {
 
 /// A polynomial by Horner's rule, fused.
 #[inline(always)]
-pub(crate) fn polynomial<const N: usize>(coefficients: &[f64; N], z: f64) -> f64 {
+pub(crate) fn polynomial<F: Float, const N: usize>(coefficients: &[F; N], z: F) -> F {
     let mut falling = coefficients.iter().rev();
-    let first = falling.next().copied().unwrap_or(0.0);
-    falling.fold(first, |sum, &c| f64::mul_add(sum, z, c))
+    let first = falling.next().copied().unwrap_or(z);
+    falling.fold(first, |sum, &c| sum.mul_add(z, c))
 }
 
-impl<const S: usize, const C: usize> SinCos<S, C> {
+impl<const S: usize, const C: usize> SinCos<f64, S, C> {
+    /// The same in another number type.
+    #[inline(always)]
+    pub(crate) fn of<F: Float>(&self) -> SinCos<F, S, C> {
+        SinCos { sin: self.sin.map(F::from_f64), cos: self.cos.map(F::from_f64) }
+    }
+}
+
+impl<F: Float, const S: usize, const C: usize> SinCos<F, S, C> {
     /// `(sin x, cos x)`.
     #[inline(always)]
-    pub(crate) fn sin_cos(&self, x: f64) -> (f64, f64) {
+    pub(crate) fn sin_cos(&self, x: F) -> (F, F) {
         let z = x * x;
         ((polynomial(&self.sin, z) * z).mul_add(x, x), self.cos(z))
     }
 
+    /// `(sin x, cos x)`, of which the roundings of all but the leading terms are left.
+    #[inline(always)]
+    pub(crate) fn wide(&self, x: Pair<F>) -> (Pair<F>, Pair<F>) {
+        let (one, half) = (F::int(1), F::ratio(1, 2));
+        let square = Pair::two_prod(x.hi, x.hi);
+        let z = square.hi;
+        // sin x − x and cos x − 1 + x²/2
+        let (bend, rest) = (polynomial(&self.sin, z) * z * x.hi, polynomial(&self.cos, z) * z * z);
+        let fall = Pair::fast_two_sum(one, -(half * z));
+        let (sine, cosine) = (x.hi + bend, fall.hi + rest);
+        let less = (-half).mul_add(square.lo, fall.lo);
+        (
+            Pair::fast_two_sum(x.hi, cosine.mul_add(x.lo, bend)),
+            Pair::fast_two_sum(fall.hi, (-sine).mul_add(x.lo, less) + rest),
+        )
+    }
+
     /// `((sin x)/x, cos x)`.
     #[inline(always)]
-    pub(crate) fn sinc_cos(&self, x: f64) -> (f64, f64) {
+    pub(crate) fn sinc_cos(&self, x: F) -> (F, F) {
         let z = x * x;
-        (polynomial(&self.sin, z).mul_add(z, 1.0), self.cos(z))
+        (polynomial(&self.sin, z).mul_add(z, F::int(1)), self.cos(z))
     }
 
     #[inline(always)]
-    fn cos(&self, square: f64) -> f64 {
-        polynomial(&self.cos, square).mul_add(square, -0.5).mul_add(square, 1.0)
+    fn cos(&self, square: F) -> F {
+        polynomial(&self.cos, square).mul_add(square, -F::ratio(1, 2)).mul_add(square, F::int(1))
     }
 }
 
-impl Arctangent {
+impl Arctangent<f64> {
+    /// The same in another number type.
+    #[inline(always)]
+    pub(crate) fn of<F: Float>(&self) -> Arctangent<F> {
+        Arctangent(self.0.map(F::from_f64))
+    }
+}
+
+impl<F: Float> Arctangent<F> {
+    /// The angle in [0, π] with this sine ≥ 0 and this cosine.
+    #[inline(always)]
+    pub(crate) fn angle(&self, sine: F, cosine: F) -> F {
+        let acute = self.first_quadrant_angle(sine, cosine.abs(), F::int(1));
+        if cosine < F::int(0) { F::pi() - acute } else { acute }
+    }
+
     /// The angle in [0, π/2] of the point with ordinate `y` ≥ 0 and abscissa `x` ≥ 0.
     ///
     /// With `r = hypot(x, y)` its half has the tangent `y/(x + r)`, at most 1; beyond tan π/8 that is taken from π/4.
     #[inline(always)]
-    pub(crate) fn first_quadrant_angle(&self, y: f64, x: f64, r: f64) -> f64 {
-        use core::f64::consts::FRAC_PI_2;
+    pub(crate) fn first_quadrant_angle(&self, y: F, x: F, r: F) -> F {
         let sum = x + r;
         // tan(a − π/4) = (tan a − 1)/(tan a + 1)
-        let beyond = y > 0.414_213_562_373_095_05 * sum;
+        let beyond = y > F::ratio(29, 70) * sum;
         let numerator = if beyond { y - sum } else { y };
         let denominator = if beyond { y + sum } else { sum };
         let t = numerator / denominator;
         let z = t * t;
         let tail = polynomial(&self.0, z) * z * t;
-        let base = if beyond { FRAC_PI_2 } else { 0.0 };
-        2.0f64.mul_add(t + tail, base)
+        let base = if beyond { F::pi() * F::ratio(1, 2) } else { F::int(0) };
+        F::int(2).mul_add(t + tail, base)
     }
+}
+
+/// (sin x/x, cos x) by their series for |x| ≤ 3/8 at no more digits than f64 has.
+#[inline]
+pub(crate) fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
+    let square = x * x;
+    if F::PRECISION > f64::MANTISSA_DIGITS || square > F::ratio(9, 64) {
+        return None;
+    }
+    let series = |first: i32, last: i32| {
+        (first..=last).rev().step_by(2).fold(F::int(1), |sum, k| {
+            F::int(1) - square * F::ratio(1, k.saturating_mul(k.saturating_add(1))) * sum
+        })
+    };
+    Some((series(2, 12), F::int(1) - square * F::ratio(1, 2) * series(3, 11)))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{ARCTANGENT, TO_HALF_PI, TO_ONE, TO_QUARTER};
+    use super::{ARCTANGENT, TO_HALF_PI, TO_ONE, TO_QUARTER, sinc_cos_small};
     use std::f64::consts::FRAC_PI_2;
+
+    /// Against 256 bits.
+    #[cfg(feature = "mp")]
+    #[test]
+    fn wide_has_a_third_of_a_unit() {
+        use super::Pair;
+        use crate::float::mp::Mp;
+        let (mut worst_sine, mut worst_cosine): (f64, f64) = (0.0, 0.0);
+        for i in 1..=20_000 {
+            let x = Pair::new(f64::from(i) / 20_000.0 * 1.0625, 1e-17);
+            let (s, c) = TO_HALF_PI.wide(x);
+            let (sine, cosine) = (Mp::<4>::from(x.hi) + Mp::from(x.lo)).sin_cos();
+            let off = |found: Pair<f64>, exact: Mp<4>| {
+                ((Mp::from(found.hi) + Mp::from(found.lo) - exact) / exact).abs().to_f64() / f64::EPSILON
+            };
+            (worst_sine, worst_cosine) = (worst_sine.max(off(s, sine)), worst_cosine.max(off(c, cosine)));
+        }
+        assert!(worst_sine < 0.34 && worst_cosine < 0.34, "{worst_sine} {worst_cosine}");
+    }
 
     /// Within `ulps` of the system's own, which is right to one unit in the last place.
     fn close(a: f64, b: f64, scale: f64, ulps: f64, at: f64) {
@@ -178,7 +254,7 @@ mod tests {
             let (sinc, c) = TO_QUARTER.sinc_cos(x * 0.28125);
             both((x * 0.28125 * sinc, c), x * 0.28125);
             let angle = x.abs() * FRAC_PI_2;
-            let (y, x) = angle.sin_cos();
+            let (y, x) = f64::sin_cos(angle);
             close(
                 ARCTANGENT.first_quadrant_angle(y, x.abs(), x.hypot(y)),
                 y.atan2(x.abs()),
@@ -187,5 +263,21 @@ mod tests {
                 angle,
             );
         }
+    }
+
+    #[test]
+    fn the_series_of_small_angles() {
+        assert_eq!(sinc_cos_small(0.0), Some((1.0, 1.0)));
+        for i in 1..=375 {
+            let x = f64::from(i) / 1000.0;
+            let (sinc, cos) = sinc_cos_small(x).unwrap();
+            assert!((sinc - x.sin() / x).abs() <= 2.0 * f64::EPSILON, "{x}: {sinc}");
+            assert!((cos - x.cos()).abs() <= 2.0 * f64::EPSILON, "{x}: {cos}");
+        }
+        assert_eq!(sinc_cos_small(0.376), None);
+        assert!(sinc_cos_small(0.1f32).is_some());
+        // More digits than the series has.
+        #[cfg(feature = "mp")]
+        assert_eq!(sinc_cos_small(crate::float::mp::Mp::<1>::of_f64(0.1)), None);
     }
 }

@@ -3,61 +3,57 @@
 //! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the reversed series, then one
 //! step of Halley's with the polynomial. What the series leaves is of the fourth power of h, and the step makes the cube of that.
 
-use super::circular::held;
-
-/// The largest distance from start to root, in the angle of the faster wave: x⁸/8! is 2.3e-17 there.
-const FARTHEST: f64 = 1.0 / 32.0;
-/// The largest of Halley's steps, whose cube is below rounding.
-const GREATEST_CORRECTION: f64 = 1.0 / (1u64 << 20) as f64;
-
-/// 1/n, n from 2 to 7.
-#[derive(Clone, Copy)]
-pub(crate) struct Reciprocals([f64; 6]);
-
-impl Reciprocals {
-    #[inline(always)]
-    pub(crate) fn new() -> Self {
-        Self(held([1.0 / 2.0, 1.0 / 3.0, 1.0 / 4.0, 1.0 / 5.0, 1.0 / 6.0, 1.0 / 7.0]))
-    }
-}
+use crate::float::Float;
 
 /// The motion at one centred time ψ.
 #[derive(Clone, Copy)]
-pub(crate) struct Moment {
+pub(crate) struct Moment<F> {
     /// ψ.
-    pub(crate) psi: f64,
+    pub(crate) psi: F,
     /// v/(Bω_n).
-    pub(crate) velocity: f64,
+    pub(crate) velocity: F,
     /// Its derivative by ψ.
-    pub(crate) slope: f64,
+    pub(crate) slope: F,
     /// x/B.
-    pub(crate) displacement: f64,
+    pub(crate) displacement: F,
     /// `(F sin ψ, F cos ψ)`.
-    pub(crate) forcing: (f64, f64),
+    pub(crate) forcing: (F, F),
     /// Ω².
-    pub(crate) square: f64,
+    pub(crate) square: F,
     /// 1/max(Ω, 1).
-    pub(crate) slower: f64,
+    pub(crate) slower: F,
 }
 
 /// Where the velocity is greatest.
 #[derive(Clone, Copy)]
-pub(crate) struct Fastest {
+pub(crate) struct Arrived<F> {
     /// ψ.
-    pub(crate) psi: f64,
-    /// V₀/(Bω_n).
-    pub(crate) velocity: f64,
+    pub(crate) psi: F,
+    /// What of the greatest v/(Bω_n) the velocity at the moment lacks.
+    pub(crate) gain: F,
     /// Δ₁/B.
-    pub(crate) displacement: f64,
+    pub(crate) displacement: F,
     /// Whether there is a maximum of the velocity, and near enough.
     pub(crate) is_found: bool,
 }
 
-impl Moment {
+/// 1/n, n from 2 to 7.
+#[derive(Clone, Copy)]
+pub(crate) struct Reciprocals<F>([F; 6]);
+
+impl<F: Float> Reciprocals<F> {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self([2, 3, 4, 5, 6, 7].map(|n| F::ratio(1, n)))
+    }
+}
+
+impl<F: Float> Moment<F> {
     /// The maximum of the velocity near this moment.
     #[inline(always)]
-    pub(crate) fn fastest(&self, reciprocals: &Reciprocals) -> Fastest {
+    pub(crate) fn fastest(&self, reciprocals: &Reciprocals<F>) -> Arrived<F> {
         let &Self { velocity: value, slope: f0, forcing: (fs, fc), square, .. } = self;
+        // v″ = −Ω²v + F sin ψ, and so on
         let f1 = (-square).mul_add(value, fs);
         let f2 = (-square).mul_add(f0, fc);
         let f3 = (-square).mul_add(f1, -fs);
@@ -66,11 +62,11 @@ impl Moment {
         let f6 = (-square).mul_add(f4, fc);
         let f7 = (-square).mul_add(f5, -fs);
 
-        let quotient = 1.0 / f1;
+        let quotient = F::int(1) / f1;
         let newton = -(f0 * quotient);
         let [half, .., sixth, _] = reciprocals.0;
         let (b2, b3) = (half * f2 * quotient, sixth * f3 * quotient);
-        let cubic = (2.0 * b2).mul_add(b2, -b3).mul_add(newton, -b2);
+        let cubic = (b2 + b2).mul_add(b2, -b3).mul_add(newton, -b2);
         let h = (newton * newton).mul_add(cubic, newton);
         let [h2, h3, h4, h5, h6, h7] = reciprocals.0.map(|reciprocal| h * reciprocal);
         let rest = f7.mul_add(h7, f6).mul_add(h6, f5).mul_add(h5, f4).mul_add(h4, f3);
@@ -79,19 +75,24 @@ impl Moment {
         let last = -(rest / slope);
         let last = (-b2 * last).mul_add(last, last);
         let rise = f6.mul_add(h7, f5).mul_add(h6, f4).mul_add(h5, f3).mul_add(h4, f2);
-        let rise = rise.mul_add(h3, f1).mul_add(h2, f0).mul_add(h, value);
+        let gain = rise.mul_add(h3, f1).mul_add(h2, f0) * h;
+        let rise = value + gain;
+        let gain = (half * rest).mul_add(last, gain);
         let step = h + last;
         // dx/dψ = −v; the correction changes the displacement by v times itself.
         let fall = f5.mul_add(h7, f4).mul_add(h6, f3).mul_add(h5, f2).mul_add(h4, f1);
         let fall = fall.mul_add(h3, f0).mul_add(h2, value);
         let displacement = (-last).mul_add(rise, (-h).mul_add(fall, self.displacement));
-        Fastest {
+        // The largest distance from start to root, in the angle of the faster wave: x⁸/8! is 2.3e-17 there. The largest of
+        // Halley's steps, whose cube is below rounding.
+        let (farthest, greatest_correction) = (F::ratio(1, 1 << 5), F::ratio(1, 1 << 20));
+        Arrived {
             psi: self.psi + step,
-            velocity: (half * rest).mul_add(last, rise),
+            gain,
             displacement,
-            is_found: (h.abs() <= FARTHEST * self.slower)
-                & (last.abs() <= GREATEST_CORRECTION * self.slower)
-                & (f1 < 0.0),
+            is_found: (h.abs() <= farthest * self.slower)
+                & (last.abs() <= greatest_correction * self.slower)
+                & (f1 < F::int(0)),
         }
     }
 }

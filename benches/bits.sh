@@ -1,0 +1,17 @@
+#!/usr/bin/env bash
+# The bits of answers at f64 do not depend on the target they are compiled for, nor on being asked alone or in a batch: builds
+# benches/bits.rs for x86-64, x86-64-v3 and this processor, and compares what they print. POINTS (100000) as first argument.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+points=${1:-100000}
+bits() { # TARGET
+    RUSTFLAGS="-C target-cpu=$1" CARGO_TARGET_DIR="target/bits-$1" cargo bench --quiet --features batch --bench bits -- "$points"
+}
+first=""
+for target in x86-64 x86-64-v3 native; do
+    echo "$target:"
+    found=$(bits "$target")
+    echo "$found"
+    [ -z "$first" ] || [ "$found" = "$first" ] || { echo "$target gives other bits than x86-64"; exit 1; }
+    first=$found
+done

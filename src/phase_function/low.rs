@@ -1,0 +1,68 @@
+//! The angle β = π/2Ω of an Ω below 1/2, as its nearest multiple of π/2 and what is left, without branches.
+
+use super::PhaseFunction;
+#[cfg(feature = "batch")]
+use super::value::of_remainder;
+use crate::float::{Float, pair::Pair};
+
+/// `β = q π/2 + w`, |w| ≤ π/4.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LowAngle<F> {
+    /// Whether q is even.
+    is_even: bool,
+    /// Whether the sign of sin β is not that of cos w for an odd q, of sin w for an even one.
+    is_turned: bool,
+    w: Pair<F>,
+}
+
+impl<F: Float> LowAngle<F> {
+    /// For 2⁻¹⁰ ≤ Ω < 1/2, where 1/Ω has a fraction; and whether q is the nearest, which rounding of 1/Ω can miss.
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn of_moderate(omega: F) -> (Self, bool) {
+        let (one, four) = (F::int(1), F::int(4));
+        let q = (one / omega).round();
+        let rest = (-q).mul_add(omega, one);
+        // q mod 4, in {−2, −1, 0, 1, 2}
+        let quarter = (-four).mul_add((q * F::ratio(1, 4)).round(), q);
+        let is_even = quarter.abs() != one;
+        let is_turned = (quarter.abs() == F::int(2)) | (quarter == -one);
+        (Self { is_even, is_turned, w: super::remainder(omega, rest) }, rest.abs() * F::int(2) <= omega)
+    }
+
+    /// That of a phase function below Ω = 1/2.
+    #[inline(always)]
+    pub(crate) fn of(p: &PhaseFunction<F>) -> Self {
+        Self { is_even: p.quarter & 1 == 0, is_turned: p.quarter & 2 != 0, w: p.remainder }
+    }
+
+    /// K(Ω).
+    #[cfg(feature = "batch")]
+    #[inline(always)]
+    pub(crate) fn phase_function(&self, omega: F) -> Pair<F> {
+        of_remainder(omega, self.is_even, self.w)
+    }
+
+    /// `(sin β, cos β)`.
+    #[inline(always)]
+    pub(crate) fn sin_cos(&self) -> (Pair<F>, Pair<F>) {
+        let (s, c) = F::sin_cos_acute(self.w);
+        let (sine, cosine) = if self.is_even { (s, c) } else { (c, -s) };
+        if self.is_turned { (-sine, -cosine) } else { (sine, cosine) }
+    }
+
+    /// `γ = β mod π`, in [0, π).
+    #[inline(always)]
+    pub(crate) fn lobe_phase(&self) -> Pair<F> {
+        let (pi, zero) = (Pair::pi(), F::int(0));
+        let half = if self.is_even { Pair::exact(zero) } else { pi * F::ratio(1, 2) };
+        let start = if self.is_even & (self.w.hi < zero) { pi } else { half };
+        start + self.w
+    }
+
+    /// Whether T = tan β > 0.
+    #[inline(always)]
+    pub(crate) fn is_tangent_positive(&self) -> bool {
+        self.is_even == (self.w.hi > F::int(0))
+    }
+}

@@ -1,0 +1,65 @@
+//! What is proved is what runs: a formula has one text, so that none asks how many digits its numbers have, and none does by hand
+//! what the arithmetic of `float` does.
+
+use std::fs::{read_dir, read_to_string};
+use std::path::{Path, PathBuf};
+
+/// The files under `folder`, with what their names end in after `src/`.
+fn files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+/// The files of the library, without the command, of which `asks` is true: the lines of code before their tests.
+fn files_that(asks: impl Fn(&str) -> bool) -> Vec<String> {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut found = Vec::new();
+    files(&source, &mut found);
+    let mut names: Vec<_> = found
+        .into_iter()
+        .filter(|path| {
+            let text = read_to_string(path).unwrap();
+            let code = text.split("#[cfg(test)]\nmod tests").next().unwrap();
+            code.lines().any(|line| !line.trim_start().starts_with("//") && asks(line))
+        })
+        .map(|path| path.strip_prefix(&source).unwrap().to_str().unwrap().replace('\\', "/"))
+        .filter(|name| !name.starts_with("bin/"))
+        .collect();
+    names.sort();
+    names
+}
+
+/// The arithmetic itself and the reduction of the argument may ask and split.
+fn is_arithmetic(name: &str) -> bool {
+    ["float.rs", "float/", "phase_function.rs", "phase_function/"].iter().any(|room| name.starts_with(room))
+}
+
+#[test]
+fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
+    let asking = files_that(|line| line.contains("PRECISION") && line.contains("MANTISSA_DIGITS"));
+    let asking: Vec<_> = asking.into_iter().filter(|name| !is_arithmetic(name)).collect();
+    let starts = [
+        "nonsticking/border/near.rs",
+        "nonsticking/border/stationary.rs",
+        "nonsticking/damped/border.rs",
+        "nonsticking/damped/fastest.rs",
+        "nonsticking/velocity.rs",
+    ];
+    assert_eq!(asking, starts);
+}
+
+#[test]
+fn the_transformations_without_error_stay_in_the_arithmetic() {
+    let names = ["two_sum(", "two_prod(", "fast_two_sum(", "split("];
+    let splitting = files_that(|line| names.iter().any(|name| line.contains(&format!("Pair::{name}"))));
+    let outside: Vec<_> = splitting.iter().filter(|name| !is_arithmetic(name)).collect();
+    assert!(outside.is_empty(), "{outside:?}");
+    // What is looked for is what is there.
+    assert!(splitting.iter().any(|name| name == "phase_function/excess.rs"), "{splitting:?}");
+}
