@@ -171,9 +171,12 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
         return questions(omega, target, alpha, low, high);
     }
     let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
-    // The rounding of α in the terms that a target is the difference of.
+    // The rounding of α in the terms that a target is the difference of, and where a = √(α² − K²)/q takes up all of it.
     let stiffness = (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
-    let slack = |force: f64| 1e-9 + 1e-12 * (force / stiffness + 2.0) * (1.0 + 1.0 / omega) / target;
+    let slack = |force: f64| {
+        let swing = force / stiffness / target;
+        1e-9 + 1e-12 * (swing + 2.0 / target) * (1.0 + 1.0 / omega) + 1e-14 * swing * swing
+    };
     let by_displacement = design::force_ratio_for_displacement_with_damping(omega, zeta, target);
     if let Ok(force) = by_displacement
         && let Ok(cycle) = at(omega, force.max(least)).and_then(Cycle::new)

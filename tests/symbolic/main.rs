@@ -5,6 +5,7 @@
 mod angles;
 mod balanced;
 mod border;
+mod damped;
 mod den_hartog;
 mod dissipation;
 mod fraction;
