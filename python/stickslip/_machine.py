@@ -187,6 +187,7 @@ class Machine:
         """The answer in closed form, in ratios and, as ``physical``, in the units of the machine; see `response`."""
         ratios, scales = self._ratios(drive)
         answer = response(ratios["omega"], ratios["alpha"], ratios["damping_ratio"], outputs=outputs)
+        answer = _felt_around(answer, drive, ratios)
         physical = _in_units(answer, drive, ratios, scales)
         if "best_force_energy" in physical:
             # The loop at the best force, not at this one.
@@ -257,6 +258,18 @@ def _single(drive: Drive) -> tuple[str, float, float]:
     if shape is not None:
         raise _native.Error("a design takes a drive of one amplitude and one frequency")
     return drive.excitation, amplitude.item(), frequency.item()
+
+
+def _felt_around(answer: Response, drive: Drive, ratios: Mapping[str, Any]) -> Response:
+    """The answer with what foot and surface together feel where the foot moves: ``m x''``, for nothing else acts on the body."""
+    found = answer.to_dict()
+    if "foot" not in drive.excitation or found.get("max_acceleration") is None:
+        return answer
+    force = found["max_acceleration"] * ratios["omega"] ** 2
+    for name, value in (("transmitted_force", force), ("transmissibility", force / ratios["alpha"])):
+        if name in found:
+            found[name] = value
+    return Response(found)
 
 
 def _in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]) -> dict[str, Any]:

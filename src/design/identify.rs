@@ -104,6 +104,11 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
             return Err(Error::TooFewMeasurements { count, of: points.len() });
         }
         if slides == used {
+            let [a, b, c] = normal(&points, &used, parameters).matrix;
+            // One amplitude at one frequency is that of many pairs of friction and damping.
+            if a * c - b * b <= LEAST_ANGLE * a * c {
+                return Err(Error::NotIdentified);
+            }
             return Ok(report(&points, &used, parameters, force));
         }
         used = slides;
@@ -114,6 +119,8 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 
 /// Choices of measurements that are tried.
 const ROUNDS: usize = 50;
+/// The least sin² of the angle between the derivatives by both parameters, below which the measurements do not tell them apart.
+const LEAST_ANGLE: f64 = 1e-12;
 /// Steps of a descent.
 const STEPS: usize = 200;
 /// The least damping ratio that is told from none.
@@ -217,7 +224,13 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
         let (g, h) = (here.gradient[0] * kappa, here.gradient[1] * zeta);
         let (p, q) = (a * (1.0 + damping), c * (1.0 + damping));
         let determinant = p * q - b * b;
-        let step = [(b * h - q * g) / determinant, (b * g - p * h) / determinant];
+        // No damper at all is the end of the range: from there on friction alone is sought.
+        let at_the_end = zeta <= LEAST_DAMPING && b * g <= p * h;
+        let step = if at_the_end {
+            [-g / p, 0.0]
+        } else {
+            [(b * h - q * g) / determinant, (b * g - p * h) / determinant]
+        };
         if !step.iter().all(|s| s.is_finite()) {
             return Err(Error::NotIdentified);
         }
@@ -310,6 +323,22 @@ mod tests {
 
     fn found(curve: &[Measurement]) -> Identified {
         identify(&body(1.0, 0.0), FORCE, curve).unwrap()
+    }
+
+    #[test]
+    fn a_body_without_a_damper_is_found() {
+        for (friction, count) in [(0.3, 8), (1.5, 12), (3.0, 6), (4.5, 10)] {
+            let fit = found(&curve(friction, 0.0, (0.9, 1.7), count, false));
+            assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-6, "{friction} {count}: {fit:?}");
+            assert!(fit.damping_ratio.value < 1e-6, "{friction} {count}: {fit:?}");
+        }
+    }
+
+    #[test]
+    fn one_frequency_does_not_tell_friction_from_damping() {
+        let point = curve(3.0, 0.05, (1.5, 3.6), 2, false)[0];
+        let error = identify(&body(1.0, 0.0), FORCE, &[point; 4]).unwrap_err();
+        assert!(matches!(error, Error::NotIdentified), "{error}");
     }
 
     #[test]

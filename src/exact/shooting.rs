@@ -112,6 +112,12 @@ impl<F: Float> Residual<F> {
         self.x.abs() <= times * self.noise_x && self.w.abs() <= times * self.noise_w
     }
 
+    /// Whether its rounding is that of the other or less, but for a factor of four: far out rounding hides any residual.
+    fn is_as_fine_as(&self, other: &Self) -> bool {
+        let four = F::int(4);
+        self.noise_x <= four * other.noise_x && self.noise_w <= four * other.noise_w
+    }
+
     /// The norm of the residual with that of its rounding added.
     pub(crate) fn bound(&self) -> F {
         self.norm() + self.noise_x.hypot(self.noise_w)
@@ -190,7 +196,8 @@ pub(crate) fn shoot<F: Float>(
             let after = residual(&equation, &trial, &tried);
             // Where the rounding of w is more than all of x, the norm does not see that x has settled.
             let is_less = after.norm() * two <= left.norm() && !left.is_rounding(1);
-            if is_less || (after.is_rounding(16) && !left.is_rounding(64)) {
+            let is_settled = after.is_rounding(16) && !left.is_rounding(64) && after.is_as_fine_as(&left);
+            if is_less || is_settled {
                 (y, left) = (trial, after);
                 spare = core::mem::replace(&mut best, tried).parts;
                 continue;

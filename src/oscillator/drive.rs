@@ -162,7 +162,10 @@ impl<F: Float> Drive<F> {
 
     /// Whether the force on the body is the same at every ω_d.
     pub(crate) const fn is_same_at_any_frequency(&self) -> bool {
-        matches!(self.excitation, Excitation::Force | Excitation::FootMotion)
+        matches!(
+            self.excitation,
+            Excitation::Force | Excitation::FootMotion | Excitation::SurfaceAcceleration
+        )
     }
 
     /// Amplitude p₀ of the force on the body of `oscillator`: as [`Excitation`] says.

@@ -363,3 +363,38 @@ fn every_output_is_defined() {
     assert!(tried > 100, "{tried}");
     assert!(!is_defined("nonesuch"));
 }
+
+/// Where the foot moves nothing but foot and surface act on the body: together they feel m x″, and x is the motion in the room.
+#[test]
+fn a_moving_foot_and_the_surface_feel_the_inertia() {
+    for (frequency, foot, damper) in [(150.0, 0.04, ""), (6.6, 0.03, ""), (6.6, 0.03, " --damping-ratio 0.1")]
+    {
+        for question in ["response", "steady"] {
+            let answer = json(&format!(
+                "{question} --mass 1kg --stiffness 100N/m --friction 1N --frequency {frequency}rad/s --foot-displacement {foot}m{damper} --format json"
+            ));
+            let physical = &answer["physical"];
+            let acceleration = number(&physical["max_acceleration"]);
+            close(number(&physical["transmitted_force"]), acceleration, 1e-13);
+            let ratio = acceleration / (frequency * frequency * foot);
+            close(number(&answer["transmissibility"]), ratio, 1e-13);
+            close(number(&answer["max_absolute_displacement"]), number(&answer["max_displacement"]), 1e-9);
+        }
+    }
+    let rows = stdout(
+        "response-curve transmissibility --mass 1kg --stiffness 100N/m --friction 1N --frequency 100rad/s,150rad/s --foot-displacement 40mm",
+    );
+    let last = rows.lines().last().unwrap().split(',').nth(3).unwrap().parse::<f64>().unwrap();
+    assert!((0.005..0.006).contains(&last), "{rows}");
+}
+
+/// Of a base whose acceleration is given the force is the same at every frequency.
+#[test]
+fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
+    let isolator = "design bands --mass 800kg --period 2.2s --friction-coefficient 0.05 --from 0.1Hz --to 5Hz --format json";
+    let base = json(&format!("{isolator} --base-acceleration 0.5m/s2"));
+    let force = json(&format!("{isolator} --force 400N"));
+    for end in ["frequency_from", "frequency_to"] {
+        close(number(&base[0][end]), number(&force[0][end]), 1e-13);
+    }
+}

@@ -123,3 +123,26 @@ fn the_multipliers_are_those_of_the_motion() {
             < 1e-7
     );
 }
+
+/// Within a few floats of a pole Newton's step leads so far out that rounding hides what is left: that is no limit.
+#[test]
+fn a_few_floats_from_a_pole_the_motion_settles() {
+    use stickslip::exact::{LongRun, State};
+    for (odd, alphas) in
+        [(3.0, [2.0, 15.0, 30.0, 60.0]), (5.0, [5.0, 40.0, 150.0, 151.0]), (7.0, [60.0, 100.0, 150.0, 300.0])]
+    {
+        for floats in -9_i32..=9 {
+            let omega = 1.0 / odd * (1.0 + f64::from(floats) * f64::EPSILON);
+            for alpha in alphas {
+                let limit = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap();
+                let steady = limit.steady_state().unwrap_or_else(|| panic!("{omega:?} {alpha}: {limit:?}"));
+                let reach = steady.max_displacement();
+                assert!(reach > 0.0 && reach < 2.0 * alpha, "{omega:?} {alpha}: {reach}");
+                if odd == 3.0 && alpha == 30.0 {
+                    assert!((reach - 29.400_998_007_738).abs() < 1e-9, "{omega:?}: {reach}");
+                    assert_eq!(steady.sticks_per_cycle(), 2);
+                }
+            }
+        }
+    }
+}

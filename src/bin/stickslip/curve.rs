@@ -9,6 +9,7 @@ use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input::{self, Point};
 use crate::interrupt;
+use crate::machine::transmitted;
 use crate::note::digits;
 use crate::units::{Kind, Reader, System};
 use clap::ValueEnum;
@@ -212,6 +213,7 @@ impl Asked {
         response: &Response<f64>,
     ) -> Result<(Option<f64>, &'static str, bool), Failure> {
         let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
+        let machine = point.machine.as_ref();
         // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B ω_d², r_y and B.
         let (peaks, regime, sticks) = match response.cycle() {
             Some(c) => {
@@ -219,7 +221,9 @@ impl Asked {
                     Curve::Displacement => c.max_displacement(),
                     Curve::Velocity => c.max_velocity(),
                     Curve::Acceleration => c.max_acceleration(),
-                    Curve::Force | Curve::Transmissibility => c.transmitted_force(),
+                    Curve::Force | Curve::Transmissibility => {
+                        transmitted(machine, omega, c.transmitted_force(), c.max_acceleration())
+                    }
                     Curve::Absolute => c.max_absolute_displacement(),
                 };
                 (Some(of_cycle), "non-sticking", false)
@@ -236,7 +240,9 @@ impl Asked {
                             Curve::Displacement => s.max_displacement().abs().max(s.min_displacement().abs()),
                             Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
                             Curve::Acceleration => peaks.acceleration,
-                            Curve::Force | Curve::Transmissibility => peaks.transmitted_force,
+                            Curve::Force | Curve::Transmissibility => {
+                                transmitted(machine, omega, peaks.transmitted_force, peaks.acceleration)
+                            }
                             Curve::Absolute => peaks.absolute_displacement,
                         };
                         (Some(of_motion), if sticks { "sticking" } else { "non-sticking" }, sticks)
@@ -245,7 +251,7 @@ impl Asked {
                     (None, LongRun::Rest(_)) => {
                         let at_rest = match self.what {
                             Curve::Displacement | Curve::Velocity | Curve::Acceleration => 0.0,
-                            Curve::Force | Curve::Transmissibility => alpha,
+                            Curve::Force | Curve::Transmissibility => transmitted(machine, omega, alpha, 0.0),
                             Curve::Absolute => alpha / omega.powi(2),
                         };
                         (Some(at_rest), "stuck", true)

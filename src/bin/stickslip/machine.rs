@@ -26,6 +26,17 @@ impl<F: Value> Machine<F> {
             Excitation::Force | Excitation::FootMotion | Excitation::DampedFootMotion
         )
     }
+
+    /// Whether the foot of the spring moves, over a surface that stays.
+    fn has_moving_foot(&self) -> bool {
+        matches!(self.drive.excitation(), Excitation::FootMotion | Excitation::DampedFootMotion)
+    }
+}
+
+/// The transmitted force in r_y, from that of a body that a force shakes and the acceleration in B ω_d²: foot and surface together feel
+/// m x″ where the foot moves, because nothing else acts on the body.
+pub(crate) fn transmitted<F: Value>(machine: Option<&Machine<F>>, omega: F, force: F, acceleration: F) -> F {
+    if machine.is_some_and(Machine::has_moving_foot) { acceleration * omega.square() } else { force }
 }
 
 /// Which kind of base motion it is, and what x then is; nothing for a force.

@@ -2,7 +2,7 @@
 
 use crate::bits::Value;
 use crate::input::BorderScales;
-use crate::machine::{Machine, base_motion};
+use crate::machine::{Machine, base_motion, transmitted};
 use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
@@ -191,8 +191,10 @@ fn needed_force<F: Value>(
     let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force);
     writeln!(out, "\nForce")?;
     if let Some(cycle) = response.cycle() {
-        writeln!(out, "  transmitted, maximum     {}", forces(cycle.transmitted_force()))?;
-        writeln!(out, "    per p₀                 {}", digits(cycle.transmissibility()))?;
+        let (ratios, acceleration) = (response.ratios(), cycle.max_acceleration());
+        let force = transmitted(machine, ratios.omega(), cycle.transmitted_force(), acceleration);
+        writeln!(out, "  transmitted, maximum     {}", forces(force))?;
+        writeln!(out, "    per p₀                 {}", digits(force / ratios.alpha()))?;
     }
     let ratios = response.ratios();
     let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();

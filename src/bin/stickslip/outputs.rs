@@ -57,7 +57,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "transmitted_force",
                 "r_y",
-                "greatest force of spring, damper and friction on what carries them",
+                "greatest force of spring, damper and friction on what carries them; m x″ with a moving foot",
             ),
             (
                 "transmissibility",

@@ -4,7 +4,7 @@ use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
-use crate::machine::Machine;
+use crate::machine::{Machine, transmitted};
 use crate::note;
 use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
@@ -266,8 +266,39 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
+    /// With what the surroundings of this machine feel and see: the fields are those of a base that carries the surface.
+    pub(crate) fn felt_around(mut self, machine: &Machine<F>) -> Self {
+        let number = |name: &str| match self.fields.iter().find(|(own, _)| *own == name) {
+            Some((_, Cell::Number(value))) => *value,
+            Some(_) | None => None,
+        };
+        let (omega, alpha) = (number("omega"), number("alpha"));
+        let force = omega.zip(number("transmitted_force").zip(number("max_acceleration")));
+        let force = force.map(|(omega, (force, a))| transmitted(Some(machine), omega, force, a));
+        let amplitude = number("dynamic_amplification").zip(alpha).map(|(x, alpha)| x * alpha);
+        let per_drive = force.zip(alpha).map(|(force, alpha)| force / alpha);
+        let is_carried = machine.is_carried();
+        for (name, cell) in &mut self.fields {
+            match (*name, &cell) {
+                ("transmitted_force", Cell::Number(Some(_))) => *cell = Cell::Number(force),
+                ("transmissibility", Cell::Number(Some(_))) => *cell = Cell::Number(per_drive),
+                ("max_absolute_displacement", Cell::Number(Some(_))) if !is_carried => {
+                    *cell = Cell::Number(amplitude);
+                }
+                _ => {}
+            }
+        }
+        self
+    }
+
     /// With the machine and the answer in its units; both loop sizes are the energy of a cycle.
-    pub(crate) fn with_machine(mut self, machine: &Machine<F>) -> Self {
+    pub(crate) fn with_machine(self, machine: &Machine<F>) -> Self {
+        let mut record = self.felt_around(machine);
+        record.physical = record.in_units(machine);
+        record
+    }
+
+    fn in_units(&self, machine: &Machine<F>) -> Physical<F> {
         let (scales, carried) = (&machine.scales, machine.is_carried());
         let best = self.fields.iter().find(|(name, _)| *name == "best_force_ratio").map(|(_, cell)| *cell);
         let best_force = match best {
@@ -276,7 +307,7 @@ impl<F: Value> Record<F> {
         };
         // The loop of that force: A₁ is stated per p₀²/(2k) of it.
         let best_energy = F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
-        self.physical = Physical::of_machine(machine).with(&self.fields, |name| match name {
+        Physical::of_machine(machine).with(&self.fields, |name| match name {
             "max_displacement" => Some(("max_displacement", Kind::Length, scales.length)),
             "displacement_phase" => Some(("displacement_time", Kind::Time, scales.time)),
             "max_velocity" => Some(("max_velocity", Kind::Velocity, scales.velocity)),
@@ -296,8 +327,7 @@ impl<F: Value> Record<F> {
             "best_force_ratio" => Some(("best_force", Kind::Force, scales.force)),
             "best_loop_size" => Some(("best_force_energy", Kind::Energy, best_energy)),
             _ => None,
-        });
-        self
+        })
     }
 
     /// The border in the machine's units.

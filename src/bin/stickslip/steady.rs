@@ -5,7 +5,7 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::{self, Point};
-use crate::machine::{Machine, base_motion};
+use crate::machine::{Machine, base_motion, transmitted};
 use crate::note::{both, digits};
 use crate::physical::Physical;
 use crate::points;
@@ -156,7 +156,8 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
 }
 
 /// With the machine and the answer in its units.
-fn with_machine<F: Value>(mut record: Record<F>, machine: &Machine<F>) -> Record<F> {
+fn with_machine<F: Value>(record: Record<F>, machine: &Machine<F>) -> Record<F> {
+    let mut record = record.felt_around(machine);
     let scales = &machine.scales;
     let turn = F::int(2) * F::pi() * scales.time;
     record.physical = Physical::of_machine(machine).with(&record.fields, |name| {
@@ -304,9 +305,11 @@ fn peaks<F: Value>(
     let acceleration = scales.map(|s| s.velocity / s.time);
     let text = both(peaks.acceleration, "B ω_d²", acceleration, &units.name(Kind::Acceleration));
     writeln!(out, "  maximum acceleration     {text}")?;
-    let force = both(peaks.transmitted_force, "r_y", scales.map(|s| s.force), units.force);
+    let (omega, acceleration) = (point.ratios.omega(), peaks.acceleration);
+    let transmitted = transmitted(point.machine.as_ref(), omega, peaks.transmitted_force, acceleration);
+    let force = both(transmitted, "r_y", scales.map(|s| s.force), units.force);
     writeln!(out, "  transmitted force        {force}")?;
-    let ratio = digits(peaks.transmitted_force / point.ratios.alpha());
+    let ratio = digits(transmitted / point.ratios.alpha());
     writeln!(out, "  transmissibility         {ratio} p₀")?;
     if point.machine.as_ref().is_some_and(Machine::is_carried) {
         let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length);
