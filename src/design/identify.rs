@@ -328,7 +328,7 @@ mod tests {
     #[test]
     fn a_body_without_a_damper_is_found() {
         for (friction, count) in [(0.3, 8), (1.5, 12), (3.0, 6), (4.5, 10)] {
-            let fit = found(&curve(friction, 0.0, (0.9, 1.7), count, false));
+            let fit = found(&curve(friction, 0.0, (1.3, 3.5), count, false));
             assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-6, "{friction} {count}: {fit:?}");
             assert!(fit.damping_ratio.value < 1e-6, "{friction} {count}: {fit:?}");
         }

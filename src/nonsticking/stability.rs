@@ -48,7 +48,8 @@ pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)
     let g_sine = g * (two * s * c).abs();
     // Written with 1/g, so that an infinite g gives the limit 1. Both are computed, so that loops do not branch.
     let inverse = one / g;
-    let complex = ((one - inverse) / (one + inverse)).sqrt();
+    // On the border g may round to less than 1, where the modulus is 0.
+    let complex = ((one - inverse).or_larger(F::int(0)) / (one + inverse)).sqrt();
     let g_cosine = g * ((c - s) * (c + s)).abs();
     let real = (g_cosine + ((one - g_sine) * (one + g_sine)).sqrt()) / (g + one);
     if g_sine > one { complex } else { real }
@@ -227,6 +228,19 @@ mod tests {
         let beta = std::f64::consts::FRAC_PI_2 / omega;
         let lambda = contraction(omega, delta, beta.sin_cos());
         assert!((lambda * lambda - multiplier_product(omega, delta)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn on_the_border_at_two_nothing_is_left() {
+        // g rounds to less than 1 and gσ to more.
+        let left = contraction(
+            2.000_000_000_000_026_f64,
+            0.249_999_999_999_993_37,
+            (0.707_106_781_186_554_8, 0.707_106_781_186_540_2),
+        );
+        assert!((0.0..1e-7).contains(&left), "{left}");
+        let cycle = Cycle::new(Ratios::new(2.000_000_000_000_026, 1.677_050_983_124_846_8).unwrap()).unwrap();
+        assert!((0.0..1e-7).contains(&cycle.contraction()), "{cycle:?}");
     }
 
     #[test]
