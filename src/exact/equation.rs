@@ -110,7 +110,7 @@ impl<F: Float> Equation<F> {
         Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
     }
 
-    /// [`Equation::waves`] at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β − π/2` and `p = m + π`.
+    /// The waves of `undamped_waves` at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β − π/2` and `p = m + π`.
     #[inline]
     pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));

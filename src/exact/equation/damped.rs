@@ -73,7 +73,7 @@ impl<F: Float> Equation<F> {
         (x, self.omega * amplitude * (real * cosine + imaginary * sine))
     }
 
-    /// [`Equation::waves`] with damping.
+    /// The waves of `undamped_waves` with damping.
     #[cold]
     #[inline(never)]
     pub(crate) fn damped_waves(&self, phi: F) -> Waves<F> {
