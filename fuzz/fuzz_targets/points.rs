@@ -29,10 +29,10 @@ mod command {
     pub(crate) mod units;
 }
 
-use command::args::{Command, NoCommand, OutputArgs};
+use command::args::{Command, NoCommand};
 use command::{
-    args, bits, border, failure, given, grid, input, interrupt, machine, note, output, outputs, physical,
-    points, progress, record, response, sink, style, units,
+    args, bits, border, failure, given, input, interrupt, machine, note, outputs, physical, points, progress,
+    record, response, sink, style, units,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};
