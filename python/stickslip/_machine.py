@@ -261,12 +261,13 @@ def _single(drive: Drive) -> tuple[str, float, float]:
 
 
 def _felt_around(answer: Response, drive: Drive, ratios: Mapping[str, Any]) -> Response:
-    """The answer with what foot and surface together feel where the foot moves: ``m x''``, for nothing else acts on the body."""
+    """The answer with what foot and surface together feel where the foot moves: ``m x''`` and the ratio of accelerations."""
     found = answer.to_dict()
     if "foot" not in drive.excitation or found.get("max_acceleration") is None:
         return answer
     force = found["max_acceleration"] * ratios["omega"] ** 2
-    for name, value in (("transmitted_force", force), ("transmissibility", force / ratios["alpha"])):
+    ratio = found["max_acceleration"] / ratios["alpha"]
+    for name, value in (("transmitted_force", force), ("transmissibility", ratio)):
         if name in found:
             found[name] = value
     return Response(found)

@@ -141,7 +141,9 @@ fn progress_is_shown_on_a_terminal_and_can_be_silenced() {
     let command = assert_cmd::cargo::cargo_bin!("stickslip").display();
     let shown = |option: &str| {
         let line = format!("{command} sweep border --omega 0.5:2:5 --outputs omega {option} > /dev/null");
-        let found = std::process::Command::new("script").args(["-qec", &line, "/dev/null"]).output().unwrap();
+        // A terminal without a name shows nothing.
+        let mut script = std::process::Command::new("script");
+        let found = script.args(["-qec", &line, "/dev/null"]).env("TERM", "xterm").output().unwrap();
         assert!(found.status.success(), "{found:?}");
         String::from_utf8(found.stdout).unwrap()
     };

@@ -214,6 +214,10 @@ impl Asked {
     ) -> Result<(Option<f64>, &'static str, bool), Failure> {
         let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
         let machine = point.machine.as_ref();
+        let felt = |force: f64, acceleration: f64| {
+            let (force, ratio) = transmitted(machine, (omega, alpha), force, acceleration);
+            if self.what == Curve::Force { force } else { ratio }
+        };
         // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B ω_d², r_y and B.
         let (peaks, regime, sticks) = match response.cycle() {
             Some(c) => {
@@ -222,7 +226,7 @@ impl Asked {
                     Curve::Velocity => c.max_velocity(),
                     Curve::Acceleration => c.max_acceleration(),
                     Curve::Force | Curve::Transmissibility => {
-                        transmitted(machine, omega, c.transmitted_force(), c.max_acceleration())
+                        felt(c.transmitted_force(), c.max_acceleration())
                     }
                     Curve::Absolute => c.max_absolute_displacement(),
                 };
@@ -241,7 +245,7 @@ impl Asked {
                             Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
                             Curve::Acceleration => peaks.acceleration,
                             Curve::Force | Curve::Transmissibility => {
-                                transmitted(machine, omega, peaks.transmitted_force, peaks.acceleration)
+                                felt(peaks.transmitted_force, peaks.acceleration)
                             }
                             Curve::Absolute => peaks.absolute_displacement,
                         };
@@ -251,7 +255,7 @@ impl Asked {
                     (None, LongRun::Rest(_)) => {
                         let at_rest = match self.what {
                             Curve::Displacement | Curve::Velocity | Curve::Acceleration => 0.0,
-                            Curve::Force | Curve::Transmissibility => transmitted(machine, omega, alpha, 0.0),
+                            Curve::Force | Curve::Transmissibility => felt(alpha, 0.0),
                             Curve::Absolute => alpha / omega.powi(2),
                         };
                         (Some(at_rest), "stuck", true)
@@ -261,7 +265,7 @@ impl Asked {
             }
         };
         let unit = match (&point.machine, self.what) {
-            (_, Curve::Transmissibility) => 1.0 / alpha,
+            (_, Curve::Transmissibility) => 1.0,
             (Some(m), Curve::Displacement | Curve::Absolute) => m.scales.length,
             (Some(m), Curve::Velocity) => m.scales.velocity,
             (Some(m), Curve::Acceleration) => m.scales.velocity / m.scales.time,

@@ -28,15 +28,29 @@ impl<F: Value> Machine<F> {
     }
 
     /// Whether the foot of the spring moves, over a surface that stays.
-    fn has_moving_foot(&self) -> bool {
+    pub(crate) fn has_moving_foot(&self) -> bool {
         matches!(self.drive.excitation(), Excitation::FootMotion | Excitation::DampedFootMotion)
     }
 }
 
-/// The transmitted force in r_y, from that of a body that a force shakes and the acceleration in B ω_d²: foot and surface together feel
-/// m x″ where the foot moves, because nothing else acts on the body.
-pub(crate) fn transmitted<F: Value>(machine: Option<&Machine<F>>, omega: F, force: F, acceleration: F) -> F {
-    if machine.is_some_and(Machine::has_moving_foot) { acceleration * omega.square() } else { force }
+/// What foot and surface together feel where the foot moves, by the maximum acceleration in B ω_d²: the force m x″ in r_y, because
+/// nothing else acts on the body, and the ratio of the accelerations of body and foot.
+pub(crate) fn moving_foot<F: Value>(omega: F, alpha: F, acceleration: F) -> (F, F) {
+    (acceleration * omega.square(), acceleration / alpha)
+}
+
+/// The transmitted force in r_y and the transmissibility of a machine, from the force of a body that is shaken otherwise.
+pub(crate) fn transmitted<F: Value>(
+    machine: Option<&Machine<F>>,
+    (omega, alpha): (F, F),
+    force: F,
+    acceleration: F,
+) -> (F, F) {
+    if machine.is_some_and(Machine::has_moving_foot) {
+        moving_foot(omega, alpha, acceleration)
+    } else {
+        (force, force / alpha)
+    }
 }
 
 /// Which kind of base motion it is, and what x then is; nothing for a force.

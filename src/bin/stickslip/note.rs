@@ -192,9 +192,12 @@ fn needed_force<F: Value>(
     writeln!(out, "\nForce")?;
     if let Some(cycle) = response.cycle() {
         let (ratios, acceleration) = (response.ratios(), cycle.max_acceleration());
-        let force = transmitted(machine, ratios.omega(), cycle.transmitted_force(), acceleration);
+        let at = (ratios.omega(), ratios.alpha());
+        let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
-        writeln!(out, "    per p₀                 {}", digits(force / ratios.alpha()))?;
+        let name =
+            if machine.is_some_and(Machine::has_moving_foot) { "per foot acceleration" } else { "per p₀" };
+        writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
     let ratios = response.ratios();
     let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();

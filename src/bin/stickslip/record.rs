@@ -4,7 +4,7 @@ use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
-use crate::machine::{Machine, transmitted};
+use crate::machine::{Machine, moving_foot};
 use crate::note;
 use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
@@ -266,25 +266,24 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// With what the surroundings of this machine feel and see: the fields are those of a base that carries the surface.
+    /// With what the surroundings of this machine feel: the fields are those of a force, or of a base that carries the surface.
     pub(crate) fn felt_around(mut self, machine: &Machine<F>) -> Self {
+        if !machine.has_moving_foot() {
+            return self;
+        }
         let number = |name: &str| match self.fields.iter().find(|(own, _)| *own == name) {
             Some((_, Cell::Number(value))) => *value,
             Some(_) | None => None,
         };
-        let (omega, alpha) = (number("omega"), number("alpha"));
-        let force = omega.zip(number("transmitted_force").zip(number("max_acceleration")));
-        let force = force.map(|(omega, (force, a))| transmitted(Some(machine), omega, force, a));
-        let amplitude = number("dynamic_amplification").zip(alpha).map(|(x, alpha)| x * alpha);
-        let per_drive = force.zip(alpha).map(|(force, alpha)| force / alpha);
-        let is_carried = machine.is_carried();
+        let felt = number("omega").zip(number("alpha")).zip(number("max_acceleration"));
+        let felt = felt.map(|((omega, alpha), a)| moving_foot(omega, alpha, a));
+        let least = number("min_displacement").map_or(F::int(0), F::abs);
+        let amplitude = number("max_displacement").map(|most| most.abs().or_larger(least));
         for (name, cell) in &mut self.fields {
-            match (*name, &cell) {
-                ("transmitted_force", Cell::Number(Some(_))) => *cell = Cell::Number(force),
-                ("transmissibility", Cell::Number(Some(_))) => *cell = Cell::Number(per_drive),
-                ("max_absolute_displacement", Cell::Number(Some(_))) if !is_carried => {
-                    *cell = Cell::Number(amplitude);
-                }
+            match *name {
+                "transmitted_force" => *cell = Cell::Number(felt.map(|(force, _)| force)),
+                "transmissibility" => *cell = Cell::Number(felt.map(|(_, ratio)| ratio)),
+                "max_absolute_displacement" if felt.is_some() => *cell = Cell::Number(amplitude),
                 _ => {}
             }
         }

@@ -305,12 +305,11 @@ fn peaks<F: Value>(
     let acceleration = scales.map(|s| s.velocity / s.time);
     let text = both(peaks.acceleration, "B ω_d²", acceleration, &units.name(Kind::Acceleration));
     writeln!(out, "  maximum acceleration     {text}")?;
-    let (omega, acceleration) = (point.ratios.omega(), peaks.acceleration);
-    let transmitted = transmitted(point.machine.as_ref(), omega, peaks.transmitted_force, acceleration);
-    let force = both(transmitted, "r_y", scales.map(|s| s.force), units.force);
-    writeln!(out, "  transmitted force        {force}")?;
-    let ratio = digits(transmitted / point.ratios.alpha());
-    writeln!(out, "  transmissibility         {ratio} p₀")?;
+    let (machine, at) = (point.machine.as_ref(), (point.ratios.omega(), point.ratios.alpha()));
+    let (force, ratio) = transmitted(machine, at, peaks.transmitted_force, peaks.acceleration);
+    writeln!(out, "  transmitted force        {}", both(force, "r_y", scales.map(|s| s.force), units.force))?;
+    let unit = if machine.is_some_and(Machine::has_moving_foot) { "" } else { " p₀" };
+    writeln!(out, "  transmissibility         {}{unit}", digits(ratio))?;
     if point.machine.as_ref().is_some_and(Machine::is_carried) {
         let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length);
         writeln!(out, "  absolute displacement    {absolute}")?;
