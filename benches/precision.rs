@@ -3,16 +3,16 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use stickslip::float::mp::Mp;
-use stickslip::nonsticking::{loop_size_stiffness, max_displacement, turning_point_border};
-use stickslip::phase_function::{PhaseFunction, one_minus_square};
-use stickslip::{Cycle, Field, Float, Ratios};
+use stickslip::{Cycle, Field, Float, PhaseFunction, Ratios};
 
 /// {Δ₀, eq. 61, A₁}
 fn triple<F: Float>(omega: F, alpha: F) -> Option<[F; 3]> {
     let p = PhaseFunction::new(omega).ok()?;
-    let (k, q) = (p.value(), one_minus_square(omega));
-    let delta = max_displacement(k, alpha, q);
-    Some([delta, turning_point_border(k, q, omega), loop_size_stiffness(delta, alpha)])
+    let (k, one) = (p.value(), F::int(1));
+    let q = (one - omega) * (one + omega);
+    // As they stand on the page, at the precision of the type.
+    let delta = alpha.leg(k) / q.abs();
+    Some([delta, k.hypot(q / omega.square()), (delta / alpha / alpha).times(8)])
 }
 
 /// A checked [`Cycle`], with all its outputs.

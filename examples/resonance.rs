@@ -9,7 +9,6 @@
 
 use std::io::Write;
 use stickslip::float::mp::Mp;
-use stickslip::phase_function::one_minus_square;
 use stickslip::{Border, Cycle, Field, Ratios};
 
 /// 231 digits.
@@ -32,7 +31,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
             let omega = one + offset;
             let cycle = Cycle::new(Ratios::new(omega, alpha)?)?;
             let reach = cycle.max_displacement();
-            let scaled = reach * one_minus_square(omega).abs();
+            let scaled = reach * ((one - omega) * (one + omega)).abs();
             let (off, settling) = ((scaled / limit - one).abs(), one - cycle.contraction());
             writeln!(
                 out,

@@ -21,7 +21,7 @@
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
-//! beside a pole reverses six times ([`crate::nonsticking::six_reversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+//! beside a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
 mod bands;
 mod damped;

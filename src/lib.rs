@@ -39,15 +39,15 @@
 #![doc = include_str!("formulae/displacement_phase.html")]
 //!
 //! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]); its greatest value is V₀, at t₁
-//! ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 with the signs of its roots corrected gives too
-//! ([`nonsticking::max_velocity_from_phase`]):
+//! ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 gives too with the signs of its
+//! roots corrected:
 //!
 #![doc = include_str!("formulae/velocity.html")]
 #![doc = include_str!("formulae/max_velocity.html")]
 #![doc = include_str!("formulae/deviation.html")]
 //!
 //! The least force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2 (proof in
-//! [`nonsticking::border`]):
+//! `src/nonsticking/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
 //!
@@ -57,7 +57,7 @@
 #![doc = include_str!("formulae/dissipation.html")]
 #![doc = include_str!("formulae/best_force_ratio.html")]
 //!
-//! What half a cycle leaves of a disturbance, max |λ| ([`nonsticking::stability`]):
+//! What half a cycle leaves of a disturbance, max |λ| ([`nonsticking::Multipliers`]):
 //!
 #![doc = include_str!("formulae/multipliers.html")]
 //!
@@ -74,7 +74,7 @@
 //! | B | [`Oscillator::friction_displacement`] | r_y/k | length |
 //! | Ω, α | [`Ratios`] | ω_d/ω_n, p₀/r_y | 1 |
 //! | A | [`Ratios::forced_amplitude`] | p₀/(k(1 − Ω²)) | B |
-//! | T | [`PhaseFunction::tangent`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
+//! | T | in [`PhaseFunction`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
 //! | K | [`PhaseFunction::value`] | (1 − Ω²) T/Ω | 1 |
 //! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | maximum displacement, its phase | B, rad |
 //! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | maximum velocity, its phase | Bω_d, rad |
@@ -115,6 +115,19 @@
     )
 )]
 
+// Tests of the formulae by their own names, which are not public: written as users write, with the crate's name.
+#[cfg(test)]
+extern crate self as stickslip;
+#[cfg(test)]
+#[path = "../tests/formulae/mod.rs"]
+mod formulae;
+#[cfg(all(test, feature = "matching"))]
+#[path = "../tests/matching/mod.rs"]
+mod matching;
+#[cfg(test)]
+#[path = "../tests/symbolic/mod.rs"]
+mod symbolic;
+
 #[cfg(feature = "batch")]
 #[cfg_attr(
     not(test),
@@ -153,7 +166,7 @@ mod pages;
     not(test),
     allow(clippy::arithmetic_side_effects, reason = "the counters of series, bounded by the precision")
 )]
-pub mod phase_function;
+mod phase_function;
 mod ratios;
 pub mod regime;
 mod response;

@@ -1,59 +1,71 @@
 //! One non-sticking cycle: the steady motion with two reversals and no stop in a period.
 //!
-//! | file | equations | what |
+//! | file | equations | content |
 //! |---|---|---|
-//! | [`matching`] | 2–39, 45 | the five unknowns and the equations between them |
-//! | [`den_hartog`] | 50–56 | Den Hartog's own half cycle |
-//! | [`max_displacement`], [`Reversal`], [`displacement_phase`] | 40–44 | Δ₀ and ω_d t₂ |
-//! | [`force_ratio_from_displacement`] | 44 | the force for a given Δ₀ |
-//! | [`max_velocity_from_phase`], [`deviation()`] | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
-//! | [`border`] | 57–62 | the least force ratio without sticking |
-//! | [`loop_size`] … [`best_loop_size`] | 63–67 | dissipation |
-//! | [`arrival_acceleration`] … [`transmissibility`] | beyond the paper | acceleration, transmitted force, absolute motion |
-//! | [`stability`] | beyond the paper | multipliers, contraction |
+//! | `matching` | 2–39, 45 | the five unknowns and the equations between them |
+//! | `den_hartog` | 50–56 | Den Hartog's own half cycle |
+//! | `displacement`, `reversal` | 40–44 | Δ₀ and ω_d t₂ |
+//! | `amplitude` | 44 | the force for a given Δ₀ |
+//! | `velocity` | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
+//! | `border` | 57–62 | the least force ratio without sticking |
+//! | `dissipation` | 63–67 | dissipation |
+//! | `peaks` | beyond the paper | acceleration, transmitted force, absolute motion |
+//! | `stability` | beyond the paper | multipliers, contraction |
+//! | `six_reversals` | beyond the paper | the cycle of six reversals beside a pole |
 //! | `damped` | beyond the paper | all of it with viscous damping |
-//! | [`printed`] | 43, 49 | the formulae that are wrong as printed |
+//! | `printed` | 43, 49 | the formulae that are wrong as printed |
 //!
 //! [`Cycle`] has them all for one (Ω, α). Lengths are in units of B = r_y/k, velocities in B ω_d, phases
 //! ω_d t in `[0, 2π)`.
 
 mod amplitude;
 mod arrival;
-pub mod border;
+pub(crate) mod border;
 pub(crate) mod damped;
-pub mod den_hartog;
+#[cfg(any(test, feature = "matching"))]
+pub(crate) mod den_hartog;
 mod deviation;
 mod displacement;
 mod dissipation;
 mod half_cycle;
 mod low;
-pub mod matching;
+#[cfg(any(test, feature = "matching"))]
+pub(crate) mod matching;
 mod motion;
 mod peaks;
 mod phase;
-pub mod printed;
+#[cfg(any(test, feature = "matching", feature = "figures"))]
+pub(crate) mod printed;
 mod reversal;
-pub mod six_reversals;
-pub mod stability;
+pub(crate) mod six_reversals;
+pub(crate) mod stability;
 mod velocity;
 mod waves;
 
-pub use amplitude::force_ratio_from_displacement;
-pub(crate) use amplitude::max_velocity_from_displacement;
-pub use border::{
-    Border, border_force_ratio, turning_point_border, turning_point_border_at, turning_point_criterion,
-};
-pub(crate) use displacement::squared_sine;
-pub use displacement::{
-    cos_displacement_phase, displacement_phase, max_displacement, max_displacement_from_amplitude,
-    sin_displacement_phase,
-};
-pub use dissipation::{best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness};
-pub(crate) use dissipation::{best_force_ratio_at, best_loop_size_at};
-pub use peaks::{arrival_acceleration, dynamic_amplification, transmissibility, transmitted_force};
-pub use reversal::{Reversal, max_displacement_at};
+pub use border::{Border, BorderRange, Lobe, Minimum, Shortfall, border_range};
+#[cfg(any(test, feature = "matching"))]
+pub use matching::Unknowns;
+#[cfg(feature = "matching")]
+pub use matching::newton::{BorderSolution, MatchingError, Solution, Solvable};
+pub use reversal::Reversal;
 pub use six_reversals::SixReversals;
-pub use velocity::{deviation, max_velocity_from_phase, velocity_phase_residual};
+pub use stability::{MultiplierPair, Multipliers};
+
+pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
+pub(crate) use displacement::{max_displacement, squared_sine};
+pub(crate) use dissipation::{
+    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
+    loop_size_stiffness,
+};
+// The paper's other forms, for the proofs and for `verify`.
+#[cfg(any(test, feature = "matching"))]
+pub(crate) use {
+    displacement::{
+        cos_displacement_phase, displacement_phase, max_displacement_from_amplitude, sin_displacement_phase,
+    },
+    dissipation::loop_size,
+    velocity::{deviation, max_velocity_from_phase, velocity_phase_residual},
+};
 
 use crate::error::{Error, written};
 use crate::float::{Float, Task, pair::Pair};
@@ -190,7 +202,7 @@ impl<F: Float> Cycle<F> {
         self.max_displacement
     }
 
-    /// Phase `ω_d t₂` of the maximum displacement ([`displacement_phase`], eq. 43 corrected). Accuracy at f64: 2 ulp of
+    /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
     /// max(phase, 1).
     pub const fn displacement_phase(&self) -> F {
         self.displacement_phase
@@ -208,23 +220,23 @@ impl<F: Float> Cycle<F> {
         self.velocity_phase
     }
 
-    /// Deviation `Δ₁/B`: the displacement at the maximum velocity ([`deviation()`], eq. 47). Accuracy at f64: 4 ulp of
+    /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
     /// max(|Δ₁/B|, V₀/(Bω_d)).
     pub const fn deviation(&self) -> F {
         self.deviation
     }
 
-    /// Contraction per half cycle ([`stability::contraction`]).
+    /// Contraction per half cycle, max |λ|: what is left of a small disturbance.
     pub const fn contraction(&self) -> F {
         self.contraction
     }
 
-    /// Loop size A₁ ([`loop_size_stiffness`], eq. 64). Accuracy at f64: 2 ulp.
+    /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     pub fn loop_size_stiffness(&self) -> F {
         self.motion.loop_sizes(&self.ratios).0
     }
 
-    /// Loop size A₂ ([`loop_size_inertia`], eq. 67). Accuracy at f64: 2 ulp.
+    /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
     pub fn loop_size_inertia(&self) -> F {
         self.motion.loop_sizes(&self.ratios).1
     }
@@ -242,7 +254,8 @@ impl<F: Float> Cycle<F> {
     }
 
     /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is NaN with it.
-    pub fn given(&self) -> matching::Given<F> {
+    #[cfg(any(test, feature = "matching"))]
+    pub(crate) fn given(&self) -> matching::Given<F> {
         matching::Given {
             amplitude: self.undamped_amplitude(),
             friction_displacement: F::int(1),
@@ -252,7 +265,8 @@ impl<F: Float> Cycle<F> {
 
     /// The solution of the matching problem (eq. 21–25), lengths in units of B, with ω_d t₁ taken so that
     /// t₂ − π/ω_d < t₁ < t₂.
-    pub fn unknowns(&self) -> matching::Unknowns<F> {
+    #[cfg(test)]
+    pub(crate) fn unknowns(&self) -> matching::Unknowns<F> {
         let early = self.velocity_phase > self.displacement_phase;
         let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
         matching::Unknowns {
@@ -265,7 +279,8 @@ impl<F: Float> Cycle<F> {
     }
 
     /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. Without damping: NaN with it.
-    pub fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
+    #[cfg(any(test, feature = "matching"))]
+    pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
         let one = F::int(1);
         den_hartog::FallingHalf {
             amplitude: self.undamped_amplitude(),
@@ -291,6 +306,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// A/B of the equations that know no damping, NaN with it.
+    #[cfg(any(test, feature = "matching"))]
     fn undamped_amplitude(&self) -> F {
         if self.ratios.is_damped() { F::int(0) / F::int(0) } else { self.ratios.forced_amplitude() }
     }
@@ -334,6 +350,13 @@ mod tests {
 
     fn cycle(omega: f64, alpha: f64) -> Result<Cycle<f64>, Error> {
         Ratios::new(omega, alpha).and_then(Cycle::new)
+    }
+
+    #[test]
+    fn the_equations_that_know_no_damping_have_no_number_for_it() {
+        let damped = Ratios::new(0.7, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
+        let amplitude: f64 = Cycle::new(damped).unwrap().given().amplitude;
+        assert!(amplitude.is_nan());
     }
 
     #[test]

@@ -39,14 +39,14 @@ pub(crate) use value::Quotient;
 /// The definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
 /// that is smooth through Ω = 1.
 #[inline(always)]
-pub fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
+pub(crate) fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
     // K = (1 − Ω²) T/Ω
     one_minus_square(omega) * tangent / omega
 }
 
 /// `1 − Ω²` as the product `(1 − Ω)(1 + Ω)`, which keeps its relative accuracy at Ω = 1.
 #[inline(always)]
-pub fn one_minus_square<R: Field>(omega: R) -> R {
+pub(crate) fn one_minus_square<R: Field>(omega: R) -> R {
     // 1 − Ω² = (1 − Ω)(1 + Ω)
     (R::int(1) - omega) * (R::int(1) + omega)
 }
@@ -86,13 +86,13 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `q mod 4`, where `q = round(1/Ω)` is the multiple of π/2 nearest to `β = π/2Ω`.
     #[inline]
-    pub const fn quarter(&self) -> u8 {
+    pub(crate) const fn quarter(&self) -> u8 {
         self.quarter
     }
 
     /// `w = β − q π/2`, in `[−π/4, π/4]`.
     #[inline]
-    pub const fn remainder(&self) -> F {
+    pub(crate) const fn remainder(&self) -> F {
         self.remainder.hi
     }
 
@@ -109,7 +109,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
     #[inline]
-    pub fn tangent(&self) -> F {
+    pub(crate) fn tangent(&self) -> F {
         tangent(self.quarter, self.remainder.hi)
     }
 

@@ -29,7 +29,7 @@ pub enum Regime {
     /// α > 1 and no motion without a stop: the body stops, for a while, in every cycle.
     Sticking,
     /// The body never stops for longer than an instant: α ≥ α_min(Ω), where it reverses twice a cycle, or α within the force ratios of six
-    /// reversals a cycle beside a pole 1/(2n+1) ([`crate::nonsticking::six_reversals`]).
+    /// reversals a cycle beside a pole 1/(2n+1) ([`crate::nonsticking::SixReversals`]).
     NonSticking,
     /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
     Unbounded,

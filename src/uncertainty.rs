@@ -14,14 +14,14 @@
 //!
 //! | output | monotone in | so that its range is |
 //! |---|---|---|
-//! | α_min | neither: one minimum in each lobe | known exactly ([`crate::nonsticking::border::border_range`]), sticking or not |
+//! | α_min | neither: one minimum in each lobe | known exactly ([`crate::nonsticking::border_range`]), sticking or not |
 //! | α/α_min | α | enclosed by the ends of α and of α_min, sticking or not |
 //! | Δ₀ | α (rising); physical: p₀ (rising), r_y (falling) | enclosed over pieces of Ω, see below |
 //! | 4 r_y Δ₀ | p₀ (rising); in r_y one maximum, r_y = p₀/(√2 \|K\|) | enclosed likewise |
 //! | V₀ | Δ₀/B, hence α (rising) | exact for one Ω; sampled over an interval of them |
 //! | K², hence α* = √2 \|K\| | Ω: falling from 1/(2n+1) to 1/(2n), rising from there to 1/(2n−1); for n = 1 to ∞ | exact |
 //!
-//! K² rises for Ω > 1/2 because κ(v) of [`crate::nonsticking::border::lobe`] falls with v = 1/Ω²; below, because T does within each half
+//! K² rises for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` falls with v = 1/Ω²; below, because T does within each half
 //! lobe and `|T′/T| ≥ π` outweighs the rest (ibid.). V₀ rises with Δ₀ because ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not
 //! negative. **Pieces:** between two neighbouring zeros or poles of K both `K²` and `|1 − Ω²|` are monotone in Ω, so that
 //! their values at the ends of a piece bound them within, and the bounds of all pieces together bound the output. They are not sharp: they

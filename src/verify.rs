@@ -9,7 +9,7 @@
 //! * the equations of the paper themselves, with the answers put in;
 //! * the **exact motion** from rest ([`crate::exact`]): its extrema and their phases, its work, its multipliers, its half-turn map by
 //!   differences, and its stops on either side of the border;
-//! * **Newton's method** on eq. 21–25 ([`crate::nonsticking::matching::newton`]), at the same points and on the border.
+//! * **Newton's method** on eq. 21–25 ([`Solvable`]), at the same points and on the border.
 //!
 //! The cycle with viscous damping is held against the same three (`damped`).
 //!
@@ -34,7 +34,7 @@ mod printed;
 mod solved;
 
 use crate::float::Float;
-use crate::nonsticking::matching::newton::Solvable;
+use crate::nonsticking::Solvable;
 use crate::nonsticking::{Border, Cycle};
 use crate::ratios::Ratios;
 pub use case::Case;
@@ -51,9 +51,7 @@ pub const TOLERANCE: f64 = 128.0;
 pub enum Standing {
     /// It holds at every point.
     Holds,
-    /// As printed it does not hold where the [errata] say so, and must be seen to fail there.
-    ///
-    /// [errata]: crate::nonsticking::printed
+    /// As printed it does not hold where `docs/errata.md` says so, and must be seen to fail there.
     Refuted,
 }
 
@@ -236,7 +234,7 @@ fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
 #[cfg(test)]
 mod tests {
     use super::{Case, Digits, Identity, Standing, TOLERANCE, Tally, Verdict, above_border, verify};
-    use crate::nonsticking::matching::newton::Solvable;
+    use crate::nonsticking::Solvable;
     use core::ops::ControlFlow;
 
     fn verdicts<F: Solvable>() -> Vec<Verdict> {

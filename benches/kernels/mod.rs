@@ -1,8 +1,8 @@
 //! The library's side of the comparison, one function a kernel.
 
 use stickslip::float::Task;
-use stickslip::nonsticking::{Cycle, Reversal, turning_point_border_at};
-use stickslip::{Float, PhaseFunction, Ratios};
+use stickslip::nonsticking::Reversal;
+use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
@@ -19,7 +19,7 @@ impl Task for Three {
     fn run(self) -> [f64; 3] {
         let Ok(p) = PhaseFunction::new(self.0) else { return [f64::NAN; 3] };
         let reversal = Reversal::new(&p, self.1);
-        [reversal.max_displacement(), turning_point_border_at(&p), reversal.loop_size_stiffness()]
+        [reversal.max_displacement(), Border::turning_point_at(&p), reversal.loop_size_stiffness()]
     }
 }
 

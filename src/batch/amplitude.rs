@@ -3,7 +3,7 @@
 use super::block::select;
 use crate::float::circular::held;
 use crate::float::{Float, pair::Pair};
-use crate::nonsticking::{Reversal, turning_point_border};
+use crate::nonsticking::{Reversal, border::turning_point_border};
 use crate::phase_function::{is_close_to_one, one_minus_moderate_square};
 
 /// The bounds of Ω within which nothing over- or underflows.

@@ -2,7 +2,7 @@
 //!
 //! Sliding is the motion that reverses twice a cycle and does not stop; a body that reverses more often without stopping, which
 //! happens beside the poles ([`super::bands_without_stop`]), is outside of the bands. `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one minimum and rises from
-//! it, both strictly ([`crate::nonsticking::border::lobe`]). And it is empty in every lobe n with (2n+1)² − 1 ≥ α, because
+//! it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe n with (2n+1)² − 1 ≥ α, because
 //! α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all of them are found by looking once into each
 //! of those lobes: nothing is sampled, and nothing between two frequencies is missed. With a damper there is no such proof, and they are
 //! searched (`damped`).

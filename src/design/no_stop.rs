@@ -45,7 +45,7 @@ pub struct NoStopBand<F> {
 ///
 /// Those of [`bands`], of two reversals a cycle, and one around or just below each pole 1/(2n+1) with
 /// `α ≥ 5 (1/Ω² − 1)` or a little more, of six.
-/// The first are all there are; of the second that is searched ([`six_reversals`]). Their ends are to a few floats.
+/// The first are all there are; of the second that is searched ([`crate::nonsticking::SixReversals`]). Their ends are to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;

@@ -1,7 +1,7 @@
 //! What the formula as written loses beside Ω = 1.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
-use crate::nonsticking::turning_point_border_at;
+use crate::Border;
 use crate::{Cycle, Ratios};
 
 const ALPHA: f64 = 2.0;
@@ -74,7 +74,7 @@ fn displacement(omega: f64) -> f64 {
 }
 
 fn border(omega: f64) -> f64 {
-    crate::PhaseFunction::new(omega).map_or(f64::NAN, |p| turning_point_border_at(&p))
+    crate::PhaseFunction::new(omega).map_or(f64::NAN, |p| Border::turning_point_at(&p))
 }
 
 /// The relative error of a value, against 256 bits.
@@ -94,7 +94,7 @@ fn exact_border(omega: f64, value: f64) -> f64 {
     use crate::float::mp::Mp;
     let wide = |x: f64| Mp::<4>::from_f64(x);
     let p = crate::PhaseFunction::new(wide(omega));
-    p.map_or(f64::NAN, |p| (wide(value) / turning_point_border_at(&p) - wide(1.0)).to_f64().abs())
+    p.map_or(f64::NAN, |p| (wide(value) / Border::turning_point_at(&p) - wide(1.0)).to_f64().abs())
 }
 
 /// Not known without multiple precision.

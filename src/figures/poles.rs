@@ -3,7 +3,7 @@
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::exact::{LongRun, State};
 use crate::nonsticking::six_reversals;
-use crate::{Border, Ratios};
+use crate::{Border, PhaseFunction, Ratios};
 
 /// The border, the region of six reversals below it, and the points where the exact motion has no stop.
 pub(super) fn beside() -> Figure {
@@ -22,8 +22,9 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     // In steps that never meet the pole.
     let omegas = || evenly(from, to, 1201);
     let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio())));
-    let edges: Vec<(f64, (f64, f64))> =
-        omegas().filter_map(|omega| Some((omega, six_reversals::force_ratios(omega).ok()??))).collect();
+    let edges: Vec<(f64, (f64, f64))> = omegas()
+        .filter_map(|omega| Some((omega, six_reversals::force_ratios_at(&PhaseFunction::new(omega).ok()?)?)))
+        .collect();
     let least = edges.iter().map(|&(omega, (low, _))| (omega, low));
     let greatest = edges.iter().map(|&(omega, (_, high))| (omega, high));
     // Around the region once, from the pole's left side to its right; what is above the axis breaks the line.

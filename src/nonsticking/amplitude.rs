@@ -10,7 +10,7 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 ///
 /// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Two squares are added, so that nothing cancels.
 #[inline]
-pub fn force_ratio_from_displacement<R: Field>(
+pub(crate) fn force_ratio_from_displacement<R: Field>(
     phase_function: R,
     max_displacement: R,
     one_minus_square: R,

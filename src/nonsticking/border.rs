@@ -33,7 +33,7 @@
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
-pub mod lobe;
+mod lobe;
 mod near;
 mod range;
 mod shortfall;
@@ -42,7 +42,9 @@ mod stationary;
 
 use crate::error::Error;
 use crate::float::{Field, Float, Task, pair::Pair};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::PhaseFunction;
+#[cfg(any(test, feature = "matching"))]
+use crate::phase_function::one_minus_square;
 pub use lobe::{Lobe, Minimum};
 #[cfg(feature = "batch")]
 pub(crate) use near::border_near;
@@ -54,8 +56,9 @@ use stationary::inner_maximum;
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///
 /// The body slides on where it is ≥ 0; eq. 58 and 59 put it to 0 at t₂, where x = Δ₀ and x′ = 0.
+#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
+pub(crate) fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
     // |p₀ sin ω_d t − k x| − r_y
     (p0 * sin_phase - stiffness * x).abs() - friction_bound
 }
@@ -64,8 +67,9 @@ pub fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_b
 /// `B² [(αΩ/(1−Ω²))² − T²] (k/r_y − p₀/(r_y A))² − Ω²`.
 ///
 /// `k/r_y = 1/B` and `p₀/(r_y A) = (1−Ω²)/B`. Zero on eq. 61.
+#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
+pub(crate) fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
     let q = one_minus_square(omega);
     let stiffness_to_friction = R::int(1) / b;
     let force_to_amplitude = q / b;
@@ -82,7 +86,7 @@ pub fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) ->
 /// 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞.
 /// Source: Hong & Liu 2001, eq. 61. Accuracy at f64: 5 ulp.
 #[inline(always)]
-pub fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
+pub(crate) fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
     // α = hypot(K, (1 − Ω²)/Ω²)
     border_force_ratio(phase_function, one_minus_square / omega.square())
 }
@@ -91,7 +95,7 @@ pub fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, om
 ///
 /// `phase_function` is K(Ω), `width` is (1 − Ω²) S.
 #[inline(always)]
-pub fn border_force_ratio<R: Field>(phase_function: R, width: R) -> R {
+pub(crate) fn border_force_ratio<R: Field>(phase_function: R, width: R) -> R {
     // α_min = √{K² + [(1 − Ω²) S]²}
     phase_function.hypot(width)
 }
@@ -109,17 +113,9 @@ fn is_stationary_value_larger<F: Float>(
     rises | (width.value() > (one_minus_square / omega.wide().square()).value())
 }
 
-/// The border at the turning point (eq. 61, [`turning_point_border`]) at the frequency ratio of `p`.
-///
-/// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.
-#[inline(always)]
-pub fn turning_point_border_at<F: Float>(p: &PhaseFunction<F>) -> F {
-    turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
-}
-
 /// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
-#[inline]
-pub fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
+#[cfg(test)]
+pub(crate) fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
     alpha >= turning_point_border(phase_function, one_minus_square(omega), omega)
 }
 
@@ -183,9 +179,9 @@ impl<F: Float> Border<F> {
 
     /// The border at the frequency ratio of `p`.
     #[inline(always)]
-    pub fn at(p: &PhaseFunction<F>) -> Self {
+    pub(crate) fn at(p: &PhaseFunction<F>) -> Self {
         let omega = p.omega();
-        let turning_point = turning_point_border_at(p);
+        let turning_point = Self::turning_point_at(p);
         let limit = F::int(1) / omega.square();
         let at_turning_point = Self {
             min_force_ratio: turning_point,
@@ -207,10 +203,18 @@ impl<F: Float> Border<F> {
         }
     }
 
+    /// The border at the turning point (eq. 61), `α = hypot(K, 1/Ω² − 1)`, at the frequency ratio of `p`.
+    ///
+    /// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.
+    #[inline(always)]
+    pub fn turning_point_at(p: &PhaseFunction<F>) -> F {
+        turning_point_border(p.wide(), p.one_minus_square(), p.omega().wide()).value()
+    }
+
     /// [`Border::min_force_ratio`] at the frequency ratio of `p`, without the rest.
     #[inline(always)]
     pub(crate) fn least_force_ratio(p: &PhaseFunction<F>) -> F {
-        let turning_point = turning_point_border_at(p);
+        let turning_point = Self::turning_point_at(p);
         if p.omega() >= F::ratio(1, 2) {
             return turning_point;
         }
@@ -227,7 +231,7 @@ impl<F: Float> Border<F> {
         self.min_force_ratio
     }
 
-    /// Eq. 61 ([`turning_point_border`]): equal to the exact border for Ω ≥ 1/2, not above it below.
+    /// Eq. 61, `hypot(K, 1/Ω² − 1)`: equal to the exact border for Ω ≥ 1/2, not above it below.
     pub const fn turning_point(&self) -> F {
         self.turning_point
     }

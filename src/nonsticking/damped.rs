@@ -24,7 +24,7 @@ pub(crate) mod rising;
 use super::Border;
 use super::displacement::max_displacement;
 use super::phase::reduce;
-use super::stability::Pair;
+use super::stability::MultiplierPair;
 use crate::float::Float;
 use crate::ratios::Ratios;
 use border::{supremum, turning_point};
@@ -76,7 +76,7 @@ impl<F: Float> DampedCycle<F> {
     /// ```
     ///
     /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
-    pub(crate) fn multipliers(&self) -> Pair<F> {
+    pub(crate) fn multipliers(&self) -> MultiplierPair<F> {
         let (half, one) = (&self.rising.half, F::int(1));
         let r = self.deceleration();
         let (inverse, zeta) = (one / r, half.free.zeta);
@@ -87,22 +87,22 @@ impl<F: Float> DampedCycle<F> {
             + z * inverse * (z * inverse + F::int(2) * c);
         let spread = discriminant.abs().sqrt() / (one + inverse);
         if discriminant < F::int(0) {
-            return Pair::Complex { re: mean, im: spread };
+            return MultiplierPair::Complex { re: mean, im: spread };
         }
         let larger = mean + spread.with_sign_of(mean);
         let product = (one - inverse) / (one + inverse) * half.decay.square();
-        Pair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+        MultiplierPair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
     }
 
     /// What half a cycle leaves of a small disturbance, max |λ|.
     pub(crate) fn contraction(&self) -> F {
         let (half, one) = (&self.rising.half, F::int(1));
         match self.multipliers() {
-            Pair::Complex { .. } => {
+            MultiplierPair::Complex { .. } => {
                 let inverse = one / self.deceleration();
                 half.decay * ((one - inverse) / (one + inverse)).sqrt()
             }
-            Pair::Real(larger, _) => larger.abs(),
+            MultiplierPair::Real(larger, _) => larger.abs(),
         }
     }
 

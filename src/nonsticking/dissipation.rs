@@ -6,8 +6,9 @@ use crate::phase_function::PhaseFunction;
 /// Energy dissipated in a cycle, `s = 4 r_y Δ₀` (eq. 63): the area of the friction loop.
 ///
 /// `friction_bound` is r_y and `max_displacement` is Δ₀, in consistent units.
+#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
+pub(crate) fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
     // s = 4 r_y Δ₀
     R::int(4) * friction_bound * max_displacement
 }
@@ -17,7 +18,7 @@ pub fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
 /// `max_displacement` is Δ₀/B. How the loop depends on friction where k, p₀ and Ω are given.
 /// Source: Hong & Liu 2001, eq. 64.
 #[inline(always)]
-pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
+pub(crate) fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
     // A₁ = 8(Δ₀/B)/α²
     (max_displacement / alpha / alpha).times(8)
 }
@@ -26,7 +27,7 @@ pub fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
 ///
 /// How the loop depends on stiffness where m, p₀, ω_d and α are given. Source: Hong & Liu 2001, eq. 67.
 #[inline(always)]
-pub fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
+pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
     // A₂ = Ω² A₁
     omega.square() * loop_size_stiffness
 }
@@ -38,7 +39,7 @@ pub fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
 /// ratio is the border itself. At Ω = 1/(2n) K = 0, and this formula gives 0.
 /// Source: Hong & Liu 2001, eq. 65.
 #[inline]
-pub fn best_force_ratio<R: Field>(phase_function: R) -> R {
+pub(crate) fn best_force_ratio<R: Field>(phase_function: R) -> R {
     // α* = √2 |K|
     R::int(2).sqrt() * phase_function.abs()
 }
@@ -47,7 +48,7 @@ pub fn best_force_ratio<R: Field>(phase_function: R) -> R {
 ///
 /// Counts where that does. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
 #[inline]
-pub fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
+pub(crate) fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
     // A₁max = 4/(|K| |1 − Ω²|)
     R::int(4) / (phase_function.abs() * one_minus_square.abs())
 }

@@ -24,11 +24,9 @@ use crate::greatest::{Bound, Jet, greatest};
 use crate::phase_function::PhaseFunction;
 use crate::root::enclosed;
 
-/// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`: the maximum displacement in units of p₀/k.
-///
-/// It compares machines of different friction, whose B = r_y/k differs. With a motion of the spring's foot it is Δ₀/u₀.
+/// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`.
 #[inline]
-pub fn dynamic_amplification<R: Real>(max_displacement: R, alpha: R) -> R {
+pub(crate) fn dynamic_amplification<R: Real>(max_displacement: R, alpha: R) -> R {
     max_displacement / alpha
 }
 
@@ -36,32 +34,25 @@ pub fn dynamic_amplification<R: Real>(max_displacement: R, alpha: R) -> R {
 ///
 /// In physical units `ω_d² Δ₀ + r_y/m`: just before it stops, the body is braked by the friction, too.
 #[inline]
-pub fn arrival_acceleration<R: Real>(max_displacement: R, omega: R) -> R {
+pub(crate) fn arrival_acceleration<R: Real>(max_displacement: R, omega: R) -> R {
     max_displacement + R::int(1) / omega.square()
 }
 
 /// Greatest force on what carries spring and surface, `Δ₀/B + 1` in r_y: that of the spring and of friction together, `k x + r_y sgn x′`.
 #[inline]
-pub fn transmitted_force<R: Real>(max_displacement: R) -> R {
+pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
     max_displacement + R::int(1)
 }
 
-/// Transmissibility `(Δ₀/B + 1)/α`: the greatest transmitted force over p₀.
-///
-/// Under a base that carries the surface it is the ratio of absolute accelerations, that of the body over that of the base, since
-/// m times the one is the transmitted force and m times the other is p₀.
-#[inline]
-pub fn transmissibility<R: Real>(max_displacement: R, alpha: R) -> R {
-    transmitted_force(max_displacement) / alpha
-}
-
 impl<F: Float> Cycle<F> {
-    /// Dynamic amplification k Δ₀/p₀ ([`dynamic_amplification`]).
+    /// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`: the maximum displacement in units of p₀/k.
+    ///
+    /// It compares machines of different friction, whose B = r_y/k differs. With a motion of the spring's foot it is Δ₀/u₀.
     pub fn dynamic_amplification(&self) -> F {
         dynamic_amplification(self.max_displacement(), self.ratios().alpha())
     }
 
-    /// Greatest transmitted force, in r_y: without damping [`transmitted_force`]; with it the greatest
+    /// Greatest transmitted force, in r_y: without damping `Δ₀/B + 1`; with it the greatest
     /// `|x + 2ζx′ + sgn x′|`, the damper's force included.
     pub fn transmitted_force(&self) -> F {
         match &self.motion {
@@ -70,12 +61,15 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// Transmissibility: the greatest transmitted force over p₀ ([`transmissibility`]).
+    /// Transmissibility: the greatest transmitted force over p₀, without damping `(Δ₀/B + 1)/α`.
+    ///
+    /// Under a base that carries the surface it is the ratio of absolute accelerations, that of the body over that of the base, since
+    /// m times the one is the transmitted force and m times the other is p₀.
     pub fn transmissibility(&self) -> F {
         self.transmitted_force() / self.ratios().alpha()
     }
 
-    /// Greatest |x″|, in B ω_d²: without damping on arrival ([`arrival_acceleration`]) for Ω ≥ 1/2, otherwise the
+    /// Greatest |x″|, in B ω_d²: without damping on arrival, `Δ₀/B + 1/Ω²`, for Ω ≥ 1/2, otherwise the
     /// greatest of the half cycle.
     ///
     /// Accuracy at f64: 4 ulp without damping for Ω ≥ 1/2; otherwise 1e-13 of Δ₀/B + α/Ω².

@@ -159,15 +159,6 @@ fn displacement_close_to_one<F: Float>(omega: F, k: Pair<F>, width: Pair<F>, alp
     displacement_of_leg(((alpha.wide() - k) * excess).sqrt(), width)
 }
 
-/// Maximum displacement Δ₀/B (eq. 44, [`super::max_displacement`]) at the frequency ratio of `p`.
-///
-/// In compensated pairs: accurate however close α is to |K|, and Ω to 1. Units of B = r_y/k. NaN where α < |K|, infinite
-/// at Ω = 1. Accuracy at f64: 2 ulp.
-#[inline]
-pub fn max_displacement_at<F: Float>(p: &PhaseFunction<F>, alpha: F) -> F {
-    Reversal::new(p, alpha).max_displacement()
-}
-
 /// `(sin, cos)` of a pair, each with the one rounding of the type's own function.
 #[inline]
 fn sin_cos<F: Float>(angle: Pair<F>) -> (Pair<F>, Pair<F>) {

@@ -56,35 +56,18 @@ mod newton;
 mod range;
 mod search;
 
-use crate::error::Error;
 use crate::float::{AtPrecision, Float};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use equations::{Closing, Frequency, Unknowns};
 pub(crate) use range::{Within, within};
 
-/// The least and the greatest force ratio of the six-reversal cycle at Ω; `None` where it does not exist.
+/// The least and the greatest force ratio of the six-reversal cycle at the frequency ratio of `p`; `None` where it does not exist.
 ///
 /// From one to the other, both included, the body never stops and reverses six times a cycle. They are below the border of the
 /// two-reversal cycle ([`crate::Border`]); between the greatest and the border it stops.
 ///
-/// ```
-/// use stickslip::nonsticking::six_reversals::force_ratios;
-/// let (low, high) = force_ratios(0.331f64)?.unwrap();
-/// assert!((low - 53.67331).abs() < 1e-5 && (high - 155.36189).abs() < 1e-5);
-/// assert_eq!(force_ratios(0.336)?, None);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
 /// Accuracy at f64: 40 ulp; where the two meet, at the ends of the region, the problem itself has half the digits.
-///
-/// # Errors
-/// Where Ω is outside the domain of [`Ratios`].
-pub fn force_ratios<F: Float>(omega: F) -> Result<Option<(F, F)>, Error> {
-    PhaseFunction::new(omega).map(|p| force_ratios_at(&p))
-}
-
-/// [`force_ratios`] at the frequency ratio of `p`.
 pub(crate) fn force_ratios_at<F: Float>(p: &PhaseFunction<F>) -> Option<(F, F)> {
     edges::edges(p).map(|found| (found.low, found.high))
 }
@@ -121,7 +104,7 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α), `None` outside of [`force_ratios`], and with damping, for which it is not known.
+    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with damping, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         if ratios.is_damped() || !is_within(omega, alpha) {
@@ -133,11 +116,6 @@ impl<F: Float> SixReversals<F> {
         newton::polished(&frequency, Closing::Force(force), start).map(|unknowns| Self { ratios, unknowns })
     }
 
-    /// The ratios (Ω, α).
-    pub const fn ratios(&self) -> Ratios<F> {
-        self.ratios
-    }
-
     /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are half a turn later.
     ///
     /// Between 0 and π, because the forced maximum is at π/2.
@@ -145,11 +123,6 @@ impl<F: Float> SixReversals<F> {
         let (omega, y) = (self.ratios.omega(), &self.unknowns);
         let second = self.second_phase();
         [second - omega * y.before, second, second + omega * y.after]
-    }
-
-    /// The natural times from the first reversal to the second, and from that to the third.
-    pub const fn arcs(&self) -> (F, F) {
-        (self.unknowns.before, self.unknowns.after)
     }
 
     /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above 1, and 1 on an edge.

@@ -11,18 +11,22 @@
 //! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
 use super::Cycle;
-use crate::float::{Field, Float};
+#[cfg(any(test, feature = "matching"))]
+use crate::float::Field;
+use crate::float::Float;
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
+#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
+pub(crate) fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
     let g = omega.square() * max_displacement;
     (g - R::int(1)) / (g + R::int(1))
 }
 
 /// `λ² + (1 + s) cos(π/Ω) λ + s`: zero for a multiplier λ of the half-cycle map.
+#[cfg(any(test, feature = "matching"))]
 #[inline]
-pub fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -> R {
+pub(crate) fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -> R {
     lambda.square() + (R::int(1) + product) * cos_pi_1 * lambda + product
 }
 
@@ -41,7 +45,7 @@ pub fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_1: R) -
 /// Source: linearisation of the exact half-cycle map. Accuracy at f64: 4 ulp, away from the double root
 /// gσ = 1, where λ itself turns like a square root.
 #[inline(always)]
-pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> F {
+pub(crate) fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let (s, c) = sin_cos_beta;
     let g = omega.square() * max_displacement;
@@ -57,7 +61,7 @@ pub fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta: (F, F)
 
 /// A pair of multipliers, complex conjugate or real.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Pair<F> {
+pub enum MultiplierPair<F> {
     /// `re ± i im`, im > 0.
     Complex {
         /// Real part.
@@ -69,7 +73,7 @@ pub enum Pair<F> {
     Real(F, F),
 }
 
-impl<F: Float> Pair<F> {
+impl<F: Float> MultiplierPair<F> {
     /// The two as (real, imaginary) parts.
     #[must_use]
     pub fn parts(self) -> [(F, F); 2] {
@@ -82,7 +86,7 @@ impl<F: Float> Pair<F> {
 
     /// The pair of the map applied twice: the squares.
     #[must_use]
-    pub fn squared(self) -> Self {
+    pub(crate) fn squared(self) -> Self {
         match self {
             Self::Complex { re, im } => {
                 let (square, twice) = ((re - im) * (re + im), F::int(2) * re * im);
@@ -105,7 +109,7 @@ impl<F: Float> Pair<F> {
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Multipliers<F> {
-    half_cycle: Pair<F>,
+    half_cycle: MultiplierPair<F>,
 }
 
 impl<F: Float> Multipliers<F> {
@@ -120,7 +124,7 @@ impl<F: Float> Multipliers<F> {
     /// Complex where gσ > 1. The smaller of two real ones is `s/λ`, s the product, so that it keeps its digits as g → 1.
     /// Accuracy at f64: 8 ulp of the modulus, away from the double root gσ = 1.
     #[must_use]
-    pub fn new(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> Self {
+    pub(crate) fn new(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         let (s, c) = sin_cos_beta;
         // Written with 1/g, so that an infinite g gives the limit.
@@ -130,27 +134,27 @@ impl<F: Float> Multipliers<F> {
         let mean = -(cosine / (one + inverse));
         let spread = discriminant.abs().sqrt() / (one + inverse);
         let half_cycle = if discriminant < F::int(0) {
-            Pair::Complex { re: mean, im: spread }
+            MultiplierPair::Complex { re: mean, im: spread }
         } else {
             let larger = mean + spread.with_sign_of(mean);
             let product = (one - inverse) / (one + inverse);
-            Pair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+            MultiplierPair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
         };
         Self { half_cycle }
     }
 
     /// Of a pair that is known.
-    pub(super) const fn of_half_cycle(half_cycle: Pair<F>) -> Self {
+    pub(super) const fn of_half_cycle(half_cycle: MultiplierPair<F>) -> Self {
         Self { half_cycle }
     }
 
     /// Of half a cycle, from one reversal to the next: λ.
-    pub const fn half_cycle(&self) -> Pair<F> {
+    pub const fn half_cycle(&self) -> MultiplierPair<F> {
         self.half_cycle
     }
 
     /// Of a whole cycle: λ².
-    pub fn cycle(&self) -> Pair<F> {
+    pub fn cycle(&self) -> MultiplierPair<F> {
         self.half_cycle.squared()
     }
 
@@ -205,7 +209,7 @@ impl<F: Float> Cycle<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Multipliers, Pair, characteristic_polynomial, contraction, multiplier_product};
+    use super::{MultiplierPair, Multipliers, characteristic_polynomial, contraction, multiplier_product};
     use crate::{Border, Cycle, Ratios};
     use proptest::prelude::*;
 
@@ -255,7 +259,9 @@ mod tests {
     #[test]
     fn the_multipliers_of_the_exact_motion() {
         // From the monodromy of the simulated motion at (0.7, 2).
-        let Pair::Complex { re, im } = multipliers(0.7, 2.0).cycle() else { panic!("a complex pair") };
+        let MultiplierPair::Complex { re, im } = multipliers(0.7, 2.0).cycle() else {
+            panic!("a complex pair")
+        };
         assert!((re + 0.222_401_57).abs() < 5e-9 && (im - 0.138_157_96).abs() < 5e-9, "{re} {im}");
     }
 

@@ -46,7 +46,7 @@ impl<F: Float> NoStop<F> {
 /// The force ratios with which the body never stops at Ω, as intervals with their ends.
 ///
 /// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of six reversals a cycle
-/// ([`crate::nonsticking::six_reversals`]). At Ω = 1 the motion from the border on is unbounded, and does not stop either.
+/// ([`crate::nonsticking::SixReversals`]). At Ω = 1 the motion from the border on is unbounded, and does not stop either.
 ///
 /// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other α > 1; no motion of
 /// ten reversals or more without a stop was found, nor one of six elsewhere (`docs/theory/six-reversals.md`).
@@ -61,7 +61,7 @@ impl<F: Float> NoStop<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// Accuracy as of [`Border::min_force_ratio`] and [`six_reversals::force_ratios`]; with the guard bits that the type has.
+/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; with the guard bits that the type has.
 ///
 /// # Errors
 /// Where Ω is outside the domain of [`crate::Ratios`].

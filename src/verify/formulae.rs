@@ -5,7 +5,7 @@
 
 use crate::float::Float;
 use crate::nonsticking::matching::{Given, Unknowns};
-use crate::nonsticking::stability::{self, Pair};
+use crate::nonsticking::stability::{self, MultiplierPair};
 use crate::nonsticking::{self, Border, Cycle, border, den_hartog};
 use crate::phase_function::PhaseFunction;
 
@@ -21,7 +21,7 @@ pub(crate) struct Answers<F> {
     pub(crate) loop_size_inertia: F,
     pub(crate) contraction: F,
     /// The multipliers of half a cycle.
-    pub(crate) multipliers: Pair<F>,
+    pub(crate) multipliers: MultiplierPair<F>,
 }
 
 /// What is answered at one Ω.

@@ -4,7 +4,7 @@ use super::formulae::{Answers, Edge, Formulae};
 use super::verify_by;
 use crate::float::Float;
 use crate::nonsticking::matching::{Given, Unknowns, pi_1};
-use crate::nonsticking::stability::Pair;
+use crate::nonsticking::stability::MultiplierPair;
 use crate::nonsticking::{Border, Cycle, printed};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use core::f64::consts::{PI, TAU};
@@ -98,8 +98,8 @@ mutants! {
         Answers { deviation: -c.deviation(), ..right(c) };
     "multipliers of the other sign": answers(c: C<'_>) -> Answers<f64> = Answers {
         multipliers: match c.multipliers().half_cycle() {
-            Pair::Complex { re, im } => Pair::Complex { re: -re, im },
-            Pair::Real(a, b) => Pair::Real(-a, -b),
+            MultiplierPair::Complex { re, im } => MultiplierPair::Complex { re: -re, im },
+            MultiplierPair::Real(a, b) => MultiplierPair::Real(-a, -b),
         },
         ..right(c)
     };
@@ -148,9 +148,9 @@ mutants! {
         let mean = -(1.0 + s) * pi_1(c.ratios().omega()).cos() / 2.0;
         let square = mean * mean - s;
         let multipliers = if square < 0.0 {
-            Pair::Complex { re: mean, im: (-square).sqrt() }
+            MultiplierPair::Complex { re: mean, im: (-square).sqrt() }
         } else {
-            Pair::Real(mean + square.sqrt().copysign(mean), mean - square.sqrt().copysign(mean))
+            MultiplierPair::Real(mean + square.sqrt().copysign(mean), mean - square.sqrt().copysign(mean))
         };
         Answers { multipliers, contraction: multipliers.modulus(), ..right(c) }
     };

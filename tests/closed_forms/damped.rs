@@ -351,7 +351,6 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
 
 #[test]
 fn what_does_not_know_damping_refuses_it() {
-    let damped = ratios(0.7, 0.05, 3.0);
     let is_refused = |e: Error| assert!(matches!(e, Error::Damped { .. }), "{e}");
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(0.05).unwrap();
     let drive = Drive::force(3.0, 0.7).unwrap();
@@ -359,8 +358,6 @@ fn what_does_not_know_damping_refuses_it() {
     is_refused(design::forces_without_stop(&body, 0.7).map(|_| ()).unwrap_err());
     is_refused(design::frequency_bands_without_stop(&body, &drive, 0.5, 2.0).map(|_| ()).unwrap_err());
     is_refused(design::most_dissipating_friction_of_all(&body, &drive, 1e-3).map(|_| ()).unwrap_err());
-    let amplitude: f64 = Cycle::new(damped).unwrap().given().amplitude;
-    assert!(amplitude.is_nan());
 }
 
 #[test]

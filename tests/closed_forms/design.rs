@@ -6,7 +6,7 @@ use stickslip::design::{
     self, Edge, Optimum, bands, force_ratio_for_displacement, force_ratio_for_velocity,
     most_dissipating_force_ratio, most_dissipating_frequency_ratio,
 };
-use stickslip::nonsticking::border::{Lobe, border_range};
+use stickslip::nonsticking::{Lobe, border_range};
 use stickslip::{
     Border, Cycle, Drive, Oscillator, PhaseFunction, Place, Ratios, Regime, Response, Verdict, regime,
 };
@@ -100,7 +100,7 @@ proptest! {
         let lobe = Lobe::containing(omega).unwrap();
         let distance = distance_from_pole(omega).min(1.0);
         let h = omega * (distance * 2e-3).min(1e-3);
-        let corner = [Some(lobe), lobe.below()].into_iter().flatten().filter_map(|l| l.shortfall::<f64>());
+        let corner = [Some(lobe), lobe.index().checked_add(1).map(Lobe::new)].into_iter().flatten().filter_map(|l| l.shortfall::<f64>());
         let mut joints: Vec<f64> = corner.flat_map(|s| [s.low, s.high]).collect();
         joints.push(0.5 / f64::from(lobe.index() + 1));
         prop_assume!(distance > 1e-4 && joints.iter().all(|joint| (omega - joint).abs() > 5.0 * h));

@@ -2,7 +2,7 @@
 
 use stickslip::design::{bands, force_ratio_for_velocity, most_dissipating_frequency_ratio};
 use stickslip::float::mp::Mp;
-use stickslip::nonsticking::border::Lobe;
+use stickslip::nonsticking::Lobe;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Place, Ratios, Regime, Verdict};
 
 type Wide = Mp<4>;

@@ -1,4 +1,4 @@
-//! The closed forms: identities, independent values, any precision, batches, sensitivities, ranges, inverse problems.
+//! The closed forms: independent values, any precision, batches, sensitivities, ranges, inverse problems.
 
 #[path = "../random/mod.rs"]
 mod random;
@@ -19,14 +19,9 @@ mod design;
 mod design_damped;
 #[cfg(feature = "mp")]
 mod design_wide;
-mod errata;
 #[cfg(feature = "dual")]
 mod identify;
-#[cfg(feature = "matching")]
-mod identities;
 mod independent;
-#[cfg(feature = "generators")]
-mod ordinary_inputs;
 #[cfg(feature = "mp")]
 mod precision;
 mod reference;

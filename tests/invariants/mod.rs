@@ -135,7 +135,7 @@ fn is_at_an_edge(ratios: Ratios<f64>) -> bool {
 /// An answer is finite and keeps the body sliding, whatever was asked.
 fn inverse_questions(omega: f64, target: f64) {
     let p = PhaseFunction::new(omega).unwrap();
-    let least = Border::at(&p).min_force_ratio();
+    let least = Border::new(omega).unwrap().min_force_ratio();
     assert!(Border::sensitivity(&p).is_finite());
     // Below 2⁻²⁴⁰ the slope itself can be beyond the largest double.
     assert!(Border::slope(&p).is_finite() || omega < 2f64.powi(-240) && !Border::slope(&p).is_nan());

@@ -1,11 +1,10 @@
 //! Points, and what is measured at them.
 
-use crate::equations::equations;
+use super::equations::equations;
 use nalgebra::RealField;
 use std::collections::BTreeMap;
 use stickslip::nonsticking::matching::newton;
-use stickslip::nonsticking::turning_point_border_at;
-use stickslip::{Cycle, Field, Float, PhaseFunction, Ratios};
+use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios};
 
 /// `10⁻ᵏ`.
 pub(crate) fn tenth_power<F: Float>(k: u32) -> F {
@@ -81,7 +80,7 @@ impl Worst {
             Ok(found) => found,
             Err(e) => panic!("border at Ω = {omega}: {e}"),
         };
-        let by_61 = turning_point_border_at(&PhaseFunction::new(omega).unwrap());
+        let by_61 = Border::turning_point_at(&PhaseFunction::new(omega).unwrap());
         let error = Float::to_f64((found.force_ratio - by_61) / by_61 / <F as Float>::epsilon()).abs();
         let per_turn = 1.0 + 1.0 / Float::to_f64(omega);
         assert!(

@@ -1,6 +1,6 @@
 //! The same at 256, 1024 and 4096 bits.
 
-use crate::points::{Worst, special, tenth_power};
+use super::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::matching::newton;

@@ -2,7 +2,7 @@
 
 use crate::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::nonsticking::stability::Pair;
+use stickslip::nonsticking::MultiplierPair;
 use stickslip::{Border, Cycle, Place, Ratios, Verdict};
 
 fn place(omega: f64, alpha: f64) -> Place<f64> {
@@ -100,7 +100,7 @@ fn the_multipliers_are_those_of_the_motion() {
         let Ok(cycle) = Cycle::new(Ratios::new(omega, alpha).unwrap()) else { continue };
         let Ok(LongRun::Periodic(steady)) = SteadyState::from_cycle(&cycle) else { continue };
         let closed = cycle.multipliers().cycle();
-        seen[usize::from(matches!(closed, Pair::Real(..)))] += 1;
+        seen[usize::from(matches!(closed, MultiplierPair::Real(..)))] += 1;
         let (mut a, mut b) = (closed.parts(), steady.multipliers());
         a.sort_by(|x, y| y.partial_cmp(x).unwrap());
         b.sort_by(|x, y| y.partial_cmp(x).unwrap());

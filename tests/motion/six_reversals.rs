@@ -7,9 +7,13 @@ use std::f64::consts::PI;
 use stickslip::exact::{Kind, LongRun, State, Trajectory};
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::SixReversals;
-use stickslip::nonsticking::six_reversals::force_ratios;
 use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
+
+/// The least and the greatest force ratio of six reversals.
+fn force_ratios<F: Float>(omega: F) -> Result<Option<(F, F)>, Error> {
+    no_stop_force_ratios(omega).map(|found| found.six_reversals())
+}
 
 fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
     LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap()

@@ -1,7 +1,7 @@
 //! An angle as a combination of the named ones.
 
-use crate::polynomial::Polynomial;
-use crate::scalar::{Angle, Symbol, named_angles};
+use super::polynomial::Polynomial;
+use super::scalar::{Angle, Symbol, named_angles};
 use num_rational::BigRational;
 use num_traits::{One, ToPrimitive, Zero};
 

@@ -1,8 +1,8 @@
 //! The form of eq. 21–25 that Newton's method solves: the same equations, and its Jacobian.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, angle, free, reset};
-use crate::setting::int;
+use super::ideal::Ideal;
+use super::scalar::{Symbol, angle, free, reset};
+use super::setting::int;
 use stickslip::Real;
 use stickslip::nonsticking::border::slip_excess;
 use stickslip::nonsticking::matching::Unknowns;

@@ -1,8 +1,8 @@
 //! Eq. 57–62: the border at the turning point.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, free, reset};
-use crate::setting::{Matching, int};
+use super::ideal::Ideal;
+use super::scalar::{Symbol, free, reset};
+use super::setting::{Matching, int};
 use stickslip::Real;
 use stickslip::nonsticking::border::{slip_excess, turning_point_border, turning_point_residual};
 use stickslip::nonsticking::max_displacement;

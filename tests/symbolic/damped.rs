@@ -4,9 +4,9 @@
 //! below, at and above 1 alike. The exponential of the free vibration over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`.
 //! The formulae are those of docs/theory/damping.md; that the library's numbers are theirs is for `verify`.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, free, reset};
-use crate::setting::int;
+use super::ideal::Ideal;
+use super::scalar::{Symbol, free, reset};
+use super::setting::int;
 
 struct HalfPeriod {
     zeta: Symbol,

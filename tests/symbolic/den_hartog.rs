@@ -1,8 +1,8 @@
 //! Eq. 50–56: Den Hartog's half cycle is the same motion.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, free};
-use crate::setting::{Matching, int};
+use super::ideal::Ideal;
+use super::scalar::{Symbol, free};
+use super::setting::{Matching, int};
 use stickslip::Real;
 use stickslip::nonsticking::den_hartog::{FallingHalf, cosine_coefficient, phase_lag, sine_coefficient};
 

@@ -1,8 +1,8 @@
 //! Eq. 63–67: the loop, and the force ratio that makes it largest.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, free, reset};
-use crate::setting::int;
+use super::ideal::Ideal;
+use super::scalar::{Symbol, free, reset};
+use super::setting::int;
 use stickslip::Field;
 use stickslip::nonsticking::{
     best_force_ratio, best_loop_size, loop_size, loop_size_inertia, loop_size_stiffness, max_displacement,

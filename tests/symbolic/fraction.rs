@@ -4,7 +4,7 @@
 //! the numerator is the claim of an identity without spurious factors, and the denominator says what must not
 //! vanish for it.
 
-use crate::polynomial::Polynomial;
+use super::polynomial::Polynomial;
 use std::collections::BTreeMap;
 
 #[derive(Debug, Clone, PartialEq)]

@@ -1,10 +1,10 @@
 //! Whether a polynomial follows from others, with the cofactors that show it.
 //!
-//! `groebner` finds the cofactors; that they are right is one expansion by [`crate::polynomial`], which shares
+//! `groebner` finds the cofactors; that they are right is one expansion by [`super::polynomial`], which shares
 //! no code with it.
 
-use crate::polynomial::{Polynomial, rational, trimmed};
-use crate::scalar::{Symbol, relations, written};
+use super::polynomial::{Polynomial, rational, trimmed};
+use super::scalar::{Symbol, relations, written};
 use groebner::{LiftBasis, Monomial, MonomialOrder};
 use num_rational::BigRational;
 use std::collections::{BTreeMap, BTreeSet};

@@ -1,9 +1,9 @@
 //! Eq. 1–41 and 45: what follows from the matching conditions.
 
-use crate::ideal::Ideal;
-use crate::polynomial::Polynomial;
-use crate::scalar::{Symbol, angle, angle_with, free};
-use crate::setting::{Matching, int};
+use super::ideal::Ideal;
+use super::polynomial::Polynomial;
+use super::scalar::{Symbol, angle, angle_with, free};
+use super::setting::{Matching, int};
 use stickslip::nonsticking::cos_displacement_phase;
 use stickslip::nonsticking::matching::half_period_later;
 use stickslip::phase_function::one_minus_square;

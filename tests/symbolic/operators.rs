@@ -1,7 +1,7 @@
 //! Arithmetic of symbols: that of their rational functions.
 
-use crate::polynomial::Polynomial;
-use crate::scalar::{Symbol, inverse, stored};
+use super::polynomial::Polynomial;
+use super::scalar::{Symbol, inverse, stored};
 use std::ops::{Add, Div, Mul, Neg, Rem, Sub};
 
 impl From<Polynomial> for Symbol {

@@ -4,9 +4,9 @@
 //! its numbers. Generators are free, or the root of a rational function, or the sine or cosine of an angle. An
 //! angle that is a combination with integer coefficients of the named ones has its sine and cosine by the addition theorems.
 
-use crate::angles::combination;
-use crate::fraction::Fraction;
-use crate::polynomial::Polynomial;
+use super::angles::combination;
+use super::fraction::Fraction;
+use super::polynomial::Polynomial;
 use num_rational::BigRational;
 use std::cell::RefCell;
 use std::collections::BTreeSet;

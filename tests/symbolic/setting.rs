@@ -3,7 +3,7 @@
 //! ρ and X = B + Δ₁ − A sin ω_d t₁ are taken as symbols in place of V₀ and Δ₁, and P = A Ω cos ω_d t₂ and
 //! Q = A sin ω_d t₂ in place of the sine and cosine: a change of variables, so that the algebra stays small.
 
-use crate::scalar::{Symbol, angle, angle_with, factor, free, reset};
+use super::scalar::{Symbol, angle, angle_with, factor, free, reset};
 use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
 use stickslip::nonsticking::{cos_displacement_phase, sin_displacement_phase};
 use stickslip::phase_function::{one_minus_square, phase_function_of_tangent};

@@ -1,8 +1,8 @@
 //! Eq. 42–49: maximum displacement, and maximum velocity with the signs that the paper loses.
 
-use crate::ideal::Ideal;
-use crate::scalar::{Symbol, free};
-use crate::setting::{Matching, int};
+use super::ideal::Ideal;
+use super::scalar::{Symbol, free};
+use super::setting::{Matching, int};
 use stickslip::nonsticking::{
     deviation, max_displacement, max_displacement_from_amplitude, max_velocity_from_phase, printed,
     velocity_phase_residual,

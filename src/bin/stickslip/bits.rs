@@ -3,7 +3,7 @@
 use crate::failure::{Failure, Outcome};
 use num_traits::Pow;
 use std::str::FromStr;
-use stickslip::nonsticking::matching::newton::Solvable;
+use stickslip::nonsticking::Solvable;
 
 /// A number the command can read, write and space evenly.
 pub(crate) trait Value: Solvable + FromStr + Pow<Self, Output = Self> + Send + Sync {}

@@ -7,7 +7,7 @@ use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::regime::{NoStop, no_stop_force_ratios};
-use stickslip::{Cycle, PhaseFunction, Ratios, Regime, Response, nonsticking};
+use stickslip::{Cycle, PhaseFunction, Ratios, Regime, Response};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
@@ -166,10 +166,9 @@ fn motion<F: Value>(
     let left = digits(cycle.contraction());
     writeln!(out, "  a disturbance shrinks to {left} of itself in half a cycle")?;
     writeln!(out, "\nDissipation in a cycle")?;
-    if let Some(Machine { oscillator, scales, .. }) = machine {
-        let loop_size =
-            nonsticking::loop_size(oscillator.friction_bound(), cycle.max_displacement() * scales.length);
-        writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(loop_size))?;
+    if let Some(Machine { scales, .. }) = machine {
+        let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
+        writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(energy))?;
     }
     if cycle.ratios().is_damped() {
         let scale = scales.map(|s| s.force * s.length);

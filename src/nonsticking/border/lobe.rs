@@ -95,25 +95,25 @@ impl Lobe {
 
     /// The next lobe towards high frequencies; `None` for lobe 0.
     #[must_use]
-    pub fn above(self) -> Option<Self> {
+    pub(crate) fn above(self) -> Option<Self> {
         self.index.checked_sub(1).map(Self::new)
     }
 
     /// The next lobe towards low frequencies; `None` for the last.
     #[must_use]
-    pub fn below(self) -> Option<Self> {
+    pub(crate) fn below(self) -> Option<Self> {
         self.index.checked_add(1).map(Self::new)
     }
 
     /// The pole 1/(2n+3) at the lower end, rounded.
     #[must_use]
-    pub fn low_pole<F: Float>(self) -> F {
+    pub(crate) fn low_pole<F: Float>(self) -> F {
         F::int(1) / odd(self.index, 3)
     }
 
     /// The pole 1/(2n+1) at the upper end, rounded; `None` for lobe 0.
     #[must_use]
-    pub fn high_pole<F: Float>(self) -> Option<F> {
+    pub(crate) fn high_pole<F: Float>(self) -> Option<F> {
         (self.index > 0).then(|| F::int(1) / odd(self.index, 1))
     }
 

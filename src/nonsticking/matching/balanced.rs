@@ -22,15 +22,15 @@ use crate::float::Real;
 
 /// Eq. 21–25 and 59 at one frequency ratio; unknowns in units of A.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Balanced<R> {
+pub(crate) struct Balanced<R> {
     /// Frequency ratio Ω.
-    pub omega: R,
+    pub(crate) omega: R,
     /// `1 − Ω²`.
-    pub one_minus_square: R,
+    pub(crate) one_minus_square: R,
     /// (sin β, cos β), β = π/2Ω.
-    pub sin_cos_beta: (R, R),
+    pub(crate) sin_cos_beta: (R, R),
     /// `κ = B/(A cos β)`: the friction, 0 for none.
-    pub friction: R,
+    pub(crate) friction: R,
 }
 
 /// `(ρ cos θ − X sin θ, X cos θ + ρ sin θ)`: what swings at ω_n, its rate and its position.
@@ -45,7 +45,7 @@ impl<R: Real> Balanced<R> {
     }
 
     /// The same problem in the paper's form, in units of A.
-    pub fn given(&self) -> Given<R> {
+    pub(crate) fn given(&self) -> Given<R> {
         Given { amplitude: R::int(1), friction_displacement: self.b(), omega: self.omega }
     }
 
@@ -57,7 +57,7 @@ impl<R: Real> Balanced<R> {
     }
 
     /// Left less right sides of the five equations.
-    pub fn residuals(&self, u: &Unknowns<R>) -> [R; 5] {
+    pub(crate) fn residuals(&self, u: &Unknowns<R>) -> [R; 5] {
         let given = self.given();
         let (rho, x) = (given.rho(u), given.offset(u));
         let (theta, psi) = self.angles(u);
@@ -75,12 +75,12 @@ impl<R: Real> Balanced<R> {
     /// Left less right side of eq. 59 over A: `(1 − Ω²) sin ω_d t₂ − Δ₀/A + B/A`.
     ///
     /// The force left over at t₂ is r_y, with the sign it has at a maximum of x.
-    pub fn turning_point(&self, u: &Unknowns<R>) -> R {
+    pub(crate) fn turning_point(&self, u: &Unknowns<R>) -> R {
         self.one_minus_square * u.displacement_phase.sin() - u.max_displacement + self.b()
     }
 
     /// Derivatives of the residuals (rows) by t₁, t₂, V₀, Δ₀, Δ₁ (columns), in closed form.
-    pub fn jacobian(&self, u: &Unknowns<R>) -> [[R; 5]; 5] {
+    pub(crate) fn jacobian(&self, u: &Unknowns<R>) -> [[R; 5]; 5] {
         let (zero, one) = (R::int(0), R::int(1));
         let given = self.given();
         let (rho, x) = (given.rho(u), given.offset(u));
@@ -103,14 +103,14 @@ impl<R: Real> Balanced<R> {
     }
 
     /// Derivatives of the residuals by κ, in closed form.
-    pub fn by_friction(&self, u: &Unknowns<R>) -> [R; 5] {
+    pub(crate) fn by_friction(&self, u: &Unknowns<R>) -> [R; 5] {
         let ((s, c), (sp, cp)) = self.angles(u);
         let cb = self.sin_cos_beta.1;
         [-(cb * s), -(cb * sp), cb * (c - R::int(1)), cb * cp - R::int(1), cb]
     }
 
     /// Derivatives of [`Balanced::turning_point`] by t₁, t₂, V₀, Δ₀, Δ₁ and κ, in closed form.
-    pub fn turning_point_gradient(&self, u: &Unknowns<R>) -> [R; 6] {
+    pub(crate) fn turning_point_gradient(&self, u: &Unknowns<R>) -> [R; 6] {
         let zero = R::int(0);
         let cos_t2 = u.displacement_phase.cos();
         [zero, self.one_minus_square * cos_t2, zero, R::int(-1), zero, self.sin_cos_beta.1]

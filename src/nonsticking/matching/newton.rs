@@ -1,12 +1,12 @@
 //! Eq. 21–25 solved by Newton's method, without the closed forms.
 //!
 //! ```
-//! use stickslip::{Ratios, nonsticking::matching::newton};
-//! let found = newton::solve(Ratios::new(1.5f64, 2.5)?)?;
+//! use stickslip::{Ratios, nonsticking::Solvable};
+//! let found = Solvable::solve(Ratios::new(1.5f64, 2.5)?)?;
 //! assert!((found.unknowns.max_displacement - 1.632993161855452).abs() < 1e-14);
 //! assert!(found.residuals.iter().all(|r| *r < 8.0));
 //! // With eq. 58 and 59 and α free: the border at the turning point.
-//! assert!((newton::solve_border(2.0f64)?.force_ratio - 1.6770509831248424).abs() < 1e-14);
+//! assert!((f64::solve_border(2.0)?.force_ratio - 1.6770509831248424).abs() < 1e-14);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -105,15 +105,21 @@ pub struct BorderSolution<F> {
 
 /// A number that the matching problem can be solved in: any [`Float`] with nalgebra's `RealField`, whose names it keeps apart.
 pub trait Solvable: Float {
-    /// [`solve`].
+    /// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same matching conditions with the free
+    /// vibrations of a damped body, and at Ω = 1, too.
     ///
     /// # Errors
-    /// As there.
+    /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
+    /// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
+    /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
     fn solve(ratios: Ratios<Self>) -> Result<Solution<Self>, MatchingError>;
-    /// [`solve_border`].
+    /// Solves eq. 21–25 and 59 for t₁, t₂, V₀, Δ₀, Δ₁ and α at Ω: six equations, six unknowns.
+    ///
+    /// Eq. 58 is eq. 21. Below Ω = 1/2 the cycle found is not a motion where the exact border is higher
+    /// (`src/nonsticking/border.rs`); it solves the equations all the same.
     ///
     /// # Errors
-    /// As there.
+    /// As [`Solvable::solve`]; [`crate::Error`] where Ω is not in its domain.
     fn solve_border(omega: Self) -> Result<BorderSolution<Self>, MatchingError>;
 }
 
@@ -127,14 +133,8 @@ impl<F: Float + RealField> Solvable for F {
     }
 }
 
-/// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same matching conditions with the free
-/// vibrations of a damped body, and at Ω = 1, too.
-///
-/// # Errors
-/// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
-/// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
-/// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
-pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
+/// [`Solvable::solve`].
+pub(crate) fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, MatchingError> {
     if ratios.is_damped() {
         return super::damped::solve(ratios);
     }
@@ -176,14 +176,8 @@ pub fn solve<F: Float + RealField>(ratios: Ratios<F>) -> Result<Solution<F>, Mat
     Ok(Solution { unknowns, residuals, iterations, lost_bits })
 }
 
-/// Solves eq. 21–25 and 59 for t₁, t₂, V₀, Δ₀, Δ₁ and α at Ω: six equations, six unknowns.
-///
-/// Eq. 58 is eq. 21. Below Ω = 1/2 the cycle found is not a motion where the exact border is higher
-/// ([`crate::nonsticking::border`]); it solves the equations all the same.
-///
-/// # Errors
-/// As [`solve`]; [`crate::Error`] where Ω is not in its domain.
-pub fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>, MatchingError> {
+/// [`Solvable::solve_border`].
+pub(crate) fn solve_border<F: Float + RealField>(omega: F) -> Result<BorderSolution<F>, MatchingError> {
     let phase_function = PhaseFunction::new(omega)?;
     let q = one_minus_square(omega);
     let system = Balanced { omega, one_minus_square: q, sin_cos_beta: phase_function.sin_cos(), friction: q };

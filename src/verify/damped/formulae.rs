@@ -1,7 +1,7 @@
 //! The formulae with damping that are held against the motion: the library's, or another set in their place.
 
 use crate::float::Float;
-use crate::nonsticking::stability::Pair;
+use crate::nonsticking::stability::MultiplierPair;
 use crate::nonsticking::{Border, Cycle, damped};
 use crate::ratios::Ratios;
 
@@ -18,7 +18,7 @@ pub(crate) struct Answers<F> {
     pub(crate) damper_work: F,
     pub(crate) contraction: F,
     /// The multipliers of half a cycle.
-    pub(crate) multipliers: Pair<F>,
+    pub(crate) multipliers: MultiplierPair<F>,
 }
 
 /// What is answered at one (Ω, ζ).

@@ -5,7 +5,7 @@ use super::{Library, verify_by};
 use crate::nonsticking::Cycle;
 use crate::nonsticking::damped::half_period;
 use crate::nonsticking::damped::half_period::HalfPeriod;
-use crate::nonsticking::stability::Pair;
+use crate::nonsticking::stability::MultiplierPair;
 use crate::ratios::Ratios;
 use core::f64::consts::{PI, TAU};
 use core::ops::ControlFlow;
@@ -37,13 +37,13 @@ fn amplitude(c: C<'_>) -> f64 {
 }
 
 /// Roots of λ² + sum λ + product.
-fn roots(sum: f64, product: f64) -> Pair<f64> {
+fn roots(sum: f64, product: f64) -> MultiplierPair<f64> {
     let disc = sum * sum / 4.0 - product;
     if disc < 0.0 {
-        return Pair::Complex { re: -sum / 2.0, im: (-disc).sqrt() };
+        return MultiplierPair::Complex { re: -sum / 2.0, im: (-disc).sqrt() };
     }
     let larger = -(sum / 2.0) - disc.sqrt().copysign(sum);
-    Pair::Real(larger, product / larger)
+    MultiplierPair::Real(larger, product / larger)
 }
 
 /// Multipliers and contraction by R and a factor of the area.

@@ -4,6 +4,7 @@
 //! and 1/(2n+1), where the paper's own forms, unlike the library's, lose digits.
 
 use proptest::prelude::*;
+use proptest::test_runner::FileFailurePersistence;
 use stickslip::nonsticking::{self, border};
 use stickslip::verify::{self, Case, Standing};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
@@ -39,7 +40,12 @@ macro_rules! vanish {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3000))]
+    // This file is a part of the unit tests, whose own folder is that of `src/lib.rs`.
+    #![proptest_config(ProptestConfig {
+        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
+        ..ProptestConfig::with_cases(3000)
+    })]
+
 
     /// Every identity of the library's own list, the misprints failing where they must.
     #[test]

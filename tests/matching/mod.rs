@@ -9,7 +9,7 @@ mod points;
 #[cfg(feature = "mp")]
 mod precision;
 
-use crate::points::Worst;
+use points::Worst;
 use stickslip::nonsticking::matching::newton;
 use stickslip::{Border, Cycle, Ratios};
 

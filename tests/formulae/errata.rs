@@ -71,11 +71,11 @@ fn erratum_3_the_range_of_43_where_k_is_positive() {
 #[test]
 fn erratum_4_equation_61_does_not_suffice_below_one_half() {
     let p = PhaseFunction::new(0.4f64).unwrap();
-    close(nonsticking::turning_point_border_at(&p), 5.654_423_047_491_228, 1e-15);
+    close(Border::turning_point_at(&p), 5.654_423_047_491_228, 1e-15);
     close(Border::at(&p).min_force_ratio(), 6.949_737_755_908_733, 1e-15);
     // Between the two, eq. 62 holds and the motion of eq. 54 runs backwards: it is not one.
     let alpha = 6.0;
-    assert!(nonsticking::turning_point_criterion(p.value(), 0.4, alpha));
+    assert!(nonsticking::border::turning_point_criterion(p.value(), 0.4, alpha));
     let delta = nonsticking::max_displacement(p.value(), alpha, 1.0 - 0.16);
     let phase = nonsticking::displacement_phase(p.value(), alpha, 0.4);
     let half = nonsticking::den_hartog::FallingHalf {
