@@ -15,7 +15,7 @@ fn exists(path: &str) -> bool {
     let parts: Vec<&str> = path.split("::").collect();
     let Some((name, modules)) = parts.split_last() else { return false };
     let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(modules.join("/"));
-    let sources = [file.with_extension("rs"), file.join("main.rs")];
+    let sources = [file.with_extension("rs"), file.join("main.rs"), file.join("mod.rs")];
     sources
         .iter()
         .filter_map(|f| std::fs::read_to_string(f).ok())
