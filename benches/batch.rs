@@ -3,13 +3,13 @@
 mod columns;
 mod points;
 
-use columns::Columns;
+use columns::{ALL, FIVE, Room, THREE};
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use stickslip::batch::{Batch, FixedOmega, Level};
 
 fn batch(criterion: &mut Criterion) {
     let n = 8192;
-    let mut columns = Columns::new(n);
+    let mut room = Room::new(n);
     let (omega, alpha): (Vec<_>, Vec<_>) = points::points(n).into_iter().unzip();
     let (low_omega, low_alpha): (Vec<_>, Vec<_>) = points::points_from(n, 0.35).into_iter().unzip();
     let mut group = criterion.benchmark_group("batch");
@@ -22,24 +22,24 @@ fn batch(criterion: &mut Criterion) {
     #[cfg(feature = "rayon")]
     batches.push(("threads".to_owned(), Batch::new().on_threads()));
     for (name, batch) in batches.drain(..) {
-        group.bench_function(format!("triple/{name}"), |b| b.iter(|| columns.triple(batch, &omega, &alpha)));
-        group.bench_function(format!("peaks/{name}"), |b| b.iter(|| columns.peaks(batch, &omega, &alpha)));
+        group.bench_function(format!("triple/{name}"), |b| b.iter(|| room.run(batch, &omega, &alpha, THREE)));
+        group.bench_function(format!("peaks/{name}"), |b| b.iter(|| room.run(batch, &omega, &alpha, FIVE)));
         group.bench_function(format!("peaks from 0.35/{name}"), |b| {
-            b.iter(|| columns.peaks(batch, &low_omega, &low_alpha));
+            b.iter(|| room.run(batch, &low_omega, &low_alpha, FIVE));
         });
-        group.bench_function(format!("cycles/{name}"), |b| b.iter(|| columns.cycles(batch, &omega, &alpha)));
+        group.bench_function(format!("cycles/{name}"), |b| b.iter(|| room.run(batch, &omega, &alpha, ALL)));
         group.bench_function(format!("cycles from 0.35/{name}"), |b| {
-            b.iter(|| columns.cycles(batch, &low_omega, &low_alpha));
+            b.iter(|| room.run(batch, &low_omega, &low_alpha, ALL));
         });
         if let Ok(row) = FixedOmega::new(1.5) {
             group.bench_function(format!("triple at fixed Ω/{name}"), |b| {
-                b.iter(|| columns.triple_at(batch, &row, &alpha));
+                b.iter(|| room.run_at(batch, &row, &alpha, THREE));
             });
             group.bench_function(format!("peaks at fixed Ω/{name}"), |b| {
-                b.iter(|| columns.peaks_at(batch, &row, &alpha));
+                b.iter(|| room.run_at(batch, &row, &alpha, FIVE));
             });
             group.bench_function(format!("cycles at fixed Ω/{name}"), |b| {
-                b.iter(|| columns.cycles_at(batch, &row, &alpha));
+                b.iter(|| room.run_at(batch, &row, &alpha, ALL));
             });
         }
     }

@@ -9,7 +9,7 @@
 mod columns;
 mod points;
 
-use columns::Columns;
+use columns::{ALL, FIVE, Room, THREE};
 use stickslip::batch::{Batch, FixedOmega};
 
 const POINTS: usize = 128_000;
@@ -22,16 +22,16 @@ fn main() {
     };
     let least = if kernel.ends_with("-low") { 0.35 } else { 0.5 };
     let (omega, alpha): (Vec<_>, Vec<_>) = points::points_from(POINTS, least).into_iter().unzip();
-    let (mut columns, batch) = (Columns::new(POINTS), Batch::new());
+    let (mut room, batch) = (Room::new(POINTS), Batch::new());
     let Ok(row) = FixedOmega::new(1.5) else { return };
     for _ in 0..n {
         match kernel.as_str() {
-            "batch-triple" | "batch-triple-low" => columns.triple(batch, &omega, &alpha),
-            "batch-peaks" | "batch-peaks-low" => columns.peaks(batch, &omega, &alpha),
-            "batch-peaks-fixed" => columns.peaks_at(batch, &row, &alpha),
-            "batch-cycles" | "batch-cycles-low" => columns.cycles(batch, &omega, &alpha),
-            "batch-triple-fixed" => columns.triple_at(batch, &row, &alpha),
-            "batch-cycles-fixed" => columns.cycles_at(batch, &row, &alpha),
+            "batch-triple" | "batch-triple-low" => room.run(batch, &omega, &alpha, THREE),
+            "batch-peaks" | "batch-peaks-low" => room.run(batch, &omega, &alpha, FIVE),
+            "batch-peaks-fixed" => room.run_at(batch, &row, &alpha, FIVE),
+            "batch-cycles" | "batch-cycles-low" => room.run(batch, &omega, &alpha, ALL),
+            "batch-triple-fixed" => room.run_at(batch, &row, &alpha, THREE),
+            "batch-cycles-fixed" => room.run_at(batch, &row, &alpha, ALL),
             other => {
                 eprintln!("no kernel {other}");
                 std::process::exit(2);

@@ -10,15 +10,26 @@
     reason = "a program of its own: what it prints is its answer"
 )]
 
-use stickslip::batch::{Batch, Cycles, LengthMismatch, Level, Peaks, Triple};
-use stickslip::{Border, Ratios, Response};
+use stickslip::batch::{Batch, Columns, LengthMismatch, Level};
+use stickslip::{Border, Output, Ratios, Response};
 
 /// Points whose answers are kept at a time.
 const CHUNK: usize = 100_000;
-/// The outputs in the order of [`Cycles`], and where those of [`Triple`] and [`Peaks`] are among them.
-const OUTPUTS: usize = 9;
-const THREE: [usize; 3] = [0, 5, 7];
-const FIVE: [usize; 5] = [0, 5, 7, 2, 3];
+/// The outputs that loops have, in the order of the hash.
+const OUTPUTS: [Output; 9] = [
+    Output::MaxDisplacement,
+    Output::DisplacementPhase,
+    Output::MaxVelocity,
+    Output::VelocityPhase,
+    Output::Deviation,
+    Output::MinForceRatio,
+    Output::Contraction,
+    Output::LoopSizeStiffness,
+    Output::LoopSizeInertia,
+];
+/// Sets of them, between which every loop is left out once: which loops run may not change a bit.
+const SETS: [&[usize]; 7] =
+    [&[0, 5, 7], &[0, 5, 7, 2, 3], &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[8], &[4], &[6, 1], &[2, 6, 8]];
 
 /// SplitMix64.
 struct Random(u64);
@@ -65,87 +76,35 @@ fn bits(x: f64) -> u64 {
     if x.is_nan() { u64::MAX } else { x.to_bits() }
 }
 
-/// All outputs of a point alone, NaN what does not exist.
-fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS] {
-    let nan = [f64::NAN; OUTPUTS];
-    let Ok(response) = Ratios::new(omega, alpha).map(Response::new) else { return nan };
-    let border = response.border().min_force_ratio();
-    let Some(cycle) = response.cycle() else {
-        return std::array::from_fn(|i| if i == 5 { border } else { f64::NAN });
-    };
-    [
-        cycle.max_displacement(),
-        cycle.displacement_phase(),
-        cycle.max_velocity(),
-        cycle.velocity_phase(),
-        cycle.deviation(),
-        border,
-        cycle.contraction(),
-        cycle.loop_size_stiffness(),
-        cycle.loop_size_inertia(),
-    ]
+/// All outputs of a point alone, NaN where one does not exist.
+fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
+    let response = Ratios::new(omega, alpha).map(Response::new);
+    OUTPUTS.map(|output| response.as_ref().ok().and_then(|at| output.of(at)).unwrap_or(f64::NAN))
 }
 
-type Columns<const N: usize> = [Vec<f64>; N];
-
-/// The outputs of a batch of each kind, by slices of `length`.
-struct Answers {
-    three: Columns<3>,
-    five: Columns<5>,
-    all: Columns<OUTPUTS>,
-}
-
-impl Answers {
-    fn new(batch: Batch, omega: &[f64], alpha: &[f64], length: usize) -> Result<Self, LengthMismatch> {
-        fn columns<const N: usize>(n: usize) -> Columns<N> {
-            std::array::from_fn(|_| vec![0.0; n])
+/// The outputs of a set by a batch, in slices of `length`.
+fn batched(
+    batch: Batch,
+    set: &[usize],
+    omega: &[f64],
+    alpha: &[f64],
+    length: usize,
+) -> Result<Vec<Vec<f64>>, LengthMismatch> {
+    let mut found = vec![vec![0.0; omega.len()]; set.len()];
+    let mut rests: Vec<&mut [f64]> = found.iter_mut().map(Vec::as_mut_slice).collect();
+    for (omega, alpha) in omega.chunks(length).zip(alpha.chunks(length)) {
+        let mut columns = Columns::new();
+        for (rest, &place) in rests.iter_mut().zip(set) {
+            let (part, after) = std::mem::take(rest).split_at_mut(omega.len());
+            *rest = after;
+            columns = columns.with(OUTPUTS[place], part);
         }
-        let n = omega.len();
-        let mut found = Self { three: columns(n), five: columns(n), all: columns(n) };
-        let mut regimes = vec![None; n];
-        let mut start = 0;
-        for (omega, alpha) in omega.chunks(length).zip(alpha.chunks(length)) {
-            let part = start..start + omega.len();
-            start = part.end;
-            let [a, b, c] = found.three.each_mut().map(|column| &mut column[part.clone()]);
-            let out = Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c };
-            batch.triple(omega, alpha, out)?;
-            let [a, b, c, d, e] = found.five.each_mut().map(|column| &mut column[part.clone()]);
-            let out = Peaks {
-                max_displacement: a,
-                min_force_ratio: b,
-                loop_size_stiffness: c,
-                max_velocity: d,
-                velocity_phase: e,
-            };
-            batch.peaks(omega, alpha, out)?;
-            let [a, b, c, d, e, f, g, h, i] = found.all.each_mut().map(|column| &mut column[part.clone()]);
-            let out = Cycles {
-                regime: &mut regimes[part],
-                max_displacement: a,
-                displacement_phase: b,
-                max_velocity: c,
-                velocity_phase: d,
-                deviation: e,
-                min_force_ratio: f,
-                contraction: g,
-                loop_size_stiffness: h,
-                loop_size_inertia: i,
-            };
-            batch.cycles(omega, alpha, out)?;
-        }
-        Ok(found)
+        batch.run(omega, alpha, columns)?;
     }
-
-    /// The columns with the output each is, and which batch it is of.
-    fn each(&self) -> impl Iterator<Item = (&'static str, usize, &Vec<f64>)> {
-        let three = self.three.iter().zip(THREE).map(|(column, output)| ("three", output, column));
-        let five = self.five.iter().zip(FIVE).map(|(column, output)| ("five", output, column));
-        three.chain(five).chain(self.all.iter().enumerate().map(|(output, column)| ("all", output, column)))
-    }
+    Ok(found)
 }
 
-/// What the answers of a chunk come to, from `state` on; `None` where a batch has other bits than its points.
+/// The hash of the answers of a chunk, from `state` on; `None` where a batch has other bits than its points.
 fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, LengthMismatch> {
     let due: Vec<_> = points.iter().map(|&(omega, alpha)| alone(omega, alpha)).collect();
     let (omega, alpha): (Vec<_>, Vec<_>) = points.iter().copied().unzip();
@@ -153,16 +112,19 @@ fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, LengthMismatc
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         // Blocks are filled up, so that short slices cost as much as long ones: a few are enough.
         for (n, length) in [(points.len(), CHUNK), (points.len(), 129), (points.len().min(1000), 7)] {
-            let found = Answers::new(Batch::new().at_level(level), &omega[..n], &alpha[..n], length)?;
-            for (kind, output, column) in found.each() {
-                let differs = |&i: &usize| bits(column[i]) != bits(due[i][output]);
-                if let Some(i) = (0..n).find(differs) {
-                    let (found, due) = (column[i], due[i][output]);
-                    println!(
-                        "{level:?}, slices of {length}, {kind}, output {output}: {found:e} for {due:e} at {:?}",
-                        points[i]
-                    );
-                    is_same = false;
+            for set in SETS {
+                let batch = Batch::new().at_level(level);
+                for (column, &place) in batched(batch, set, &omega[..n], &alpha[..n], length)?.iter().zip(set)
+                {
+                    let differs = |&i: &usize| bits(column[i]) != bits(due[i][place]);
+                    if let Some(i) = (0..n).find(differs) {
+                        let (name, point) = (OUTPUTS[place].name(), points[i]);
+                        let (found, due) = (column[i], due[i][place]);
+                        println!(
+                            "{level:?}, slices of {length}, {name} of {set:?}: {found:e} for {due:e} at {point:?}"
+                        );
+                        is_same = false;
+                    }
                 }
             }
         }

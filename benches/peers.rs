@@ -9,7 +9,7 @@
 mod columns;
 mod points;
 
-use columns::Columns;
+use columns::{ALL, FIVE, Room, THREE};
 use std::time::Instant;
 use stickslip::batch::{Batch, FixedOmega, Level};
 
@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 fn time(omega: &[f64], alpha: &[f64]) {
-    let mut columns = Columns::new(omega.len());
+    let mut room = Room::new(omega.len());
     let report = |name: &str, kernel: &str, run: &mut dyn FnMut()| {
         let best = (0..60).fold(f64::INFINITY, |best: f64, _| {
             let start = Instant::now();
@@ -55,13 +55,13 @@ fn time(omega: &[f64], alpha: &[f64]) {
     for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
         let batch = Batch::new().at_level(level);
         let name = format!("stickslip {level:?}");
-        report(&name, "triple", &mut || columns.triple(batch, omega, alpha));
-        report(&name, "five", &mut || columns.peaks(batch, omega, alpha));
-        report(&name, "all", &mut || columns.cycles(batch, omega, alpha));
+        report(&name, "triple", &mut || room.run(batch, omega, alpha, THREE));
+        report(&name, "five", &mut || room.run(batch, omega, alpha, FIVE));
+        report(&name, "all", &mut || room.run(batch, omega, alpha, ALL));
         if let Ok(row) = FixedOmega::new(1.5) {
-            report(&name, "triple, fixed Ω", &mut || columns.triple_at(batch, &row, alpha));
-            report(&name, "five, fixed Ω", &mut || columns.peaks_at(batch, &row, alpha));
-            report(&name, "all, fixed Ω", &mut || columns.cycles_at(batch, &row, alpha));
+            report(&name, "triple, fixed Ω", &mut || room.run_at(batch, &row, alpha, THREE));
+            report(&name, "five, fixed Ω", &mut || room.run_at(batch, &row, alpha, FIVE));
+            report(&name, "all, fixed Ω", &mut || room.run_at(batch, &row, alpha, ALL));
         }
     }
 }
@@ -69,7 +69,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
 /// One thread and all, in turn, so that what else the machine does falls on both.
 #[cfg(feature = "rayon")]
 fn threads(omega: &[f64], alpha: &[f64]) {
-    let mut columns = Columns::new(omega.len());
+    let mut room = Room::new(omega.len());
     let batches = [("one thread", Batch::new()), ("all threads", Batch::new().on_threads())];
     let steady = omega.len().min(20_000);
     let (some_omega, some_alpha) = (omega.split_at(steady).0, alpha.split_at(steady).0);
@@ -81,9 +81,9 @@ fn threads(omega: &[f64], alpha: &[f64]) {
             for (best, (_, batch)) in best.iter_mut().zip(batches) {
                 let start = Instant::now();
                 match kernel {
-                    "triple" => columns.triple(batch, omega, alpha),
-                    "five" => columns.peaks(batch, omega, alpha),
-                    "all" => columns.cycles(batch, omega, alpha),
+                    "triple" => room.run(batch, omega, alpha, THREE),
+                    "five" => room.run(batch, omega, alpha, FIVE),
+                    "all" => room.run(batch, omega, alpha, ALL),
                     _ => drop(std::hint::black_box(batch.steady(some_omega, some_alpha))),
                 }
                 *best = best.min(start.elapsed().as_secs_f64());

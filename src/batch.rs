@@ -1,18 +1,14 @@
 //! Many points at once: slices in, slices out.
 //!
 //! ```
-//! use stickslip::batch::{Batch, Triple};
+//! use stickslip::Output;
+//! use stickslip::batch::{Batch, Columns};
 //! let (omega, alpha) = ([0.7, 1.5, 0.4], [2.0, 2.5, 6.0]);
-//! let (mut displacement, mut border, mut size) = ([0.0; 3], [0.0; 3], [0.0; 3]);
-//! Batch::new().triple(
-//!     &omega,
-//!     &alpha,
-//!     Triple {
-//!         max_displacement: &mut displacement,
-//!         min_force_ratio: &mut border,
-//!         loop_size_stiffness: &mut size,
-//!     },
-//! )?;
+//! let (mut displacement, mut border) = ([0.0; 3], [0.0; 3]);
+//! let columns = Columns::new()
+//!     .with(Output::MaxDisplacement, &mut displacement)
+//!     .with(Output::MinForceRatio, &mut border);
+//! Batch::new().run(&omega, &alpha, columns)?;
 //! assert!((displacement[0] - 3.488507872497762_f64).abs() < 1e-14);
 //! // At (0.4, 6) the body sticks, up to α = 6.949….
 //! assert!(displacement[2].is_nan() && (border[2] - 6.949737755908733_f64).abs() < 1e-13);
@@ -21,8 +17,8 @@
 //!
 //! # How
 //!
-//! Blocks of 128 points run through short loops without branches, compiled once for each [`Level`] and chosen at run time: one set of
-//! loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
+//! Blocks of 128 points run through short loops without branches, those that the outputs wanted take, compiled once for each [`Level`] and
+//! chosen at run time: one set of loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
 //! cannot do well is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
 //! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity.
 //! So there is an answer for every point of the domain, and on which side of the border it lies is decided as
@@ -34,30 +30,31 @@
 //! The loops run the functions that answer a point, so that every [`Level`] gives the bits of the point alone, and its accuracy. Threads
 //! do not change them.
 
+mod alone;
 mod amplitude;
 mod block;
-mod careful;
 mod columns;
-mod cycle;
 mod fixed;
 mod kernel;
 mod level;
 mod low;
-mod peaks;
 mod places;
+mod stages;
 mod steady;
+mod straight;
 #[cfg(feature = "rayon")]
 mod threads;
-mod triple;
+mod velocity;
 
-pub use columns::{Cycles, LengthMismatch, Peaks, Triple};
+pub use columns::{Columns, LengthMismatch};
 pub use fixed::FixedOmega;
 pub use level::Level;
 
 use crate::error::Error;
 use crate::exact::LongRun;
-use crate::regime::Regime;
-use columns::same_length;
+use crate::output::Output;
+use crate::ratios::Ratios;
+use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
 
 /// How batches are run: with which instructions, and on how many threads.
@@ -106,75 +103,54 @@ impl Batch {
         self.level
     }
 
-    /// {Δ₀/B, α_min, A₁} at the points (Ω, α).
+    /// The outputs wanted at the points (Ω, α).
+    ///
+    /// The nine that a loop has cost what their loops cost: {Δ₀, α_min, A₁} one, V₀ with its phase, Δ₁ and λ one more each. The others
+    /// are computed point by point.
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn triple(&self, omega: &[f64], alpha: &[f64], out: Triple<'_>) -> Result<(), LengthMismatch> {
-        same_length(omega.len(), "force ratio α", alpha.len())?;
-        let out = out.split(omega.len())?;
-        self.run(&triple::TripleKernel, omega, alpha, out, &mut []);
+    pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), LengthMismatch> {
+        same_length(omega.len(), "alpha", alpha.len())?;
+        let mut columns = columns.of_length(omega.len())?;
+        self.looped(None, omega, alpha, columns.take_looped());
+        self.each(omega.len(), columns, &|i| Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok());
         Ok(())
     }
 
-    /// {Δ₀/B, α_min, A₁, V₀/(Bω_d), ω_d t₁} at the points (Ω, α).
+    /// The same at one Ω.
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn peaks(&self, omega: &[f64], alpha: &[f64], out: Peaks<'_>) -> Result<(), LengthMismatch> {
-        same_length(omega.len(), "force ratio α", alpha.len())?;
-        let out = out.split(omega.len())?;
-        self.run(&peaks::PeaksKernel, omega, alpha, out, &mut []);
+    pub fn run_at(
+        &self,
+        row: &FixedOmega,
+        alpha: &[f64],
+        columns: Columns<'_>,
+    ) -> Result<(), LengthMismatch> {
+        let mut columns = columns.of_length(alpha.len())?;
+        self.looped(Some(row), alpha, alpha, columns.take_looped());
+        self.each(alpha.len(), columns, &|i| Ratios::new(row.omega(), *alpha.get(i)?).ok());
         Ok(())
     }
 
-    /// The regime and all outputs of [`crate::Cycle`] at the points (Ω, α).
+    /// The same with damping, point by point.
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn cycles(&self, omega: &[f64], alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
-        same_length(omega.len(), "force ratio α", alpha.len())?;
-        let (regime, out) = out.split(omega.len())?;
-        self.run(&cycle::CycleKernel, omega, alpha, out, regime);
+    pub fn run_damped(
+        &self,
+        omega: &[f64],
+        alpha: &[f64],
+        damping_ratio: &[f64],
+        columns: Columns<'_>,
+    ) -> Result<(), LengthMismatch> {
+        same_length(omega.len(), "alpha", alpha.len())?;
+        same_length(omega.len(), "damping_ratio", damping_ratio.len())?;
+        self.each(omega.len(), columns.of_length(omega.len())?, &|i| {
+            Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok()?.with_damping_ratio(*damping_ratio.get(i)?).ok()
+        });
         Ok(())
-    }
-
-    /// [`Batch::triple`] at one Ω.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn triple_at(&self, row: &FixedOmega, alpha: &[f64], out: Triple<'_>) -> Result<(), LengthMismatch> {
-        let out = out.split(alpha.len())?;
-        self.run(&fixed::FixedTripleKernel(row), alpha, alpha, out, &mut []);
-        Ok(())
-    }
-
-    /// [`Batch::peaks`] at one Ω.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn peaks_at(&self, row: &FixedOmega, alpha: &[f64], out: Peaks<'_>) -> Result<(), LengthMismatch> {
-        let out = out.split(alpha.len())?;
-        self.for_row(row).run(&fixed::FixedPeaksKernel(row), alpha, alpha, out, &mut []);
-        Ok(())
-    }
-
-    /// [`Batch::cycles`] at one Ω.
-    ///
-    /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn cycles_at(&self, row: &FixedOmega, alpha: &[f64], out: Cycles<'_>) -> Result<(), LengthMismatch> {
-        let (regime, out) = out.split(alpha.len())?;
-        self.for_row(row).run(&fixed::FixedCycleKernel(row), alpha, alpha, out, regime);
-        Ok(())
-    }
-
-    /// The same, point by point where the loops do not reach.
-    const fn for_row(mut self, row: &FixedOmega) -> Self {
-        if !row.has_loops() {
-            self.level = Level::Scalar;
-        }
-        self
     }
 
     /// The exact motion in the long run from rest at the points (Ω, α): [`LongRun::from_start`] for each.
@@ -198,18 +174,33 @@ impl Batch {
         Ok(omega.iter().zip(alpha).map(|(&omega, &alpha)| steady::steady(omega, alpha)).collect())
     }
 
-    fn run<K: Kernel<N>, const N: usize>(
-        &self,
-        kernel: &K,
-        omega: &[f64],
-        alpha: &[f64],
-        out: [&mut [f64]; N],
-        regimes: &mut [Option<Regime>],
-    ) {
+    fn looped(&self, row: Option<&FixedOmega>, omega: &[f64], alpha: &[f64], out: Looped<'_>) {
+        let kernel = Kernel::new(&out, row);
+        let level = kernel.level(self.level);
+        if out.is_empty() {
+            return;
+        }
         #[cfg(feature = "rayon")]
         if self.threads {
-            return threads::run_on_threads(kernel, self.level, omega, alpha, out, regimes);
+            return threads::run_on_threads(&kernel, level, omega, alpha, out);
         }
-        kernel::run(kernel, self.level, omega, alpha, out, regimes);
+        kernel::run(&kernel, level, omega, alpha, out);
+    }
+
+    /// Each point alone, for the columns that no loop fills.
+    fn each(
+        &self,
+        n: usize,
+        mut columns: Slices<'_, { Output::ALL.len() }>,
+        ratios: &(impl Fn(usize) -> Option<Ratios<f64>> + Sync),
+    ) {
+        if columns.is_empty() {
+            return;
+        }
+        #[cfg(feature = "rayon")]
+        if self.threads {
+            return threads::each(0, n, columns, ratios);
+        }
+        (0..n).for_each(|i| columns.put(i, ratios(i)));
     }
 }

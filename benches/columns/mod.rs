@@ -1,73 +1,49 @@
 //! Slices for the batches to write to.
 
 use std::hint::black_box;
-use stickslip::Regime;
-use stickslip::batch::{Batch, Cycles, FixedOmega, Peaks, Triple};
+use stickslip::batch::{Batch, Columns, FixedOmega};
+use stickslip::{Output, Regime};
 
-pub(crate) struct Columns {
+/// {Δ₀, α_min, A₁}, which one loop has, and those that take more.
+const OUTPUTS: [Output; 9] = [
+    Output::MaxDisplacement,
+    Output::MinForceRatio,
+    Output::LoopSizeStiffness,
+    Output::MaxVelocity,
+    Output::VelocityPhase,
+    Output::DisplacementPhase,
+    Output::Deviation,
+    Output::Contraction,
+    Output::LoopSizeInertia,
+];
+/// How many of them, from the first on.
+pub(crate) const THREE: usize = 3;
+pub(crate) const FIVE: usize = 5;
+/// All of them and the regime.
+pub(crate) const ALL: usize = OUTPUTS.len();
+
+pub(crate) struct Room {
     regime: Vec<Option<Regime>>,
-    columns: [Vec<f64>; 9],
+    numbers: [Vec<f64>; ALL],
 }
 
 #[allow(dead_code, reason = "no program uses all of them")]
-impl Columns {
+impl Room {
     pub(crate) fn new(n: usize) -> Self {
-        Self { regime: vec![None; n], columns: std::array::from_fn(|_| vec![0.0; n]) }
+        Self { regime: vec![None; n], numbers: std::array::from_fn(|_| vec![0.0; n]) }
     }
 
-    fn three(&mut self) -> Triple<'_> {
-        let [a, b, c, ..] = &mut self.columns;
-        Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c }
+    fn columns(&mut self, count: usize) -> Columns<'_> {
+        let slices = OUTPUTS.into_iter().zip(&mut self.numbers).take(count);
+        let columns = slices.fold(Columns::new(), |columns, (output, slice)| columns.with(output, slice));
+        if count == ALL { columns.with_regime(&mut self.regime) } else { columns }
     }
 
-    fn five(&mut self) -> Peaks<'_> {
-        let [a, b, c, d, e, ..] = &mut self.columns;
-        Peaks {
-            max_displacement: a,
-            min_force_ratio: b,
-            loop_size_stiffness: c,
-            max_velocity: d,
-            velocity_phase: e,
-        }
+    pub(crate) fn run(&mut self, batch: Batch, omega: &[f64], alpha: &[f64], count: usize) {
+        assert_eq!(batch.run(black_box(omega), black_box(alpha), self.columns(count)), Ok(()));
     }
 
-    fn all(&mut self) -> Cycles<'_> {
-        let [a, b, c, d, e, f, g, h, i] = &mut self.columns;
-        Cycles {
-            regime: &mut self.regime,
-            max_displacement: a,
-            displacement_phase: b,
-            max_velocity: c,
-            velocity_phase: d,
-            deviation: e,
-            min_force_ratio: f,
-            contraction: g,
-            loop_size_stiffness: h,
-            loop_size_inertia: i,
-        }
-    }
-
-    pub(crate) fn triple(&mut self, batch: Batch, omega: &[f64], alpha: &[f64]) {
-        assert_eq!(batch.triple(black_box(omega), black_box(alpha), self.three()), Ok(()));
-    }
-
-    pub(crate) fn peaks(&mut self, batch: Batch, omega: &[f64], alpha: &[f64]) {
-        assert_eq!(batch.peaks(black_box(omega), black_box(alpha), self.five()), Ok(()));
-    }
-
-    pub(crate) fn cycles(&mut self, batch: Batch, omega: &[f64], alpha: &[f64]) {
-        assert_eq!(batch.cycles(black_box(omega), black_box(alpha), self.all()), Ok(()));
-    }
-
-    pub(crate) fn triple_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {
-        assert_eq!(batch.triple_at(black_box(row), black_box(alpha), self.three()), Ok(()));
-    }
-
-    pub(crate) fn peaks_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {
-        assert_eq!(batch.peaks_at(black_box(row), black_box(alpha), self.five()), Ok(()));
-    }
-
-    pub(crate) fn cycles_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64]) {
-        assert_eq!(batch.cycles_at(black_box(row), black_box(alpha), self.all()), Ok(()));
+    pub(crate) fn run_at(&mut self, batch: Batch, row: &FixedOmega, alpha: &[f64], count: usize) {
+        assert_eq!(batch.run_at(black_box(row), black_box(alpha), self.columns(count)), Ok(()));
     }
 }

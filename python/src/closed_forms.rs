@@ -3,11 +3,11 @@
 use crate::interrupt::{Stop, interruptible};
 use crate::refused;
 use crate::table::Table;
-use numpy::PyReadonlyArray1;
+use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
-use stickslip::batch::{Batch, Cycles, Peaks, Triple};
+use stickslip::batch::{Batch, Columns, LengthMismatch};
 use stickslip::regime::no_stop_force_ratios;
 use stickslip::{Output, Ratios, Regime, Response};
 
@@ -99,6 +99,29 @@ fn response_columns<'py>(
     table.into_dict(py)
 }
 
+/// Outputs at many points, written to arrays that are there.
+#[pyfunction]
+fn response_into<'py>(
+    py: Python<'py>,
+    omega: PyReadonlyArray1<'py, f64>,
+    alpha: PyReadonlyArray1<'py, f64>,
+    damping_ratio: Option<PyReadonlyArray1<'py, f64>>,
+    outputs: Vec<String>,
+    mut arrays: Vec<PyReadwriteArray1<'py, f64>>,
+) -> PyResult<()> {
+    let (columns, _) = columns(&outputs)?;
+    let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
+    let damping = damping_ratio.as_ref().map(|d| d.as_slice()).transpose()?;
+    let mut numbers = Vec::new();
+    for (column, array) in columns.iter().zip(&mut arrays) {
+        if let Column::Output(output) = column {
+            numbers.push((*output, array.as_slice_mut()?));
+        }
+    }
+    interruptible(py, |stop| fill(omega, alpha, damping, &mut numbers, &mut [], stop))?
+        .map_err(|mismatch| refused(mismatch.to_string()))
+}
+
 /// The columns at points of one length, whose damping ratios are all 0 where they are not given.
 pub(crate) fn table(
     omega: &[f64],
@@ -108,102 +131,24 @@ pub(crate) fn table(
     regime: bool,
     stop: &Stop,
 ) -> Table {
-    match damping {
-        None => batched(omega, alpha, columns, regime, stop),
-        Some(damping) => one_by_one(omega, alpha, damping, columns, regime, stop),
-    }
-}
-
-/// Those that the vector loops of the library give, in their order.
-const OF_LOOPS: [Output; 9] = [
-    Output::MaxDisplacement,
-    Output::MinForceRatio,
-    Output::LoopSizeStiffness,
-    Output::MaxVelocity,
-    Output::VelocityPhase,
-    Output::DisplacementPhase,
-    Output::Deviation,
-    Output::Contraction,
-    Output::LoopSizeInertia,
-];
-
-/// Without damping: the library's batches, and point by point what those do not have.
-fn batched(omega: &[f64], alpha: &[f64], columns: &[Column], regime: bool, stop: &Stop) -> Table {
-    let place = |column: &Column| match column {
-        Column::Output(output) => OF_LOOPS.iter().position(|of_loop| of_loop == output),
-        Column::Reversals => None,
-    };
-    // The least of the three sets of outputs that has all that are asked for.
-    let most = columns.iter().filter_map(place).max();
-    let kept = match (regime, most) {
-        (false, None) => 0,
-        (false, Some(0..=2)) => 3,
-        (false, Some(0..=4)) => 5,
-        _ => OF_LOOPS.len(),
-    };
     let n = omega.len();
-    let mut of_loops: Vec<Vec<f64>> = (0..kept).map(|_| vec![0.0; n]).collect();
+    let mut numbers: Vec<(Output, Vec<f64>)> = columns
+        .iter()
+        .filter_map(|column| match column {
+            Column::Output(output) => Some((*output, vec![0.0; n])),
+            Column::Reversals => None,
+        })
+        .collect();
     let mut regimes = vec![None; if regime { n } else { 0 }];
-    let batch = Batch::new().on_threads();
-    for start in (0..n).step_by(CHUNK) {
-        if stop.asked().is_break() {
-            break;
-        }
-        let part = start..n.min(start + CHUNK);
-        let (Some(omega), Some(alpha)) = (omega.get(part.clone()), alpha.get(part.clone())) else { continue };
-        let mut slices = of_loops.iter_mut().filter_map(|column| column.get_mut(part.clone()));
-        let mut next = || slices.next().unwrap_or_default();
-        // The slices have one length by construction, so that no batch is refused.
-        let _ = match kept {
-            0 => Ok(()),
-            3 => batch.triple(
-                omega,
-                alpha,
-                Triple { max_displacement: next(), min_force_ratio: next(), loop_size_stiffness: next() },
-            ),
-            5 => batch.peaks(
-                omega,
-                alpha,
-                Peaks {
-                    max_displacement: next(),
-                    min_force_ratio: next(),
-                    loop_size_stiffness: next(),
-                    max_velocity: next(),
-                    velocity_phase: next(),
-                },
-            ),
-            _ => {
-                let mut unused = vec![None; if regime { 0 } else { part.len() }];
-                batch.cycles(
-                    omega,
-                    alpha,
-                    Cycles {
-                        regime: regimes.get_mut(part.clone()).unwrap_or(&mut unused),
-                        max_displacement: next(),
-                        min_force_ratio: next(),
-                        loop_size_stiffness: next(),
-                        max_velocity: next(),
-                        velocity_phase: next(),
-                        displacement_phase: next(),
-                        deviation: next(),
-                        contraction: next(),
-                        loop_size_inertia: next(),
-                    },
-                )
-            }
-        };
-    }
-    let others: Vec<Column> = columns.iter().copied().filter(|column| place(column).is_none()).collect();
+    let mut slices: Vec<_> = numbers.iter_mut().map(|(output, column)| (*output, &mut **column)).collect();
+    // The slices have one length by construction, so that no batch is refused.
+    let _ = fill(omega, alpha, damping, &mut slices, &mut regimes, stop);
     let mut table = Table::default();
-    if !others.is_empty() {
-        table = one_by_one(omega, alpha, &[], &others, false, stop);
+    for (output, column) in numbers {
+        table.number(output.name(), column);
     }
-    for column in columns {
-        if let (Column::Output(output), Some(place)) = (column, place(column))
-            && let Some(column) = of_loops.get_mut(place)
-        {
-            table.number(output.name(), std::mem::take(column));
-        }
+    if columns.contains(&Column::Reversals) {
+        table.number("reversals_per_cycle", reversals(omega, alpha, damping, stop));
     }
     if regime {
         table.code("regime", regimes.into_par_iter().map(code).collect(), &REGIMES);
@@ -211,41 +156,48 @@ fn batched(omega: &[f64], alpha: &[f64], columns: &[Column], regime: bool, stop:
     table
 }
 
-/// Any outputs, each point by itself; an empty slice of damping ratios is that of none.
-fn one_by_one(
+/// Fills the slices, until it is told to stop; the regimes where there is room for them.
+fn fill(
     omega: &[f64],
     alpha: &[f64],
-    damping: &[f64],
-    columns: &[Column],
-    regime: bool,
+    damping: Option<&[f64]>,
+    numbers: &mut [(Output, &mut [f64])],
+    regimes: &mut [Option<Regime>],
     stop: &Stop,
-) -> Table {
+) -> Result<(), LengthMismatch> {
+    let batch = Batch::new().on_threads();
+    for start in (0..omega.len()).step_by(CHUNK) {
+        if stop.asked().is_break() {
+            break;
+        }
+        let part = start..omega.len().min(start + CHUNK);
+        let (Some(omega), Some(alpha)) = (omega.get(part.clone()), alpha.get(part.clone())) else { continue };
+        let mut wanted = Columns::new();
+        for (output, slice) in &mut *numbers {
+            wanted = wanted.with(*output, slice.get_mut(part.clone()).unwrap_or_default());
+        }
+        if let Some(slots) = regimes.get_mut(part.clone()) {
+            wanted = wanted.with_regime(slots);
+        }
+        match damping.and_then(|damping| damping.get(part)) {
+            None => batch.run(omega, alpha, wanted)?,
+            Some(damping) => batch.run_damped(omega, alpha, damping, wanted)?,
+        }
+    }
+    Ok(())
+}
+
+/// Reversals in a cycle, point by point.
+fn reversals(omega: &[f64], alpha: &[f64], damping: Option<&[f64]>, stop: &Stop) -> Vec<f64> {
     let at = |i: usize| {
-        let value = |column: &[f64]| column.get(i).copied().unwrap_or(f64::NAN);
-        let damping = if damping.is_empty() { 0.0 } else { value(damping) };
+        let damping = damping.map_or(Some(0.0), |damping| damping.get(i).copied());
         if stop.asked().is_break() {
             return None;
         }
-        ratios(value(omega), value(alpha), damping).ok().map(Response::new)
+        let ratios = ratios(*omega.get(i)?, *alpha.get(i)?, damping?).ok()?;
+        Response::new(ratios).reversals_per_cycle().map(f64::from)
     };
-    let answers: Vec<Option<Response<f64>>> = (0..omega.len()).into_par_iter().map(at).collect();
-    let mut table = Table::default();
-    for column in columns {
-        let numbers = |value: &(dyn Fn(&Response<f64>) -> Option<f64> + Sync)| {
-            answers.par_iter().map(|a| a.as_ref().and_then(value).unwrap_or(f64::NAN)).collect()
-        };
-        match column {
-            Column::Output(output) => table.number(output.name(), numbers(&|a| output.of(a))),
-            Column::Reversals => {
-                table.number("reversals_per_cycle", numbers(&|a| a.reversals_per_cycle().map(f64::from)));
-            }
-        }
-    }
-    if regime {
-        let regime_of = |a: &Option<Response<f64>>| code(a.as_ref().map(Response::regime));
-        table.code("regime", answers.par_iter().map(regime_of).collect(), &REGIMES);
-    }
-    table
+    (0..omega.len()).into_par_iter().map(|i| at(i).unwrap_or(f64::NAN)).collect()
 }
 
 /// The intervals of the force ratio without any stop, (least, greatest); `None` where there is no greatest.
@@ -259,5 +211,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("REGIMES", REGIMES.to_vec())?;
     module.add_function(wrap_pyfunction!(response_at, module)?)?;
     module.add_function(wrap_pyfunction!(response_columns, module)?)?;
+    module.add_function(wrap_pyfunction!(response_into, module)?)?;
     module.add_function(wrap_pyfunction!(no_stop, module)?)
 }

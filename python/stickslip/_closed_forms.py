@@ -143,6 +143,7 @@ def response(
     damping_ratio: ArrayLike = 0.0,
     *,
     outputs: Optional[Iterable[str]] = None,
+    out: Optional[Mapping[str, NDArray[np.float64]]] = None,
     bits: Optional[int] = None,
 ) -> Response:
     """The answer at (omega, alpha) in closed form.
@@ -157,6 +158,9 @@ def response(
         Damping ratio of a viscous damper, >= 0.
     outputs : names, optional
         The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
+    out : mapping of names to arrays, optional
+        For arrays: where the outputs named go, in place of new arrays. Each is a C-contiguous array of float64 of the
+        broadcast shape; an array that is filled again and again costs no new memory.
     bits : int, optional
         For a single point: at least so many bits, up to 1024, every output rounded once. Arguments then may be text,
         `decimal.Decimal` or numbers of mpmath, and the answers are `decimal.Decimal`. A float is the binary number
@@ -185,7 +189,12 @@ def response(
     >>> curve = ss.response(np.linspace(0.6, 1.6, 5), 2.5, outputs=["max_displacement"])
     >>> curve.max_displacement.round(3)
     array([ 3.786,  8.004, 10.087,  2.508,  1.301])
+    >>> stroke = np.empty(5)
+    >>> ss.response(np.linspace(0.6, 1.6, 5), 2.5, out={"max_displacement": stroke}).max_displacement is stroke
+    True
     """
+    if out is not None and (outputs is not None or bits is not None):
+        raise _native.Error("out: names the outputs itself, in floats; leave outputs and bits out")
     if bits is not None:
         texts = (digits("omega", omega), digits("alpha", alpha), digits("damping_ratio", damping_ratio))
         answer = decimals(_native.wide_response(precision(bits), texts))
@@ -193,14 +202,19 @@ def response(
         ratios = dict(zip(("omega", "alpha", "damping_ratio"), map(Decimal, texts)))
         return Response({**ratios, **{name: answer[name] for name in names}})
     shape, columns = broadcast(omega, alpha, damping_ratio)
+    if shape is None and out is not None:
+        raise _native.Error("out: is for arrays; omega, alpha and damping_ratio are single numbers")
     if shape is None:
         point = [column.item() for column in columns]
         chosen = OUTPUTS if outputs is None else _known(outputs)
         found = _native.response_at(*point)
         values = {name: found[name] for name in chosen}
         return Response({"omega": point[0], "alpha": point[1], "damping_ratio": point[2], **values})
-    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
     damping = columns[2] if np.any(columns[2] != 0.0) else None
+    if out is not None:
+        _native.response_into(columns[0], columns[1], damping, list(out), _flat(out, shape))
+        return Response({**_ratios(shape, columns), **out})
+    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
     table = shaped(_native.response_columns(columns[0], columns[1], damping, list(chosen)), shape)
     if "regime" in table:
         table["regime"] = named(table["regime"], _native.REGIMES)
@@ -252,6 +266,21 @@ def _known(outputs: Iterable[str]) -> tuple[str, ...]:
         if name not in OUTPUTS:
             raise _native.Error(f"output {name!r} is none of {', '.join(OUTPUTS)}")
     return chosen
+
+
+def _flat(out: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> list[NDArray[np.float64]]:
+    for name, array in out.items():
+        if name in _OF_POINT or name not in OUTPUTS:
+            numbers = (own for own in OUTPUTS if own not in _OF_POINT)
+            raise _native.Error(f"out: {name!r} is none of {', '.join(numbers)}")
+        if not isinstance(array, np.ndarray) or array.dtype != np.float64 or array.shape != shape:
+            raise _native.Error(f"out[{name!r}]: must be an array of float64 of shape {shape}")
+        if not (array.flags.c_contiguous and array.flags.writeable):
+            raise _native.Error(f"out[{name!r}]: must be C-contiguous and writeable")
+    arrays = list(out.values())
+    if any(np.shares_memory(a, b) for i, a in enumerate(arrays) for b in arrays[:i]):
+        raise _native.Error("out: the arrays must not overlap")
+    return [array.reshape(-1) for array in arrays]
 
 
 def _ratios(shape: tuple[int, ...], columns: Sequence[NDArray[np.float64]]) -> Mapping[str, Any]:

@@ -23,6 +23,13 @@ def response_at(omega: float, alpha: float, damping_ratio: float) -> dict[str, A
 def response_columns(
     omega: _Column, alpha: _Column, damping_ratio: Optional[_Column], outputs: list[str]
 ) -> dict[str, NDArray[Any]]: ...
+def response_into(
+    omega: _Column,
+    alpha: _Column,
+    damping_ratio: Optional[_Column],
+    outputs: list[str],
+    arrays: list[_Column],
+) -> None: ...
 def no_stop(omega: float) -> list[tuple[float, Optional[float]]]: ...
 def steady_at(point: _Point, start: _Point, max_periods: int) -> dict[str, Any]: ...
 def steady_columns(

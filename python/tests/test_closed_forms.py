@@ -1,6 +1,8 @@
 """Closed forms against values written out, and against what an array of any shape must not change."""
 
 import math
+import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -103,3 +105,40 @@ def test_a_result_is_read_only_and_says_what_it_holds():
     assert found.to_dict()["contraction"] == found.contraction
     with pytest.raises(AttributeError):
         found.contraction = 1.0
+
+
+def test_out_is_filled_and_returned() -> None:
+    omega, alpha = np.linspace(0.2, 3.0, 6).reshape(2, 3), 2.5
+    due = ss.response(omega, alpha)
+    out = {name: np.full((2, 3), 7.0) for name in ("max_displacement", "min_force_ratio", "margin")}
+    found = ss.response(omega, alpha, out=out)
+    assert found.max_displacement is out["max_displacement"] and found.max_velocity is None
+    assert np.array_equal(out["max_displacement"], due.max_displacement, equal_nan=True)
+    assert np.array_equal(out["min_force_ratio"], due.min_force_ratio)
+    damped = ss.response(omega, alpha, 0.05, out=out)
+    assert np.array_equal(damped.margin, ss.response(omega, alpha, 0.05, outputs=["margin"]).margin)
+
+
+@pytest.mark.parametrize(
+    ("out", "text"),
+    [
+        ({"regime": np.zeros(3)}, "'regime' is none of"),
+        ({"speed": np.zeros(3)}, "'speed' is none of"),
+        ({"margin": np.zeros(4)}, "float64 of shape (3,)"),
+        ({"margin": np.zeros(3, dtype=np.float32)}, "float64 of shape (3,)"),
+        ({"margin": np.zeros(6)[::2]}, "C-contiguous"),
+    ],
+)
+def test_out_of_the_wrong_kind(out: dict[str, Any], text: str) -> None:
+    with pytest.raises(ss.Error, match=re.escape(text)):
+        ss.response(np.array([0.7, 1.0, 1.5]), 2.0, out=out)
+
+
+def test_out_beside_others() -> None:
+    room = np.zeros(3)
+    with pytest.raises(ss.Error, match="leave outputs"):
+        ss.response(np.ones(3), 2.0, outputs=["margin"], out={"margin": room})
+    with pytest.raises(ss.Error, match="single numbers"):
+        ss.response(0.7, 2.0, out={"margin": room})
+    with pytest.raises(ss.Error, match="overlap"):
+        ss.response(np.ones(3), 2.0, out={"margin": room, "deviation": room})

@@ -1,10 +1,10 @@
 //! Δ₀ and what goes with it, by the very functions that answer a point; and which points the loops may answer.
 
-use super::block::select;
+use super::block::{AtPoint, select};
 use crate::float::circular::held;
 use crate::float::{Float, pair::Pair};
 use crate::nonsticking::{Reversal, border::turning_point_border};
-use crate::phase_function::{is_close_to_one, one_minus_moderate_square};
+use crate::phase_function::{Quotient, is_close_to_one, one_minus_moderate_square};
 
 /// The bounds of Ω within which nothing over- or underflows.
 const LEAST_OMEGA: f64 = 0.5;
@@ -105,7 +105,7 @@ impl Amplitude {
         self.reversal.max_displacement()
     }
 
-    /// What the rounded Δ₀ lacks; NaN where there is no cycle.
+    /// The rest of the rounded Δ₀; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn rest(&self) -> f64 {
         self.reversal.max_displacement_pair().lo
@@ -127,5 +127,47 @@ impl Amplitude {
     #[inline(always)]
     pub(crate) fn phase(&self) -> f64 {
         self.reversal.displacement_phase()
+    }
+}
+
+/// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
+#[derive(Clone, Copy)]
+pub(crate) struct Point(Quotient<f64>, Domain);
+
+impl Point {
+    #[inline(always)]
+    pub(crate) fn new() -> Self {
+        Self(held(Quotient::new()), Domain::new())
+    }
+}
+
+impl AtPoint<2, 3> for Point {
+    #[inline(always)]
+    fn at(&self, [omega, alpha]: [f64; 2]) -> [f64; 3] {
+        let found = Amplitude::high(&self.1, omega, alpha, self.0.at(omega));
+        [found.displacement(), found.border, found.size()]
+    }
+}
+
+/// `[Δ₀, α_min, A₁, ω_d t₂, the rest of the rounded Δ₀]` from `[Ω, α, K, the rest of the rounded K]`; NaN for α_min says that the point is
+/// to be redone.
+#[derive(Clone, Copy)]
+pub(crate) struct Sizes(pub(crate) Domain);
+
+impl AtPoint<4, 5> for Sizes {
+    #[inline(always)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 5] {
+        let found = Amplitude::high(&self.0, omega, alpha, Pair::new(k, rest));
+        [found.displacement(), found.border, found.size(), found.phase(), found.rest()]
+    }
+}
+
+impl AtPoint<4, 6> for Sizes {
+    /// The same and A₂.
+    #[inline(always)]
+    fn at(&self, [omega, alpha, k, rest]: [f64; 4]) -> [f64; 6] {
+        let found = Amplitude::high(&self.0, omega, alpha, Pair::new(k, rest));
+        let (displacement, border) = (found.displacement(), found.border);
+        [displacement, border, found.size(), found.phase(), found.rest(), found.inertia(omega)]
     }
 }

@@ -3,9 +3,6 @@
 /// Points in a block.
 pub(crate) const POINTS: usize = 128;
 
-/// The most points that one call of a single loop runs through: few enough to stay in the first cache until they are looked at.
-pub(crate) const STRETCH: usize = 8 * POINTS;
-
 /// One quantity at the points of a block.
 pub(crate) type Block = [f64; POINTS];
 
@@ -33,24 +30,6 @@ pub(crate) fn each<const I: usize, const O: usize>(
                 *slot = value;
             }
         }
-    }
-}
-
-/// The same over Ω, α and outputs that are not blocks of a thread's own, in one loop: that no two of them overlap is known of
-/// parameters only.
-#[inline(always)]
-pub(crate) fn each_straight(
-    f: &impl AtPoint<2, 3>,
-    omega: &[Block],
-    alpha: &[Block],
-    a: &mut [Block],
-    b: &mut [Block],
-    c: &mut [Block],
-) {
-    let points = omega.as_flattened().iter().zip(alpha.as_flattened());
-    let outputs = a.as_flattened_mut().iter_mut().zip(b.as_flattened_mut()).zip(c.as_flattened_mut());
-    for ((&omega, &alpha), ((a, b), c)) in points.zip(outputs) {
-        [*a, *b, *c] = f.at([omega, alpha]);
     }
 }
 

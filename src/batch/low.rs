@@ -1,4 +1,4 @@
-//! Below Ω = 1/2: the loops over blocks of the functions that answer a point there.
+//! Below Ω = 1/2: the functions that answer a point there, for the loops over blocks.
 
 use super::amplitude::{Amplitude, Domain};
 use super::block::{AtPoint, select};
@@ -18,12 +18,12 @@ pub(crate) fn has_low_loops(omega: f64) -> bool {
     (omega >= LEAST_OMEGA) & (omega < 0.5)
 }
 
-/// What depends on Ω alone.
+/// The numbers that depend on Ω alone.
 #[derive(Clone, Copy)]
-pub(crate) struct LowParts;
+pub(crate) struct LowOmega;
 
-impl AtPoint<1, 6> for LowParts {
-    /// `[K, what the rounded K lacks, 1/Ω, sin β, cos β, α_min]`; NaN for the last where it is to be redone.
+impl AtPoint<1, 6> for LowOmega {
+    /// `[K, the rest of the rounded K, 1/Ω, sin β, cos β, α_min]`; NaN for the last where it is to be redone.
     #[inline(always)]
     fn at(&self, [omega]: [f64; 1]) -> [f64; 6] {
         let (angle, is_nearest) = LowAngle::of_moderate(omega);
@@ -35,7 +35,7 @@ impl AtPoint<1, 6> for LowParts {
     }
 }
 
-/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, what the rounded K lacks, α_min]`; NaN for α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, the rest of the rounded K, α_min]`; NaN for α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
 pub(crate) struct LowSizes(Domain);
 
@@ -60,7 +60,7 @@ impl AtPoint<5, 3> for LowSizes {
 }
 
 impl AtPoint<5, 6> for LowSizes {
-    /// The same and `[ω_d t₂, A₂, what the rounded Δ₀ lacks]`.
+    /// The same and `[ω_d t₂, A₂, the rest of the rounded Δ₀]`.
     #[inline(always)]
     fn at(&self, given: [f64; 5]) -> [f64; 6] {
         let found = self.amplitude(given);
@@ -86,7 +86,7 @@ impl LowStart {
 }
 
 impl AtPoint<8, 1> for LowStart {
-    /// `[θ]` from `[Ω, Δ₀, what the rounded Δ₀ lacks, 1/Ω, sin β, cos β, α, ω_d t₂]`.
+    /// `[θ]` from `[Ω, Δ₀, the rest of the rounded Δ₀, 1/Ω, sin β, cos β, α, ω_d t₂]`.
     #[inline(always)]
     fn at(&self, [a, b, c, d, e, f, alpha, phase2]: [f64; 8]) -> [f64; 1] {
         [waves([a, b, c, d, e, f]).start(&self.0, alpha, phase2)]

@@ -2,80 +2,86 @@
 //! accuracy of a point (`accuracy.rs`).
 
 use crate::random::Random;
-use stickslip::batch::{Batch, Cycles, FixedOmega, LengthMismatch, Level, Peaks, Triple};
-use stickslip::{Border, Cycle, Ratios, Regime, regime};
+use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch, Level};
+use stickslip::{Border, Output, Ratios, Regime, Response, regime};
 
-/// All outputs, in the order of `Cycles`.
-struct Answer {
-    regime: Vec<Option<Regime>>,
-    columns: [Vec<f64>; 9],
-}
-
-const BORDER: usize = 5;
+/// The outputs that take no search of their own: those of the loops, and some that are computed point by point.
+const OUTPUTS: [Output; 13] = [
+    Output::MaxDisplacement,
+    Output::MinForceRatio,
+    Output::LoopSizeStiffness,
+    Output::DisplacementPhase,
+    Output::LoopSizeInertia,
+    Output::MaxVelocity,
+    Output::VelocityPhase,
+    Output::Deviation,
+    Output::Contraction,
+    Output::Margin,
+    Output::LeastDisplacement,
+    Output::BestForceRatio,
+    Output::DynamicAmplification,
+];
+const LOOPED: &[Output] = OUTPUTS.first_chunk::<9>().unwrap();
+/// The amplitude, which one loop has.
+const THREE: &[Output] = OUTPUTS.first_chunk::<3>().unwrap();
+const FIVE: [Output; 5] = [OUTPUTS[0], OUTPUTS[1], OUTPUTS[2], Output::MaxVelocity, Output::VelocityPhase];
 
 /// The bits of a number; those of any NaN are the same.
 fn bits(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
 }
 
+#[derive(PartialEq)]
+struct Answer {
+    regime: Vec<Option<Regime>>,
+    columns: Vec<Vec<u64>>,
+}
+
 impl Answer {
-    fn of(n: usize, run: impl FnOnce(Cycles<'_>) -> Result<(), LengthMismatch>) -> Self {
-        let mut answer =
-            Self { regime: vec![None; n], columns: std::array::from_fn(|_| vec![f64::INFINITY; n]) };
-        let [a, b, c, d, e, f, g, h, i] = &mut answer.columns;
-        run(Cycles {
-            regime: &mut answer.regime,
-            max_displacement: a,
-            displacement_phase: b,
-            max_velocity: c,
-            velocity_phase: d,
-            deviation: e,
-            min_force_ratio: f,
-            contraction: g,
-            loop_size_stiffness: h,
-            loop_size_inertia: i,
-        })
-        .unwrap();
-        answer
-    }
-
-    fn bits(&self) -> [Vec<u64>; 9] {
-        self.columns.each_ref().map(|column| column.iter().map(|&x| bits(x)).collect())
+    fn of(n: usize, outputs: &[Output], run: impl FnOnce(Columns<'_>) -> Result<(), LengthMismatch>) -> Self {
+        let (mut regime, mut columns) = (vec![None; n], vec![vec![f64::INFINITY; n]; outputs.len()]);
+        let slices = outputs.iter().zip(&mut columns);
+        let wanted = slices.fold(Columns::new(), |wanted, (&output, slice)| wanted.with(output, slice));
+        run(wanted.with_regime(&mut regime)).unwrap();
+        let columns = columns.into_iter().map(|column| column.into_iter().map(bits).collect()).collect();
+        Self { regime, columns }
     }
 }
 
-fn cycles(batch: Batch, omega: &[f64], alpha: &[f64]) -> Answer {
-    Answer::of(omega.len(), |out| batch.cycles(omega, alpha, out))
+fn answer(batch: Batch, omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Answer {
+    Answer::of(omega.len(), outputs, |wanted| batch.run(omega, alpha, wanted))
 }
 
-fn triple(batch: Batch, omega: &[f64], alpha: &[f64]) -> [Vec<f64>; 3] {
-    let mut columns = std::array::from_fn(|_| vec![f64::INFINITY; omega.len()]);
-    let [a, b, c] = &mut columns;
-    batch
-        .triple(omega, alpha, Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c })
-        .unwrap();
-    columns
+/// The same by the code for one point.
+fn alone(ratios: impl Iterator<Item = Option<Ratios<f64>>>, outputs: &[Output]) -> Answer {
+    let mut due = Answer { regime: Vec::new(), columns: vec![Vec::new(); outputs.len()] };
+    for ratios in ratios {
+        let response = ratios.map(Response::new);
+        due.regime.push(response.map(|at| at.regime()));
+        for (column, output) in due.columns.iter_mut().zip(outputs) {
+            column.push(bits(response.and_then(|at| output.of(&at)).unwrap_or(f64::NAN)));
+        }
+    }
+    due
 }
 
-fn five(columns: &mut [Vec<f64>; 5]) -> Peaks<'_> {
-    let [a, b, c, d, e] = columns;
-    Peaks {
-        max_displacement: a,
-        min_force_ratio: b,
-        loop_size_stiffness: c,
-        max_velocity: d,
-        velocity_phase: e,
+fn points_alone(omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Answer {
+    alone(omega.iter().zip(alpha).map(|(&omega, &alpha)| Ratios::new(omega, alpha).ok()), outputs)
+}
+
+/// # Panics
+/// Where the two differ: with the first such point.
+fn assert_same(found: &Answer, due: &Answer, at: impl Fn(usize) -> String) {
+    if let Some(i) = (0..due.regime.len()).find(|&i| found.regime[i] != due.regime[i]) {
+        panic!("{:?} for {:?}: {}", found.regime[i], due.regime[i], at(i));
+    }
+    for (k, (found, due)) in found.columns.iter().zip(&due.columns).enumerate() {
+        if let Some(i) = (0..due.len()).find(|&i| found[i] != due[i]) {
+            let [found, due] = [found[i], due[i]].map(f64::from_bits);
+            panic!("{found:e} for {due:e}, output {k}: {}", at(i));
+        }
     }
 }
-
-fn peaks(batch: Batch, omega: &[f64], alpha: &[f64]) -> [Vec<f64>; 5] {
-    let mut columns = std::array::from_fn(|_| vec![f64::INFINITY; omega.len()]);
-    batch.peaks(omega, alpha, five(&mut columns)).unwrap();
-    columns
-}
-
-/// Where the columns of `Peaks` are among those of `Cycles`.
-const PEAKS: [usize; 5] = [0, BORDER, 7, 2, 3];
 
 fn levels() -> impl Iterator<Item = Level> {
     Level::ALL.into_iter().filter(|level| level.is_available())
@@ -118,21 +124,79 @@ fn points(n: usize) -> (Vec<f64>, Vec<f64>) {
     (omegas, alphas)
 }
 
-#[test]
-fn every_level_gives_the_same_bits() {
-    let (omega, alpha) = points(6000);
-    let all = cycles(Batch::new().at_level(Level::Portable), &omega, &alpha);
-    let three = triple(Batch::new().at_level(Level::Portable), &omega, &alpha);
-    for level in levels().filter(|&level| level != Level::Scalar) {
-        let batch = Batch::new().at_level(level);
-        assert_eq!(batch.level(), level);
-        let other = cycles(batch, &omega, &alpha);
-        assert!(other.bits() == all.bits() && other.regime == all.regime, "{level:?}");
-        let all_bits = |columns: &[Vec<f64>; 3]| {
-            columns.each_ref().map(|c| c.iter().map(|&x| bits(x)).collect::<Vec<_>>())
-        };
-        assert!(all_bits(&triple(batch, &omega, &alpha)) == all_bits(&three), "{level:?}");
+/// Points of the domain, and some outside it.
+fn points_and_others(n: usize) -> (Vec<f64>, Vec<f64>) {
+    let (mut omega, mut alpha) = points(n);
+    for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e300] {
+        omega.extend([bad, 0.7, 1.0]);
+        alpha.extend([2.0, bad, bad]);
     }
+    (omega, alpha)
+}
+
+#[test]
+fn every_level_has_the_bits_of_the_points_alone() {
+    let (omega, alpha) = points_and_others(20_000);
+    let due = points_alone(&omega, &alpha, LOOPED);
+    for level in levels() {
+        let found = answer(Batch::new().at_level(level), &omega, &alpha, LOOPED);
+        assert_same(&found, &due, |i| format!("{level:?} at {:e} {:e}", omega[i], alpha[i]));
+    }
+}
+
+/// Which loops run depends on the outputs that are wanted; the bits do not.
+#[test]
+fn any_set_of_outputs_has_the_same_bits() {
+    let (omega, alpha) = points_and_others(3000);
+    let due = points_alone(&omega, &alpha, &OUTPUTS);
+    let mut random = Random(23);
+    for level in levels() {
+        let mut sets: Vec<Vec<usize>> = (0..OUTPUTS.len()).map(|k| vec![k]).collect();
+        sets.extend([(0..3).collect(), vec![0, 1, 2, 5, 6], (0..OUTPUTS.len()).collect(), Vec::new()]);
+        sets.extend((0..12).map(|_| (0..OUTPUTS.len()).filter(|_| random.between(0.0, 1.0) < 0.4).collect()));
+        for set in sets {
+            let outputs: Vec<_> = set.iter().map(|&k| OUTPUTS[k]).collect();
+            let due = Answer {
+                regime: due.regime.clone(),
+                columns: set.iter().map(|&k| due.columns[k].clone()).collect(),
+            };
+            let found = answer(Batch::new().at_level(level), &omega, &alpha, &outputs);
+            assert_same(&found, &due, |i| format!("{level:?}, {set:?} at {:e} {:e}", omega[i], alpha[i]));
+        }
+    }
+}
+
+/// Outputs with a search of their own.
+#[test]
+fn every_output_can_be_asked_for() {
+    let (omega, alpha) = ([0.7, 1.5, 0.4, f64::NAN], [2.0, 2.5, 6.0, 2.0]);
+    let found = answer(Batch::new(), &omega, &alpha, &Output::ALL);
+    assert_same(&found, &points_alone(&omega, &alpha, &Output::ALL), |i| format!("{}", omega[i]));
+}
+
+#[test]
+fn with_damping_each_point_is_that_alone() {
+    let (omega, alpha) = points_and_others(2000);
+    let zeta: Vec<_> = (0..omega.len()).map(|i| [0.0, 0.05, 1.0, -1.0, f64::NAN][i % 5]).collect();
+    let ratios = |i: usize| Ratios::new(omega[i], alpha[i]).ok()?.with_damping_ratio(zeta[i]).ok();
+    let due = alone((0..omega.len()).map(ratios), LOOPED);
+    assert!(due.regime.iter().flatten().count() > 1000);
+    let found =
+        Answer::of(omega.len(), LOOPED, |wanted| Batch::new().run_damped(&omega, &alpha, &zeta, wanted));
+    assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
+}
+
+/// Outputs that are not asked for leave no trace, and without the regime none is written.
+#[test]
+fn columns_without_the_regime() {
+    let (mut border, mut size) = ([0.0; 3], [0.0; 3]);
+    let wanted = Columns::new().with(Output::Deviation, &mut size).with(Output::MinForceRatio, &mut border);
+    // The last slice for an output counts.
+    let mut deviation = [0.0; 3];
+    let wanted = wanted.with(Output::Deviation, &mut deviation);
+    Batch::new().run(&[0.7, 1.5, 0.4], &[2.0, 2.5, 6.0], wanted).unwrap();
+    assert_eq!(size, [0.0; 3]);
+    assert!(border.iter().all(|b| *b > 0.0) && deviation[0].is_finite() && deviation[2].is_nan());
 }
 
 /// What `.ci/run` asks again on a processor without AVX-512, naming the level that is then due.
@@ -151,102 +215,28 @@ fn levels_are_those_of_the_processor() {
     }
 }
 
-/// The same loops, so the same bits, but for points of which the velocity is left to the careful path.
-#[test]
-fn the_peaks_are_those_of_all() {
-    let (omega, alpha) = points(20_000);
-    for level in levels() {
-        let batch = Batch::new().at_level(level);
-        let (all, five) = (cycles(batch, &omega, &alpha), peaks(batch, &omega, &alpha));
-        for (column, among_all) in five.iter().zip(PEAKS) {
-            for (i, (&x, &y)) in column.iter().zip(&all.columns[among_all]).enumerate() {
-                assert_eq!(bits(x), bits(y), "{among_all}, {level:?} at {} {}", omega[i], alpha[i]);
-            }
-        }
-    }
-}
-
-/// A batch gives the bits of a point alone, at every level.
-#[test]
-fn a_batch_has_the_bits_of_its_points() {
-    let (omega, alpha) = points(20_000);
-    for level in levels() {
-        let batch = Batch::new().at_level(level);
-        let (all, three) = (cycles(batch, &omega, &alpha), triple(batch, &omega, &alpha));
-        for i in 0..omega.len() {
-            let border = Border::new(omega[i]).unwrap().min_force_ratio();
-            let nan = f64::NAN;
-            let mut alone = alone(omega[i], alpha[i]).unwrap_or([nan; 9]);
-            alone[BORDER] = border;
-            for (column, (values, alone)) in all.columns.iter().zip(alone).enumerate() {
-                let place = format!("{column}, {level:?} at {:?} {:?}", omega[i], alpha[i]);
-                assert_eq!(bits(values[i]), bits(alone), "{} {alone}, output {place}", values[i]);
-            }
-            for (values, alone) in three.iter().zip([alone[0], border, alone[7]]) {
-                assert_eq!(bits(values[i]), bits(alone), "{level:?} at {:?} {:?}", omega[i], alpha[i]);
-            }
-        }
-    }
-}
-
 #[test]
 fn the_length_of_a_slice_does_not_matter() {
     let (omega, alpha) = points(2000);
-    let whole = cycles(Batch::new(), &omega, &alpha);
-    for n in [0, 1, 2, 127, 128, 129, 300] {
-        let part = cycles(Batch::new(), &omega[700..700 + n], &alpha[700..700 + n]);
-        for (part, whole) in part.bits().iter().zip(whole.bits()) {
-            assert_eq!(part[..], whole[700..700 + n]);
-        }
-    }
-    // Runs through several blocks at once, and what is left of them.
-    let whole = triple(Batch::new(), &omega, &alpha);
-    for n in [0, 1, 127, 128, 129, 300, 1024, 1100] {
-        let part = triple(Batch::new(), &omega[700..700 + n], &alpha[700..700 + n]);
-        for (part, whole) in part.iter().zip(&whole) {
-            assert!(part.iter().zip(&whole[700..]).all(|(&x, &y)| bits(x) == bits(y)), "{n}");
+    for outputs in [LOOPED, THREE] {
+        let whole = answer(Batch::new(), &omega, &alpha, outputs);
+        for n in [0, 1, 2, 127, 128, 129, 300, 1024, 1100] {
+            let part = answer(Batch::new(), &omega[700..700 + n], &alpha[700..700 + n], outputs);
+            assert_eq!(part.regime[..], whole.regime[700..700 + n]);
+            for (part, whole) in part.columns.iter().zip(&whole.columns) {
+                assert_eq!(part[..], whole[700..700 + n]);
+            }
         }
     }
 }
 
 #[test]
-fn the_regime_and_what_does_not_exist() {
-    let (mut omega, mut alpha) = points(6000);
-    for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e300] {
-        omega.extend([bad, 0.7, 1.0]);
-        alpha.extend([2.0, bad, bad]);
-    }
+fn the_regime_is_that_of_the_point() {
+    let (omega, alpha) = points_and_others(6000);
+    let due: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| regime(omega, alpha).ok()).collect();
     for level in levels() {
-        let batch = Batch::new().at_level(level);
-        let (answer, three) = (cycles(batch, &omega, &alpha), triple(batch, &omega, &alpha));
-        for i in 0..omega.len() {
-            let expected = regime(omega[i], alpha[i]).ok();
-            assert_eq!(answer.regime[i], expected, "{level:?} at {} {}", omega[i], alpha[i]);
-            let is_cycle = Ratios::new(omega[i], alpha[i]).and_then(Cycle::new).is_ok();
-            for (column, values) in answer.columns.iter().enumerate() {
-                let exists = is_cycle || column == BORDER && expected.is_some();
-                assert_eq!(!values[i].is_nan(), exists, "{column}, {level:?} at {} {}", omega[i], alpha[i]);
-            }
-            assert_eq!(!three[0][i].is_nan(), is_cycle, "{level:?} at {} {}", omega[i], alpha[i]);
-            assert_eq!(!three[2][i].is_nan(), is_cycle);
-        }
+        assert!(answer(Batch::new().at_level(level), &omega, &alpha, &[]).regime == due, "{level:?}");
     }
-}
-
-/// The outputs of one point's own code.
-fn alone<F: stickslip::Float>(omega: F, alpha: F) -> Option<[F; 9]> {
-    let c = Cycle::new(Ratios::new(omega, alpha).ok()?).ok()?;
-    Some([
-        c.max_displacement(),
-        c.displacement_phase(),
-        c.max_velocity(),
-        c.velocity_phase(),
-        c.deviation(),
-        Border::new(omega).ok()?.min_force_ratio(),
-        c.contraction(),
-        c.loop_size_stiffness(),
-        c.loop_size_inertia(),
-    ])
 }
 
 #[test]
@@ -259,29 +249,12 @@ fn rows_of_one_frequency() {
         let mut alpha: Vec<_> = (0..300).map(|_| border * random.between(0.9, 4.0)).collect();
         alpha.extend([border, border.next_up(), border.next_down(), 0.5, f64::NAN, 1e300, -1.0]);
         let omegas = vec![omega; alpha.len()];
-        for level in levels() {
-            let batch = Batch::new().at_level(level);
-            let answer = Answer::of(alpha.len(), |out| batch.cycles_at(&row, &alpha, out));
-            let free = cycles(batch, &omegas, &alpha);
-            assert_eq!(answer.regime, free.regime, "{omega}");
-            assert!(answer.bits() == free.bits(), "{omega}");
-            let mut columns = std::array::from_fn(|_| vec![0.0; alpha.len()]);
-            batch.peaks_at(&row, &alpha, five(&mut columns)).unwrap();
-            for (column, among_all) in columns.iter().zip(PEAKS) {
-                let all = answer.columns[among_all].iter().map(|&x| bits(x));
-                assert!(column.iter().map(|&x| bits(x)).eq(all), "{omega} {among_all}");
-            }
-
-            let mut columns: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; alpha.len()]);
-            let [a, b, c] = &mut columns;
-            let out = Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c };
-            batch.triple_at(&row, &alpha, out).unwrap();
-            let reference = triple(batch, &omegas, &alpha);
-            for (column, reference) in columns.iter().zip(&reference) {
-                assert!(
-                    column.iter().map(|&x| bits(x)).eq(reference.iter().map(|&x| bits(x))),
-                    "{omega} {level:?}"
-                );
+        for outputs in [&OUTPUTS[..], &FIVE, THREE] {
+            let due = points_alone(&omegas, &alpha, outputs);
+            for level in levels() {
+                let batch = Batch::new().at_level(level);
+                let found = Answer::of(alpha.len(), outputs, |wanted| batch.run_at(&row, &alpha, wanted));
+                assert_same(&found, &due, |i| format!("{level:?} at {omega:e} {:e}", alpha[i]));
             }
         }
     }
@@ -290,11 +263,21 @@ fn rows_of_one_frequency() {
 
 #[test]
 fn slices_of_different_lengths() {
-    let mut ten: [Vec<f64>; 3] = std::array::from_fn(|_| vec![0.0; 10]);
-    let [a, b, c] = &mut ten;
-    let out = Triple { max_displacement: a, min_force_ratio: &mut b[..9], loop_size_stiffness: c };
-    let error = Batch::new().triple(&[1.5; 10], &[3.0; 10], out).unwrap_err();
-    assert_eq!(error.to_string(), "least force ratio α_min has 9 elements where 10 are due");
+    let [mut ten, mut nine, mut regime] = [vec![0.0; 10], vec![0.0; 9], vec![0.0; 9]];
+    let (omega, alpha) = ([1.5; 10], [3.0; 10]);
+    let wanted = Columns::new().with(Output::Deviation, &mut ten).with(Output::MinForceRatio, &mut nine);
+    let error = Batch::new().run(&omega, &alpha, wanted).unwrap_err();
+    assert_eq!(error.to_string(), "min_force_ratio has 9 elements where 10 are due");
+    let error = Batch::new().run(&omega, &alpha[1..], Columns::new()).unwrap_err();
+    assert_eq!(error.to_string(), "alpha has 9 elements where 10 are due");
+    let error = Batch::new().run_damped(&omega, &alpha, &regime, Columns::new()).unwrap_err();
+    assert_eq!(error.to_string(), "damping_ratio has 9 elements where 10 are due");
+    let row = FixedOmega::new(1.5).unwrap();
+    let wanted = Columns::new().with(Output::Margin, &mut regime);
+    assert_eq!(Batch::new().run_at(&row, &alpha, wanted).unwrap_err().found, 9);
+    let mut regime = [None; 9];
+    let error = Batch::new().run(&omega, &alpha, Columns::new().with_regime(&mut regime)).unwrap_err();
+    assert_eq!(error.name, "regime");
     assert!(Batch::new().steady(&[1.5; 10], &[3.0; 11]).is_err());
 }
 
@@ -321,10 +304,12 @@ fn the_exact_motion() {
 fn threads_change_nothing() {
     let (omega, alpha) = points(30_000);
     let (one, many) = (Batch::new(), Batch::new().on_threads());
-    let (a, b) = (cycles(one, &omega, &alpha), cycles(many, &omega, &alpha));
-    assert!(a.bits() == b.bits() && a.regime == b.regime);
-    let (a, b) = (triple(one, &omega, &alpha), triple(many, &omega, &alpha));
-    assert!(format!("{a:?}") == format!("{b:?}"));
+    for outputs in [LOOPED, THREE] {
+        assert!(answer(one, &omega, &alpha, outputs) == answer(many, &omega, &alpha, outputs));
+    }
+    // Those that are computed point by point, too.
+    let (omegas, alphas) = (&omega[..3000], &alpha[..3000]);
+    assert!(answer(one, omegas, alphas, &OUTPUTS) == answer(many, omegas, alphas, &OUTPUTS));
     let (a, b) = (
         one.steady(&omega[3000..3100], &alpha[3000..3100]),
         many.steady(&omega[3000..3100], &alpha[3000..3100]),

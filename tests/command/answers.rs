@@ -331,6 +331,18 @@ fn a_bad_row_stops_after_the_good_ones() {
     let (out, err, code) = points("jsonl", "omega,beta\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("column alpha (or --alpha) is missing"), "{err}");
+    // Columns of a spreadsheet that has other separators, and a slip of the pen in a column that could be left out.
+    let (out, err, code) = points("jsonl", "omega;alpha\n1,5;2\n");
+    assert_eq!((out.as_str(), code), ("", 2));
+    assert!(err.contains("columns must be separated by commas"), "{err}");
+    let (out, err, code) = points("jsonl", "omega,alpha,dampng_ratio\n1.5,2.5,0.1\n");
+    assert_eq!((out.as_str(), code), ("", 2));
+    assert!(err.contains("column dampng_ratio is unknown; spell it damping_ratio, or rename it"), "{err}");
+    let (out, err, code) = points("jsonl", "omega,alpha,label\n1.5,2.5,seven\n");
+    assert!(code == 0 && out.lines().count() == 1, "{err}");
+    let (_, err, code) = points("jsonl", "omega,alpha\n\"1,5\",2.5\n");
+    assert_eq!(code, 2);
+    assert!(err.contains("must be a number, with a decimal point in place of the comma"), "{err}");
 }
 
 #[test]

@@ -143,6 +143,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("response --omega 1:2:5 --alpha 2 --resume", vec!["--resume", "--out"]),
         ("response --omega 1:2:5 --alpha 2 --out /dev/full --resume", vec!["/dev/full", "regular file"]),
         ("response --omega 1:2:5 --alpha 2 --out /dev/null", vec!["/dev/null", "must not exist yet"]),
+        ("response --omega 1:2:5 --alpha 2 --out rows.xlsx", vec!["--out rows.xlsx", ".csv", "--format"]),
         ("response --omega 1:2:5 --alpha 2 --out /nowhere/at/all.csv", vec!["--out /nowhere/at/all.csv"]),
     ] {
         refused(&format!("sweep {arguments}"), &parts);

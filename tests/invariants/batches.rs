@@ -1,71 +1,43 @@
 //! What holds of batches, whatever the points, their number and where a slice begins: shared by the tests and the fuzz target.
 
-use stickslip::batch::{Batch, Cycles, FixedOmega, Level, Peaks, Triple};
-use stickslip::{Border, Cycle, Ratios, Regime, regime};
+use stickslip::batch::{Batch, Columns, FixedOmega, Level};
+use stickslip::{Output, Ratios, Regime, Response, regime};
 
-/// Outputs of a batch in the order of [`Cycles`]; of [`Triple`] and [`Peaks`] those at these places.
-const THREE: [usize; 3] = [0, 5, 7];
-const FIVE: [usize; 5] = [0, 5, 7, 2, 3];
+/// The outputs of the loops, and one that is computed point by point.
+const OUTPUTS: [Output; 10] = [
+    Output::MinForceRatio,
+    Output::MaxDisplacement,
+    Output::LoopSizeStiffness,
+    Output::MaxVelocity,
+    Output::VelocityPhase,
+    Output::DisplacementPhase,
+    Output::LoopSizeInertia,
+    Output::Deviation,
+    Output::Contraction,
+    Output::BestForceRatio,
+];
 
-type Columns<const N: usize> = [Vec<f64>; N];
-
-fn cycles(omega: &[f64], run: impl FnOnce(Cycles<'_>)) -> (Vec<Option<Regime>>, Columns<9>) {
-    let mut regimes = vec![None; omega.len()];
-    let mut columns: Columns<9> = std::array::from_fn(|_| vec![0.0; omega.len()]);
-    let [a, b, c, d, e, f, g, h, i] = &mut columns;
-    run(Cycles {
-        regime: &mut regimes,
-        max_displacement: a,
-        displacement_phase: b,
-        max_velocity: c,
-        velocity_phase: d,
-        deviation: e,
-        min_force_ratio: f,
-        contraction: g,
-        loop_size_stiffness: h,
-        loop_size_inertia: i,
-    });
-    (regimes, columns)
-}
-
-fn triple(omega: &[f64], run: impl FnOnce(Triple<'_>)) -> Columns<3> {
-    let mut columns: Columns<3> = std::array::from_fn(|_| vec![0.0; omega.len()]);
-    let [a, b, c] = &mut columns;
-    run(Triple { max_displacement: a, min_force_ratio: b, loop_size_stiffness: c });
-    columns
-}
-
-fn peaks(omega: &[f64], run: impl FnOnce(Peaks<'_>)) -> Columns<5> {
-    let mut columns: Columns<5> = std::array::from_fn(|_| vec![0.0; omega.len()]);
-    let [a, b, c, d, e] = &mut columns;
-    run(Peaks {
-        max_displacement: a,
-        min_force_ratio: b,
-        loop_size_stiffness: c,
-        max_velocity: d,
-        velocity_phase: e,
-    });
-    columns
+/// The outputs at these places, and the regime.
+fn outputs(
+    n: usize,
+    places: &[usize],
+    run: impl FnOnce(Columns<'_>) -> Result<(), stickslip::batch::LengthMismatch>,
+) -> (Vec<Option<Regime>>, Vec<Vec<f64>>) {
+    let (mut regimes, mut numbers) = (vec![None; n], vec![vec![0.0; n]; places.len()]);
+    let slices = places.iter().zip(&mut numbers);
+    let columns = slices.fold(Columns::new(), |columns, (&place, slice)| columns.with(OUTPUTS[place], slice));
+    run(columns.with_regime(&mut regimes)).unwrap();
+    (regimes, numbers)
 }
 
 fn bits(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
 }
 
-/// The outputs of one point's own code; `None` where there is no cycle.
-fn alone(omega: f64, alpha: f64) -> Option<[f64; 9]> {
-    let cycle = Cycle::new(Ratios::new(omega, alpha).ok()?).ok()?;
-    Some([
-        cycle.max_displacement(),
-        cycle.displacement_phase(),
-        cycle.max_velocity(),
-        cycle.velocity_phase(),
-        cycle.deviation(),
-        Border::new(omega).ok()?.min_force_ratio(),
-        cycle.contraction(),
-        cycle.loop_size_stiffness(),
-        cycle.loop_size_inertia(),
-    ])
+/// The outputs by the code for one point; NaN where one does not exist.
+fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
+    let response = Ratios::new(omega, alpha).map(Response::new);
+    OUTPUTS.map(|output| response.as_ref().ok().and_then(|at| output.of(at)).unwrap_or(f64::NAN))
 }
 
 /// Everything that batches promise of `length` points taken in turn from `points`, in a slice that begins at `offset` of its memory.
@@ -86,21 +58,15 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     });
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let batch = Batch::new().at_level(level);
-        let (regimes, columns) = cycles(omega, |out| batch.cycles(omega, alpha, out).unwrap());
-        let three = triple(omega, |out| batch.triple(omega, alpha, out).unwrap());
-        let five = peaks(omega, |out| batch.peaks(omega, alpha, out).unwrap());
-        due.check(&regimes, &columns, level);
-        // The columns that are computed with fewer others beside them.
-        for (part, place) in three.iter().zip(THREE) {
-            due.check_column(part, place, level);
-        }
-        for (part, place) in five.iter().zip(FIVE) {
-            let same = part.iter().zip(&columns[place]).all(|(&x, &y)| bits(x) == bits(y));
-            assert!(same, "output {place} of the peaks, {level:?}");
+        let all: Vec<usize> = (0..OUTPUTS.len()).collect();
+        // Everything, and fewer outputs, which fewer loops compute.
+        for places in [&all[..], &[0, 1, 2], &[0, 1, 2, 3, 4], &[8], &[6]] {
+            let (regimes, columns) = outputs(length, places, |columns| batch.run(omega, alpha, columns));
+            due.check(places, &regimes, &columns, level);
         }
         if let Some((row, due)) = &row {
-            let (regimes, columns) = cycles(alpha, |out| batch.cycles_at(row, alpha, out).unwrap());
-            due.check(&regimes, &columns, level);
+            let (regimes, columns) = outputs(length, &all, |columns| batch.run_at(row, alpha, columns));
+            due.check(&all, &regimes, &columns, level);
         }
     }
 }
@@ -110,7 +76,7 @@ struct Point {
     omega: f64,
     alpha: f64,
     regime: Option<Regime>,
-    values: Option<[f64; 9]>,
+    values: [f64; OUTPUTS.len()],
 }
 
 /// What is due of points that are taken in turn: each is worked out once, however often it comes.
@@ -133,25 +99,16 @@ impl Due {
         self.points.iter().cycle().skip(self.offset).take(self.length)
     }
 
-    fn check(&self, regimes: &[Option<Regime>], columns: &Columns<9>, level: Level) {
+    fn check(&self, places: &[usize], regimes: &[Option<Regime>], columns: &[Vec<f64>], level: Level) {
         for (due, found) in self.each().zip(regimes) {
             assert_eq!(*found, due.regime, "{level:?} at ({:e}, {:e})", due.omega, due.alpha);
         }
-        for (place, column) in columns.iter().enumerate() {
-            self.check_column(column, place, level);
-        }
-    }
-
-    fn check_column(&self, column: &[f64], place: usize, level: Level) {
-        const BORDER: usize = 5;
-        for (due, &found) in self.each().zip(column) {
-            let at = || format!("output {place}, {level:?} at ({:e}, {:e})", due.omega, due.alpha);
-            // Beside a pole the body may slide on without the cycle of two reversals.
-            let exists = due.values.is_some() || place == BORDER && due.regime.is_some();
-            assert_eq!(found.is_nan(), !exists, "{}: {found}", at());
-            let Some(values) = due.values else { continue };
-            let value = values[place];
-            assert!(bits(found) == bits(value), "{}: {found} for {value}", at());
+        for (column, &place) in columns.iter().zip(places) {
+            for (due, &found) in self.each().zip(column) {
+                let (value, name) = (due.values[place], OUTPUTS[place].name());
+                let at = || format!("{name}, {level:?} at ({:e}, {:e})", due.omega, due.alpha);
+                assert!(bits(found) == bits(value), "{}: {found} for {value}", at());
+            }
         }
     }
 }

@@ -171,7 +171,7 @@ impl Asked {
 
     fn place(&self, point: &Point<f64>) -> Result<Place, Failure> {
         let response = Response::new(point.ratios);
-        let margin = margin(point);
+        let margin = margin(&response);
         let (value, regime, sticks) = self.value(point, &response)?;
         Ok(Place { frequency: self.on_axis(point), regime, sticks, margin, value })
     }
@@ -183,7 +183,7 @@ impl Asked {
             given.set(self.axis, x);
             input::point(&given)
         };
-        let slides = |point: &Point<f64>| margin(point) >= 1.0;
+        let slides = |point: &Point<f64>| margin(&Response::new(point.ratios)) >= 1.0;
         let (mut inside, mut outside) = if slides(&at(from)?) { (from, to) } else { (to, from) };
         loop {
             let middle = inside + (outside - inside) / 2.0;
@@ -326,8 +326,8 @@ impl Asked {
 }
 
 /// The force over the least force without sticking, α/α_min.
-fn margin(point: &Point<f64>) -> f64 {
-    stickslip::Place::new(point.ratios).margin()
+fn margin(response: &Response<f64>) -> f64 {
+    response.ratios().alpha() / response.border().min_force_ratio()
 }
 
 const fn words(what: Curve) -> &'static str {
@@ -347,6 +347,7 @@ mod tests {
     use crate::args::{Command, CommandLine};
     use crate::input;
     use clap::Parser;
+    use stickslip::Response;
 
     #[test]
     fn curves_meet_the_border_on_the_border() {
@@ -363,7 +364,7 @@ mod tests {
                 given.set(asked.axis, omega);
                 given.set(asked.other.as_ref().unwrap().0, alpha);
                 let point = input::point(&given).ok().unwrap();
-                assert!((margin(&point) - 1.0).abs() < 1e-14, "{alpha} {omega}");
+                assert!((margin(&Response::new(point.ratios)) - 1.0).abs() < 1e-14, "{alpha} {omega}");
                 let cycle = stickslip::Cycle::new(point.ratios).unwrap();
                 assert_eq!(amplification, cycle.max_displacement() / alpha);
                 met += 1;

@@ -128,5 +128,15 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
 
 /// A number as typed.
 pub(crate) fn number<F: Value>(name: &str, text: &str) -> Result<F, Failure> {
-    text.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
+    number_of(name, text, text)
+}
+
+/// The number that `digits` of the text are.
+pub(crate) fn number_of<F: Value>(name: &str, text: &str, digits: &str) -> Result<F, Failure> {
+    let digits = digits.trim();
+    digits.parse().map_err(|_| {
+        let has_decimal_comma = digits.replacen(',', ".", 1).parse::<F>().is_ok();
+        let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
+        Failure::Input(format!("{name} {text}: must be a number{hint}"))
+    })
 }

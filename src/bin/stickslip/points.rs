@@ -103,8 +103,13 @@ fn answer_all<F: Value, W: Write>(
     if let Some(missing) = needed.into_iter().find(|several| !several.iter().any(|p| has(*p))) {
         let found = header.iter().collect::<Vec<_>>().join(",");
         let names: Vec<_> = missing.iter().map(|p| format!("{} (or {})", p.column(), p.option())).collect();
+        let hint = if header.len() == 1 && found.contains([';', '\t']) {
+            "; columns must be separated by commas"
+        } else {
+            ""
+        };
         return Err(Failure::Input(format!(
-            "{name}: column {} is missing; the header is “{found}”",
+            "{name}: column {} is missing; the header is “{found}”{hint}",
             names.join(", or ")
         )));
     }
@@ -161,8 +166,15 @@ fn columns<F: Value>(
             Some((own, unit)) => (own.trim(), Some(unit.trim())),
             None => (text, None),
         };
-        let Some(&parameter) = used.iter().find(|p| p.column() == own.replace('-', "_")) else { continue };
+        let plain = own.replace('-', "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
+        let Some(&parameter) = used.iter().find(|p| p.column() == plain) else {
+            // A misspelt column must not be left out in silence.
+            match used.iter().find(|p| is_misspelt(&plain, &p.column())) {
+                Some(p) => return refused(&format!("is unknown; spell it {}, or rename it", p.column())),
+                None => continue,
+            }
+        };
         if columns.iter().any(|column| column.parameter == parameter) {
             return refused("must be there once only");
         }
@@ -175,6 +187,16 @@ fn columns<F: Value>(
         columns.push(Column { parameter, place, name: own.to_owned(), factor });
     }
     Ok(columns)
+}
+
+/// Whether `text` looks like a slip of the pen for `column`: one edit in ten letters, two in more.
+fn is_misspelt(text: &str, column: &str) -> bool {
+    let allowed = match column.len() {
+        0..5 => 0,
+        5..10 => 1,
+        _ => 2,
+    };
+    text.len() <= column.len() + 2 && strsim::osa_distance(&text.to_lowercase(), column) <= allowed
 }
 
 /// What the reader could not make a row of.

@@ -14,6 +14,7 @@ pub(crate) use system::System;
 
 use crate::bits::Value;
 use crate::failure::Failure;
+use crate::input::number_of;
 pub(crate) use factor::Factor;
 use std::cell::RefCell;
 use table::Unit;
@@ -43,16 +44,13 @@ impl Reader {
     /// The value of the argument or column `name`, in the reader's system.
     pub(crate) fn value<F: Value>(&self, name: &str, text: &str, kind: Kind) -> Result<F, Failure> {
         let (digits, unit) = split(text);
-        let number = |part: &str| {
-            part.trim().parse().map_err(|_| Failure::Input(format!("{name} {text}: must be a number")))
-        };
-        if unit.is_empty() || digits.is_empty() {
-            let value = number(text)?;
+        if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {
+            let value = number_of(name, text, text)?;
             self.seen(name, text, kind, false)?;
             return Ok(value);
         }
         let factor = self.factor(name, text, unit, kind)?;
-        let value = number(digits)?;
+        let value = number_of(name, text, digits)?;
         self.seen(name, text, kind, true)?;
         Ok(factor.times(value))
     }

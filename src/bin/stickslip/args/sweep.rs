@@ -95,9 +95,12 @@ pub(crate) struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// As asked for, or as the file's name ends.
-    pub(crate) fn format(&self) -> SweepFormat {
-        let named = || self.out.as_deref().and_then(SweepFormat::of);
-        self.format.or_else(named).unwrap_or(SweepFormat::Csv)
+    /// As asked for, or as the file's name ends; CSV for a name without an end. `None` where the end says neither.
+    pub(crate) fn format(&self) -> Option<SweepFormat> {
+        match (self.format, self.out.as_deref()) {
+            (Some(format), _) => Some(format),
+            (None, Some(file)) if file.extension().is_some() => SweepFormat::of(file),
+            (None, _) => Some(SweepFormat::Csv),
+        }
     }
 }

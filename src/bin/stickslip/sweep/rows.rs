@@ -27,7 +27,7 @@ pub(crate) struct Rows<F> {
 impl<F: Value> Rows<F> {
     /// The rows asked for, once every point is known to have an answer and every column to exist.
     pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
-        let csv = args.format() == SweepFormat::Csv;
+        let csv = args.format() == Some(SweepFormat::Csv);
         let outputs = args.outputs.clone();
         let is_peak = |name: &String| PEAKS.iter().any(|peak| name.contains(peak));
         let peaks = outputs.as_ref().is_none_or(|names| names.iter().any(is_peak));
