@@ -50,6 +50,7 @@ impl SweepFormat {
     /// By the end of a file's name.
     fn of(file: &Path) -> Option<Self> {
         match file.extension()?.to_str()? {
+            "csv" => Some(Self::Csv),
             "jsonl" => Some(Self::Jsonl),
             "parquet" => Some(Self::Parquet),
             _ => None,
