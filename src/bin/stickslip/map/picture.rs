@@ -1,0 +1,238 @@
+//! The picture of a map.
+
+use super::{Map, Quantity, margin};
+use crate::failure::{Failure, Outcome};
+use crate::given::Parameter as P;
+use crate::grid::Grid;
+use crate::input;
+use crate::note::digits;
+use crate::outputs;
+use crate::record::Cell;
+use stickslip::Response;
+use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+
+impl Map<'_> {
+    /// What the colours stand for, in words, with the unit.
+    fn label(&self) -> (String, String) {
+        let words = match self.quantity {
+            Quantity::Regime => "regime".to_owned(),
+            Quantity::Margin => "margin over the border, α/α_min".to_owned(),
+            Quantity::Stops => "stops in a cycle".to_owned(),
+            Quantity::Output(..) => outputs::in_words(self.quantity.name()),
+        };
+        let unit = match self.kind {
+            Some(kind) => kind.unit(&self.system),
+            None => outputs::unit_of(self.quantity.name()).unwrap_or("1").to_owned(),
+        };
+        let label = if unit == "1" { words.clone() } else { format!("{words} ({unit})") };
+        (words, label)
+    }
+
+    /// The border of sticking, where the picture has α upwards, or what α is proportional to: from the border itself.
+    fn border(&self) -> Vec<(f64, f64)> {
+        let up = self.up.0;
+        let inverse = matches!(up, P::Friction | P::FrictionCoefficient);
+        if !inverse && !P::DRIVES.contains(&up) {
+            return Vec::new();
+        }
+        let ((left, right), (low, _)) = (self.across.1.ends(), self.up.1.ends());
+        let mut given = self.axes.at(0);
+        let logarithmic = self.across.1.is_logarithmic();
+        let at = |i: u32| {
+            let share = f64::from(i) / f64::from(BORDER_POINTS);
+            if logarithmic { left * (right / left).powf(share) } else { left + (right - left) * share }
+        };
+        let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
+        let mut points = Vec::new();
+        for x in (0..=BORDER_POINTS).map(at) {
+            given.set(self.across.0, x);
+            given.set(up, low);
+            let Ok(point) = input::point(&given) else { continue };
+            let margin = margin(&Response::new(point.ratios));
+            points.push((x * across, upwards * if inverse { low * margin } else { low / margin }));
+        }
+        points
+    }
+
+    /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at rest goes the
+    /// other way.
+    fn lit(&self, scale: Scale) -> Scale {
+        match scale {
+            Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
+                Scale::Shades { low: high, high: low, logarithmic }
+            }
+            Scale::Shades { .. } | Scale::Names(_) => scale,
+        }
+    }
+
+    /// Fails where a picture would be too large.
+    pub(super) fn drawable(&self) -> Outcome {
+        let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
+        if points > MOST {
+            return Err(Failure::Input(format!("{x}, {y}: {points} points, must be ≤ {MOST} in a picture")));
+        }
+        for (parameter, grid) in [&self.across, &self.up] {
+            if grid.len() > MOST_ACROSS {
+                return Err(Failure::Input(format!(
+                    "{}: {} values, must be ≤ {MOST_ACROSS} in a picture",
+                    parameter.option(),
+                    grid.len()
+                )));
+            }
+        }
+        Ok(())
+    }
+
+    fn axis(&self, (parameter, grid): &(P, Grid<f64>), ends: (f64, f64)) -> Axis {
+        let label = match (self.on_axis(*parameter).0, *parameter) {
+            (_, P::Omega) => "frequency ratio Ω = ω_d/ω_n".to_owned(),
+            (_, P::Alpha) => "force ratio α = p₀/r_y".to_owned(),
+            (unit, P::Frequency) => format!("frequency ({unit})"),
+            (unit, _) if unit.is_empty() => parameter.symbol().to_owned(),
+            (unit, _) => format!("{} ({unit})", parameter.symbol()),
+        };
+        if grid.is_logarithmic() {
+            Axis::logarithmic(&label, ends.0, ends.1)
+        } else {
+            Axis::linear(&label, ends.0, ends.1)
+        }
+    }
+
+    pub(super) fn picture(&self) -> Result<Figure, Failure> {
+        let values = |(parameter, grid): &(P, Grid<f64>)| -> Vec<f64> {
+            grid.values().map(|v| v * self.on_axis(*parameter).1).collect()
+        };
+        let (x, y) = (values(&self.across), values(&self.up));
+        let (Some(across), Some(up)) = (ends(&x), ends(&y)) else {
+            let (x, y) = (self.across.0.option(), self.up.0.option());
+            return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
+        };
+        // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as they come.
+        let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
+        let mut names: Vec<String> = regimes.map(str::to_owned).to_vec();
+        let mut named = false;
+        let mut values = Vec::new();
+        let mut whole = true;
+        self.cells(|_, cell| {
+            values.push(match cell {
+                Cell::Text(name) => {
+                    named = true;
+                    place_of(name, &mut names)
+                }
+                Cell::Count(count) => count.map_or(f64::NAN, |n| n as f64),
+                Cell::Number(number) => {
+                    whole = false;
+                    number.unwrap_or(f64::NAN)
+                }
+                Cell::Flag(flag) => {
+                    named = true;
+                    place_of(if flag { "true" } else { "false" }, &mut names)
+                }
+                Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
+            });
+            Ok(())
+        })?;
+        let (words, label) = self.label();
+        let mut title = capital(&words);
+        let scale = match (named, whole) {
+            (true, _) => Scale::Names(names),
+            (false, true) => counted(&mut values),
+            (false, false) => self.lit(clipped(Plane::shades(&values), &values, &mut title)),
+        };
+        let mut series = Vec::new();
+        let border = self.border();
+        if !border.is_empty() {
+            series.push(Series::new("exact border of sticking", Style::Thick, 0, border));
+        }
+        if values.iter().any(|v| v.is_nan()) {
+            series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
+        }
+        Ok(Figure {
+            name: "map".to_owned(),
+            title,
+            caption: String::new(),
+            panels: vec![Panel {
+                title: String::new(),
+                x: self.axis(&self.across, across),
+                y: self.axis(&self.up, up),
+                series,
+                plane: Some(Plane { label, x, y, values, scale }),
+            }],
+        })
+    }
+}
+
+/// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees more.
+const MOST: u64 = 4_000_000;
+const MOST_ACROSS: u64 = 20_000;
+/// The count that stands for all above it, too.
+const MOST_NAMES: f64 = 7.0;
+/// Points of the border, more than a picture can show.
+const BORDER_POINTS: u32 = 1000;
+/// Shades beyond this many times the values of nearly all points are those of a pole.
+const POLE: f64 = 100.0;
+
+/// A name for each count, the last one for all above: a key of more lines is not read.
+fn counted(values: &mut [f64]) -> Scale {
+    let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
+    let mut names: Vec<String> = (0..=most.min(MOST_NAMES) as u64).map(|n| n.to_string()).collect();
+    if most > MOST_NAMES {
+        // What is not a number stays none.
+        values.iter_mut().filter(|value| **value > MOST_NAMES).for_each(|value| *value = MOST_NAMES);
+        if let Some(last) = names.last_mut() {
+            last.push_str(" or more");
+        }
+    }
+    Scale::Names(names)
+}
+
+/// The shades without what is close to a pole, which the title then says.
+fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
+    let Scale::Shades { low, high, logarithmic: true } = scale else { return scale };
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let at = |share: f64| sorted.get((sorted.len() as f64 * share) as usize).copied();
+    let (Some(few), Some(most)) = (at(0.05), at(0.95)) else { return scale };
+    let (new_low, new_high) = (low.max(few / POLE), high.min(most * POLE));
+    match (new_low > low, new_high < high) {
+        (false, false) => {}
+        (true, false) => title.push_str(&format!(", cut off below {}", digits(round(new_low)))),
+        (false, true) => title.push_str(&format!(", cut off above {}", digits(round(new_high)))),
+        (true, true) => title.push_str(&format!(
+            ", cut off below {} and above {}",
+            digits(round(new_low)),
+            digits(round(new_high))
+        )),
+    }
+    let cut = |new: f64, old: f64| if new == old { old } else { round(new) };
+    Scale::Shades { low: cut(new_low, low), high: cut(new_high, high), logarithmic: true }
+}
+
+/// The nearest power of ten.
+fn round(value: f64) -> f64 {
+    10f64.powf(value.log10().round())
+}
+
+/// The text with a capital.
+pub(crate) fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// The first and the last value, where all are ascending.
+fn ends(values: &[f64]) -> Option<(f64, f64)> {
+    let ascending = values.windows(2).all(|pair| matches!(pair, [a, b] if a < b));
+    match values {
+        [first, .., last] if ascending => Some((*first, *last)),
+        _ => None,
+    }
+}
+
+/// The place of a name in the list, at its end where it is new.
+fn place_of(name: &str, names: &mut Vec<String>) -> f64 {
+    let place = names.iter().position(|n| n == name).unwrap_or_else(|| {
+        names.push(name.to_owned());
+        names.len() - 1
+    });
+    place as f64
+}
