@@ -2,6 +2,8 @@
 # The bits of answers at f64 do not depend on the target they are compiled for, nor on being asked alone or in a batch: builds
 # benches/bits.rs for x86-64, x86-64-v3 and this processor, and compares what they print. POINTS (100000) as first argument.
 set -euo pipefail
+# Compiled in half the time; the bits do not depend on it.
+export CARGO_PROFILE_BENCH_LTO=off CARGO_PROFILE_BENCH_CODEGEN_UNITS=16
 cd "$(dirname "$0")/.."
 points=${1:-100000}
 bits() { # TARGET
