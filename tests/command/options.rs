@@ -126,24 +126,30 @@ fn a_start_holds_for_every_point_of_a_file() {
     assert_ne!(rows, command_line::stdout(&asked("steady --points POINTS --format csv")));
 }
 
-/// Help of a question shows the options that it uses, and no others.
+/// Help shows the options that a command uses, and no others.
 #[test]
-fn help_of_a_question_shows_its_own_options() {
+fn help_shows_the_options_of_a_command() {
     for (question, own, others) in [
         (
-            "force",
+            "design force",
             vec!["--omega", "--friction"],
             vec!["--target", "--sticking", "--from", "--alpha", "--foot-displacement"],
         ),
         (
-            "bands",
+            "design bands",
             vec!["--alpha", "--from", "--to", "--force"],
             vec!["--omega", "--frequency", "--target", "--sticking"],
         ),
-        ("displacement", vec!["--omega", "--target"], vec!["--alpha", "--from", "--sticking"]),
-        ("dissipation", vec!["--sticking", "--force"], vec!["--friction", "--target", "--from"]),
+        ("design displacement", vec!["--omega", "--target"], vec!["--alpha", "--from", "--sticking"]),
+        ("design dissipation", vec!["--sticking", "--force"], vec!["--friction", "--target", "--from"]),
+        (
+            "identify",
+            vec!["--mass", "--force", "--quiet"],
+            vec!["--omega", "--alpha", "--friction", "--frequency"],
+        ),
+        ("border", vec!["--omega", "--no-stop", "--points"], vec!["--alpha", "--force"]),
     ] {
-        let help = command_line::stdout(&format!("design {question} --help"));
+        let help = command_line::stdout(&format!("{question} --help"));
         let shows = |option: &&str| help.split_whitespace().any(|word| word == *option);
         assert!(own.iter().all(shows), "{question}: {help}");
         assert!(!others.iter().any(shows), "{question}: {help}");

@@ -147,7 +147,7 @@ pub(crate) fn parse(
 /// All that can be typed; help shows of each question the options that it uses.
 pub(crate) fn grammar() -> clap::Command {
     CommandLine::command()
-        .mut_subcommand("design", used::hide_unused)
+        .mut_subcommands(|command| used::hide_unused(command, ""))
         .mut_subcommand("outputs", |command| command.after_help(outputs::text()))
 }
 

@@ -76,7 +76,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "identify",
         Machine,
-        "file mass stiffness period gravity force base_acceleration base_velocity base_displacement \
+        "file mass stiffness period force base_acceleration base_velocity base_displacement \
          foot_displacement format units",
     ),
     ("decay", Ratios, "damping_ratio x0 v0 format bits"),
@@ -175,16 +175,17 @@ fn written(id: &str, matches: &ArgMatches) -> String {
     }
 }
 
-/// Leaves the options that a question does not use out of its help.
-pub(super) fn hide_unused(design: clap::Command) -> clap::Command {
-    design.mut_subcommands(|question| {
-        let name = format!("design {}", question.get_name());
-        let uses = |id: &str| {
-            USED.iter().any(|(of, _, used)| *of == name && options(used).any(|option| option == id))
-        };
-        question.mut_args(|arg| {
-            let hidden = !uses(arg.get_id().as_str());
-            arg.hide(hidden)
-        })
+/// Leaves the options that a command does not use out of its help; `before` is the command that it is a question of.
+pub(super) fn hide_unused(command: clap::Command, before: &str) -> clap::Command {
+    let name = format!("{before} {}", command.get_name()).trim_start().to_owned();
+    let command = command.mut_subcommands(|question| hide_unused(question, &name));
+    if !USED.iter().any(|(of, ..)| *of == name) {
+        return command;
+    }
+    let uses =
+        |id: &str| USED.iter().any(|(of, _, used)| *of == name && options(used).any(|option| option == id));
+    command.mut_args(|arg| {
+        let hidden = arg.is_hide_set() || !(arg.is_global_set() || uses(arg.get_id().as_str()));
+        arg.hide(hidden)
     })
 }
