@@ -23,6 +23,12 @@ use core::fmt::{Debug, Display, LowerExp};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use pair::Pair;
 
+#[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(clippy::arithmetic_side_effects, reason = "operators of balls; exponents of radii, which are bounded")
+)]
+pub mod ball;
 pub(crate) mod circular;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]

@@ -74,11 +74,15 @@ use crate::ratios::Ratios;
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
 use damped::DampedCycle;
-use half_cycle::HalfCycle;
+#[cfg(feature = "mp")]
+pub(crate) use half_cycle::free_swing;
+pub(crate) use half_cycle::HalfCycle;
 #[cfg(feature = "batch")]
 pub(crate) use low::{LowCircular, LowWaves};
 use motion::Motion;
 pub(crate) use phase::velocity_phase;
+#[cfg(feature = "mp")]
+pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
 

@@ -23,7 +23,7 @@ mod slope;
 mod value;
 
 use crate::error::Error;
-use crate::float::{Field, Float, pair::Pair};
+use crate::float::{Field, Float, Real, pair::Pair};
 use crate::ratios::frequency_ratio;
 use cotangent::cotangent_defect;
 pub(crate) use excess::{excess_close_to_one, is_close_to_one};
@@ -31,6 +31,8 @@ pub(crate) use frequency::{Frequency, Offset};
 pub(crate) use low::LowAngle;
 use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
+#[cfg(feature = "mp")]
+pub(crate) use value::phase_function_beside_one;
 #[cfg(feature = "batch")]
 pub(crate) use value::Quotient;
 
@@ -124,12 +126,7 @@ impl<F: Float> PhaseFunction<F> {
         } else {
             self.remainder.hi.sin_cos()
         };
-        match self.quarter {
-            0 => (s, c),
-            1 => (c, -s),
-            2 => (-s, -c),
-            _ => (-c, s),
-        }
+        turned(self.quarter, (s, c))
     }
 
     /// `(sin β, cos β)`, from Ω = 1/2 on without circular functions, as batches have them.
@@ -218,11 +215,22 @@ pub(crate) fn one_minus_moderate_square(omega: f64) -> Pair<f64> {
     Pair::new(hi, ((1.0 - hi) - square.hi) - square.lo)
 }
 
+/// (sin, cos) of `q π/2 + w` from those of w.
+#[inline]
+pub(crate) fn turned<R: Field>(quarter: u8, (s, c): (R, R)) -> (R, R) {
+    match quarter {
+        0 => (s, c),
+        1 => (c, -s),
+        2 => (-s, -c),
+        _ => (-c, s),
+    }
+}
+
 /// `tan(q π/2 + w)`.
 #[inline]
-fn tangent<F: Float>(quarter: u8, w: F) -> F {
+pub(crate) fn tangent<R: Real>(quarter: u8, w: R) -> R {
     let t = w.tan();
-    if quarter & 1 == 0 { t } else { -(F::int(1) / t) }
+    if quarter & 1 == 0 { t } else { -(R::int(1) / t) }
 }
 
 /// Whether the nearest multiple of π/2 to π/2Ω is π/2 itself: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.

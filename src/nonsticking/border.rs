@@ -52,6 +52,8 @@ pub(crate) use range::ordered_lobes;
 pub use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
 use stationary::inner_maximum;
+#[cfg(feature = "mp")]
+pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
 
 /// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
 ///

@@ -14,7 +14,7 @@
 
 mod angles;
 
-use crate::float::Float;
+use crate::float::{Field, Float};
 use crate::phase_function::PhaseFunction;
 pub(crate) use angles::Angles;
 
@@ -41,6 +41,18 @@ pub(crate) struct Jet<F> {
     pub(crate) second: F,
     pub(crate) third: F,
     pub(crate) fourth: F,
+}
+
+/// `H/Ω` and its derivative by ψ away from Ω = 1: of ψ and Ωψ by their (sine, cosine), and of β.
+#[inline(always)]
+pub(crate) fn free_swing<R: Field>(
+    omega: R,
+    (sin_beta, cos_beta): (R, R),
+    (s, c): (R, R),
+    (so, co): (R, R),
+) -> (R, R) {
+    let scale = omega * cos_beta;
+    ((s - sin_beta * so) / scale, (c - omega * sin_beta * co) / scale)
 }
 
 impl<F: Float> HalfCycle<F> {
@@ -162,8 +174,7 @@ impl<F: Float> HalfCycle<F> {
             let double = F::int(2) * half_difference_slope * self.offset;
             (double * cp + tangent * so / omega, (self.offset + tangent) * co - double * sp)
         } else {
-            let scale = omega * cb;
-            ((s - self.sin_beta * so) / scale, (c - omega * self.sin_beta * co) / scale)
+            free_swing(omega, (self.sin_beta, cb), (s, c), (so, co))
         };
         let omega2 = omega.square();
         // Three terms of either sign: the product is the largest.

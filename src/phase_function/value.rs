@@ -18,7 +18,7 @@ use super::{
     phase_function_of_tangent, reduced, tangent,
 };
 use crate::float::circular::polynomial;
-use crate::float::{AtPrecision, Float, pair::Pair};
+use crate::float::{AtPrecision, Float, Real, pair::Pair};
 
 /// `8/π`, to twice the digits of f64; G's leading term is its negative.
 const EIGHT_OVER_PI: (f64, f64) = (2.546_479_089_470_325_5, -1.5742941340145989e-16);
@@ -110,10 +110,17 @@ impl<F: Float> Quotient<F> {
 #[inline]
 fn phase_function<F: Float>(omega: F, quarter: u8, w: F) -> F {
     if is_beside_one(omega) {
-        F::int(-2) * (F::int(1) + omega) / F::pi() * y_cot_y(w)
+        phase_function_beside_one(omega, y_cot_y(w))
     } else {
         phase_function_of_tangent(omega, tangent(quarter, w))
     }
+}
+
+/// `K = −(2/π)(1 + Ω) E` from `E = w cot w`, w = (π/2)(1 − Ω)/Ω: smooth through Ω = 1.
+#[inline]
+pub(crate) fn phase_function_beside_one<R: Real>(omega: R, w_cot_w: R) -> R {
+    // K = −(2/π)(1 + Ω) w cot w
+    R::int(-2) * (R::int(1) + omega) / R::pi() * w_cot_w
 }
 
 /// K(Ω) from the angle `β = q π/2 + w` to more digits than the type has: with E = w cot w,

@@ -259,6 +259,10 @@ functions! {
     pub(super) plus(self, other;) = add(RNDN);
     /// `self − other`.
     pub(super) minus(self, other;) = sub(RNDN);
+    /// `self + other`, rounded towards +∞.
+    pub(in crate::float) plus_up(self, other;) = add(RNDU);
+    /// `self − other`, rounded towards −∞.
+    pub(in crate::float) minus_down(self, other;) = sub(RNDD);
     /// `self · other`.
     pub(super) times_full(self, other;) = mul(RNDN);
     /// `self / other`.

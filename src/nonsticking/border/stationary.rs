@@ -3,7 +3,7 @@
 use super::near::{Known, near};
 use super::slope::inner_change;
 use super::{border_force_ratio, is_stationary_value_larger};
-use crate::float::{AtPrecision, Float, Real, pair::Pair};
+use crate::float::{AtPrecision, Field, Float, Real, pair::Pair};
 use crate::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
@@ -70,7 +70,7 @@ fn change_of_width<F: Float>(p: &PhaseFunction<F>, width: F) -> F {
 
 /// `Ω S` of the stationary point η: `[sin γ cos τ + sin η]/(|cos β| sin τ)`, all terms positive.
 #[inline]
-pub(super) fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
+pub(crate) fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta: R) -> R {
     let (sin_tau, cos_tau) = tau.sin_cos();
     (lobe_phase.sin() * cos_tau + eta.sin()) / (cos_beta.abs() * sin_tau)
 }
@@ -90,9 +90,26 @@ fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
         let defect = arc_less_sine(zeta) - arc_less_sine(tau) * inverse;
         sin_eta * fall_of_cosine(tau, zeta) - cos_eta * defect
     } else {
-        cos_tau * sin_eta - inverse * sin_tau * cos_eta + lobe_phase.sin()
+        condition(inverse, (sin_tau, cos_tau), (sin_eta, cos_eta), lobe_phase.sin())
     };
-    (g, (inverse - omega) * sin_tau * sin_eta)
+    (g, condition_slope(omega, inverse, sin_tau, sin_eta))
+}
+
+/// `g = cos τ sin η − sin τ cos η/Ω + sin γ`, zero at the stationary point; `inverse` is 1/Ω.
+#[inline]
+pub(crate) fn condition<R: Field>(
+    inverse: R,
+    (sin_tau, cos_tau): (R, R),
+    (sin_eta, cos_eta): (R, R),
+    sin_gamma: R,
+) -> R {
+    cos_tau * sin_eta - inverse * sin_tau * cos_eta + sin_gamma
+}
+
+/// `g′ = (1/Ω − Ω) sin τ sin η`, positive for η in (0, π).
+#[inline]
+pub(crate) fn condition_slope<R: Field>(omega: R, inverse: R, sin_tau: R, sin_eta: R) -> R {
+    (inverse - omega) * sin_tau * sin_eta
 }
 
 /// `cos τ − cos ζ` as a product: both angles are small beside Ω = 1/(2n).
@@ -104,7 +121,7 @@ pub(super) fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
 /// The zero η of `g` on (0, π): Brent's method at f64 on the bracket, then Newton at ever higher precision.
 ///
 /// g is increasing, so every zero in the bracket is the one; Newton only polishes.
-pub(super) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
+pub(crate) fn stationary_point<F: Float>(omega: F, gamma: F) -> F {
     let start = if gamma * gamma * gamma * gamma < F::from_f64(f64::EPSILON) {
         // g is lost in rounding at f64; η/γ = 1/2 + O(γ²).
         gamma / F::int(2)

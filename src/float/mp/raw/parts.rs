@@ -56,4 +56,10 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     pub(in crate::float::mp) fn significand(&self) -> &[limb_t; LIMBS] {
         &self.limbs
     }
+
+    /// The top limb of a regular number, and whether there is anything in the others.
+    #[inline]
+    pub(in crate::float) fn top(&self) -> (limb_t, bool) {
+        self.limbs.split_last().map_or((0, false), |(top, others)| (*top, others.iter().any(|&limb| limb != 0)))
+    }
 }

@@ -1,0 +1,220 @@
+//! `Ball<LIMBS>`: a number that carries its error bound.
+//!
+//! A ball is a midpoint of `64 · LIMBS` bits and a radius: all real numbers within the radius of the midpoint. Every function gives a ball
+//! that contains the exact values of the function at **every** point of its arguments. Where there is no such ball, because a divisor
+//! may be zero, a radicand negative or an angle a pole, the answer is the whole line, never a ball that is too small.
+//!
+//! Each bound is a theorem, named where it is used, and rests on two things: MPFR rounds correctly, so that a midpoint is within half a unit in the
+//! last place of the exact value at the midpoints (Fousse et al., *MPFR*, ACM Trans. Math. Softw. 33 (2007) 13); and the arithmetic of
+//! radii is rounded up (`radius`). Midpoint and radius, rather than two ends, cost one operation of MPFR where ends cost two to four.
+//!
+//! | file | content |
+//! |---|---|
+//! | `radius` | bounds of errors, rounded up |
+//! | `field` | + − × ÷ √, magnitudes, hypotenuse |
+//! | `circular` | π, sine, cosine, tangent, angle, exponential |
+//! | `text` | certain digits, then ± |
+//! | `faults` | in tests: one bound after another made too small, each of which the tests have to notice |
+//!
+//! ```
+//! use stickslip::float::ball::Ball;
+//! use stickslip::float::mp::Mp;
+//! use stickslip::{Field, Real};
+//! let third = Ball::<4>::int(1) / Ball::int(3);
+//! let one = (third * Real::pi()).sin().square() + (third * Real::pi()).cos().square();
+//! assert!(one.contains(Mp::of_int(1)) && one.upper() - one.lower() < Mp::of_f64(1e-70));
+//! // Nothing is known of a quotient whose divisor may be zero.
+//! assert!((Ball::<4>::int(1) / (one - one)).is_entire());
+//! ```
+
+mod circular;
+#[cfg(test)]
+mod faults;
+mod field;
+mod radius;
+#[cfg(test)]
+mod tests;
+mod text;
+
+use super::mp::Mp;
+use core::cmp::Ordering;
+pub(crate) use radius::Radius;
+pub(crate) use text::{Written, written};
+
+/// All real numbers within a radius of a midpoint; or the whole line.
+#[derive(Debug, Clone, Copy)]
+pub struct Ball<const LIMBS: usize> {
+    mid: Mp<LIMBS>,
+    rad: Radius,
+}
+
+/// Below the least positive number of MPFR: what a result that underflows to zero is off at most.
+const UNDERFLOW: Radius = Radius::power_of_two(1 - (1 << 30));
+
+impl<const LIMBS: usize> Ball<LIMBS> {
+    /// The whole line.
+    #[must_use]
+    pub const fn entire() -> Self {
+        Self { mid: Mp::ZERO, rad: Radius::INFINITE }
+    }
+
+    /// One number; the whole line where it is infinite or NaN.
+    #[must_use]
+    pub fn exact(x: Mp<LIMBS>) -> Self {
+        Self::new(x, Radius::ZERO)
+    }
+
+    /// The numbers from `low` to `high`, and a little more where their middle has to be rounded.
+    ///
+    /// The whole line where `low ≤ high` does not hold.
+    #[must_use]
+    pub fn between(low: Mp<LIMBS>, high: Mp<LIMBS>) -> Self {
+        if !(low <= high && low.is_finite() && high.is_finite()) {
+            return Self::entire();
+        }
+        let mid = (low + high).scale2(-1);
+        let reach = |from: Mp<LIMBS>, to: Mp<LIMBS>| Radius::above(to.plus_up(-from));
+        Self::new(mid, reach(low, mid).max(reach(mid, high)))
+    }
+
+    /// A midpoint and a radius.
+    #[inline]
+    pub(crate) fn new(mid: Mp<LIMBS>, rad: Radius) -> Self {
+        if rad.is_infinite() || !mid.is_finite() { Self::entire() } else { Self { mid, rad } }
+    }
+
+    /// The midpoint.
+    #[must_use]
+    pub const fn mid(&self) -> Mp<LIMBS> {
+        self.mid
+    }
+
+    #[inline]
+    pub(crate) const fn rad(&self) -> Radius {
+        self.rad
+    }
+
+    /// A number that no number of the ball is below.
+    #[must_use]
+    pub fn lower(&self) -> Mp<LIMBS> {
+        if self.is_entire() { -Mp::INFINITY } else { self.mid.minus_down(self.rad.value()) }
+    }
+
+    /// A number that no number of the ball is above.
+    #[must_use]
+    pub fn upper(&self) -> Mp<LIMBS> {
+        if self.is_entire() { Mp::INFINITY } else { self.mid.plus_up(self.rad.value()) }
+    }
+
+    /// Whether nothing is known: the whole line.
+    #[must_use]
+    pub const fn is_entire(&self) -> bool {
+        self.rad.is_infinite()
+    }
+
+    /// Whether x lies between [`Ball::lower`] and [`Ball::upper`].
+    #[must_use]
+    pub fn contains(&self, x: Mp<LIMBS>) -> bool {
+        self.lower() <= x && x <= self.upper()
+    }
+
+    /// Whether 0 may be in the ball: exactly, without the rounding of [`Ball::lower`].
+    #[must_use]
+    pub fn contains_zero(&self) -> bool {
+        Radius::below(self.mid) <= self.rad
+    }
+
+    /// The sign, where it is certain: `Equal` of the number 0 alone.
+    #[must_use]
+    pub fn sign(&self) -> Option<Ordering> {
+        let zero = Mp::ZERO;
+        if self.rad.is_zero() || !self.contains_zero() { self.mid.partial_cmp(&zero) } else { None }
+    }
+
+    /// Whether every number of the ball is above 0.
+    #[must_use]
+    pub fn is_positive(&self) -> bool {
+        self.sign() == Some(Ordering::Greater)
+    }
+
+    /// Whether every number of the ball is below 0.
+    #[must_use]
+    pub fn is_negative(&self) -> bool {
+        self.sign() == Some(Ordering::Less)
+    }
+
+    /// Whether every number of `self` is below every number of `other`.
+    #[must_use]
+    pub fn is_below(&self, other: &Self) -> bool {
+        self.upper() < other.lower()
+    }
+
+    /// Whether every number of `self` is a number of `other`, and none at its ends.
+    #[must_use]
+    pub fn is_inside(&self, other: &Self) -> bool {
+        other.lower() < self.lower() && self.upper() < other.upper()
+    }
+
+    /// A ball with the numbers of both.
+    #[must_use]
+    pub fn hull(&self, other: &Self) -> Self {
+        let low = if other.lower() < self.lower() { other.lower() } else { self.lower() };
+        let high = if other.upper() > self.upper() { other.upper() } else { self.upper() };
+        Self::between(low, high)
+    }
+
+    /// A ball with the numbers that both have; `None` where they have none in common.
+    #[must_use]
+    pub fn intersection(&self, other: &Self) -> Option<Self> {
+        // Balls that are alike are not made larger by the rounding of a middle.
+        if self.is_entire() || other.is_inside(self) {
+            return Some(*other);
+        }
+        if other.is_entire() || self.is_inside(other) {
+            return Some(*self);
+        }
+        let low = if other.lower() > self.lower() { other.lower() } else { self.lower() };
+        let high = if other.upper() < self.upper() { other.upper() } else { self.upper() };
+        (low <= high).then(|| Self::between(low, high))
+    }
+
+    /// The larger of two numbers: every number that is the larger one of a pair of numbers.
+    #[must_use]
+    pub fn larger(&self, other: &Self) -> Self {
+        if self.is_below(other) {
+            return *other;
+        }
+        if other.is_below(self) {
+            return *self;
+        }
+        let low = if other.lower() > self.lower() { other.lower() } else { self.lower() };
+        let high = if other.upper() > self.upper() { other.upper() } else { self.upper() };
+        Self::between(low, high)
+    }
+
+    /// The same ball at another width, wider by the rounding of its midpoint where that is shorter.
+    #[must_use]
+    pub fn at_width<const OTHER: usize>(&self) -> Ball<OTHER> {
+        let mid = Mp::<OTHER>::rounded(self.mid);
+        let rounding = if OTHER < LIMBS { half_unit(mid) } else { Radius::ZERO };
+        Ball::new(mid, self.rad.plus(rounding))
+    }
+}
+
+/// Half a unit in the last place of a result that MPFR has rounded to nearest.
+#[inline]
+fn half_unit<const LIMBS: usize>(x: Mp<LIMBS>) -> Radius {
+    // BITS is a u32, far below the range of an exponent.
+    x.exponent().map_or(UNDERFLOW, |e| Radius::power_of_two(e - Mp::<LIMBS>::BITS as i64 - 1))
+}
+
+/// The sum of the parts of an error bound.
+///
+/// In tests, one of the parts can be made too small ([`faults`]): the differential tests have to notice.
+#[cfg_attr(test, track_caller)]
+#[inline]
+fn bound<const N: usize>(parts: [Radius; N]) -> Radius {
+    #[cfg(test)]
+    let parts = faults::injected(parts, core::panic::Location::caller());
+    parts.into_iter().fold(Radius::ZERO, Radius::plus)
+}

@@ -1,0 +1,123 @@
+//! π, the circular functions and the exponential function.
+
+use super::{Ball, Radius, bound, half_unit};
+use crate::float::Real;
+use crate::float::mp::Mp;
+
+impl<const LIMBS: usize> Real for Ball<LIMBS> {
+    fn pi() -> Self {
+        let mid = Mp::pi();
+        Self { mid, rad: bound([half_unit(mid)]) }
+    }
+
+    /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's; and no value is beyond ±1.
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        if self.rad >= Radius::ONE.scaled(1) {
+            let all = Self { mid: Mp::ZERO, rad: Radius::ONE };
+            return (all, all);
+        }
+        let (sine, cosine) = self.mid.sin_cos();
+        let of = |mid: Mp<LIMBS>, other: Mp<LIMBS>| {
+            let slope = Radius::above(other).plus(half_unit(other));
+            let (r, bend) = (self.rad, self.rad.times(self.rad).scaled(-1));
+            let moved = bound([slope.times(r), bend]);
+            let moved = if moved < r { moved } else { bound([r]) };
+            Self::new(mid, bound([moved, self.odd_rounding(mid)]))
+        };
+        (of(sine, cosine), of(cosine, sine))
+    }
+
+    #[inline]
+    fn sin(self) -> Self {
+        if self.rad >= Radius::ONE.scaled(1) {
+            return Self { mid: Mp::ZERO, rad: Radius::ONE };
+        }
+        let mid = self.mid.sin();
+        Self::new(mid, bound([self.rad, self.odd_rounding(mid)]))
+    }
+
+    #[inline]
+    fn cos(self) -> Self {
+        if self.rad >= Radius::ONE.scaled(1) {
+            return Self { mid: Mp::ZERO, rad: Radius::ONE };
+        }
+        let mid = self.mid.cos();
+        Self::new(mid, bound([self.rad, half_unit(mid)]))
+    }
+
+    /// With δ = x − a and t = tan a: `tan x − t = (1 + t²) tan δ/(1 − t tan δ)`, the addition theorem. For |δ| ≤ r < √2,
+    /// `tan δ ≤ δ/(1 − δ²/2)` since sin δ ≤ δ and cos δ ≥ 1 − δ²/2 > 0. There is no pole between a and x where |t| tan r < 1.
+    ///
+    /// The whole line where a pole may be in the ball.
+    #[inline]
+    fn tan(self) -> Self {
+        let r = self.rad;
+        let mid = self.mid.tan();
+        let rounding = self.odd_rounding(mid);
+        let t = Radius::above(mid).plus(rounding);
+        let turn = r.over(Radius::ONE.minus_down(r.times(r).scaled(-1)));
+        let clear = Radius::ONE.minus_down(t.times(turn));
+        let moved = if r.is_zero() { Radius::ZERO } else { bound([turn, t.times(t).times(turn)]).over(clear) };
+        Self::new(mid, bound([moved, rounding]))
+    }
+
+    /// Seen from the origin, a point moves by δ with `tan δ = n/(d + p)`: n and p are its moves across and along the direction to it, d its
+    /// distance. `|n| ≤ (|a| s + |b| r)/d` for an ordinate within r of a and an abscissa within s of b, and `|p| ≤ r + s`.
+    ///
+    /// All angles, 0 ± π, where the origin or the cut at the negative abscissae may be met.
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        let all = || {
+            let pi = Self::pi();
+            Self::new(Mp::ZERO, Radius::above(pi.mid).plus(pi.rad))
+        };
+        if self.is_entire() || x.is_entire() {
+            return all();
+        }
+        let is_exact_zero = self.mid.is_zero() && self.rad.is_zero();
+        if self.contains_zero() && !is_exact_zero && !x.is_positive() || is_exact_zero && x.contains_zero() {
+            return all();
+        }
+        // Not −0, whose angle to the negative abscissae is −π.
+        let mid = if self.mid.is_zero() { Mp::ZERO } else { self.mid }.atan2(x.mid);
+        let rounding = if mid.is_zero() && self.mid.is_zero() { Radius::ZERO } else { half_unit(mid) };
+        if is_exact_zero || self.rad.is_zero() && x.rad.is_zero() {
+            return Self::new(mid, bound([rounding]));
+        }
+        let distance = self.mid.hypot(x.mid);
+        let distance = Radius::below(distance).minus_down(half_unit(distance));
+        let across = bound([Radius::above(self.mid).times(x.rad), Radius::above(x.mid).times(self.rad)]).over(distance);
+        let moved = across.over(distance.minus_down(bound([self.rad, x.rad])));
+        if moved.is_infinite() { all() } else { Self::new(mid, bound([moved, rounding])) }
+    }
+
+    /// `self · a + b`, its midpoint rounded once.
+    #[inline]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if self.is_entire() || a.is_entire() || b.is_entire() {
+            return Self::entire();
+        }
+        let mid = self.mid.mul_add(a.mid, b.mid);
+        let (r, s) = (self.rad, a.rad);
+        let moved = bound([Radius::above(self.mid).times(s), Radius::above(a.mid).times(r), r.times(s)]);
+        Self::new(mid, bound([moved, b.rad, half_unit(mid)]))
+    }
+}
+
+impl<const LIMBS: usize> Ball<LIMBS> {
+    /// The rounding of a function's value that is zero at zero alone, and exactly.
+    #[inline]
+    fn odd_rounding(self, value: Mp<LIMBS>) -> Radius {
+        if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }
+    }
+
+    /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤ r/(1 − r).
+    #[must_use]
+    pub(crate) fn exp(self) -> Self {
+        let mid = self.mid.exp();
+        let moved = Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));
+        let moved = if self.rad.is_zero() { Radius::ZERO } else { moved };
+        Self::new(mid, bound([moved, half_unit(mid)]))
+    }
+}

@@ -1,0 +1,57 @@
+//! Faults put into the error bounds, one at a time.
+//!
+//! Each call of [`super::bound`] adds the parts of one bound. Here one part of one call is left out, or halved. A test that compares balls
+//! with values at more bits has to notice each: otherwise it would not notice a bound that was written down wrong.
+
+use super::Radius;
+use core::panic::Location;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeSet;
+
+/// One part of one bound.
+pub(super) type Part = (&'static str, u32, usize);
+
+/// What is done to a part.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fault {
+    LeftOut,
+    Halved,
+}
+
+thread_local! {
+    static FAULT: Cell<Option<(Part, Fault)>> = const { Cell::new(None) };
+    static SEEN: RefCell<BTreeSet<Part>> = const { RefCell::new(BTreeSet::new()) };
+}
+
+pub(super) fn injected<const N: usize>(parts: [Radius; N], at: &'static Location<'static>) -> [Radius; N] {
+    let fault = FAULT.get();
+    let mut index = 0;
+    parts.map(|part| {
+        let here = (at.file(), at.line(), index);
+        index += 1;
+        match fault {
+            None => {
+                SEEN.with_borrow_mut(|seen| seen.insert(here));
+                part
+            }
+            Some((faulty, Fault::LeftOut)) if faulty == here => Radius::ZERO,
+            Some((faulty, Fault::Halved)) if faulty == here => part.scaled(-1),
+            Some(_) => part,
+        }
+    })
+}
+
+/// The parts of all bounds that `run` meets.
+pub(super) fn parts_of(run: impl FnOnce()) -> BTreeSet<Part> {
+    SEEN.with_borrow_mut(BTreeSet::clear);
+    run();
+    SEEN.with_borrow(Clone::clone)
+}
+
+/// Runs with one part of one bound made too small.
+pub(super) fn with<T>(part: Part, fault: Fault, run: impl FnOnce() -> T) -> T {
+    FAULT.set(Some((part, fault)));
+    let result = run();
+    FAULT.set(None);
+    result
+}

@@ -1,0 +1,208 @@
+//! A bound of an error: a number ≥ 0 of 32 bits, whose arithmetic is rounded away from zero.
+//!
+//! `value = mantissa · 2^(exponent − 32)`, mantissa in [2³¹, 2³²) or 0. Every function named without a direction gives a number that is
+//! not below the exact one; those that end in `_down` give one that is not above it. The arithmetic is that of integers, so that both
+//! can be read off the code. Arb's `mag_t` is the model (Johansson, *Arb: efficient arbitrary-precision midpoint-radius interval
+//! arithmetic*, IEEE Trans. Comput. 66 (2017) 1281–1292, section 2.1).
+
+use crate::float::mp::Mp;
+
+/// A bound ≥ 0, or infinite.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Radius {
+    mantissa: u32,
+    exponent: i64,
+}
+
+/// Bits of the mantissa.
+const BITS: u32 = 32;
+/// Exponents beyond this are infinite, below its negative the least bound.
+const GREATEST: i64 = 1 << 40;
+
+impl Radius {
+    pub(crate) const ZERO: Self = Self { mantissa: 0, exponent: 0 };
+    pub(crate) const INFINITE: Self = Self { mantissa: 1 << 31, exponent: i64::MAX };
+    pub(crate) const ONE: Self = Self { mantissa: 1 << 31, exponent: 1 };
+
+    /// `2ᵉ`.
+    pub(crate) const fn power_of_two(e: i64) -> Self {
+        Self { mantissa: 1 << 31, exponent: e + 1 }
+    }
+
+    #[inline]
+    pub(crate) const fn is_infinite(self) -> bool {
+        self.exponent == i64::MAX
+    }
+
+    #[inline]
+    pub(crate) const fn is_zero(self) -> bool {
+        self.mantissa == 0
+    }
+
+    /// `m · 2^(e − 32)`, rounded up.
+    #[inline]
+    fn rounded_up(m: u64, e: i64) -> Self {
+        if m == 0 {
+            return Self::ZERO;
+        }
+        let length = 64 - m.leading_zeros();
+        if length <= BITS {
+            // The shift is below 32.
+            return Self::of_parts(m << (BITS - length), e - i64::from(BITS - length));
+        }
+        let shift = length - BITS;
+        let quotient = m >> shift;
+        let up = quotient + u64::from(quotient << shift != m);
+        Self::of_parts(up, e + i64::from(shift))
+    }
+
+    /// `m · 2^(e − 32)`, rounded down.
+    #[inline]
+    fn rounded_down(m: u64, e: i64) -> Self {
+        if m == 0 {
+            return Self::ZERO;
+        }
+        let length = 64 - m.leading_zeros();
+        let (m, e) = if length <= BITS {
+            (m << (BITS - length), e - i64::from(BITS - length))
+        } else {
+            (m >> (length - BITS), e + i64::from(length - BITS))
+        };
+        if e < -GREATEST { Self::ZERO } else { Self::of_parts(m, e) }
+    }
+
+    /// m in [2³¹, 2³²], with the exponent in range.
+    #[inline]
+    fn of_parts(m: u64, e: i64) -> Self {
+        let (m, e) = if m >> BITS != 0 { (m >> 1, e + 1) } else { (m, e) };
+        if e > GREATEST {
+            return Self::INFINITE;
+        }
+        if e < -GREATEST {
+            return Self::power_of_two(-GREATEST);
+        }
+        // m < 2³² now.
+        Self { mantissa: m as u32, exponent: e }
+    }
+
+    /// `|x|`, or more: infinite where x is not a number.
+    #[inline]
+    pub(crate) fn above<const LIMBS: usize>(x: Mp<LIMBS>) -> Self {
+        match x.exponent() {
+            Some(e) => {
+                let (top, rest) = x.top();
+                let m = (top >> BITS) + u64::from(top << BITS != 0 || rest);
+                Self::of_parts(m, e)
+            }
+            None if x.is_zero() => Self::ZERO,
+            None => Self::INFINITE,
+        }
+    }
+
+    /// `|x|`, or less: of an infinity or NaN zero.
+    #[inline]
+    pub(crate) fn below<const LIMBS: usize>(x: Mp<LIMBS>) -> Self {
+        x.exponent().map_or(Self::ZERO, |e| Self::rounded_down(x.top().0 >> BITS, e))
+    }
+
+    /// The bound as a number.
+    pub(crate) fn value<const LIMBS: usize>(self) -> Mp<LIMBS> {
+        if self.is_infinite() {
+            return Mp::INFINITY;
+        }
+        // A mantissa fits in any number; beyond an i32 the exponent is as good as infinite, or as the least number.
+        let bits = i64::from(BITS);
+        let shift = (self.exponent - bits).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
+        let value = Mp::of_f64(self.mantissa.into()).scale2(shift as i32);
+        if value.is_zero() && !self.is_zero() { Mp::of_int(1).scale2(i32::MIN / 2 + 1) } else { value }
+    }
+
+    #[inline]
+    pub(crate) fn plus(self, other: Self) -> Self {
+        if self.is_infinite() || other.is_zero() {
+            return self;
+        }
+        if other.is_infinite() || self.is_zero() {
+            return other;
+        }
+        let (large, small) = if self.exponent >= other.exponent { (self, other) } else { (other, self) };
+        let distance = (large.exponent - small.exponent).min(i64::from(BITS)) as u32;
+        let small = u64::from(small.mantissa);
+        let shifted = small >> distance;
+        let shifted = shifted + u64::from(shifted << distance != small);
+        Self::rounded_up(u64::from(large.mantissa) + shifted, large.exponent)
+    }
+
+    #[inline]
+    pub(crate) fn times(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        if self.is_infinite() || other.is_infinite() {
+            return Self::INFINITE;
+        }
+        let product = u64::from(self.mantissa) * u64::from(other.mantissa);
+        Self::rounded_up(product, self.exponent + other.exponent - i64::from(BITS))
+    }
+
+    /// `self / other` where `other` bounds the divisor from below; infinite where that is zero.
+    #[inline]
+    pub(crate) fn over(self, other: Self) -> Self {
+        if other.is_zero() || self.is_infinite() {
+            return Self::INFINITE;
+        }
+        if self.is_zero() || other.is_infinite() {
+            return Self::ZERO;
+        }
+        let quotient = (u64::from(self.mantissa) << BITS).div_ceil(other.mantissa.into());
+        Self::rounded_up(quotient, self.exponent - other.exponent)
+    }
+
+    /// `self · 2ᵉ`.
+    #[inline]
+    pub(crate) fn scaled(self, e: i64) -> Self {
+        if self.is_zero() || self.is_infinite() { self } else { Self::of_parts(self.mantissa.into(), self.exponent + e) }
+    }
+
+    /// `self − other` where `self` bounds from below and `other` from above; zero where that is negative.
+    #[inline]
+    pub(crate) fn minus_down(self, other: Self) -> Self {
+        if other.is_zero() || self.is_infinite() && !other.is_infinite() {
+            return self;
+        }
+        if other.is_infinite() || self <= other {
+            return Self::ZERO;
+        }
+        // other < self: its exponent is not larger.
+        let distance = (self.exponent - other.exponent).min(i64::from(BITS)) as u32;
+        let (large, small) = (u64::from(self.mantissa) << 31, u64::from(other.mantissa) << 31);
+        let shifted = small >> distance;
+        let shifted = shifted + u64::from(shifted << distance != small);
+        Self::rounded_down(large.saturating_sub(shifted), self.exponent - 31)
+    }
+
+    #[inline]
+    pub(crate) fn times_down(self, other: Self) -> Self {
+        if self.is_zero() || other.is_zero() {
+            return Self::ZERO;
+        }
+        if self.is_infinite() || other.is_infinite() {
+            return Self::INFINITE;
+        }
+        let product = u64::from(self.mantissa) * u64::from(other.mantissa);
+        Self::rounded_down(product, self.exponent + other.exponent - i64::from(BITS))
+    }
+}
+
+impl PartialOrd for Radius {
+    fn partial_cmp(&self, other: &Self) -> Option<core::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Radius {
+    fn cmp(&self, other: &Self) -> core::cmp::Ordering {
+        let key = |r: &Self| (!r.is_zero(), r.exponent, r.mantissa);
+        key(self).cmp(&key(other))
+    }
+}

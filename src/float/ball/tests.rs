@@ -1,0 +1,283 @@
+//! Balls against the same functions at eight times the bits, and against those of Arb.
+
+use super::faults::{self, Fault};
+use super::{Ball, Radius};
+use crate::float::mp::Mp;
+use crate::float::{Field, Real};
+
+/// The width of the balls under test, and one that has no rounding to speak of beside it.
+type Narrow = Ball<1>;
+type Wide = Mp<8>;
+
+/// A generator of 64 random bits (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
+struct Random(u64);
+
+impl Random {
+    fn bits(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, n: u64) -> u64 {
+        self.bits() % n
+    }
+
+    /// A midpoint: of moderate size mostly, sometimes special, sometimes beside a multiple of π/2.
+    fn mid(&mut self) -> Mp<1> {
+        let sign = if self.below(2) == 0 { Mp::of_int(1) } else { Mp::of_int(-1) };
+        let size = match self.below(12) {
+            0 => return [Mp::ZERO, Mp::of_int(1), Mp::of_int(-1), Mp::of_f64(0.5)][self.below(4) as usize],
+            1 => Mp::of_int(self.below(9) as i32) * Mp::pi().scale2(-1),
+            2 => Mp::of_int(1).scale2(self.below(120) as i32 - 60),
+            3 => Mp::from(self.bits()).scale2(self.below(300) as i32 - 214),
+            _ => Mp::from(self.bits() | 1 << 63).scale2(self.below(6) as i32 - 66),
+        };
+        sign * size
+    }
+
+    /// A radius: none, of the order of the midpoint, or far smaller.
+    fn rad(&mut self, mid: Mp<1>) -> Radius {
+        let of = |e: i64, random: &mut Self| {
+            Radius::above(Mp::<1>::from(random.bits() >> 32 | 1).scale2(-32)).scaled(e)
+        };
+        let e = mid.exponent().unwrap_or(0);
+        match self.below(6) {
+            0 | 1 => Radius::ZERO,
+            2 => of(e - 63 + self.below(4) as i64, self),
+            3 => of(e - self.below(60) as i64, self),
+            4 => of(e - 1 - self.below(3) as i64, self),
+            _ => of(self.below(5) as i64 - 3, self),
+        }
+    }
+
+    fn ball(&mut self) -> Narrow {
+        let mid = self.mid();
+        Ball::new(mid, self.rad(mid))
+    }
+
+    /// Numbers of a ball, at all its digits: the middle, the ends, and others.
+    fn points(&mut self, ball: &Narrow) -> [Wide; 5] {
+        // Not −0, which has another angle.
+        let (mid, rad) = (Wide::rounded(ball.mid()) + Wide::ZERO, ball.rad().value::<8>());
+        let share = Wide::from(self.bits()).scale2(-64);
+        [mid, mid - rad, mid + rad, mid + rad * share, mid - rad * share]
+    }
+}
+
+/// Whether the exact value is in the ball, to the digits that the exact value has.
+fn holds(ball: &Narrow, exact: Wide) -> bool {
+    ball.is_entire() || {
+        let slack = exact.abs().scale2(-400) + Wide::of_int(1).scale2(-2000);
+        (exact - Wide::rounded(ball.mid())).abs() <= ball.rad().value::<8>() + slack
+    }
+}
+
+type Unary = (&'static str, fn(Narrow) -> Narrow, fn(Wide) -> Wide);
+type Binary = (&'static str, fn(Narrow, Narrow) -> Narrow, fn(Wide, Wide) -> Wide);
+
+const UNARY: [Unary; 11] = [
+    ("sqrt", Field::sqrt, Mp::sqrt),
+    ("abs", Field::abs, Mp::abs),
+    ("square", Field::square, Mp::square),
+    ("sin", Real::sin, Mp::sin),
+    ("cos", Real::cos, Mp::cos),
+    ("sin of both", |x| x.sin_cos().0, Mp::sin),
+    ("cos of both", |x| x.sin_cos().1, Mp::cos),
+    ("tan", Real::tan, Mp::tan),
+    ("exp", Ball::exp, Mp::exp),
+    ("wider", |x| x.at_width::<3>().at_width(), |x| x),
+    ("times 3", |x| x.times(3), |x| x * Mp::of_int(3)),
+];
+
+const BINARY: [Binary; 9] = [
+    ("add", |x, y| x + y, |x, y| x + y),
+    ("sub", |x, y| x - y, |x, y| x - y),
+    ("mul", |x, y| x * y, |x, y| x * y),
+    ("div", |x, y| x / y, |x, y| x / y),
+    ("hypot", Field::hypot, Mp::hypot),
+    ("leg", Field::leg, |x, y| ((x - y) * (x + y)).sqrt()),
+    ("atan2", Real::atan2, Mp::atan2),
+    ("larger", |x, y| x.larger(&y), |x, y| if x > y { x } else { y }),
+    ("hull", |x, y| x.hull(&y), |x, _| x),
+];
+
+/// A function of which a value is outside of its ball, among those of `cases` random balls.
+fn escaped(seed: u64, cases: usize) -> Option<String> {
+    let mut random = Random(seed);
+    for _ in 0..cases {
+        let (x, y, z) = (random.ball(), random.ball(), random.ball());
+        let points = [random.points(&x), random.points(&y), random.points(&z)];
+        for (name, ball, exact) in UNARY {
+            let enclosure = ball(x);
+            // A value that does not exist (√ of a negative number) makes the ball the whole line.
+            if let Some(at) = points[0].iter().find(|&&x| !holds(&enclosure, exact(x))) {
+                return Some(format!("{name} at {at} of {x:?}: {enclosure:?}"));
+            }
+        }
+        for (name, ball, exact) in BINARY {
+            let enclosure = ball(x, y);
+            let pairs = points[0].iter().flat_map(|x| points[1].iter().map(move |y| (*x, *y)));
+            for (a, b) in pairs {
+                if !holds(&enclosure, exact(a, b)) {
+                    return Some(format!("{name} at {a} {b} of {x:?} {y:?}: {enclosure:?}"));
+                }
+            }
+        }
+        let fused = x.mul_add(y, z);
+        let exact = |i: usize, j: usize, k: usize| points[0][i].mul_add(points[1][j], points[2][k]);
+        if (0..125).any(|i| !holds(&fused, exact(i % 5, i / 5 % 5, i / 25))) {
+            return Some(format!("mul_add of {x:?} {y:?} {z:?}: {fused:?}"));
+        }
+    }
+    fn pi_is_in_its_ball<const LIMBS: usize>() -> bool {
+        let pi = Ball::<LIMBS>::pi();
+        (Mp::<24>::pi() - Mp::rounded(pi.mid())).abs() <= pi.rad().value()
+    }
+    let of_pi = pi_is_in_its_ball::<1>() && pi_is_in_its_ball::<4>();
+    // Where π is nearly half a unit from its midpoint.
+    let of_pi = of_pi && pi_is_in_its_ball::<15>() && pi_is_in_its_ball::<17>();
+    (!of_pi).then(|| "pi".to_owned())
+}
+
+#[test]
+fn every_value_is_in_its_ball() {
+    assert_eq!(escaped(1, 10_000), None);
+}
+
+/// Each part of each error bound, left out or halved, lets a value escape.
+#[test]
+fn every_part_of_every_bound_is_needed() {
+    let run = || escaped(2, 1000);
+    let parts = faults::parts_of(|| assert_eq!(run(), None));
+    let mutants: Vec<_> =
+        parts.iter().flat_map(|&part| [(part, Fault::LeftOut), (part, Fault::Halved)]).collect();
+    assert!(mutants.len() >= 50, "{}", mutants.len());
+    let unnoticed: Vec<_> =
+        mutants.iter().filter(|&&(part, fault)| faults::with(part, fault, run).is_none()).collect();
+    assert!(unnoticed.is_empty(), "of {}: {unnoticed:?}", mutants.len());
+}
+
+#[test]
+fn where_there_is_no_ball_it_is_the_whole_line() {
+    let about = |x: f64, r: f64| Narrow::between(Mp::of_f64(x - r), Mp::of_f64(x + r));
+    let one = Narrow::int(1);
+    assert!((one / about(0.0, 1e-9)).is_entire() && (one / Narrow::int(0)).is_entire());
+    assert!((one / about(0.5, 0.5)).is_entire() && !(one / about(0.5, 0.49)).is_entire());
+    assert!(about(0.0, 1e-9).sqrt().is_entire() && Narrow::int(-1).sqrt().is_entire());
+    assert!(!about(0.5, 0.5).sqrt().is_entire() && Narrow::int(0).sqrt().rad().is_zero());
+    let quarter = Narrow::pi() / Narrow::int(2);
+    assert!(quarter.tan().is_entire() && about(1.5, 0.1).tan().is_entire() && !about(1.4, 0.1).tan().is_entire());
+    assert!(about(0.0, 4.0).tan().is_entire());
+    // The whole line stays what it is.
+    let all = Narrow::entire();
+    for ball in [all + one, all * Narrow::int(0), one / all, all.sqrt(), all.tan(), all.square(), all.mul_add(one, one)]
+    {
+        assert!(ball.is_entire());
+    }
+    // Sine, cosine and angle know more.
+    assert_eq!((all.sin().upper(), all.cos().lower()), (Mp::of_int(1), Mp::of_int(-1)));
+    let angle = all.atan2(one);
+    assert!(angle.contains(Mp::pi().scale2(-1)) && !angle.is_entire());
+    // The angle at the cut, and on it.
+    assert!(about(0.0, 1e-9).atan2(-one).contains(-Mp::of_int(3)));
+    assert!(Narrow::int(0).atan2(-one).contains(Mp::pi()) && Narrow::int(0).atan2(-one).is_positive());
+    assert!(!about(0.0, 1e-9).atan2(one).contains(Mp::of_f64(1e-3)));
+    let huge = Narrow::exact(Mp::largest());
+    assert!((huge + huge).is_entire() && (huge * huge).is_entire());
+    // What underflows is not taken for zero.
+    let tiny = one / huge;
+    assert!((tiny * tiny).contains_zero() && (tiny * tiny).sign().is_none());
+}
+
+#[test]
+fn decisions_are_made_where_they_are_certain() {
+    use core::cmp::Ordering::{Equal, Greater, Less};
+    let about = |x: f64, r: f64| Narrow::between(Mp::of_f64(x - r), Mp::of_f64(x + r));
+    assert_eq!(about(1.0, 0.5).sign(), Some(Greater));
+    assert_eq!(about(-1.0, 0.5).sign(), Some(Less));
+    assert_eq!(about(1.0, 1.0).sign(), None);
+    assert_eq!(Narrow::int(0).sign(), Some(Equal));
+    assert!(about(1.0, 0.25).is_below(&about(2.0, 0.5)) && !about(1.0, 0.5).is_below(&about(2.0, 0.5)));
+    assert!(about(1.0, 0.25).is_inside(&about(1.0, 0.5)) && !about(1.0, 0.5).is_inside(&about(1.0, 0.5)));
+    let common = about(1.0, 0.5).intersection(&about(1.75, 0.5)).unwrap();
+    assert_eq!((common.lower(), common.upper()), (Mp::of_f64(1.25), Mp::of_f64(1.5)));
+    assert!(about(1.0, 0.25).intersection(&about(2.0, 0.25)).is_none());
+}
+
+/// Balls of Arb at the same bits (`tests/data/balls.py`): the same numbers, and not much wider.
+#[test]
+fn as_arb_has_them() {
+    fn ball(mid: &str, rad: &str) -> Ball<2> {
+        let number = |text: &str| Mp::<2>::from_rational(&text.parse().unwrap());
+        Ball::new(number(mid), Radius::above(number(rad)))
+    }
+    let data = include_str!("../../../tests/data/balls.csv");
+    let mut compared = 0;
+    for line in data.lines().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let [name, xm, xr, ym, yr, mid, rad] = fields[..] else { panic!("{line}") };
+        let (x, y) = (ball(xm, xr), ball(ym, yr));
+        let found = match name {
+            "add" => x + y,
+            "sub" => x - y,
+            "mul" => x * y,
+            "div" => x / y,
+            "sqrt" => x.sqrt(),
+            "sin" => x.sin_cos().0,
+            "cos" => x.sin_cos().1,
+            "tan" => x.tan(),
+            "atan2" => x.atan2(y),
+            "exp" => x.exp(),
+            _ => panic!("{name}"),
+        };
+        if mid == "nan" {
+            assert!(found.is_entire(), "{line}: {found}");
+            continue;
+        }
+        let theirs = ball(mid, rad);
+        // Their functions know more of balls that are as large as a turn.
+        if found.is_entire() && x.rad() > Radius::power_of_two(-2) {
+            continue;
+        }
+        assert!(!found.is_entire() && found.intersection(&theirs).is_some(), "{line}: {found} {theirs}");
+        if x.rad().max(y.rad()) > Radius::power_of_two(-20) {
+            continue;
+        }
+        let allowed = theirs.rad().scaled(2).plus(super::half_unit(theirs.mid()).scaled(1));
+        assert!(found.rad() <= allowed, "{line}: {found} {theirs}");
+        compared += 1;
+    }
+    assert!(compared > 200, "{compared}");
+}
+
+#[test]
+fn bounds_are_rounded_in_their_direction() {
+    let mut random = Random(3);
+    for _ in 0..200_000 {
+        let mut bound = || Radius::above(Mp::<1>::from(random.bits() >> 32 | 1)).scaled(random.below(70) as i64 - 35);
+        let (a, b) = (bound(), bound());
+        let (x, y): (Wide, Wide) = (a.value(), b.value());
+        // Within 2⁻³⁰ of the exact result, and on the right side of it.
+        let above = |r: Radius, exact: Wide| {
+            let r = r.value::<8>();
+            assert!(r >= exact && r <= exact * (Wide::of_int(1) + Wide::of_int(1).scale2(-30)), "{r} {exact}");
+        };
+        above(a.plus(b), x + y);
+        above(a.times(b), x * y);
+        let quotient = a.over(b).value::<8>();
+        assert!(quotient * y >= x && quotient * y <= x * (Wide::of_int(1) + Wide::of_int(1).scale2(-30)));
+        let product = a.times_down(b).value::<8>();
+        assert!(product <= x * y && product >= x * y * (Wide::of_int(1) - Wide::of_int(1).scale2(-30)));
+        let difference = a.minus_down(b).value::<8>();
+        let exact = if x > y { x - y } else { Wide::ZERO };
+        assert!(difference <= exact && difference >= exact - x.scale2(-30), "{x} {y} {difference}");
+        assert_eq!(a < b, x < y);
+    }
+    let ball = Mp::<3>::from(1.0) / Mp::of_int(3);
+    let (low, high) = (Radius::below(ball).value::<3>(), Radius::above(ball).value::<3>());
+    assert!(low < ball && ball < high && high - low < Mp::of_f64(1e-9));
+    assert!(Radius::ONE.over(Radius::ZERO).is_infinite() && Radius::above(Mp::<2>::NAN).is_infinite());
+    assert!(Radius::INFINITE.times(Radius::ZERO).is_zero() && Radius::INFINITE.plus(Radius::ONE).is_infinite());
+}
