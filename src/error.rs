@@ -77,6 +77,8 @@ pub enum Quantity {
     Tolerance,
     /// Number of draws of the parameters.
     Draws,
+    /// Bits of precision.
+    Precision,
 }
 
 impl Quantity {
@@ -119,6 +121,7 @@ impl Quantity {
             Self::LoopSizeInertia => "loop size A₂",
             Self::Tolerance => "relative tolerance",
             Self::Draws => "number of draws",
+            Self::Precision => "precision in bits",
         }
     }
 }

@@ -26,7 +26,10 @@ use pair::Pair;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),
-    allow(clippy::arithmetic_side_effects, reason = "operators of balls; exponents of radii, which are bounded")
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of balls; exponents of radii, which are bounded"
+    )
 )]
 pub mod ball;
 pub(crate) mod circular;

@@ -135,6 +135,15 @@ mod symbolic;
 )]
 pub mod batch;
 pub mod design;
+#[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of balls and of ratios; exponents, which are bounded"
+    )
+)]
+pub mod enclosed;
 mod error;
 pub mod exact;
 #[cfg(feature = "figures")]

@@ -74,9 +74,9 @@ use crate::ratios::Ratios;
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
 use damped::DampedCycle;
+pub(crate) use half_cycle::HalfCycle;
 #[cfg(feature = "mp")]
 pub(crate) use half_cycle::free_swing;
-pub(crate) use half_cycle::HalfCycle;
 #[cfg(feature = "batch")]
 pub(crate) use low::{LowCircular, LowWaves};
 use motion::Motion;

@@ -31,10 +31,10 @@ pub(crate) use frequency::{Frequency, Offset};
 pub(crate) use low::LowAngle;
 use reduction::nearest_quarter;
 pub(crate) use slope::arc_less_sine;
-#[cfg(feature = "mp")]
-pub(crate) use value::phase_function_beside_one;
 #[cfg(feature = "batch")]
 pub(crate) use value::Quotient;
+#[cfg(feature = "mp")]
+pub(crate) use value::phase_function_beside_one;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
 ///

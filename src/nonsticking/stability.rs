@@ -55,8 +55,15 @@ pub(crate) fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta:
     // On the border g may round to less than 1, where the modulus is 0.
     let complex = ((one - inverse).or_larger(F::int(0)) / (one + inverse)).sqrt();
     let g_cosine = g * ((c - s) * (c + s)).abs();
-    let real = (g_cosine + ((one - g_sine) * (one + g_sine)).sqrt()) / (g + one);
+    let real = real_contraction(g, g_cosine, ((one - g_sine) * (one + g_sine)).sqrt());
     if g_sine > one { complex } else { real }
+}
+
+/// `max |λ|` of two real multipliers from g, g|cos(π/Ω)| and √((1 − gσ)(1 + gσ)).
+#[inline(always)]
+pub(crate) fn real_contraction<R: Field>(g: R, g_cosine: R, spread: R) -> R {
+    // [g |cos(π/Ω)| + √((1 − gσ)(1 + gσ))]/(g + 1)
+    (g_cosine + spread) / (g + R::int(1))
 }
 
 /// A pair of multipliers, complex conjugate or real.

@@ -58,7 +58,8 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         let t = Radius::above(mid).plus(rounding);
         let turn = r.over(Radius::ONE.minus_down(r.times(r).scaled(-1)));
         let clear = Radius::ONE.minus_down(t.times(turn));
-        let moved = if r.is_zero() { Radius::ZERO } else { bound([turn, t.times(t).times(turn)]).over(clear) };
+        let moved =
+            if r.is_zero() { Radius::ZERO } else { bound([turn, t.times(t).times(turn)]).over(clear) };
         Self::new(mid, bound([moved, rounding]))
     }
 
@@ -87,7 +88,8 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         }
         let distance = self.mid.hypot(x.mid);
         let distance = Radius::below(distance).minus_down(half_unit(distance));
-        let across = bound([Radius::above(self.mid).times(x.rad), Radius::above(x.mid).times(self.rad)]).over(distance);
+        let across = bound([Radius::above(self.mid).times(x.rad), Radius::above(x.mid).times(self.rad)])
+            .over(distance);
         let moved = across.over(distance.minus_down(bound([self.rad, x.rad])));
         if moved.is_infinite() { all() } else { Self::new(mid, bound([moved, rounding])) }
     }
@@ -114,9 +116,10 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤ r/(1 − r).
     #[must_use]
-    pub(crate) fn exp(self) -> Self {
+    pub fn exp(self) -> Self {
         let mid = self.mid.exp();
-        let moved = Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));
+        let moved =
+            Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));
         let moved = if self.rad.is_zero() { Radius::ZERO } else { moved };
         Self::new(mid, bound([moved, half_unit(mid)]))
     }

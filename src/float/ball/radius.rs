@@ -29,6 +29,11 @@ impl Radius {
         Self { mantissa: 1 << 31, exponent: e + 1 }
     }
 
+    /// The e of a bound in [2ᵉ⁻¹, 2ᵉ).
+    pub(crate) const fn exponent(self) -> i64 {
+        self.exponent
+    }
+
     #[inline]
     pub(crate) const fn is_infinite(self) -> bool {
         self.exponent == i64::MAX
@@ -161,7 +166,11 @@ impl Radius {
     /// `self · 2ᵉ`.
     #[inline]
     pub(crate) fn scaled(self, e: i64) -> Self {
-        if self.is_zero() || self.is_infinite() { self } else { Self::of_parts(self.mantissa.into(), self.exponent + e) }
+        if self.is_zero() || self.is_infinite() {
+            self
+        } else {
+            Self::of_parts(self.mantissa.into(), self.exponent + e)
+        }
     }
 
     /// `self − other` where `self` bounds from below and `other` from above; zero where that is negative.

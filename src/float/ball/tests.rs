@@ -168,12 +168,21 @@ fn where_there_is_no_ball_it_is_the_whole_line() {
     assert!(about(0.0, 1e-9).sqrt().is_entire() && Narrow::int(-1).sqrt().is_entire());
     assert!(!about(0.5, 0.5).sqrt().is_entire() && Narrow::int(0).sqrt().rad().is_zero());
     let quarter = Narrow::pi() / Narrow::int(2);
-    assert!(quarter.tan().is_entire() && about(1.5, 0.1).tan().is_entire() && !about(1.4, 0.1).tan().is_entire());
+    assert!(
+        quarter.tan().is_entire() && about(1.5, 0.1).tan().is_entire() && !about(1.4, 0.1).tan().is_entire()
+    );
     assert!(about(0.0, 4.0).tan().is_entire());
     // The whole line stays what it is.
     let all = Narrow::entire();
-    for ball in [all + one, all * Narrow::int(0), one / all, all.sqrt(), all.tan(), all.square(), all.mul_add(one, one)]
-    {
+    for ball in [
+        all + one,
+        all * Narrow::int(0),
+        one / all,
+        all.sqrt(),
+        all.tan(),
+        all.square(),
+        all.mul_add(one, one),
+    ] {
         assert!(ball.is_entire());
     }
     // Sine, cosine and angle know more.
@@ -256,13 +265,17 @@ fn as_arb_has_them() {
 fn bounds_are_rounded_in_their_direction() {
     let mut random = Random(3);
     for _ in 0..200_000 {
-        let mut bound = || Radius::above(Mp::<1>::from(random.bits() >> 32 | 1)).scaled(random.below(70) as i64 - 35);
+        let mut bound =
+            || Radius::above(Mp::<1>::from(random.bits() >> 32 | 1)).scaled(random.below(70) as i64 - 35);
         let (a, b) = (bound(), bound());
         let (x, y): (Wide, Wide) = (a.value(), b.value());
         // Within 2⁻³⁰ of the exact result, and on the right side of it.
         let above = |r: Radius, exact: Wide| {
             let r = r.value::<8>();
-            assert!(r >= exact && r <= exact * (Wide::of_int(1) + Wide::of_int(1).scale2(-30)), "{r} {exact}");
+            assert!(
+                r >= exact && r <= exact * (Wide::of_int(1) + Wide::of_int(1).scale2(-30)),
+                "{r} {exact}"
+            );
         };
         above(a.plus(b), x + y);
         above(a.times(b), x * y);
@@ -279,5 +292,7 @@ fn bounds_are_rounded_in_their_direction() {
     let (low, high) = (Radius::below(ball).value::<3>(), Radius::above(ball).value::<3>());
     assert!(low < ball && ball < high && high - low < Mp::of_f64(1e-9));
     assert!(Radius::ONE.over(Radius::ZERO).is_infinite() && Radius::above(Mp::<2>::NAN).is_infinite());
-    assert!(Radius::INFINITE.times(Radius::ZERO).is_zero() && Radius::INFINITE.plus(Radius::ONE).is_infinite());
+    assert!(
+        Radius::INFINITE.times(Radius::ZERO).is_zero() && Radius::INFINITE.plus(Radius::ONE).is_infinite()
+    );
 }

@@ -17,7 +17,8 @@ pub(crate) struct Written {
 /// A midpoint and a radius in decimal, with so many more digits than are certain to within one in the last place.
 pub(crate) fn written(mid: &Rational, rad: &Rational, more: u32) -> Written {
     // The place whose unit is at least twice the radius; an exact number has the digits that it needs, as far as they are few.
-    let place = if *rad == 0 { place_of_exact(mid) } else { place_above(&(rad.clone() * 2u32)) - i64::from(more) };
+    let place =
+        if *rad == 0 { place_of_exact(mid) } else { place_above(&(rad.clone() * 2u32)) - i64::from(more) };
     let unit = power_of_ten(place);
     let last = Rational::from(mid / &unit).round().into_numer_denom().0;
     let error = Rational::from(mid - unit * &last).abs() + rad;
@@ -36,7 +37,10 @@ fn place_of_exact(x: &Rational) -> i64 {
         return 0;
     }
     let first = place_above(&x.clone().abs());
-    (first - 100..=0).rev().find(|&place| *Rational::from(x / power_of_ten(place)).denom() == 1).unwrap_or(first - 100)
+    (first - 100..=0)
+        .rev()
+        .find(|&place| *Rational::from(x / power_of_ten(place)).denom() == 1)
+        .unwrap_or(first - 100)
 }
 
 /// `10ᵖ`.
@@ -112,7 +116,9 @@ mod tests {
 
     #[test]
     fn what_is_printed_contains_the_ball() {
-        for mid in ["1/3", "-2/3", "12345678901234567890123456789/7", "1/70000000000", "99999999/100000000", "0"] {
+        for mid in
+            ["1/3", "-2/3", "12345678901234567890123456789/7", "1/70000000000", "99999999/100000000", "0"]
+        {
             for rad in ["0", "1/100", "1/1000000000000000000", "7", "49/10000000", "1/99999", "300000"] {
                 for more in [0, 2] {
                     let (mid, rad): (Rational, Rational) = (mid.parse().unwrap(), rad.parse().unwrap());
@@ -120,7 +126,10 @@ mod tests {
                     let distance = Rational::from(parsed(&printed) - &mid).abs();
                     let least = Rational::from(&distance + &rad);
                     assert!(parsed(&reach) >= least, "{mid} {rad}: {printed} ± {reach}");
-                    assert!(parsed(&reach) <= least * Rational::from((111, 100)), "{mid} {rad}: {printed} ± {reach}");
+                    assert!(
+                        parsed(&reach) <= least * Rational::from((111, 100)),
+                        "{mid} {rad}: {printed} ± {reach}"
+                    );
                 }
             }
         }

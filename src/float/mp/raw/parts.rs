@@ -60,6 +60,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The top limb of a regular number, and whether there is anything in the others.
     #[inline]
     pub(in crate::float) fn top(&self) -> (limb_t, bool) {
-        self.limbs.split_last().map_or((0, false), |(top, others)| (*top, others.iter().any(|&limb| limb != 0)))
+        self.limbs
+            .split_last()
+            .map_or((0, false), |(top, others)| (*top, others.iter().any(|&limb| limb != 0)))
     }
 }

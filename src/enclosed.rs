@@ -1,0 +1,196 @@
+//! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
+//!
+//! [`response`] and [`border`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
+//! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
+//! double, and a ratio may be an interval. What is found by iteration elsewhere (the greatest velocity, the stationary point of the border's
+//! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
+//!
+//! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then everything is computed again with twice
+//! the bits, up to [`GREATEST_BITS`]; what is not decided there is `None`, never a guess. With exact ratios each output is as sharp as the bits
+//! asked for; with intervals the widths are those that the intervals cause, and the overestimate of evaluating each formula once.
+//!
+//! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests on MPFR and on the bounds of
+//! [`crate::float::ball`]. That the formulae are those of the oscillator is shown in `docs/proof.md`.
+//!
+//! | file | content |
+//! |---|---|
+//! | `known` | ratios as they are known |
+//! | `angle` | π/2Ω reduced, K(Ω) |
+//! | `border` | the exact border |
+//! | `cycle` | the cycle of two reversals |
+//! | `root` | one zero in a ball, or none found |
+//! | `widen` | more bits until it is sharp |
+//!
+//! ```
+//! use stickslip::{Output, enclosed};
+//! let found = enclosed::response(&"0.4".parse()?, &"9".parse()?, 128)?;
+//! let velocity = found.get(Output::MaxVelocity).unwrap();
+//! assert_eq!(velocity.to_string(), "10.7283886896577440353866399903605 ± 2.6e-32");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod angle;
+mod border;
+mod cycle;
+mod enclosure;
+mod known;
+mod root;
+mod widen;
+
+pub use enclosure::Enclosure;
+pub use known::Known;
+
+use crate::error::{Error, Quantity};
+use crate::float::ball::Ball;
+use crate::output::Output;
+use crate::ratios::within;
+use angle::Angle;
+use border::Border;
+use cycle::Cycle;
+use widen::{Answers, Question, sharpest};
+
+/// The most bits that are computed with.
+pub const GREATEST_BITS: u32 = widen::GREATEST;
+
+/// What the body does, where that is certain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Regime {
+    /// α ≤ 1: it ends at rest.
+    Stuck,
+    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. It sticks, but for the force ratios of six reversals
+    /// beside a pole ([`crate::nonsticking::six_reversals`]), which are not enclosed.
+    BelowBorder,
+    /// α > α_min(Ω): two reversals a cycle and no stop.
+    NonSticking,
+    /// Ω = 1 and α > 4/π: its displacement grows without bound.
+    Unbounded,
+}
+
+impl Regime {
+    /// The name, as the command prints it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Stuck => "stuck",
+            Self::BelowBorder => "below the border",
+            Self::NonSticking => "non-sticking",
+            Self::Unbounded => "unbounded",
+        }
+    }
+}
+
+/// The answer at ratios that are known, or known to intervals.
+#[derive(Debug, Clone)]
+pub struct Response {
+    answers: Answers,
+}
+
+impl Response {
+    /// What the body does; `None` where that is undecided at [`Response::bits`].
+    #[must_use]
+    pub const fn regime(&self) -> Option<Regime> {
+        self.answers.regime
+    }
+
+    /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
+    ///
+    /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0, 2π) by what the ball needs.
+    /// Without an enclosure are the maximum acceleration below Ω = 1/2 and the absolute displacement.
+    #[must_use]
+    pub fn get(&self, output: Output) -> Option<&Enclosure> {
+        self.answers.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
+    }
+
+    /// The bits it was computed with in the end.
+    #[must_use]
+    pub const fn bits(&self) -> u32 {
+        self.answers.bits
+    }
+}
+
+/// The closed forms at (Ω, α), enclosed: to `bits` bits where the ratios are exact.
+///
+/// # Errors
+/// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
+pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Error> {
+    let omega = omega.within(Quantity::FrequencyRatio, true)?;
+    let alpha = alpha.within(Quantity::ForceRatio, false)?;
+    sharpest(&At { omega, alpha: Some(alpha) }, valid(bits)?).map(|answers| Response { answers })
+}
+
+/// The border at Ω, enclosed: [`Output::MinForceRatio`], [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`],
+/// [`Output::TouchingPhase`], [`Output::BestForceRatio`] and [`Output::BestLoopSize`], without a regime.
+///
+/// # Errors
+/// As of [`response`].
+pub fn border(omega: &Known, bits: u32) -> Result<Response, Error> {
+    let omega = omega.within(Quantity::FrequencyRatio, true)?;
+    sharpest(&At { omega, alpha: None }, valid(bits)?).map(|answers| Response { answers })
+}
+
+fn valid(bits: u32) -> Result<u32, Error> {
+    let (least, greatest) = (1.0, f64::from(GREATEST_BITS - 64));
+    within(Quantity::Precision, f64::from(bits), least, greatest).map(|_| bits)
+}
+
+/// The closed forms at one Ω, and one α or none.
+struct At<'a> {
+    omega: &'a Known,
+    alpha: Option<&'a Known>,
+}
+
+impl Question for At<'_> {
+    fn at_width<const W: usize>(&self) -> Answers {
+        let angle = Angle::<W>::new(self.omega);
+        let border = Border::at(&angle);
+        let mut values: Vec<(Output, Option<Ball<W>>)> = vec![
+            (Output::MinForceRatio, Some(border.min_force_ratio)),
+            (Output::TurningPointForceRatio, Some(border.turning_point)),
+            (Output::LeastDisplacement, Some(border.least_displacement)),
+            (Output::TouchingPhase, border.phase),
+            (Output::BestForceRatio, Some(angle.best_force_ratio())),
+            (Output::BestLoopSize, angle.best_loop_size()),
+        ];
+        let Some(alpha) = self.alpha else {
+            return Answers::new(None, values, self.is_exact(), true);
+        };
+        let ball = alpha.ball::<W>();
+        values.push((Output::Margin, Some(ball / border.min_force_ratio)));
+        let regime = self.regime(alpha, &ball, &border);
+        let mut is_decided = regime.is_some();
+        if regime == Some(Regime::NonSticking) {
+            match Cycle::at(&angle, ball) {
+                Some(cycle) => values.extend(cycle.outputs(&angle, ball)),
+                None => is_decided = false,
+            }
+        }
+        Answers::new(regime, values, self.is_exact(), is_decided)
+    }
+}
+
+impl At<'_> {
+    fn is_exact(&self) -> bool {
+        self.omega.is_exact() && self.alpha.is_none_or(Known::is_exact)
+    }
+
+    /// The regime, where the balls do not overlap.
+    fn regime<const W: usize>(&self, alpha: &Known, ball: &Ball<W>, border: &Border<W>) -> Option<Regime> {
+        if *alpha.high() <= 1 {
+            return Some(Regime::Stuck);
+        }
+        if *alpha.low() <= 1 {
+            return None;
+        }
+        if ball.is_below(&border.min_force_ratio) {
+            return Some(Regime::BelowBorder);
+        }
+        if !border.min_force_ratio.is_below(ball) {
+            return None;
+        }
+        if *self.omega.low() > 1 || *self.omega.high() < 1 {
+            return Some(Regime::NonSticking);
+        }
+        self.omega.is_exact().then_some(Regime::Unbounded)
+    }
+}

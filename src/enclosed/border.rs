@@ -1,0 +1,109 @@
+//! The exact border in balls.
+
+use super::angle::Angle;
+use super::root::only_zero;
+use crate::float::ball::Ball;
+use crate::float::{Field, Real};
+use crate::nonsticking::border::{condition, condition_slope, stationary_point, stationary_value};
+use crate::nonsticking::{border_force_ratio, turning_point_border};
+use core::cmp::Ordering;
+
+/// The border at one Ω.
+pub(super) struct Border<const W: usize> {
+    pub(super) min_force_ratio: Ball<W>,
+    pub(super) turning_point: Ball<W>,
+    pub(super) least_displacement: Ball<W>,
+    /// τ*; `None` where it is undecided which of the two values of S is the larger.
+    pub(super) phase: Option<Ball<W>>,
+}
+
+/// The stationary value of Den Hartog's condition below Ω = 1/2.
+struct Inner<const W: usize> {
+    /// S there.
+    value: Ball<W>,
+    /// τ of its formula, in (0, π/2].
+    tau: Ball<W>,
+    /// Whether T > 0.
+    rises: bool,
+}
+
+impl<const W: usize> Border<W> {
+    pub(super) fn at(angle: &Angle<W>) -> Self {
+        let omega = angle.omega;
+        let turning_point = turning_point_border(angle.phase_function, angle.one_minus_square, omega);
+        let limit = Ball::int(1) / omega.square();
+        let of = |least_displacement: Ball<W>, phase| {
+            let width = angle.one_minus_square * least_displacement;
+            let min_force_ratio = border_force_ratio(angle.phase_function, width);
+            Self { min_force_ratio, turning_point, least_displacement, phase }
+        };
+        let at_turning_point = Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            least_displacement: limit,
+            phase: Some(Ball::int(0)),
+        };
+        let half = rug::Rational::from((1, 2));
+        if *angle.known.low() >= half
+            || angle.remainder.sign() == Some(Ordering::Equal) && angle.quarter & 1 == 0
+        {
+            // Proved in the head of `crate::nonsticking::border`; and T = 0.
+            return at_turning_point;
+        }
+        if *angle.known.high() > half {
+            return of(Ball::entire(), None);
+        }
+        match Inner::at(angle) {
+            None => of(Ball::entire(), None),
+            Some(inner) if inner.rises || limit.is_below(&inner.value) => {
+                let phase = if inner.rises { inner.tau } else { Ball::pi() - inner.tau };
+                of(inner.value, Some(phase))
+            }
+            Some(inner) if inner.value.is_below(&limit) => at_turning_point,
+            Some(inner) => of(limit.larger(&inner.value), None),
+        }
+    }
+}
+
+impl<const W: usize> Inner<W> {
+    /// At the only zero η of g on (0, π), where g rises.
+    fn at(angle: &Angle<W>) -> Option<Self> {
+        let (gamma, rises) = lobe_phase(angle)?;
+        let omega = angle.omega;
+        let inverse = Ball::int(1) / omega;
+        let sin_gamma = gamma.sin();
+        let at = |eta: Ball<W>| ((omega * (gamma + eta)).sin_cos(), eta.sin_cos());
+        let start = stationary_point(omega.mid(), gamma.mid());
+        let g = |eta| {
+            let (tau, eta) = at(eta);
+            condition(inverse, tau, eta, sin_gamma)
+        };
+        let slope = |eta| {
+            let (tau, eta) = at(eta);
+            condition_slope(omega, inverse, tau.0, eta.0)
+        };
+        let eta = only_zero(start, g, slope)?;
+        if !(eta.is_positive() && eta.is_below(&Ball::pi())) {
+            return None;
+        }
+        let tau = omega * (gamma + eta);
+        let value = stationary_value(gamma, angle.sin_cos.1, tau, eta) / omega;
+        Some(Self { value, tau, rises })
+    }
+}
+
+/// γ = β mod π, and whether T = tan γ > 0; `None` where γ may be a multiple of π/2.
+fn lobe_phase<const W: usize>(angle: &Angle<W>) -> Option<(Ball<W>, bool)> {
+    let w = angle.remainder;
+    let is_positive = match w.sign()? {
+        Ordering::Greater => true,
+        Ordering::Less => false,
+        Ordering::Equal => return None,
+    };
+    let half_pi = || Ball::<W>::pi() / Ball::int(2);
+    Some(match (angle.quarter & 1 == 0, is_positive) {
+        (true, true) => (w, true),
+        (true, false) => (w + Ball::pi(), false),
+        (false, is_beyond) => (w + half_pi(), !is_beyond),
+    })
+}

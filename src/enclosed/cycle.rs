@@ -1,0 +1,148 @@
+//! The cycle of two reversals in balls, above the border.
+
+use super::angle::Angle;
+use super::root::only_zero;
+use crate::float::ball::Ball;
+use crate::float::mp::Mp;
+use crate::float::{Field, Real};
+use crate::nonsticking::stability::{multiplier_product, real_contraction};
+use crate::nonsticking::{
+    HalfCycle, arrival_acceleration, cos_displacement_phase, dynamic_amplification, fastest, free_swing,
+    loop_size_inertia, loop_size_stiffness, max_displacement, sin_displacement_phase, transmissibility,
+    transmitted_force,
+};
+use crate::output::Output;
+use crate::phase_function::PhaseFunction;
+
+/// Displacement and greatest velocity of the cycle.
+pub(super) struct Cycle<const W: usize> {
+    max_displacement: Ball<W>,
+    displacement_phase: Ball<W>,
+    max_velocity: Ball<W>,
+    velocity_phase: Ball<W>,
+    deviation: Ball<W>,
+}
+
+impl<const W: usize> Cycle<W> {
+    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the greatest velocity is not found at this width.
+    pub(super) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
+        let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
+        let max_displacement = max_displacement(k, alpha, q);
+        let sine = sin_displacement_phase(max_displacement, alpha, q);
+        let cosine = cos_displacement_phase(k, alpha);
+        // In (0, π) below the natural frequency, in (π, 2π) above.
+        let is_below_one = *angle.known.high() < 1;
+        let displacement_phase =
+            if is_below_one { sine.atan2(cosine) } else { Ball::pi() + (-sine).atan2(-cosine) };
+        let psi = fastest_psi(angle, alpha, max_displacement)?;
+        let (max_velocity, _) = velocity(angle, max_displacement, psi);
+        let half_pi = Ball::pi() / Ball::int(2);
+        let velocity_phase = reduced(displacement_phase - half_pi - omega * psi);
+        // α sin ω_d t₁ = −[K cos Ωψ + (1 − Ω²)(Δ₀/B) sin Ωψ]
+        let (so, co) = (omega * psi).sin_cos();
+        let deviation = -(k * co + q * max_displacement * so) - Ball::int(1);
+        Some(Self { max_displacement, displacement_phase, max_velocity, velocity_phase, deviation })
+    }
+
+    /// All outputs of the cycle that have an enclosure.
+    pub(super) fn outputs(&self, angle: &Angle<W>, alpha: Ball<W>) -> Vec<(Output, Option<Ball<W>>)> {
+        let (delta, omega) = (self.max_displacement, angle.omega);
+        let a1 = loop_size_stiffness(delta, alpha);
+        let is_above_half = *angle.known.low() >= rug::Rational::from((1, 2));
+        [
+            (Output::MaxDisplacement, delta),
+            (Output::DisplacementPhase, self.displacement_phase),
+            (Output::MaxVelocity, self.max_velocity),
+            (Output::VelocityPhase, self.velocity_phase),
+            (Output::Deviation, self.deviation),
+            (Output::LoopSizeStiffness, a1),
+            (Output::LoopSizeInertia, loop_size_inertia(a1, omega)),
+            (Output::Contraction, contraction(angle, delta)),
+            (Output::DynamicAmplification, dynamic_amplification(delta, alpha)),
+            (Output::TransmittedForce, transmitted_force(delta)),
+            (Output::Transmissibility, transmissibility(delta, alpha)),
+        ]
+        .into_iter()
+        .map(|(output, value)| (output, Some(value)))
+        .chain(is_above_half.then(|| (Output::MaxAcceleration, Some(arrival_acceleration(delta, omega)))))
+        .collect()
+    }
+}
+
+/// v/(Bω_d) and its derivative by the centred time ψ.
+fn velocity<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> (Ball<W>, Ball<W>) {
+    let omega = angle.omega;
+    let (so, co) = (omega * psi).sin_cos();
+    let (h, h1) = free_swing(omega, angle.sin_cos, psi.sin_cos(), (so, co));
+    (delta * co + h, h1 - omega * delta * so)
+}
+
+/// v″ = (Ω − 1/Ω) sin ψ/cos β − Ω²v.
+fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<W> {
+    let omega = angle.omega;
+    let forcing = -(angle.one_minus_square / (omega * angle.sin_cos.1));
+    forcing * psi.sin() - omega.square() * velocity(angle, delta, psi).0
+}
+
+/// The centred time of the greatest velocity: the only zero of v′ in a ball, which lies where the head of `crate::nonsticking::velocity`
+/// proves that there is one zero and that it is the greatest velocity.
+fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
+    let p = PhaseFunction::of_valid(angle.omega.mid());
+    let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;
+    let psi = only_zero(start, |psi| velocity(angle, delta, psi).1, |psi| bend(angle, delta, psi))?;
+    is_in_bracket(angle, delta, psi).then_some(psi)
+}
+
+/// Whether ψ is certainly where there is one zero of v′ only.
+fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> bool {
+    let quarter = Ball::pi() / Ball::int(2);
+    let half = rug::Rational::from((1, 2));
+    if *angle.known.low() >= half {
+        // |ψ| < π/2, and within the half cycle.
+        let beta = quarter / angle.omega;
+        let bound = if *angle.known.low() > 1 { beta } else { quarter };
+        return psi.abs().is_below(&bound);
+    }
+    if *angle.known.high() >= half {
+        return false;
+    }
+    // Between ψ_c = −asin(K/α)/Ω and ψ_p = ±π/2, with the sign of cos β.
+    let k = angle.phase_function;
+    let centre = -(k.atan2(angle.one_minus_square * delta) / angle.omega);
+    let Some(sign) = angle.sin_cos.1.sign() else { return false };
+    let crest = if sign == core::cmp::Ordering::Less { -quarter } else { quarter };
+    let (low, high) = if sign == core::cmp::Ordering::Less { (crest, centre) } else { (centre, crest) };
+    low.is_below(&psi) && psi.is_below(&high)
+}
+
+/// A phase in (−2π, 2π) reduced to [0, 2π), as far as it is certain.
+fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
+    if phase.is_negative() { phase + Ball::pi() * Ball::int(2) } else { phase }
+}
+
+/// max |λ| of the half cycle.
+///
+/// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the double root gσ = 1, and the
+/// larger one of each pair of possibilities is in the ball of both.
+fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
+    let (one, two) = (Ball::<W>::int(1), Ball::int(2));
+    let (s, c) = angle.sin_cos;
+    let g = angle.omega.square() * delta;
+    let g_sine = g * (two * s * c).abs();
+    let g_cosine = g * ((c - s) * (c + s)).abs();
+    let complex = || not_negative(multiplier_product(angle.omega, delta)).sqrt();
+    let square = (one - g_sine) * (one + g_sine);
+    let real = || real_contraction(g, g_cosine, not_negative(square).sqrt());
+    if square.is_negative() {
+        complex()
+    } else if square.is_positive() {
+        real()
+    } else {
+        complex().hull(&real())
+    }
+}
+
+/// The part of a ball that is not negative, where it is known that the number is not.
+fn not_negative<const W: usize>(x: Ball<W>) -> Ball<W> {
+    if x.is_entire() || !x.contains_zero() { x } else { Ball::between(Mp::ZERO, x.upper()) }
+}

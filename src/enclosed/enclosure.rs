@@ -1,0 +1,71 @@
+//! An enclosure of an output, at whatever precision it was found.
+
+use crate::float::ball::{Ball, Written, written};
+use core::fmt;
+use rug::{Float, Rational, float::Round};
+
+/// All numbers within a radius of a midpoint, and the output is one of them.
+///
+/// Printed as digits that are certain to within one in the last place, then ± and the radius.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Enclosure {
+    mid: Float,
+    rad: Float,
+}
+
+impl Enclosure {
+    /// The numbers of a ball; `None` of the whole line.
+    pub(super) fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
+        let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
+        (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
+    }
+
+    /// The same with a midpoint of `bits` bits, and a radius that has its rounding.
+    pub(super) fn rounded(&self, bits: u32) -> Self {
+        let mid = Float::with_val(bits, &self.mid);
+        let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();
+        Self { mid, rad: Float::with_val_round(64, &self.rad + &moved, Round::Up).0 }
+    }
+
+    /// The midpoint.
+    #[must_use]
+    pub const fn mid(&self) -> &Float {
+        &self.mid
+    }
+
+    /// The radius.
+    #[must_use]
+    pub const fn rad(&self) -> &Float {
+        &self.rad
+    }
+
+    /// Whether a number of any precision is in it.
+    #[must_use]
+    pub fn contains(&self, x: &Float) -> bool {
+        let (Some(mid), Some(rad), Some(x)) =
+            (self.mid.to_rational(), self.rad.to_rational(), x.to_rational())
+        else {
+            return false;
+        };
+        (x - mid).abs() <= rad
+    }
+
+    /// Midpoint and radius in decimal, with two digits more than are certain: what JSON has.
+    #[must_use]
+    pub fn decimal(&self) -> (String, String) {
+        let Written { mid, rad } = self.written(2);
+        (mid, rad)
+    }
+
+    fn written(&self, more: u32) -> Written {
+        let number = |x: &Float| x.to_rational().unwrap_or_else(Rational::new);
+        written(&number(&self.mid), &number(&self.rad), more)
+    }
+}
+
+impl fmt::Display for Enclosure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Written { mid, rad } = self.written(0);
+        f.pad(&format!("{mid} ± {rad}"))
+    }
+}

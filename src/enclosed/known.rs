@@ -1,0 +1,133 @@
+//! A ratio as it is known: a rational number, or all numbers between two.
+
+use crate::error::{Error, Quantity, written};
+use crate::float::ball::{Ball, Radius};
+use crate::float::mp::{Mp, ParseError};
+use crate::float::{Field, Float};
+use crate::ratios::{positive, within};
+use core::str::FromStr;
+use rug::{Integer, Rational, ops::Pow};
+
+/// What is known of a ratio: its exact value, or that it lies between two numbers.
+///
+/// Read from text it is exactly what is written: `0.4` is four tenths, `1/3` is a third.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Known {
+    low: Rational,
+    high: Rational,
+}
+
+/// Decimal digits and exponents of more than this are refused.
+const LONGEST: usize = 20_000;
+
+impl Known {
+    /// A ratio that is exactly this number.
+    ///
+    /// # Errors
+    /// Where it is not finite.
+    pub fn exactly<const LIMBS: usize>(x: Mp<LIMBS>) -> Result<Self, Error> {
+        let quantity = Quantity::FrequencyRatio;
+        let value = || Error::NotFinite { quantity, value: written(x) };
+        let number = x.to_rational().ok_or_else(value)?;
+        Ok(Self { low: number.clone(), high: number })
+    }
+
+    /// Anything from the low end of one to the high end of the other.
+    ///
+    /// # Errors
+    /// [`Error::EmptyInterval`] where the ends are in the wrong order.
+    pub fn between(low: &Self, high: &Self) -> Result<Self, Error> {
+        if low.low <= high.high {
+            Ok(Self { low: low.low.clone(), high: high.high.clone() })
+        } else {
+            Err(Error::EmptyInterval { low: low.low.to_string(), high: high.high.to_string() })
+        }
+    }
+
+    /// Whether it is one number.
+    #[must_use]
+    pub fn is_exact(&self) -> bool {
+        self.low == self.high
+    }
+
+    pub(super) fn low(&self) -> &Rational {
+        &self.low
+    }
+
+    pub(super) fn high(&self) -> &Rational {
+        &self.high
+    }
+
+    /// The middle.
+    pub(super) fn middle(&self) -> Rational {
+        Rational::from(&self.low + &self.high) / 2u32
+    }
+
+    /// The same numbers through a function that does not fall.
+    pub(super) fn map(&self, f: impl Fn(&Rational) -> Rational) -> Self {
+        Self { low: f(&self.low), high: f(&self.high) }
+    }
+
+    /// The ratio in its domain: of [`crate::Ratios`].
+    pub(super) fn within(&self, quantity: Quantity, is_bounded_below: bool) -> Result<&Self, Error> {
+        let greatest = Mp::<2>::exp2i(<f64 as Float>::RATIO_EXPONENT);
+        let least = Mp::int(1) / greatest;
+        for end in [&self.low, &self.high] {
+            let x = positive(quantity, Mp::<2>::from_rational(end))?;
+            within(quantity, x, if is_bounded_below { least } else { x }, greatest)?;
+        }
+        Ok(self)
+    }
+
+    /// A ball with these numbers.
+    pub(super) fn ball<const W: usize>(&self) -> Ball<W> {
+        let end = |x: &Rational| {
+            let mid = Mp::from_rational(x);
+            let rest = mid.to_rational().map(|mid| mid - x);
+            match rest {
+                Some(rest) if rest == 0 => Ball::exact(mid),
+                Some(rest) => Ball::new(mid, Radius::above(Mp::<2>::from_rational(&rest)).scaled(1)),
+                None => Ball::entire(),
+            }
+        };
+        let low = end(&self.low);
+        if self.is_exact() { low } else { low.hull(&end(&self.high)) }
+    }
+}
+
+impl FromStr for Known {
+    type Err = ParseError;
+
+    /// A decimal number, as `f64` reads it, or two integers with `/` between them: exactly what is written.
+    fn from_str(text: &str) -> Result<Self, ParseError> {
+        let error = || ParseError { text: text.chars().take(80).collect() };
+        let number = match text.split_once('/') {
+            Some((over, under)) => {
+                let integer = |part: &str| {
+                    let is_one =
+                        !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit()) && part.len() <= LONGEST;
+                    is_one.then(|| part.parse::<Integer>().ok()).flatten().ok_or_else(error)
+                };
+                let under = integer(under)?;
+                if under == 0 {
+                    return Err(error());
+                }
+                Rational::from((integer(over)?, under))
+            }
+            None => decimal(text).ok_or_else(error)?,
+        };
+        Ok(Self { low: number.clone(), high: number })
+    }
+}
+
+/// The number that is written; `None` of what is none, infinite, or too long to be a ratio.
+fn decimal(text: &str) -> Option<Rational> {
+    // What `f64` reads is what a number is.
+    text.parse::<f64>().ok().filter(|_| text.len() <= LONGEST)?;
+    let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.unsigned_abs() as usize <= LONGEST)?;
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let integer: Integer = format!("{whole}{fraction}").trim_start_matches('+').parse().ok()?;
+    let place = exponent - i32::try_from(fraction.len()).ok()?;
+    Some(Rational::from(integer) * Rational::from(10).pow(place))
+}

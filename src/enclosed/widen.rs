@@ -1,0 +1,94 @@
+//! More bits until the answers are sharp, or there are no more.
+
+use super::{Enclosure, Regime};
+use crate::error::Error;
+use crate::float::ball::{Ball, Radius};
+use crate::float::mp::Mp;
+use crate::output::Output;
+
+/// The most bits.
+pub(super) const GREATEST: u32 = 8256;
+
+/// What can be asked at any width.
+pub(super) trait Question {
+    fn at_width<const W: usize>(&self) -> Answers;
+}
+
+/// The answers at one width.
+#[derive(Debug, Clone)]
+pub(super) struct Answers {
+    pub(super) regime: Option<Regime>,
+    pub(super) values: Vec<(Output, Enclosure)>,
+    pub(super) bits: u32,
+    /// Bits that are certain of the output of which the fewest are.
+    sharpness: i64,
+    is_exact: bool,
+    is_decided: bool,
+}
+
+impl Answers {
+    pub(super) fn new<const W: usize>(
+        regime: Option<Regime>,
+        values: Vec<(Output, Option<Ball<W>>)>,
+        is_exact: bool,
+        is_decided: bool,
+    ) -> Self {
+        let bits = Mp::<W>::BITS;
+        let known = values.iter().filter_map(|(output, ball)| Some((*output, ball.as_ref()?)));
+        let sharpness = known.clone().map(|(_, ball)| certain_bits(ball)).min().unwrap_or(0);
+        let values = known.filter_map(|(output, ball)| Some((output, Enclosure::of(ball)?))).collect();
+        Self { regime, values, bits, sharpness, is_exact, is_decided }
+    }
+
+    /// Rounded to the bits that were asked for, where it is that sharp.
+    fn rounded(mut self, bits: u32) -> Self {
+        for (_, value) in &mut self.values {
+            *value = value.rounded(bits);
+        }
+        self
+    }
+}
+
+/// Bits of a ball that its radius leaves: of an exact number, and of one that is tiny itself, as many as there are.
+fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
+    let all = i64::from(Mp::<W>::BITS);
+    let size = Radius::below(ball.mid());
+    if ball.is_entire() {
+        0
+    } else if ball.rad().is_zero() {
+        all
+    } else if size.is_zero() {
+        if ball.rad() < Radius::power_of_two(-all) { all } else { 0 }
+    } else {
+        (size.exponent() - ball.rad().exponent()).clamp(0, all)
+    }
+}
+
+/// The answers with the bits asked for, and more bits where they are undecided or not sharp enough.
+pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, Error> {
+    let mut last: Option<Answers> = None;
+    macro_rules! at {
+        ($($width:literal)*) => {$(
+            if Mp::<$width>::BITS >= bits + 64 {
+                let found = question.at_width::<$width>();
+                // Two bits more than asked for, so that rounding to those leaves one unit in the last place.
+                let is_sharp = found.sharpness >= i64::from(bits) + 2;
+                // With intervals for ratios, more bits do not help beyond their own width.
+                let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
+                if found.is_decided && is_sharp || is_final {
+                    return Ok(found.rounded(bits));
+                }
+                last = Some(found);
+            }
+        )*};
+    }
+    at!(2 3 5 9 17 33 65 129);
+    // `valid` has seen to it that there is a width.
+    let nothing = Error::OutOfRange {
+        quantity: crate::Quantity::Precision,
+        value: bits.to_string(),
+        least: 1.to_string(),
+        greatest: (GREATEST - 64).to_string(),
+    };
+    last.map(|found| found.rounded(bits)).ok_or(nothing)
+}

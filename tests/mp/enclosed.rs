@@ -1,0 +1,187 @@
+//! Enclosures of the closed forms against the same outputs at 1024 bits, where they are sharp and where a decision is near.
+
+use proptest::prelude::*;
+use stickslip::enclosed::{self, Enclosure, Known, Regime};
+use stickslip::float::mp::Mp;
+use stickslip::{Border, Output, Ratios, Response};
+
+/// A number with no rounding to speak of.
+type Exact = Mp<16>;
+
+fn known<const L: usize>(x: Mp<L>) -> Known {
+    Known::exactly(x).unwrap()
+}
+
+fn reference(omega: Exact, alpha: Exact) -> Response<Exact> {
+    Response::new(Ratios::new(omega, alpha).unwrap())
+}
+
+/// Distance of the value from the midpoint, in radii.
+fn radii(found: &Enclosure, value: Exact) -> f64 {
+    let distance = (value - Exact::from(found.mid())).abs();
+    if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from(found.rad())).to_f64() }
+}
+
+/// Radius in units of the last place of the bits asked for.
+fn units(found: &Enclosure) -> f64 {
+    let unit = Exact::from(found.mid()).abs().scale2(-(found.mid().prec() as i32));
+    (Exact::from(found.rad()) / unit).to_f64()
+}
+
+/// Every output that exists is in its enclosure; the widest, in units in the last place.
+fn check(omega: f64, alpha: Exact, bits: u32) -> f64 {
+    let found = enclosed::response(&known(Mp::<1>::from(omega)), &known(alpha), bits).unwrap();
+    let exact = reference(Exact::from(omega), alpha);
+    let mut widest = 0.0f64;
+    for output in Output::ALL {
+        let value = output.of(&exact);
+        let (Some(enclosure), Some(value)) = (found.get(output), value) else {
+            let left_out = matches!(output, Output::MaxAcceleration | Output::MaxAbsoluteDisplacement);
+            assert!(left_out || value.is_none(), "{omega} {alpha} {output:?}: {value:?}");
+            continue;
+        };
+        let off = radii(enclosure, value);
+        assert!(
+            off <= 1.0,
+            "{omega} {alpha} {output:?} at {bits} bits: {value} is {off} radii from {enclosure}"
+        );
+        if value != Exact::ZERO {
+            widest = widest.max(units(enclosure));
+        }
+    }
+    assert_eq!(found.regime(), Some(expected(&exact)), "{omega} {alpha}");
+    widest
+}
+
+fn expected(exact: &Response<Exact>) -> Regime {
+    let (omega, alpha) = (exact.ratios().omega(), exact.ratios().alpha());
+    if alpha <= Exact::of_int(1) {
+        Regime::Stuck
+    } else if alpha < exact.border().min_force_ratio() {
+        Regime::BelowBorder
+    } else if omega == Exact::of_int(1) {
+        Regime::Unbounded
+    } else {
+        Regime::NonSticking
+    }
+}
+
+/// Frequency ratios of ordinary size, and beside 1 and 1/n.
+fn frequencies() -> impl Strategy<Value = f64> {
+    let beside = (1u32..12, 4i32..50, any::<bool>()).prop_map(|(n, e, above)| {
+        let distance = if above { 2f64.powi(-e) } else { -2f64.powi(-e) };
+        (1.0 + distance) / f64::from(n)
+    });
+    prop_oneof![4 => (-4.0f64..4.0).prop_map(f64::exp), 3 => beside, 1 => (1u32..12).prop_map(|n| 1.0 / f64::from(n))]
+}
+
+/// α over the border, less 1.
+fn excesses() -> impl Strategy<Value = f64> {
+    prop_oneof![3 => 1e-3f64..20.0, 2 => (3i32..60).prop_map(|e| 2f64.powi(-e)), 1 => -0.5f64..-1e-6]
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(80))]
+
+    #[test]
+    fn the_value_is_never_outside(omega in frequencies(), excess in excesses(), wide in any::<bool>()) {
+        let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio();
+        let alpha = Exact::rounded(Mp::<2>::rounded(least * Exact::from(1.0 + excess)));
+        let widest = check(omega, alpha, if wide { 256 } else { 64 });
+        prop_assert!(widest <= 1.0, "{omega} {alpha}: {widest} units");
+    }
+
+    /// Every number of the intervals has its outputs in their enclosures.
+    #[test]
+    fn intervals_have_the_outputs_of_all_their_numbers(
+        omega in prop_oneof![0.52f64..0.95, 1.05f64..6.0, 0.35f64..0.45, 0.27f64..0.32], excess in 0.2f64..3.0,
+        width in (6i32..40).prop_map(|e| 2f64.powi(-e)), shares in prop::collection::vec((0.0f64..1.0, 0.0f64..1.0), 6),
+    ) {
+        let alpha = Border::new(omega).unwrap().min_force_ratio() * (1.0 + excess);
+        let interval = |x: f64| {
+            Known::between(&known(Mp::<1>::from(x)), &known(Mp::<1>::from(x * (1.0 + width)))).unwrap()
+        };
+        let found = enclosed::response(&interval(omega), &interval(alpha), 64).unwrap();
+        for (a, b) in shares.into_iter().chain([(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]) {
+            let inside = |x: f64, share: f64| Exact::from(x) + (Exact::from(x * (1.0 + width)) - Exact::from(x)) * Exact::from(share);
+            let exact = reference(inside(omega, a), inside(alpha, b));
+            for output in Output::ALL {
+                if let (Some(enclosure), Some(value)) = (found.get(output), output.of(&exact)) {
+                    let off = radii(enclosure, value);
+                    prop_assert!(off <= 1.0, "{omega} {alpha} ± {width} {output:?}: {value} is {off} radii from {enclosure}");
+                }
+            }
+        }
+        if width < 1e-9 {
+            prop_assert_eq!(found.regime(), Some(Regime::NonSticking));
+            let velocity = found.get(Output::MaxVelocity).unwrap();
+            prop_assert!(velocity.rad().to_f64() < 1e5 * width, "{velocity}");
+        }
+    }
+}
+
+#[test]
+fn decimals_are_what_is_written() {
+    let at = |omega: &str, alpha: &str| {
+        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), 128).unwrap()
+    };
+    // A fifth is a pole, where no force is enough; the double beside it is not.
+    let pole = at("0.2", "1e6");
+    assert_eq!((pole.regime(), pole.get(Output::MinForceRatio)), (None, None));
+    assert!(enclosed::border(&known(Mp::<1>::from(0.2)), 64).unwrap().get(Output::MinForceRatio).is_some());
+    // A sixth has K = 0 and the border 35 exactly; of a third of 1.5 nothing is rounded.
+    let sixth = enclosed::border(&"1/6".parse().unwrap(), 64).unwrap();
+    assert!(sixth.get(Output::MinForceRatio).unwrap().contains(&rug::Float::with_val(64, 35)));
+    assert_eq!(sixth.get(Output::BestForceRatio).unwrap().to_string(), "0 ± 0");
+    let half = at("0.5", "4");
+    assert_eq!(half.regime(), Some(Regime::NonSticking));
+    // α = 3 is the border at Ω = 1/2: that is not decided by any number of bits.
+    let border = at("0.5", "3");
+    assert_eq!((border.regime(), border.bits()), (None, enclosed::GREATEST_BITS));
+    // Close to it, more bits decide.
+    let text = format!("3.{}1", "0".repeat(100));
+    let above = at("0.5", &text);
+    assert!(above.regime() == Some(Regime::NonSticking) && above.bits() > 192, "{}", above.bits());
+    assert_eq!(at("0.5", &format!("2.{}", "9".repeat(100))).regime(), Some(Regime::BelowBorder));
+    assert_eq!(
+        (at("1", "1.3").regime(), at("1", "1.27").regime()),
+        (Some(Regime::Unbounded), Some(Regime::BelowBorder))
+    );
+    assert_eq!(at("0.7", "1").regime(), Some(Regime::Stuck));
+}
+
+/// Resonance a hundred decimals away, on the border: the cancellation asks for more bits, which are taken.
+#[test]
+fn more_bits_are_taken_where_they_are_needed() {
+    let omega = format!("1.{}1", "0".repeat(99));
+    let found = enclosed::response(&omega.parse().unwrap(), &"1.3".parse().unwrap(), 64).unwrap();
+    let displacement = found.get(Output::MaxDisplacement).unwrap();
+    assert!(units(displacement) <= 1.0 && found.bits() > 256, "{displacement} {}", found.bits());
+    let near = Exact::from_rational(
+        &(rug::Rational::from(1)
+            + rug::Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 100))))),
+    );
+    let exact = reference(near, Exact::from_rational(&"13/10".parse().unwrap()));
+    // The reference itself has lost some 660 of its 1024 bits.
+    let value = exact.cycle().unwrap().max_displacement();
+    assert!(((value - Exact::from(displacement.mid())) / value).abs().to_f64() < 1e-18);
+}
+
+#[test]
+fn what_is_outside_the_domain_is_refused() {
+    let message = |omega: &str, alpha: &str, bits| {
+        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), bits).unwrap_err().to_string()
+    };
+    assert!(message("0", "2", 64).starts_with("frequency ratio Ω = 0 must be > 0"));
+    assert!(message("-1", "2", 64).starts_with("frequency ratio Ω = -1 must be > 0"));
+    assert!(message("1e-80", "2", 64).contains("must be ≥"));
+    assert!(message("1", "-2", 64).starts_with("force ratio α = -2 must be > 0"));
+    assert!(message("1", "1e80", 64).contains("must be ≥"));
+    assert_eq!(message("1", "2", 0), "precision in bits = 0 must be > 0");
+    assert!(message("1", "2", 8193).contains("≤ 8192"));
+    for text in ["", "x", "inf", "nan", "1 5", "1_0", "1/0", "/3", "1/-3", "--1", "1e99999999", "0x1"] {
+        assert!(text.parse::<Known>().is_err(), "{text}");
+    }
+    assert!(Known::between(&"2".parse().unwrap(), &"1".parse().unwrap()).is_err());
+    assert!(Known::exactly(Mp::<1>::NAN).is_err());
+}
