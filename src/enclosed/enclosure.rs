@@ -2,7 +2,7 @@
 
 use crate::float::ball::{Ball, Written, written};
 use core::fmt;
-use rug::{Float, Rational, float::Round};
+use rug::{Float, float::Round};
 
 /// All numbers within a radius of a midpoint, and the output is one of them.
 ///
@@ -58,7 +58,7 @@ impl Enclosure {
     }
 
     fn written(&self, more: u32) -> Written {
-        let number = |x: &Float| x.to_rational().unwrap_or_else(Rational::new);
+        let number = |x: &Float| x.to_rational().unwrap_or_default();
         written(&number(&self.mid), &number(&self.rad), more)
     }
 }

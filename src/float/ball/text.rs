@@ -21,7 +21,7 @@ pub(crate) fn written(mid: &Rational, rad: &Rational, more: u32) -> Written {
         if *rad == 0 { place_of_exact(mid) } else { place_above(&(rad.clone() * 2u32)) - i64::from(more) };
     let unit = power_of_ten(place);
     let last = Rational::from(mid / &unit).round().into_numer_denom().0;
-    let error = Rational::from(mid - unit * &last).abs() + rad;
+    let error = (mid - unit * &last).abs() + rad;
     Written { mid: decimal(&last, place), rad: rounded_up(&error) }
 }
 
@@ -37,10 +37,7 @@ fn place_of_exact(x: &Rational) -> i64 {
         return 0;
     }
     let first = place_above(&x.clone().abs());
-    (first - 100..=0)
-        .rev()
-        .find(|&place| *Rational::from(x / power_of_ten(place)).denom() == 1)
-        .unwrap_or(first - 100)
+    (first - 100..=0).rev().find(|&place| *(x / power_of_ten(place)).denom() == 1).unwrap_or(first - 100)
 }
 
 /// `10ᵖ`.
@@ -77,7 +74,7 @@ fn rounded_up(x: &Rational) -> String {
         return "0".to_owned();
     }
     let place = place_above(x) - 2;
-    let digits = Rational::from(x / power_of_ten(place)).ceil().into_numer_denom().0.to_string();
+    let digits = (x / power_of_ten(place)).ceil().into_numer_denom().0.to_string();
     let (first, rest) = digits.split_at(1);
     let exponent = place + rest.len() as i64;
     let exponent = if exponent == 0 { String::new() } else { format!("e{exponent}") };
@@ -123,7 +120,7 @@ mod tests {
                 for more in [0, 2] {
                     let (mid, rad): (Rational, Rational) = (mid.parse().unwrap(), rad.parse().unwrap());
                     let Written { mid: printed, rad: reach } = written(&mid, &rad, more);
-                    let distance = Rational::from(parsed(&printed) - &mid).abs();
+                    let distance = (parsed(&printed) - &mid).abs();
                     let least = Rational::from(&distance + &rad);
                     assert!(parsed(&reach) >= least, "{mid} {rad}: {printed} ± {reach}");
                     assert!(
