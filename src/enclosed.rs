@@ -1,6 +1,6 @@
 //! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
 //!
-//! [`response`] and [`border`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
+//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
 //! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
 //! double, and a ratio may be an interval. What is found by iteration elsewhere (the greatest velocity, the stationary point of the border's
 //! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
@@ -18,6 +18,7 @@
 //! | `angle` | π/2Ω reduced, K(Ω) |
 //! | `border` | the exact border |
 //! | `cycle` | the cycle of two reversals |
+//! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
 //! | `root` | one zero in a ball, or none found |
 //! | `widen` | more bits until it is sharp |
 //!
@@ -34,11 +35,13 @@ mod border;
 mod cycle;
 mod enclosure;
 mod known;
+mod motion;
 mod root;
 mod widen;
 
 pub use enclosure::Enclosure;
 pub use known::Known;
+pub use motion::{Steady, steady};
 
 use crate::error::{Error, Quantity};
 use crate::float::ball::Ball;

@@ -57,12 +57,17 @@ pub(crate) use dissipation::{
     best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
     loop_size_stiffness,
 };
+#[cfg(feature = "mp")]
+pub(crate) use {
+    displacement::{cos_displacement_phase, sin_displacement_phase},
+    peaks::{arrival_acceleration, dynamic_amplification, transmitted_force},
+};
 // The paper's other forms, for the proofs and for `verify`.
+#[cfg(all(any(test, feature = "matching"), not(feature = "mp")))]
+pub(crate) use displacement::{cos_displacement_phase, sin_displacement_phase};
 #[cfg(any(test, feature = "matching"))]
 pub(crate) use {
-    displacement::{
-        cos_displacement_phase, displacement_phase, max_displacement_from_amplitude, sin_displacement_phase,
-    },
+    displacement::{displacement_phase, max_displacement_from_amplitude},
     dissipation::loop_size,
     velocity::{deviation, max_velocity_from_phase, velocity_phase_residual},
 };

@@ -4,8 +4,9 @@ use super::angle::Angle;
 use super::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::{Field, Real};
-use crate::nonsticking::border::{condition, condition_slope, stationary_point, stationary_value};
-use crate::nonsticking::{border_force_ratio, turning_point_border};
+use crate::nonsticking::border::{
+    border_force_ratio, condition, condition_slope, stationary_point, stationary_value, turning_point_border,
+};
 use core::cmp::Ordering;
 
 /// The border at one Ω.

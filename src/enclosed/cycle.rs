@@ -8,8 +8,7 @@ use crate::float::{Field, Real};
 use crate::nonsticking::stability::{multiplier_product, real_contraction};
 use crate::nonsticking::{
     HalfCycle, arrival_acceleration, cos_displacement_phase, dynamic_amplification, fastest, free_swing,
-    loop_size_inertia, loop_size_stiffness, max_displacement, sin_displacement_phase, transmissibility,
-    transmitted_force,
+    loop_size_inertia, loop_size_stiffness, max_displacement, sin_displacement_phase, transmitted_force,
 };
 use crate::output::Output;
 use crate::phase_function::PhaseFunction;
@@ -60,7 +59,7 @@ impl<const W: usize> Cycle<W> {
             (Output::Contraction, contraction(angle, delta)),
             (Output::DynamicAmplification, dynamic_amplification(delta, alpha)),
             (Output::TransmittedForce, transmitted_force(delta)),
-            (Output::Transmissibility, transmissibility(delta, alpha)),
+            (Output::Transmissibility, transmitted_force(delta) / alpha),
         ]
         .into_iter()
         .map(|(output, value)| (output, Some(value)))

@@ -13,6 +13,13 @@ pub struct Enclosure {
     rad: Float,
 }
 
+impl Default for Enclosure {
+    /// Nothing is known: an infinite radius.
+    fn default() -> Self {
+        Self { mid: Float::new(64), rad: Float::with_val(64, rug::float::Special::Infinity) }
+    }
+}
+
 impl Enclosure {
     /// The numbers of a ball; `None` of the whole line.
     pub(super) fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
@@ -24,7 +31,11 @@ impl Enclosure {
     pub(super) fn rounded(&self, bits: u32) -> Self {
         let mid = Float::with_val(bits, &self.mid);
         let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();
-        Self { mid, rad: Float::with_val_round(64, &self.rad + &moved, Round::Up).0 }
+        let rad = Float::with_val_round(64, &self.rad + &moved, Round::Up).0;
+        // Not sharper than the bits: with more that were needed for a decision, the rest of the digits would be all nines or zeros.
+        let least = Float::with_val_round(64, &mid >> (bits + 2), Round::AwayZero).0.abs();
+        let rad = if rad.is_zero() { rad } else { rad.max(&least) };
+        Self { mid, rad }
     }
 
     /// The midpoint.

@@ -13,10 +13,18 @@ pub(super) fn only_zero<const W: usize>(
     f: impl Fn(Ball<W>) -> Ball<W>,
     slope: impl Fn(Ball<W>) -> Ball<W>,
 ) -> Option<Ball<W>> {
-    let start = Ball::exact(start);
-    let at_start = f(start);
-    // The distance that Newton's step may go, and room for the change of the slope.
-    let step = at_start / slope(start);
+    let mut start = Ball::exact(start);
+    let (mut at_start, mut step) = (f(start), Ball::entire());
+    // Newton's method on midpoints, until the step is no longer than what the ball of f leaves open.
+    for _ in 0..8 {
+        step = at_start / slope(start);
+        if Radius::above(step.mid()) <= step.rad().scaled(2) {
+            break;
+        }
+        start = Ball::exact(start.mid() - step.mid());
+        at_start = f(start);
+    }
+    // Room for the change of the slope.
     let mut reach = Radius::above(step.mid()).plus(step.rad());
     for _ in 0..6 {
         reach = reach.scaled(2);

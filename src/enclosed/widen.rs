@@ -82,7 +82,7 @@ pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, E
             }
         )*};
     }
-    at!(2 3 5 9 17 33 65 129);
+    at!(2 5 17 65 129);
     // `valid` has seen to it that there is a width.
     let nothing = Error::OutOfRange {
         quantity: crate::Quantity::Precision,

@@ -11,12 +11,10 @@
 //! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
 use super::Cycle;
-#[cfg(any(test, feature = "matching"))]
-use crate::float::Field;
-use crate::float::Float;
+use crate::float::{Field, Float};
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
-#[cfg(any(test, feature = "matching"))]
+#[cfg(any(test, feature = "matching", feature = "mp"))]
 #[inline]
 pub(crate) fn multiplier_product<R: Field>(omega: R, max_displacement: R) -> R {
     let g = omega.square() * max_displacement;

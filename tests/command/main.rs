@@ -7,6 +7,8 @@ mod kept;
 
 mod answers;
 mod design;
+#[cfg(feature = "mp")]
+mod enclose;
 mod figures;
 #[cfg(unix)]
 mod interrupt;

@@ -185,3 +185,63 @@ fn what_is_outside_the_domain_is_refused() {
     assert!(Known::between(&"2".parse().unwrap(), &"1".parse().unwrap()).is_err());
     assert!(Known::exactly(Mp::<1>::NAN).is_err());
 }
+
+/// The motions of the exact solver at 256 bits, each proved to exist: place, stops, extrema and multipliers in their enclosures.
+#[test]
+fn steady_motions_are_proved() {
+    use stickslip::exact::{LongRun, State};
+    for (omega, alpha, zeta, sticks) in [
+        ("0.4", "6", "0", 2),
+        ("0.1", "3", "0", 4),
+        ("0.15", "3", "0", 4),
+        ("1.5", "2.5", "0", 0),
+        ("0.6", "1.7", "0.05", 2),
+        ("0.8", "2", "0.05", 0),
+    ] {
+        let known = |text: &str| text.parse::<Known>().unwrap();
+        let found = enclosed::steady(&known(omega), &known(alpha), &known(zeta), 128).unwrap();
+        let found = found.unwrap_or_else(|| panic!("{omega} {alpha} {zeta}: not proved"));
+        let ratios = Ratios::new(omega.parse::<Mp<4>>().unwrap(), alpha.parse().unwrap()).unwrap();
+        let ratios = ratios.with_damping_ratio(zeta.parse().unwrap()).unwrap();
+        let run = LongRun::from_start(ratios, State::rest()).unwrap();
+        let exact = run.steady_state().unwrap();
+        let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
+            // At least 30 digits, and the solver's value within its own 60.
+            let off = (value - Mp::from(enclosure.mid())).abs().to_f64();
+            assert!(enclosure.rad().to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
+            assert!(
+                off <= enclosure.rad().to_f64() + 1e-55,
+                "{omega} {alpha} {zeta} {name}: {enclosure} {value}"
+            );
+        };
+        near(&found.max_displacement, exact.max_displacement(), "max_displacement");
+        near(&found.max_velocity, exact.max_velocity(), "max_velocity");
+        near(&found.stick_fraction, exact.stick_fraction(), "stick_fraction");
+        assert_eq!(
+            (found.sticks_per_cycle, exact.sticks_per_cycle()),
+            (sticks, sticks),
+            "{omega} {alpha} {zeta}"
+        );
+        assert_eq!(
+            found.velocity_zeros_per_cycle,
+            exact.velocity_zeros_per_cycle(),
+            "{omega} {alpha} {zeta}"
+        );
+        for ((re, im), (x, y)) in found.multipliers.iter().zip(exact.multipliers()) {
+            for (enclosure, value) in [(re, x), (im, y)] {
+                let off = (value - Mp::from(enclosure.mid())).abs().to_f64();
+                assert!(off < 1e-25, "{omega} {alpha} {zeta}: {enclosure} {value}");
+            }
+        }
+        assert!(found.only_within.1.mid().to_f64() > 1e-7, "{:?}", found.only_within);
+    }
+}
+
+/// What only touches is not claimed: on the border, and at a stop of no length.
+#[test]
+fn what_cannot_be_proved_is_not_claimed() {
+    let known = |text: &str| text.parse::<Known>().unwrap();
+    let at = |omega, alpha| enclosed::steady(&known(omega), &known(alpha), &known("0"), 64).unwrap();
+    assert!(at("0.5", "3").is_none());
+    assert!(at("0.7", "0.9").is_none());
+}

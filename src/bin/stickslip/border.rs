@@ -7,7 +7,7 @@ use crate::given::{Given, Parameter};
 use crate::input::BorderPoint;
 use crate::record::Record;
 use crate::response::single_format;
-use crate::{input, note, points};
+use crate::{enclose, input, note, points};
 use std::io::Write;
 use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::{Error, Ratios, Response};
@@ -16,6 +16,9 @@ use stickslip::{Error, Ratios, Response};
 struct Run<'a, W>(&'a BorderArgs, &'a mut W);
 
 pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclose::border(&args.machine, &args.output, out);
+    }
     bits::run(args.output.bits, Run(args, out))
 }
 

@@ -20,6 +20,7 @@ mod border;
 mod curve;
 mod decay;
 mod design;
+mod enclose;
 mod failure;
 mod figure;
 mod given;

@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::Point;
 use crate::record::Record;
-use crate::{input, note, points};
+use crate::{enclose, input, note, points};
 use std::io::Write;
 use stickslip::Response;
 
@@ -14,6 +14,9 @@ use stickslip::Response;
 struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclose::response(&args.machine, &args.force.alpha, &args.output, out);
+    }
     bits::run(args.output.bits, Run(args, out))
 }
 

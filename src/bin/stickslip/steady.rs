@@ -2,6 +2,7 @@
 
 use crate::args::{Format, SteadyArgs};
 use crate::bits::{self, Task, Value};
+use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::{self, Point};
@@ -22,6 +23,9 @@ use stickslip::{Error, Quantity, Ratios, Regime};
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclose::steady(&args.machine, &args.force.alpha, &args.output, out);
+    }
     bits::run(args.output.bits, Run(args, out))
 }
 

@@ -6,6 +6,7 @@ use clap::Args;
 pub(crate) const RESPONSE_EXAMPLES: &str = "\
 Examples:
   stickslip response --omega 1.5 --alpha 2.5
+  stickslip response --omega 1.5 --alpha 2.5 --enclose --bits 128
   stickslip response --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 12.5 --units kN,m
   stickslip response --mass 50 --friction 5 --frequency 6.2832 --omega 1.5 --alpha 2.5 --format json
   stickslip response --points points.csv --format csv";
@@ -29,6 +30,10 @@ pub(crate) struct ResponseArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
+    /// Guaranteed digits: each output with an error bound, rounding included, for --omega and --alpha exactly as typed
+    /// (needs a build with the feature mp)
+    #[arg(long)]
+    pub(crate) enclose: bool,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }
@@ -37,6 +42,10 @@ pub(crate) struct ResponseArgs {
 pub(crate) struct BorderArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
+    /// Guaranteed digits: each output with an error bound, rounding included, for --omega exactly as typed (needs a
+    /// build with the feature mp)
+    #[arg(long, conflicts_with = "no_stop")]
+    pub(crate) enclose: bool,
     /// Also all force ratios without any stop: those of six reversals a cycle below the border beside Ω = 1/3, 1/5, … count
     #[arg(long)]
     pub(crate) no_stop: bool,

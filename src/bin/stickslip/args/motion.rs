@@ -6,6 +6,7 @@ use clap::Args;
 pub(crate) const STEADY_EXAMPLES: &str = "\
 Examples:
   stickslip steady --omega 0.4 --alpha 6
+  stickslip steady --omega 0.4 --alpha 6 --enclose
   stickslip steady --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 6 --format json
   stickslip steady --omega 0.5 --alpha 4 --x0 3 --v0 0.2
   stickslip steady --points points.csv --format csv";
@@ -43,6 +44,10 @@ pub(crate) struct SteadyArgs {
     /// Periods of the drive to follow the motion for before giving up on a limit
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::exact::DEFAULT_BUDGET)]
     pub(crate) max_periods: u32,
+    /// Guaranteed digits, and a proof that the motion exists: for --omega, --alpha and --damping-ratio exactly as typed,
+    /// from rest (needs a build with the feature mp)
+    #[arg(long, conflicts_with_all = ["x0", "v0", "max_periods"])]
+    pub(crate) enclose: bool,
     #[command(flatten)]
     pub(crate) output: OutputArgs,
 }

@@ -46,13 +46,13 @@ const MACHINE: [&str; 13] = [
 
 /// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
 const USED: &[(&str, Mode, &str)] = &[
-    ("response", Ratios, "omega alpha damping_ratio format bits"),
+    ("response", Ratios, "omega alpha damping_ratio enclose format bits"),
     ("response", Machine, "omega alpha BODY frequency DRIVE format bits units"),
     ("response", Points, "points omega alpha BODY frequency DRIVE format header bits units"),
-    ("border", Ratios, "omega damping_ratio no_stop format bits"),
+    ("border", Ratios, "omega damping_ratio no_stop enclose format bits"),
     ("border", Machine, "omega BODY frequency no_stop format bits units"),
     ("border", Points, "points omega BODY frequency no_stop format header bits units"),
-    ("steady", Ratios, "omega alpha damping_ratio x0 v0 max_periods format bits"),
+    ("steady", Ratios, "omega alpha damping_ratio x0 v0 max_periods enclose format bits"),
     ("steady", Machine, "omega alpha BODY frequency DRIVE x0 v0 max_periods format bits units"),
     ("steady", Points, "points omega alpha BODY frequency DRIVE x0 v0 max_periods format header bits units"),
     ("simulate", Ratios, "omega alpha damping_ratio x0 v0 cycles samples format bits"),

@@ -1,0 +1,138 @@
+//! `--enclose`: each output as digits that are certain, then ±.
+
+use crate::args::{Format, OutputArgs};
+use crate::failure::{Failure, Outcome};
+use crate::outputs::unit_of;
+use crate::response::single_format;
+use crate::style;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io::Write;
+use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
+use stickslip::{Error, Output, Quantity};
+
+/// The bits of an enclosure where none are asked for.
+const BITS: u32 = 64;
+
+/// What was typed, and what it comes to.
+struct Answer<'a> {
+    typed: Vec<(&'static str, &'a str)>,
+    found: Response,
+    outputs: Vec<Output>,
+    has_regime: bool,
+}
+
+/// `response --enclose`.
+pub(crate) fn response(omega: &str, alpha: &str, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    let found = enclosed::response(&known("--omega", omega)?, &known("--alpha", alpha)?, bits(output));
+    let found = found.map_err(|e| fault(&format!("--omega {omega} --alpha {alpha}"), output, &e))?;
+    let typed = vec![("omega", omega), ("alpha", alpha)];
+    Answer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
+}
+
+/// `border --enclose`.
+pub(crate) fn border(omega: &str, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    let found = enclosed::border(&known("--omega", omega)?, bits(output));
+    let found = found.map_err(|e| fault(&format!("--omega {omega}"), output, &e))?;
+    let of_border = [
+        Output::MinForceRatio,
+        Output::TurningPointForceRatio,
+        Output::LeastDisplacement,
+        Output::TouchingPhase,
+        Output::BestForceRatio,
+        Output::BestLoopSize,
+    ];
+    Answer { typed: vec![("omega", omega)], found, outputs: of_border.to_vec(), has_regime: false }
+        .write(output, out)
+}
+
+pub(super) fn bits(output: &OutputArgs) -> u32 {
+    output.bits.unwrap_or(BITS)
+}
+
+/// What is at fault: the ratios that were typed, or the bits.
+pub(super) fn fault(ratios: &str, output: &OutputArgs, error: &Error) -> Failure {
+    match error.quantity() {
+        Some(Quantity::Precision) => Failure::Input(format!("--bits {}: {error}", bits(output))),
+        _ => Failure::Input(format!("{ratios}: {error}")),
+    }
+}
+
+/// The ratio that is written, exactly.
+pub(super) fn known(option: &str, text: &str) -> Result<Known, Failure> {
+    text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))
+}
+
+impl Answer<'_> {
+    fn write(&self, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+        match output.format.unwrap_or(Format::Text) {
+            Format::Text => self.text(out),
+            Format::Json => {
+                serde_json::to_writer_pretty(&mut *out, self)?;
+                Ok(out.write_all(b"\n")?)
+            }
+            Format::Jsonl | Format::Csv => Err(single_format()),
+        }
+    }
+
+    fn text(&self, out: &mut impl Write) -> Outcome {
+        let bits = self.found.bits();
+        if self.has_regime {
+            let verdict = match self.found.regime() {
+                Some(Regime::Stuck) => {
+                    "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned()
+                }
+                Some(Regime::BelowBorder) => {
+                    "Below the border: no cycle of two reversals goes without a stop. This is certain."
+                        .to_owned()
+                }
+                Some(Regime::NonSticking) => {
+                    "Non-sticking: the body never stops. This is certain.".to_owned()
+                }
+                Some(Regime::Unbounded) => {
+                    "Unbounded: the displacement grows in every cycle. This is certain.".to_owned()
+                }
+                Some(other) => other.name().to_owned(),
+                None => format!("Undecided at {bits} bits: α is too close to a border."),
+            };
+            writeln!(out, "{}\n", style::verdict(&verdict))?;
+        }
+        for &output in &self.outputs {
+            if let Some(value) = self.found.get(output) {
+                let unit = unit_of(output.name()).filter(|unit| *unit != "1");
+                let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
+                writeln!(out, "  {:<31}{value}{unit}", output.name())?;
+            }
+        }
+        Ok(writeln!(out, "\nEach value lies within ± of the number printed; computed at {bits} bits.")?)
+    }
+}
+
+/// A midpoint and a radius, as strings, so that no digit is lost on the way.
+pub(super) struct MidRad<'a>(pub(super) &'a Enclosure);
+
+impl Serialize for MidRad<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (mid, rad) = self.0.decimal();
+        let mut map = serializer.serialize_map(Some(2))?;
+        map.serialize_entry("mid", &mid)?;
+        map.serialize_entry("rad", &rad)?;
+        map.end()
+    }
+}
+
+impl Serialize for Answer<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        for (name, text) in &self.typed {
+            map.serialize_entry(name, text)?;
+        }
+        if self.has_regime {
+            map.serialize_entry("regime", &self.found.regime().map(Regime::name))?;
+        }
+        for output in &self.outputs {
+            map.serialize_entry(output.name(), &self.found.get(*output).map(MidRad))?;
+        }
+        map.serialize_entry("bits", &self.found.bits())?;
+        map.end()
+    }
+}

@@ -1,0 +1,97 @@
+//! `steady --enclose`: a motion that is proved to exist.
+
+use super::found::{MidRad, bits, fault, known};
+use crate::args::{Format, OutputArgs};
+use crate::failure::Outcome;
+use crate::response::single_format;
+use crate::style;
+use serde::ser::{Serialize, SerializeMap, Serializer};
+use std::io::Write;
+use stickslip::enclosed::{self, Enclosure, Steady};
+
+/// What was typed, and the motion, where one is proved.
+struct Answer<'a> {
+    omega: &'a str,
+    alpha: &'a str,
+    damping_ratio: Option<&'a str>,
+    found: Option<Steady>,
+}
+
+pub(crate) fn steady(
+    (omega, alpha): (&str, &str),
+    damping_ratio: Option<&str>,
+    output: &OutputArgs,
+    out: &mut impl Write,
+) -> Outcome {
+    let zeta = known("--damping-ratio", damping_ratio.unwrap_or("0"))?;
+    let found = enclosed::steady(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, bits(output));
+    let typed = damping_ratio.map_or(String::new(), |zeta| format!(" --damping-ratio {zeta}"));
+    let found = found.map_err(|e| fault(&format!("--omega {omega} --alpha {alpha}{typed}"), output, &e))?;
+    let answer = Answer { omega, alpha, damping_ratio, found };
+    match output.format.unwrap_or(Format::Text) {
+        Format::Text => answer.text(out),
+        Format::Json => {
+            serde_json::to_writer_pretty(&mut *out, &answer)?;
+            Ok(out.write_all(b"\n")?)
+        }
+        Format::Jsonl | Format::Csv => Err(single_format()),
+    }
+}
+
+impl Answer<'_> {
+    fn text(&self, out: &mut impl Write) -> Outcome {
+        let Some(found) = &self.found else {
+            let verdict = "Not proved: the motion from rest does not settle, is not symmetric, or grazes.";
+            return Ok(writeln!(out, "{}", style::verdict(verdict))?);
+        };
+        let stops = match found.sticks_per_cycle {
+            0 => "without a stop".to_owned(),
+            n => format!("with {n} stops a cycle"),
+        };
+        writeln!(out, "{}\n", style::verdict(&format!("Proved: a periodic motion {stops} exists.")))?;
+        writeln!(out, "  max_displacement      {} B", found.max_displacement)?;
+        writeln!(out, "  max_velocity          {} B ω_d", found.max_velocity)?;
+        writeln!(out, "  stick_fraction        {}", found.stick_fraction)?;
+        for (n, (re, im)) in (1..).zip(&found.multipliers) {
+            writeln!(out, "  multiplier {n}          {re}, {im} i")?;
+        }
+        let begins = if found.sticks_per_cycle > 0 { "a release" } else { "a reversal" };
+        writeln!(out, "  {begins:<22}at {} rad", found.start.0)?;
+        writeln!(out, "                        at {} B", found.start.1)?;
+        writeln!(
+            out,
+            "\nEach value lies within ± of the number printed. Within {:e} B of that place there is no other symmetric\n\
+             motion of this kind. Computed at {} bits.",
+            found.only_within.1.mid().to_f64(),
+            found.bits
+        )?;
+        Ok(())
+    }
+}
+
+impl Serialize for Answer<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("omega", self.omega)?;
+        map.serialize_entry("alpha", self.alpha)?;
+        if let Some(zeta) = self.damping_ratio {
+            map.serialize_entry("damping_ratio", zeta)?;
+        }
+        let found = self.found.as_ref();
+        let value = |of: fn(&Steady) -> &Enclosure| found.map(of).map(MidRad);
+        map.serialize_entry("proved", &found.is_some())?;
+        map.serialize_entry("max_displacement", &value(|found| &found.max_displacement))?;
+        map.serialize_entry("max_velocity", &value(|found| &found.max_velocity))?;
+        map.serialize_entry("sticks_per_cycle", &found.map(|found| found.sticks_per_cycle))?;
+        map.serialize_entry("velocity_zeros_per_cycle", &found.map(|found| found.velocity_zeros_per_cycle))?;
+        map.serialize_entry("stick_fraction", &value(|found| &found.stick_fraction))?;
+        let multipliers =
+            found.map(|found| found.multipliers.each_ref().map(|(re, im)| [MidRad(re), MidRad(im)]));
+        map.serialize_entry("multipliers", &multipliers)?;
+        map.serialize_entry("start_phase", &value(|found| &found.start.0))?;
+        map.serialize_entry("start_displacement", &value(|found| &found.start.1))?;
+        map.serialize_entry("only_within", &found.map(|found| found.only_within.1.mid().to_f64()))?;
+        map.serialize_entry("bits", &found.map(|found| found.bits))?;
+        map.end()
+    }
+}

@@ -1,0 +1,82 @@
+//! That no event was passed: signs over whole intervals, by halving them until a ball shows it.
+
+use super::slide::{Machine, Slide};
+use crate::float::ball::Ball;
+use crate::float::mp::Mp;
+use crate::float::{Field, Real};
+
+/// Intervals that are looked at before a sign is given up.
+const MOST: usize = 4000;
+
+/// Whether something certain holds for every part of [low, high], where it is asked of one interval after the other.
+fn throughout<const W: usize>(low: Mp<W>, high: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> bool {
+    let mut left = vec![(low, high)];
+    for _ in 0..MOST {
+        let Some((low, high)) = left.pop() else { return true };
+        if low >= high || holds(Ball::between(low, high)) {
+            continue;
+        }
+        let middle = (low + high).scale2(-1);
+        if middle <= low || middle >= high {
+            return false;
+        }
+        left.push((middle, high));
+        left.push((low, middle));
+    }
+    left.is_empty()
+}
+
+/// The longest of [edge, edge + reach · 2⁻ⁿ] for which `holds`, as its other end.
+fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> Option<Mp<W>> {
+    (2..40).map(|n| edge + reach.scale2(-n)).find(|&other| {
+        holds(if other > edge { Ball::between(edge, other) } else { Ball::between(other, edge) })
+    })
+}
+
+/// Whether the velocity of the slide has the slide's sign from its start to its end, and no other zero there.
+///
+/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release; at the end the acceleration
+/// has the other one; between, the velocity has it itself.
+pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
+    let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
+    let is_released = slide.start.sign() == Some(core::cmp::Ordering::Equal);
+    let starts = |phi| {
+        let at = slide.at(phi);
+        (slide.sign * if is_released { at.jerk } else { at.acceleration }).is_positive()
+    };
+    let ends = |phi: Ball<W>| {
+        (slide.sign * slide.at(phi.hull(&Ball::between(low, high))).acceleration).is_negative()
+    };
+    let (Some(first), Some(last)) = (stretch(zero, low, starts), stretch(low, -low, ends)) else {
+        return false;
+    };
+    throughout(first, last, |phi| slide.speed_over(phi).is_positive())
+}
+
+/// Whether a body at rest at `place` stays from one phase to the release in the direction `sign` at another.
+pub(super) fn is_one_stop<const W: usize>(
+    machine: &Machine<W>,
+    place: Ball<W>,
+    from: Ball<W>,
+    release: Ball<W>,
+    sign: i32,
+) -> bool {
+    let (one, sign) = (Ball::<W>::int(1), Ball::int(sign));
+    let (low, high) = (release.lower(), release.upper());
+    let rises = |phase: Ball<W>| {
+        let all = phase.hull(&Ball::between(low, high));
+        (sign * machine.alpha * all.cos()).is_positive()
+    };
+    let Some(last) = stretch(low, from.lower() - low, rises) else { return false };
+    throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&one))
+}
+
+/// Whether the body slides back at once in the direction `sign`: the force exceeds friction that way.
+pub(super) fn reverses<const W: usize>(
+    machine: &Machine<W>,
+    place: Ball<W>,
+    phase: Ball<W>,
+    sign: i32,
+) -> bool {
+    Ball::int(1).is_below(&(Ball::int(sign) * machine.force(phase, place)))
+}

@@ -1,0 +1,142 @@
+//! One slide from rest, in closed form.
+//!
+//! In natural time, units of B, with σ the sign of the velocity and θ = θ₀ + Ωφ:
+//!
+//! ```text
+//! x″ + 2ζx′ + x + σ = α sin θ,   x = P sin θ + Q cos θ − σ + e^{−ζφ} (a cos dφ + b sin dφ),   d = √(1 − ζ²),
+//! (P, Q) = α (1 − Ω², −2ζΩ)/q²,   q² = (1 − Ω²)² + (2ζΩ)².
+//! ```
+
+use super::super::root::only_zero;
+use crate::float::ball::Ball;
+use crate::float::mp::Mp;
+use crate::float::{Field, Real};
+
+/// The oscillator and its drive.
+#[derive(Clone, Copy)]
+pub(super) struct Machine<const W: usize> {
+    pub(super) omega: Ball<W>,
+    pub(super) alpha: Ball<W>,
+    pub(super) zeta: Ball<W>,
+    /// d = √(1 − ζ²).
+    free: Ball<W>,
+    /// (P, Q).
+    forced: (Ball<W>, Ball<W>),
+}
+
+impl<const W: usize> Machine<W> {
+    pub(super) fn new(omega: Ball<W>, alpha: Ball<W>, zeta: Ball<W>) -> Self {
+        let one = Ball::int(1);
+        let (detuning, damper) = ((one - omega) * (one + omega), zeta * omega * Ball::int(2));
+        let scale = alpha / (detuning.square() + damper.square());
+        let free = ((one - zeta) * (one + zeta)).sqrt();
+        Self { omega, alpha, zeta, free, forced: (scale * detuning, -(scale * damper)) }
+    }
+
+    /// The force that friction has to hold, α sin θ − x.
+    pub(super) fn force(&self, phase: Ball<W>, place: Ball<W>) -> Ball<W> {
+        self.alpha * phase.sin() - place
+    }
+
+    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + σ, the force growing.
+    pub(super) fn release(&self, guess: Mp<W>, place: Ball<W>, sign: Ball<W>) -> Option<Ball<W>> {
+        only_zero(guess, |phase| self.force(phase, place) - sign, |phase| self.alpha * phase.cos())
+    }
+}
+
+/// Displacement, velocity, acceleration and its rate, in natural time.
+#[derive(Clone, Copy)]
+pub(super) struct Motion<const W: usize> {
+    pub(super) x: Ball<W>,
+    pub(super) w: Ball<W>,
+    pub(super) acceleration: Ball<W>,
+    pub(super) jerk: Ball<W>,
+}
+
+/// A slide from rest.
+#[derive(Clone, Copy)]
+pub(super) struct Slide<const W: usize> {
+    machine: Machine<W>,
+    pub(super) sign: Ball<W>,
+    phase: Ball<W>,
+    /// The acceleration at the start: zero at a release.
+    pub(super) start: Ball<W>,
+    a: Ball<W>,
+    b: Ball<W>,
+}
+
+/// The end of a slide, and its derivatives by phase and place of the start.
+#[derive(Clone, Copy)]
+pub(super) struct End<const W: usize> {
+    /// Natural duration.
+    pub(super) duration: Ball<W>,
+    pub(super) phase: Ball<W>,
+    pub(super) place: Ball<W>,
+    /// [[∂θ₁/∂θ₀, ∂θ₁/∂x₀], [∂x₁/∂θ₀, ∂x₁/∂x₀]].
+    pub(super) derivatives: [[Ball<W>; 2]; 2],
+}
+
+impl<const W: usize> Slide<W> {
+    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at the friction bound.
+    pub(super) fn new(
+        machine: Machine<W>,
+        sign: i32,
+        phase: Ball<W>,
+        place: Ball<W>,
+        released: bool,
+    ) -> Self {
+        let sign = Ball::int(sign);
+        let (s, c) = phase.sin_cos();
+        let (p, q) = machine.forced;
+        let a = place + sign - (p * s + q * c);
+        let b = (machine.zeta * a - machine.omega * (p * c - q * s)) / machine.free;
+        let start = if released { Ball::int(0) } else { machine.alpha * s - place - sign };
+        Self { machine, sign, phase, start, a, b }
+    }
+
+    /// e^{−ζφ} (sin dφ, cos dφ).
+    fn free_waves(&self, phi: Ball<W>) -> (Ball<W>, Ball<W>) {
+        let Machine { zeta, free, .. } = self.machine;
+        let (s, c) = (free * phi).sin_cos();
+        if zeta.sign() == Some(core::cmp::Ordering::Equal) {
+            return (s, c);
+        }
+        let decay = (-(zeta * phi)).exp();
+        (decay * s, decay * c)
+    }
+
+    pub(super) fn at(&self, phi: Ball<W>) -> Motion<W> {
+        let Machine { omega, alpha, zeta, free, forced: (p, q) } = self.machine;
+        let (s, c) = (self.phase + omega * phi).sin_cos();
+        let (fs, fc) = self.free_waves(phi);
+        let x = p * s + q * c - self.sign + self.a * fc + self.b * fs;
+        let w = omega * (p * c - q * s) + (self.b * free - zeta * self.a) * fc
+            - (zeta * self.b + free * self.a) * fs;
+        let two_zeta = zeta * Ball::int(2);
+        let acceleration = alpha * s - x - self.sign - two_zeta * w;
+        let jerk = alpha * omega * c - w - two_zeta * acceleration;
+        Motion { x, w, acceleration, jerk }
+    }
+
+    /// The velocity in the direction of the slide over an interval of time: by the mean value theorem from its middle.
+    pub(super) fn speed_over(&self, phi: Ball<W>) -> Ball<W> {
+        let middle = Ball::exact(phi.mid());
+        self.sign * (self.at(middle).w + self.at(phi).acceleration * (phi - middle))
+    }
+
+    /// The velocity zero near `guess`, with its derivatives.
+    pub(super) fn end(&self, guess: Mp<W>) -> Option<End<W>> {
+        let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
+        let Machine { omega, zeta, free, .. } = self.machine;
+        let (at, (fs, fc)) = (self.at(duration), self.free_waves(duration));
+        // What is left of a unit of velocity, as place s and velocity s′; and of a unit of place, c.
+        let (s, lean) = (fs / free, zeta * fs / free);
+        let (change, c) = (fc - lean, fc + lean);
+        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time: the motion from a later phase is the same motion later, less what its own start leaves.
+        let (by_phase, by_place) = ((at.acceleration - self.start * change) / omega, -s);
+        let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));
+        let derivatives =
+            [[Ball::int(1) + omega * later_by_phase, omega * later_by_place], [-(self.start * s / omega), c]];
+        Some(End { duration, phase: self.phase + omega * duration, place: at.x, derivatives })
+    }
+}
