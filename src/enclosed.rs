@@ -1,6 +1,6 @@
 //! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
 //!
-//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
+//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
 //! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
 //! double, and a ratio may be an interval. What is found by iteration elsewhere (the greatest velocity, the stationary point of the border's
 //! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
@@ -26,7 +26,7 @@
 //! use stickslip::{Output, enclosed};
 //! let found = enclosed::response(&"0.4".parse()?, &"9".parse()?, 128)?;
 //! let velocity = found.get(Output::MaxVelocity).unwrap();
-//! assert_eq!(velocity.to_string(), "10.7283886896577440353866399903605 ± 2.6e-32");
+//! assert_eq!(velocity.to_string(), "13.6968608268773571362677089591797754027 ± 3.9e-38");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -62,7 +62,7 @@ pub enum Regime {
     /// α ≤ 1: it ends at rest.
     Stuck,
     /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. It sticks, but for the force ratios of six reversals
-    /// beside a pole ([`crate::nonsticking::six_reversals`]), which are not enclosed.
+    /// beside a pole ([`crate::nonsticking::SixReversals`]), which are not enclosed.
     BelowBorder,
     /// α > α_min(Ω): two reversals a cycle and no stop.
     NonSticking,

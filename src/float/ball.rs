@@ -210,7 +210,7 @@ fn half_unit<const LIMBS: usize>(x: Mp<LIMBS>) -> Radius {
 
 /// The sum of the parts of an error bound.
 ///
-/// In tests, one of the parts can be made too small ([`faults`]): the differential tests have to notice.
+/// In tests, one of the parts can be made too small (`faults`): the differential tests have to notice.
 #[cfg_attr(test, track_caller)]
 #[inline]
 fn bound<const N: usize>(parts: [Radius; N]) -> Radius {
