@@ -33,10 +33,16 @@ use pair::Pair;
 )]
 pub mod ball;
 pub(crate) mod circular;
+#[cfg_attr(
+    not(test),
+    allow(clippy::arithmetic_side_effects, reason = "small integers whose sums and products are known")
+)]
+pub mod conformance;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
 mod exponential;
+mod foreign;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),
@@ -48,7 +54,11 @@ mod exponential;
 pub mod mp;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of pairs"))]
 pub mod pair;
+#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "digits of 24 bits in integers of 64"))]
+mod pi_digits;
 mod primitive;
+
+pub use foreign::Foreign;
 
 /// What most formulae need of their numbers: + − × ÷, √, magnitudes, small integers and ratios.
 ///
@@ -166,8 +176,10 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
-    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once.
-    fn pi_rest() -> (Self, Self);
+    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π unless the type has them at hand.
+    fn pi_rest() -> (Self, Self) {
+        pi_digits::rest(Self::pi())
+    }
     /// The distance from 1 to the next larger number.
     fn epsilon() -> Self;
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].

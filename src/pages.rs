@@ -9,6 +9,7 @@ macro_rules! pages {
 pages! {
     Readme: "../README.md",
     Design: "../docs/design.md",
+    NumberTypes: "../docs/number-types.md",
     Displacement: "../docs/theory/displacement.md",
     Velocity: "../docs/theory/velocity.md",
     DenHartog: "../docs/theory/den-hartog.md",

@@ -39,6 +39,7 @@ mod serde;
 mod text;
 mod traits;
 
+pub use convert::Inexact;
 pub use ladder::{PrecisionError, WIDTHS, WithPrecision, with_precision};
 pub use raw::Mp;
 pub use text::ParseError;

@@ -18,14 +18,14 @@ fn reference(omega: Exact, alpha: Exact) -> Response<Exact> {
 
 /// Distance of the value from the midpoint, in radii.
 fn radii(found: &Enclosure, value: Exact) -> f64 {
-    let distance = (value - Exact::from(found.mid())).abs();
-    if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from(found.rad())).to_f64() }
+    let distance = (value - Exact::from_rug(found.mid())).abs();
+    if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from_rug(found.rad())).to_f64() }
 }
 
 /// Radius in units of the last place of the bits asked for.
 fn units(found: &Enclosure) -> f64 {
-    let unit = Exact::from(found.mid()).abs().scale2(-(found.mid().prec() as i32));
-    (Exact::from(found.rad()) / unit).to_f64()
+    let unit = Exact::from_rug(found.mid()).abs().scale2(-(found.mid().prec() as i32));
+    (Exact::from_rug(found.rad()) / unit).to_f64()
 }
 
 /// Every output that exists is in its enclosure; the widest, in units in the last place.
@@ -164,7 +164,7 @@ fn more_bits_are_taken_where_they_are_needed() {
     let exact = reference(near, Exact::from_rational(&"13/10".parse().unwrap()));
     // The reference itself has lost some 660 of its 1024 bits.
     let value = exact.cycle().unwrap().max_displacement();
-    assert!(((value - Exact::from(displacement.mid())) / value).abs().to_f64() < 1e-18);
+    assert!(((value - Exact::from_rug(displacement.mid())) / value).abs().to_f64() < 1e-18);
 }
 
 #[test]
@@ -207,7 +207,7 @@ fn steady_motions_are_proved() {
         let exact = run.steady_state().unwrap();
         let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
             // At least 30 digits, and the solver's value within its own 60.
-            let off = (value - Mp::from(enclosure.mid())).abs().to_f64();
+            let off = (value - Mp::from_rug(enclosure.mid())).abs().to_f64();
             assert!(enclosure.rad().to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
             assert!(
                 off <= enclosure.rad().to_f64() + 1e-55,
@@ -229,7 +229,7 @@ fn steady_motions_are_proved() {
         );
         for ((re, im), (x, y)) in found.multipliers.iter().zip(exact.multipliers()) {
             for (enclosure, value) in [(re, x), (im, y)] {
-                let off = (value - Mp::from(enclosure.mid())).abs().to_f64();
+                let off = (value - Mp::from_rug(enclosure.mid())).abs().to_f64();
                 assert!(off < 1e-25, "{omega} {alpha} {zeta}: {enclosure} {value}");
             }
         }

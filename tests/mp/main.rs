@@ -175,9 +175,9 @@ fn rounding_between_widths_is_to_nearest_even() {
     // From rug at another precision, and assigned back.
     let mut third = Float::new(200);
     third.assign_round(Rational::from((1, 3)), rug::float::Round::Nearest);
-    assert!(same(Mp::<1>::from(&third), &Float::with_val(64, &third)));
+    assert!(same(Mp::<1>::from_rug(&third), &Float::with_val(64, &third)));
     let mut back = Float::new(64);
-    back.assign(Float::from(Mp::<1>::from(&third)));
+    back.assign(Float::from(Mp::<1>::from_rug(&third)));
     assert_eq!(back, Float::with_val(64, &third));
 }
 
@@ -213,4 +213,14 @@ fn the_least_sufficient_width_is_chosen() {
     let message = |bits| with_precision(bits, Precision).unwrap_err().to_string();
     assert_eq!(message(0), "precision = 0 bits must be ≥ 1 and ≤ 8192");
     assert_eq!(message(8193), "precision = 8193 bits must be ≥ 1 and ≤ 8192");
+}
+
+#[test]
+fn a_rug_number_that_does_not_fit_is_refused() {
+    let third = Float::with_val(128, 1) / 3u32;
+    assert_eq!(Mp::<2>::try_from(&third).map(Float::from), Ok(third.clone()));
+    let error = Mp::<1>::try_from(&third).unwrap_err();
+    assert_eq!(error.to_string(), "the number has more significant bits than the 64 of the type");
+    assert!(Mp::<1>::try_from(&Float::with_val(64, f64::NAN)).is_ok_and(|x| x.is_nan()));
+    assert_eq!(Mp::<1>::from_rug(&third), Mp::<1>::int(1) / Mp::int(3));
 }

@@ -63,25 +63,23 @@ impl<const LIMBS: usize> From<i32> for Mp<LIMBS> {
     }
 }
 
-/// The nearest number.
-impl<const LIMBS: usize> From<&Float> for Mp<LIMBS> {
-    #[inline]
-    fn from(x: &Float) -> Self {
-        Self::from_rug(x)
-    }
+/// A number has more bits than the type.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[error("the number has more significant bits than the {bits} of the type")]
+#[non_exhaustive]
+pub struct Inexact {
+    /// Bits of the type.
+    pub bits: u32,
 }
 
-/// The nearest number.
-impl<const LIMBS: usize> From<&Integer> for Mp<LIMBS> {
-    fn from(n: &Integer) -> Self {
-        Self::from_integer(n)
-    }
-}
+/// Exact, or an error: [`Mp::from_rug`] rounds.
+impl<const LIMBS: usize> TryFrom<&Float> for Mp<LIMBS> {
+    type Error = Inexact;
 
-/// The nearest number.
-impl<const LIMBS: usize> From<&Rational> for Mp<LIMBS> {
-    fn from(ratio: &Rational) -> Self {
-        Self::from_rational(ratio)
+    fn try_from(x: &Float) -> Result<Self, Inexact> {
+        let nearest = Self::from_rug(x);
+        let is_exact = x.is_nan() || nearest.to_rug() == *x;
+        if is_exact { Ok(nearest) } else { Err(Inexact { bits: Self::BITS }) }
     }
 }
 

@@ -1,0 +1,44 @@
+//! Own number types: the conformance check told right types from wrong ones, and what types of other crates reach.
+
+mod faulty;
+mod foreign;
+mod octuple;
+
+use faulty::{FAULTS, Faulty};
+use stickslip::float::conformance::{Broken, check};
+
+#[test]
+fn the_types_of_the_crate_keep_their_promises() {
+    check::<f64>().unwrap();
+    check::<f32>().unwrap();
+    check::<Faulty<0>>().unwrap();
+    #[cfg(feature = "mp")]
+    {
+        use stickslip::float::mp::Mp;
+        check::<Mp<1>>().unwrap();
+        check::<Mp<4>>().unwrap();
+        check::<Mp<16>>().unwrap();
+    }
+    #[cfg(feature = "dual")]
+    check::<stickslip::float::dual::Dual<2>>().unwrap();
+}
+
+/// What is found of the type with each fault.
+fn found() -> Vec<Result<(), Broken>> {
+    macro_rules! each {
+        ($($n:literal)*) => { vec![$(check::<Faulty<$n>>()),*] };
+    }
+    each! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 }
+}
+
+/// Each fault is told, under the name of the method that has it.
+#[test]
+fn a_wrong_type_is_told_by_the_method_that_is_wrong() {
+    assert_eq!(found().len(), FAULTS.len());
+    for (n, (found, (method, what))) in found().into_iter().zip(FAULTS).enumerate() {
+        let broken = found.expect_err(what);
+        assert_eq!(broken.method(), method, "fault {}, {what}: {broken}", n + 1);
+        let text = broken.to_string();
+        assert!(text.contains(broken.argument()) && text.contains(broken.promise()), "{text}");
+    }
+}
