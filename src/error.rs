@@ -21,6 +21,10 @@ pub enum Quantity {
     Damping,
     /// Damping ratio ζ = c/(2√(k m)).
     DampingRatio,
+    /// Static friction r_s, the force that a body at rest gives way at.
+    StaticFriction,
+    /// Static friction ratio η = r_s/r_y.
+    StaticFrictionRatio,
     /// Constant force p̄.
     MeanForce,
     /// Displacement about which the motion is symmetric, (p̄ − (r₊ − r₋)/2)/k.
@@ -93,6 +97,8 @@ impl Quantity {
             Self::BackwardFriction => "backward friction r₋",
             Self::Damping => "damping constant c",
             Self::DampingRatio => "damping ratio ζ",
+            Self::StaticFriction => "static friction r_s",
+            Self::StaticFrictionRatio => "static friction ratio η",
             Self::MeanForce => "mean force p̄",
             Self::MeanDisplacement => "mean displacement (p̄ − (r₊ − r₋)/2)/k",
             Self::ForceAmplitude => "force amplitude p₀",
@@ -167,6 +173,22 @@ pub enum Error {
     Damped {
         /// Damping ratio ζ.
         damping_ratio: String,
+    },
+    /// A static friction below the kinetic one.
+    #[error(
+        "static friction ratio η = {static_friction_ratio} must be ≥ 1: static friction is not below the kinetic one"
+    )]
+    BelowKineticFriction {
+        /// Static friction ratio η = r_s/r_y.
+        static_friction_ratio: String,
+    },
+    /// A static friction above the kinetic one in a question whose answer is known for equal ones only.
+    #[error(
+        "static friction ratio η = {static_friction_ratio} must be 1 here: this calculation does not include static friction above the kinetic one"
+    )]
+    StaticFriction {
+        /// Static friction ratio η = r_s/r_y.
+        static_friction_ratio: String,
     },
     /// So small or so large that a result could under- or overflow.
     #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
@@ -328,6 +350,9 @@ impl Error {
             | Self::OutOfRange { quantity, .. }
             | Self::EmptyRange { quantity, .. } => Some(*quantity),
             Self::Damped { .. } => Some(Quantity::DampingRatio),
+            Self::BelowKineticFriction { .. } | Self::StaticFriction { .. } => {
+                Some(Quantity::StaticFrictionRatio)
+            }
             Self::TargetSticks { .. }
             | Self::ForceOfFrequency { .. }
             | Self::TooFewMeasurements { .. }

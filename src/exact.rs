@@ -3,8 +3,10 @@
 //! In units of B = r_y/k and B ω_d, with θ = ω_d t, the equation of motion (eq. 1) is
 //!
 //! ```text
-//! Ω² x¨ + x + r = α sin θ,     r = sgn x˙ while it slides,  |r| ≤ 1 while it sticks.
+//! Ω² x¨ + x + r = α sin θ,     r = sgn x˙ while it slides,  |r| ≤ η while it sticks.
 //! ```
+//!
+//! η = 1 unless a static friction r_s = η r_y above the kinetic one is given.
 //!
 //! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof that none
 //! was missed: no step size, and no tolerance but rounding (`event` says where that enters).
@@ -22,12 +24,15 @@
 //! | `walk`, `matrix`, `shooting` | half a turn with its derivative, and its fixed point |
 //! | `confirm` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
+//! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
+//! | [`attractors()`] | all limits that a set of starts leads to |
 //! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
 #[cfg(test)]
 mod accounts;
+mod attractors;
 mod broken;
 mod confirm;
 mod cover;
@@ -37,7 +42,9 @@ mod event;
 mod expect;
 mod family;
 mod fastest;
+mod followed;
 mod free;
+mod irregular;
 mod long_run;
 mod matrix;
 mod measures;
@@ -59,8 +66,10 @@ mod walk;
 mod window;
 mod work;
 
+pub use attractors::{Attractor, Attractors, attractors};
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
+pub use irregular::Irregular;
 pub use long_run::{DEFAULT_BUDGET, LongRun};
 pub use measures::{ErrorMeasures, Extreme};
 pub use peaks::Peaks;

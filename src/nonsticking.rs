@@ -126,7 +126,20 @@ impl<F: Float> Cycle<F> {
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
+        if ratios.has_higher_static_friction() {
+            return Self::with_static_friction(ratios);
+        }
         F::fused(NewCycle(ratios))
+    }
+
+    /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a higher border on.
+    #[cold]
+    fn with_static_friction(ratios: Ratios<F>) -> Result<Self, Error> {
+        let least = Border::of(&ratios).min_force_ratio();
+        if ratios.alpha() < least || ratios.omega() == F::int(1) {
+            return Err(no_cycle(ratios, least));
+        }
+        Ok(Self::at(&PhaseFunction::of_valid(ratios.omega()), ratios))
     }
 
     /// The cycle with damping.

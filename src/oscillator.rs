@@ -9,7 +9,7 @@ pub use scales::Scales;
 
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::ratios::{frequency_ratio, non_negative, positive};
+use crate::ratios::{frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio};
 
 /// A body of mass m on a spring of stiffness k, a viscous damper c and a surface whose friction carries at
 /// most r_y.
@@ -17,10 +17,14 @@ use crate::ratios::{frequency_ratio, non_negative, positive};
 /// Any consistent system of units. m, k and r_y are finite and > 0; c is finite and ≥ 0, and 0 unless it is
 /// given ([`Oscillator::with_damping`]).
 ///
+/// **Static friction** r_s = η r_y ≥ r_y is what a body at rest gives way at; it is r_y unless it is given
+/// ([`Oscillator::with_static_friction`]).
+///
 /// **Friction that differs by direction** ([`Oscillator::with_directional_friction`]): r₊ against motion with
 /// x′ > 0 and r₋ against motion with x′ < 0 are the bound `r_y = (r₊ + r₋)/2` and a constant force `−(r₊ −
 /// r₋)/2`. A constant force only shifts the motion, stops included: [`Scales::mean_displacement`] says by how
-/// much, and all else is as with r_y in both directions.
+/// much, and all else is as with r_y in both directions. Static friction is then above the kinetic one by
+/// (η − 1) r_y in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Oscillator<F> {
     mass: F,
@@ -28,6 +32,7 @@ pub struct Oscillator<F> {
     friction_bound: F,
     damping: F,
     friction_offset: F,
+    static_friction_ratio: F,
 }
 
 impl<F: Float> Oscillator<F> {
@@ -42,6 +47,7 @@ impl<F: Float> Oscillator<F> {
             friction_bound: positive(Quantity::FrictionBound, friction_bound)?,
             damping: F::int(0),
             friction_offset: F::int(0),
+            static_friction_ratio: F::int(1),
         })
     }
 
@@ -71,6 +77,23 @@ impl<F: Float> Oscillator<F> {
     pub fn with_damping_ratio(self, damping_ratio: F) -> Result<Self, Error> {
         let ratio = non_negative(Quantity::DampingRatio, damping_ratio)?;
         self.with_damping(ratio * self.critical_damping())
+    }
+
+    /// The same with a static friction r_s: a body at rest stays until the force on it exceeds r_s.
+    ///
+    /// # Errors
+    /// Where r_s is not finite or not > 0, or is below r_y.
+    pub fn with_static_friction(self, static_friction: F) -> Result<Self, Error> {
+        let ratio = positive(Quantity::StaticFriction, static_friction)? / self.friction_bound;
+        self.with_static_friction_ratio(ratio)
+    }
+
+    /// The same with a static friction of η times the kinetic one, r_s = η r_y.
+    ///
+    /// # Errors
+    /// Where η is not finite, < 1 or outside the domain of [`crate::Ratios`].
+    pub fn with_static_friction_ratio(self, static_friction_ratio: F) -> Result<Self, Error> {
+        Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
     }
 
     /// The same with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
@@ -112,6 +135,16 @@ impl<F: Float> Oscillator<F> {
     /// Damping constant c.
     pub const fn damping(&self) -> F {
         self.damping
+    }
+
+    /// Static friction ratio η = r_s/r_y: 1 unless it was given.
+    pub const fn static_friction_ratio(&self) -> F {
+        self.static_friction_ratio
+    }
+
+    /// Refuses a body whose static friction is above the kinetic one, for what is not known with it.
+    pub(crate) fn with_one_friction(&self) -> Result<(), Error> {
+        one_friction(self.static_friction_ratio)
     }
 
     /// Damping ratio `ζ = c/(2√(k m))`.
@@ -218,6 +251,22 @@ mod tests {
         let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
         assert_eq!(text(body.with_damping_ratio(-0.5)), "damping ratio ζ = -0.5 must be ≥ 0");
         assert_eq!(text(body.with_damping(f64::NAN)), "damping constant c = NaN must be finite");
+    }
+
+    #[test]
+    fn static_friction_by_force_and_by_ratio() {
+        let body = Oscillator::new(2.0, 8.0, 4.0).unwrap();
+        assert_eq!(body.static_friction_ratio(), 1.0);
+        assert_eq!(body.with_static_friction(5.0).unwrap().static_friction_ratio(), 1.25);
+        assert_eq!(body.with_static_friction(5.0), body.with_static_friction_ratio(1.25));
+        let ratios = Drive::force(12.0, 4.0).unwrap().ratios(&body.with_static_friction(5.0).unwrap());
+        assert_eq!(ratios, Ratios::new(2.0, 3.0).unwrap().with_static_friction_ratio(1.25));
+        let text = |r: Result<Oscillator<f64>, Error>| r.unwrap_err().to_string();
+        assert_eq!(
+            text(body.with_static_friction(3.0)),
+            "static friction ratio η = 0.75 must be ≥ 1: static friction is not below the kinetic one"
+        );
+        assert_eq!(text(body.with_static_friction(f64::NAN)), "static friction r_s = NaN must be finite");
     }
 
     #[test]

@@ -1,15 +1,17 @@
-//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9) and the damping ratio ζ.
+//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9), the damping ratio ζ and the static friction ratio η.
 
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 
-/// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8) and damping ratio ζ = c/(2√(k m)), validated.
+/// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8), damping ratio ζ = c/(2√(k m)) and static friction ratio
+/// η = r_s/r_y, validated.
 ///
 /// | ratio | domain |
 /// |---|---|
 /// | Ω | `2⁻ᵉ ≤ Ω ≤ 2ᵉ`, e = [`Float::RATIO_EXPONENT`] (250 for `f64`, 30 for `f32`) |
 /// | α | `0 < α ≤ 2ᵉ` |
 /// | ζ | 0, or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`; 0 unless it is given |
+/// | η | `1 ≤ η ≤ 2ᵉ`; 1 unless it is given |
 ///
 /// Inside that domain no closed form over- or underflows; outside, construction says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,6 +19,7 @@ pub struct Ratios<F> {
     omega: F,
     alpha: F,
     damping_ratio: F,
+    static_friction_ratio: F,
 }
 
 impl<F: Float> Ratios<F> {
@@ -26,7 +29,12 @@ impl<F: Float> Ratios<F> {
     /// [`Error`] with the value and the inequality it breaks.
     #[inline]
     pub fn new(omega: F, alpha: F) -> Result<Self, Error> {
-        Ok(Self { omega: frequency_ratio(omega)?, alpha: force_ratio(alpha)?, damping_ratio: F::int(0) })
+        Ok(Self {
+            omega: frequency_ratio(omega)?,
+            alpha: force_ratio(alpha)?,
+            damping_ratio: F::int(0),
+            static_friction_ratio: F::int(1),
+        })
     }
 
     /// The same with viscous damping of the ratio ζ.
@@ -37,10 +45,18 @@ impl<F: Float> Ratios<F> {
         Ok(Self { damping_ratio: valid_damping_ratio(damping_ratio)?, ..self })
     }
 
+    /// The same with a static friction of η times the kinetic one: a body at rest stays until the force on it exceeds η r_y.
+    ///
+    /// # Errors
+    /// Where η is outside its domain.
+    pub fn with_static_friction_ratio(self, static_friction_ratio: F) -> Result<Self, Error> {
+        Ok(Self { static_friction_ratio: valid_static_friction_ratio(static_friction_ratio)?, ..self })
+    }
+
     /// Ratios that are known to be in the domain.
     #[cfg(feature = "dual")]
-    pub(crate) const fn of_valid(omega: F, alpha: F, damping_ratio: F) -> Self {
-        Self { omega, alpha, damping_ratio }
+    pub(crate) const fn of_valid(omega: F, alpha: F, damping_ratio: F, static_friction_ratio: F) -> Self {
+        Self { omega, alpha, damping_ratio, static_friction_ratio }
     }
 
     /// Frequency ratio Ω = ω_d/ω_n (eq. 9).
@@ -58,20 +74,42 @@ impl<F: Float> Ratios<F> {
         self.damping_ratio
     }
 
+    /// Static friction ratio η = r_s/r_y: 1 where a body at rest gives way at the force that sliding takes.
+    pub const fn static_friction_ratio(&self) -> F {
+        self.static_friction_ratio
+    }
+
     /// Whether there is a damper, ζ > 0.
     #[inline]
     pub fn is_damped(&self) -> bool {
         self.damping_ratio > F::int(0)
     }
 
-    /// The same ratios, where there is no damper: for what is not known with one.
+    /// Whether the static friction is above the kinetic one, η > 1: then the motion in the long run can depend on the start.
+    #[inline]
+    pub fn has_higher_static_friction(&self) -> bool {
+        self.static_friction_ratio > F::int(1)
+    }
+
+    /// The same ratios, where there is no damper and no higher static friction: for what is not known with one.
     pub(crate) fn undamped(self) -> Result<Self, Error> {
-        without_damping(self.damping_ratio).map(|()| self)
+        without_damping(self.damping_ratio)?;
+        self.with_one_friction()
+    }
+
+    /// The same ratios, where the static friction is the kinetic one: for what is not known otherwise.
+    pub(crate) fn with_one_friction(self) -> Result<Self, Error> {
+        one_friction(self.static_friction_ratio).map(|()| self)
     }
 
     /// The ratios in another number type, which has to hold them.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
-        Ratios { omega: to(self.omega), alpha: to(self.alpha), damping_ratio: to(self.damping_ratio) }
+        Ratios {
+            omega: to(self.omega),
+            alpha: to(self.alpha),
+            damping_ratio: to(self.damping_ratio),
+            static_friction_ratio: to(self.static_friction_ratio),
+        }
     }
 
     /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6), negative above the
@@ -107,6 +145,25 @@ pub(crate) fn without_damping<F: Float>(damping_ratio: F) -> Result<(), Error> {
     } else {
         Err(Error::Damped { damping_ratio: written(damping_ratio) })
     }
+}
+
+/// Refuses a static friction above the kinetic one, for what is not known with it.
+pub(crate) fn one_friction<F: Float>(static_friction_ratio: F) -> Result<(), Error> {
+    if static_friction_ratio == F::int(1) {
+        Ok(())
+    } else {
+        Err(Error::StaticFriction { static_friction_ratio: written(static_friction_ratio) })
+    }
+}
+
+/// η, where it is `1 ≤ η ≤ 2ᵉ`.
+pub(crate) fn valid_static_friction_ratio<F: Float>(static_friction_ratio: F) -> Result<F, Error> {
+    let eta = finite(Quantity::StaticFrictionRatio, static_friction_ratio)?;
+    let (least, greatest) = (F::int(1), F::exp2i(F::RATIO_EXPONENT));
+    if eta < least {
+        return Err(Error::BelowKineticFriction { static_friction_ratio: written(eta) });
+    }
+    within(Quantity::StaticFrictionRatio, eta, least, greatest)
 }
 
 /// ζ, where it is 0 or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`.
@@ -203,6 +260,24 @@ mod tests {
         assert!(matches!(with(1e-80), Err(Error::OutOfRange { quantity: Quantity::DampingRatio, .. })));
         assert!(matches!(with(0.1).unwrap().undamped(), Err(Error::Damped { .. })));
         assert!(with(0.0).unwrap().undamped().is_ok());
+    }
+
+    #[test]
+    fn static_friction_is_not_below_the_kinetic_one() {
+        let with = |eta| Ratios::new(1.5, 2.0).unwrap().with_static_friction_ratio(eta);
+        assert_eq!(Ratios::new(1.5, 2.0).unwrap().static_friction_ratio(), 1.0);
+        assert!(with(1.3).unwrap().has_higher_static_friction());
+        assert!(!with(1.0).unwrap().has_higher_static_friction());
+        let message = |eta| with(eta).unwrap_err().to_string();
+        assert_eq!(
+            message(0.5),
+            "static friction ratio η = 0.5 must be ≥ 1: static friction is not below the kinetic one"
+        );
+        assert_eq!(message(f64::NAN), "static friction ratio η = NaN must be finite");
+        assert!(matches!(with(1e80), Err(Error::OutOfRange { quantity: Quantity::StaticFrictionRatio, .. })));
+        assert!(matches!(with(1.3).unwrap().undamped(), Err(Error::StaticFriction { .. })));
+        assert!(matches!(with(1.3).unwrap().with_one_friction(), Err(Error::StaticFriction { .. })));
+        assert!(with(1.0).unwrap().with_one_friction().is_ok());
     }
 
     #[test]

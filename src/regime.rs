@@ -52,15 +52,33 @@ impl Regime {
 ///
 /// With damping the exact motion decides below the border where it may reverse six times a cycle without a stop; one that does not settle
 /// counts as sticking.
+///
+/// With a static friction above the kinetic one the border alone decides: what else there is depends on the start.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
+    if ratios.has_higher_static_friction() {
+        return regime_by_border(ratios, border);
+    }
     if !ratios.is_damped() {
         return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio());
     }
-    let by_border = damped::regime_by_border(ratios, border);
+    let by_border = regime_by_border(ratios, border);
     if by_border == Regime::Sticking && damped::never_stops(ratios) == Some(true) {
         return Regime::NonSticking;
     }
     by_border
+}
+
+/// The regime that the border alone tells.
+pub(crate) fn regime_by_border<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
+    if ratios.alpha() <= F::int(1) {
+        Regime::Stuck
+    } else if ratios.alpha() < border.min_force_ratio() {
+        Regime::Sticking
+    } else if ratios.omega() == F::int(1) && !ratios.is_damped() {
+        Regime::Unbounded
+    } else {
+        Regime::NonSticking
+    }
 }
 
 /// The regime at (Ω, α) where the border of the two-reversal cycle is `least`.

@@ -31,9 +31,16 @@ impl<F: Float> Response<F> {
     ///
     /// The regime is decided by comparing α with the border as rounded: within a few units in the last place of the
     /// border, either side may be named.
+    ///
+    /// **With a static friction above the kinetic one** (η > 1) the motion in the long run can depend on the start, and the regime says
+    /// what the border alone guarantees: non-sticking, that the cycle without a stop exists and that every disturbance of it that is
+    /// small enough dies out; sticking, that there is no such cycle of two reversals. `exact::attractors` finds the others.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             return Self::damped(ratios);
+        }
+        if ratios.has_higher_static_friction() {
+            return Self::with_static_friction(ratios);
         }
         F::fused(NewResponse(ratios))
     }
@@ -41,18 +48,29 @@ impl<F: Float> Response<F> {
     #[inline(always)]
     fn of(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
-        let border = Border::at(&p);
+        Self::above(&p, ratios, Border::at(&p))
+    }
+
+    /// The answer without damping, where the static friction is above the kinetic one.
+    #[cold]
+    fn with_static_friction(ratios: Ratios<F>) -> Self {
+        Self::above(&PhaseFunction::of_valid(ratios.omega()), ratios, Border::of(&ratios))
+    }
+
+    /// The answer without damping by the border.
+    #[inline(always)]
+    fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
         let regime = regime_of(ratios, &border);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio());
-        let cycle = slides.then(|| Cycle::at(&p, ratios));
+        let cycle = slides.then(|| Cycle::at(p, ratios));
         Self {
             ratios,
             regime,
             border,
             cycle,
             loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
-            best_force_ratio: best_force_ratio_at(&p),
-            best_loop_size: best_loop_size_at(&p),
+            best_force_ratio: best_force_ratio_at(p),
+            best_loop_size: best_loop_size_at(p),
         }
     }
 

@@ -89,9 +89,9 @@ impl Sensitivities<2> {
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
-        let zeta = Dual::of(ratios.damping_ratio());
+        let (zeta, eta) = (Dual::of(ratios.damping_ratio()), Dual::of(ratios.static_friction_ratio()));
         // Valid as they were.
-        Self::of_response(&Response::new(Ratios::of_valid(omega, alpha, zeta)), |_| Dual::of(1.0))
+        Self::of_response(&Response::new(Ratios::of_valid(omega, alpha, zeta, eta)), |_| Dual::of(1.0))
     }
 }
 
@@ -109,7 +109,9 @@ impl Sensitivities<5> {
         let frequency = drive.angular_frequency();
         let [m, k, r, a, w] =
             Dual::parameters([body.mass(), body.stiffness(), body.friction_bound(), amplitude, frequency]);
+        let eta = Dual::of(body.static_friction_ratio());
         let body = Oscillator::new(m, k, r)?.with_damping(Dual::of(body.damping()))?;
+        let body = body.with_static_friction_ratio(eta)?;
         let drive = Drive::new(drive.excitation(), a, w)?;
         let scales = Scales::new(&body, &drive)?;
         Ok(Self::of_response(&Response::new(drive.ratios(&body)?), |output| output.unit(&scales)))

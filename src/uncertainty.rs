@@ -186,7 +186,7 @@ impl Sticking {
             | Verdict::Degenerate(_)
             | Verdict::Unbounded
             | Verdict::Undecided(Regime::NonSticking, Regime::Unbounded) => Self::Never,
-            Verdict::Undecided(..) => Self::Undecided,
+            Verdict::DependsOnStart(_) | Verdict::Undecided(..) => Self::Undecided,
         }
     }
 }

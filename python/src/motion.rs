@@ -22,7 +22,8 @@ const MOST_ROWS: usize = 1 << 28;
 pub(crate) type Start = (f64, f64, f64);
 
 /// Kinds of limit by their codes; the last is for points outside the domain.
-pub(crate) const LIMITS: [&str; 6] = ["periodic", "family", "rest", "none", "not-converged", "invalid"];
+pub(crate) const LIMITS: [&str; 7] =
+    ["periodic", "family", "rest", "none", "not-converged", "invalid", "irregular"];
 
 /// A limit and what is seen of it.
 struct Found {
@@ -50,6 +51,7 @@ impl Found {
             LongRun::Rest(_) => 2,
             LongRun::Unbounded { .. } => 3,
             LongRun::NotConverged { .. } => 4,
+            LongRun::Irregular(_) => 6,
         }
     }
 
@@ -58,6 +60,7 @@ impl Found {
             LongRun::Periodic(steady) | LongRun::Family(steady) => Some(steady.periods()),
             LongRun::Rest(rest) => Some(rest.periods),
             LongRun::Unbounded { .. } => None,
+            LongRun::Irregular(motion) => Some(motion.periods()),
             LongRun::NotConverged { periods, .. } => Some(*periods),
         }
     }

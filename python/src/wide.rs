@@ -107,6 +107,7 @@ fn steady<F: Float>(
         LongRun::Family(s) => ("family", Some(s.periods()), None),
         LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => ("none", None, None),
+        LongRun::Irregular(motion) => ("irregular", Some(motion.periods()), None),
         LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
     };
     let multipliers = steady.map(SteadyState::multipliers);

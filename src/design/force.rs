@@ -8,8 +8,9 @@ use crate::ratios::{Ratios, positive};
 
 /// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
 ///
-/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. At Ω = 1 the motion grows without bound
-/// from there on. Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times
+/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. With a static friction above the kinetic one
+/// it keeps a body sliding that already slides; one that begins at rest may settle on another motion. At Ω = 1 the motion grows without
+/// bound from there on. Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times
 /// [`Border::sensitivity`].
 ///
 /// # Errors
@@ -47,14 +48,14 @@ pub fn least_amplitude<F: Float>(
     Ok(Drive::new(excitation, amplitude, angular_frequency)?.amplitude())
 }
 
-/// The border of `body`, with its damping, at ω_d.
+/// The border of `body`, with its damping and its static friction, at ω_d.
 pub(super) fn border_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Border<F>, Error> {
-    Ok(Border::of(&ratios_of(body, angular_frequency)?))
+    Ok(Border::of(&Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)?))
 }
 
-/// Ω and ζ of `body` at ω_d, with a force ratio of 1.
+/// Ω and ζ of `body`, whose static friction is the kinetic one, at ω_d, with a force ratio of 1.
 pub(super) fn ratios_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Ratios<F>, Error> {
-    Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)
+    Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)?.with_one_friction()
 }
 
 /// Ω of `body`, which has no damper, at ω_d, validated by a drive of ratio 1.

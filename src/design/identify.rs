@@ -86,6 +86,7 @@ pub struct Identified {
 /// not stick ([`Error::TooFewMeasurements`]), and where the search does not settle
 /// ([`Error::NotIdentified`]).
 pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Result<Identified, Error> {
+    body.with_one_friction()?;
     let (force, natural) = (positive(Quantity::ForceAmplitude, force)?, body.natural_frequency());
     let mut points = Vec::with_capacity(curve.len());
     for measured in curve {

@@ -113,7 +113,7 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<LoopSize<F>, Erro
         LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(LoopSize::of_motion(&steady, omega, alpha)),
         LongRun::Rest(_) => Ok(LoopSize::none()),
         LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
-        LongRun::NotConverged { .. } => {
+        LongRun::Irregular(_) | LongRun::NotConverged { .. } => {
             Err(Error::NotSettled { omega: written(omega), alpha: written(alpha) })
         }
     }

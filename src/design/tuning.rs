@@ -147,6 +147,7 @@ pub fn most_dissipating_stiffness<F: Float>(
     if drive.is_base_motion() {
         return Err(Error::BaseMotion);
     }
+    body.with_one_friction()?;
     let frequency = drive.angular_frequency();
     let inertia = positive(Quantity::PseudoStiffness, body.mass() * frequency.square())?;
     let (soft, hard) = (positive(Quantity::Stiffness, low)?, positive(Quantity::Stiffness, high)?);

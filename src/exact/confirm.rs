@@ -46,7 +46,7 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     let origin = DrivePhase::of_half_turn(0, zero);
     let least = origin.advanced(cycle.displacement_phase()).later_by_half_turns(-1);
     let slide = Slide::new(equation, least, -cycle.max_displacement(), zero, Direction::Forward);
-    if slide.acceleration <= force_rounding(equation.alpha, slide.x) {
+    if slide.acceleration <= equation.static_excess() + force_rounding(&equation, slide.x) {
         return None;
     }
     let arrival = slide.after_half_turn(cycle.sin_cos_beta());
@@ -79,6 +79,7 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     Some(SteadyState {
         equation,
         start: y,
+        half_turns: 1,
         tally: Summary::of_reversals(
             greatest,
             max_v,

@@ -1,4 +1,4 @@
-//! The equation of motion at one (Ω, α, ζ).
+//! The equation of motion at one (Ω, α, ζ, η).
 
 use super::broken::Broken;
 use super::drive::DrivePhase;
@@ -8,13 +8,15 @@ use crate::ratios::Ratios;
 
 mod damped;
 
-/// The equation of motion with what of it depends on (Ω, α, ζ) alone. α = 0 is free vibration.
+/// The equation of motion with what of it depends on (Ω, α, ζ, η) alone. α = 0 is free vibration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Equation<F> {
     pub(crate) omega: F,
     pub(crate) alpha: F,
     /// 2ζ: the viscous force is 2ζw, in units of r_y.
     pub(crate) damping: F,
+    /// η: the force in units of r_y that a body at rest gives way at.
+    pub(crate) static_friction: F,
     per_one_plus: F,
     /// `2/(1 − Ω)`, not used at Ω = 1.
     double_per_one_minus: F,
@@ -22,20 +24,21 @@ pub(crate) struct Equation<F> {
 
 impl<F: Float> Equation<F> {
     pub(crate) fn new(ratios: Ratios<F>) -> Self {
-        Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio())
+        Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio())
     }
 
-    /// Free vibration with the damping ratio ζ: no drive, and the unit of time 1/ω_n.
-    pub(crate) fn free(zeta: F) -> Self {
-        Self::of(F::int(1), F::int(0), zeta)
+    /// Free vibration with the damping ratio ζ and the static friction ratio η: no drive, and the unit of time 1/ω_n.
+    pub(crate) fn free(zeta: F, eta: F) -> Self {
+        Self::of(F::int(1), F::int(0), zeta, eta)
     }
 
-    fn of(omega: F, alpha: F, zeta: F) -> Self {
+    fn of(omega: F, alpha: F, zeta: F, static_friction: F) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         Self {
             omega,
             alpha,
             damping: two * zeta,
+            static_friction,
             per_one_plus: one / (one + omega),
             double_per_one_minus: two / (one - omega),
         }
@@ -45,6 +48,18 @@ impl<F: Float> Equation<F> {
     #[inline]
     pub(crate) fn is_damped(&self) -> bool {
         self.damping > F::int(0)
+    }
+
+    /// Whether the static friction is above the kinetic one, η > 1.
+    #[inline]
+    pub(crate) fn has_higher_static_friction(&self) -> bool {
+        self.static_friction > F::int(1)
+    }
+
+    /// `η − 1`: the acceleration of a body at the moment that it gives way.
+    #[inline]
+    pub(crate) fn static_excess(&self) -> F {
+        self.static_friction - F::int(1)
     }
 
     /// The fastest rate at which anything of a slide changes, in natural time: `max(1, Ω, 2ζ)`.

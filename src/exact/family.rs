@@ -30,7 +30,7 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
         return false;
     }
     let p = PhaseFunction::of_valid(ratios.omega());
-    p.is_even_subharmonic() && ratios.alpha() >= Border::at(&p).min_force_ratio()
+    p.is_even_subharmonic() && ratios.alpha() >= Border::of(&ratios).min_force_ratio()
 }
 
 /// The member that the motion through a point tends to.
@@ -135,10 +135,12 @@ fn finish<F: Float>(
     // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see beside the force.
     let other = walk.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
+    let shift = (tally.max_x.value + tally.min_x.value).abs();
     Ok(LongRun::Family(SteadyState {
         equation,
         start,
-        tally: Summary::of(&tally),
+        half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },
+        tally: Summary::of(&tally, 1),
         multipliers: [(one, zero), (other, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),

@@ -9,13 +9,13 @@
 //! ```
 //!
 //! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (κ(|x| − 1) − 1)`, κ = e^{−ζπ/d}, until `|x| ≤ 1`, where
-//! the body stays. Without a damper, κ = 1, that is 2B less in each. After n of them
+//! the body stays (with a static friction of η times the kinetic one, until |x| ≤ η). Without a damper, κ = 1, that is 2B less in each. After n of them
 //!
 //! ```text
 //! (−1)ⁿ sgn x₁ x_n = κⁿ|x₁| − (1 − κⁿ) coth(ζπ/2d),
 //! ```
 //!
-//! and there are `n = ⌈(|x₁| − 1)/2⌉` of them, or `⌈ln(1 + (|x₁| − 1)(1 − κ)/2) d/ζπ⌉`. From ζ = 1 on no half cycle comes to an end: the body
+//! and there are `n = ⌈(|x₁| − η)/2⌉` of them, or `⌈ln(1 + (|x₁| − η)(1 − κ)/(2 + (η − 1)(1 − κ))) d/ζπ⌉`. From ζ = 1 on no half cycle comes to an end: the body
 //! turns once at most, and creeps to ±1 for ever where it slides after that or does not turn.
 
 use super::equation::Equation;
@@ -23,7 +23,7 @@ use super::state::State;
 use super::trajectory::Trajectory;
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::ratios::valid_damping_ratio;
+use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 
 /// Free vibration from a start, to rest.
 ///
@@ -40,6 +40,7 @@ use crate::ratios::valid_damping_ratio;
 pub struct FreeDecay<F> {
     start: State<F>,
     zeta: F,
+    eta: F,
     first_turn: F,
     /// The time of the first turn; infinite where there is none.
     first_time: F,
@@ -61,17 +62,27 @@ impl<F: Float> FreeDecay<F> {
     /// # Errors
     /// As for [`FreeDecay::new`], and where ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`, e = [`Float::RATIO_EXPONENT`].
     pub fn with_damping(x: F, v: F, zeta: F) -> Result<Self, Error> {
+        Self::with_frictions(x, v, zeta, F::int(1))
+    }
+
+    /// The same with a static friction of η times the kinetic one, too.
+    ///
+    /// # Errors
+    /// As for [`FreeDecay::with_damping`], and where η is not within `[1, 2²⁰]`.
+    pub fn with_frictions(x: F, v: F, zeta: F, static_friction_ratio: F) -> Result<Self, Error> {
         let start = State::new(F::int(0), x, v)?;
+        let eta = valid_static_friction_ratio(static_friction_ratio)?;
+        crate::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), F::exp2i(20))?;
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
         let zeta = valid_damping_ratio(zeta)?;
         if zeta > zero {
             crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(20))?;
         }
-        let mut found = Self { start, zeta, first_turn: x, first_time: zero, turns: zero };
+        let mut found = Self { start, zeta, eta, first_turn: x, first_time: zero, turns: zero };
         if v != zero {
             (found.first_turn, found.first_time) = found.turning();
         }
-        let excess = found.first_turn.abs() - one;
+        let excess = found.first_turn.abs() - eta;
         if excess > zero && found.first_time.is_finite() {
             found.turns = if zeta == zero {
                 // ⌈y⌉ = −⌊−y⌋
@@ -146,12 +157,14 @@ impl<F: Float> FreeDecay<F> {
     fn damped_turns(&self, excess: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let decrement = self.decrement();
-        let guess = ln_1p(-(excess * (-decrement).exp_m1() / two)) / decrement;
+        // −(1 − κ)
+        let share = (-decrement).exp_m1();
+        let guess = ln_1p(-(excess * share / (two - (self.eta - one) * share))) / decrement;
         let mut turns = -((-guess).floor());
-        if turns > one && self.left_after(turns - one) <= one {
+        if turns > one && self.left_after(turns - one) <= self.eta {
             turns = turns - one;
         }
-        if self.left_after(turns) > one { turns + one } else { turns.or_larger(one) }
+        if self.left_after(turns) > self.eta { turns + one } else { turns.or_larger(one) }
     }
 
     /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one is part of a
@@ -197,7 +210,7 @@ impl<F: Float> FreeDecay<F> {
 
     /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends there when its velocity is rounding.
     pub fn trajectory(&self) -> Trajectory<F> {
-        Trajectory::of(Equation::free(self.zeta), self.start)
+        Trajectory::of(Equation::free(self.zeta, self.eta), self.start)
     }
 }
 
@@ -284,6 +297,28 @@ mod tests {
                 );
             }
         }
+    }
+
+    /// With a static friction above the kinetic one: the same, and the body rests farther out.
+    #[test]
+    fn closed_form_and_machinery_agree_with_static_friction() {
+        for (x, v) in [(12.0f64, 6.0f64), (0.3, 0.0), (5.5, -2.0), (-40.0, 17.0), (1.2, 0.0), (2.4, 0.0)] {
+            for zeta in [0.0f64, 0.01, 0.2] {
+                for eta in [1.0f64, 1.3, 2.5, 7.0] {
+                    let decay = FreeDecay::with_frictions(x, v, zeta, eta).unwrap();
+                    let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
+                    let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
+                    let last = phases.last().unwrap();
+                    assert_eq!(slides, decay.half_cycles(), "({x}, {v}) ζ = {zeta}, η = {eta}");
+                    assert_eq!(last.ends_by(), End::Never);
+                    let error = (last.start().x - decay.rest_position()).abs();
+                    assert!(error < 1e-13 * (1.0 + x.abs() + v.abs()), "({x}, {v}) {zeta} {eta}: {error:e}");
+                    assert!(decay.rest_position().abs() <= eta);
+                }
+            }
+        }
+        let message = |eta| FreeDecay::with_frictions(1.0, 0.0, 0.0, eta).unwrap_err().to_string();
+        assert!(message(0.9).starts_with("static friction ratio η = 0.9 must be ≥ 1"));
     }
 
     /// Viscous damping alone is the textbook's logarithmic decrement: far out friction hardly counts.

@@ -4,6 +4,8 @@ use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::family;
+use super::followed;
+use super::irregular::Irregular;
 use super::measures::Tally;
 use super::rest::{Rest, come_to_rest};
 use super::shooting::{Budget, Guess, Shot, shoot};
@@ -23,11 +25,16 @@ use core::ops::ControlFlow;
 pub enum LongRun<F> {
     /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md). Where Ω is 1/(2n) to within
     /// rounding only, one multiplier rounds to 1: no start comes close to the limit in any time that a machine runs.
+    ///
+    /// With a static friction above the kinetic one (η > 1) it is the limit of this start: others can have another, and it need not be
+    /// symmetric nor take one turn of the drive only ([`SteadyState::turns_per_cycle`]).
     Periodic(SteadyState<F>),
     /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one that this start leads to.
     Family(SteadyState<F>),
-    /// α ≤ 1: rest.
+    /// Rest: from every start where α ≤ 1, and from this one where 1 < α ≤ η.
     Rest(Rest<F>),
+    /// η > 1: the motion from this start did not become periodic in the turns followed, and neighbours do not approach it.
+    Irregular(Irregular<F>),
     /// Ω = 1 and α > 4/π without damping: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
     Unbounded {
         /// Growth of the maximum displacement in a cycle, in the limit.
@@ -47,6 +54,8 @@ pub enum LongRun<F> {
 
 impl<F: Float> LongRun<F> {
     /// What the motion at (Ω, α) tends to from a start.
+    ///
+    /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127, if it is symmetric), rest, or an irregular motion.
     ///
     /// # Errors
     /// As for [`Trajectory::new`].
@@ -93,6 +102,9 @@ impl<F: Float> LongRun<F> {
         if alpha <= one {
             return come_to_rest(ratios, start, &mut budget);
         }
+        if ratios.has_higher_static_friction() {
+            return followed::limit(ratios, start, &mut budget);
+        }
         if ratios.omega() == one && F::pi() * alpha > F::int(4) && !ratios.is_damped() {
             return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
         }
@@ -130,7 +142,8 @@ impl<F: Float> LongRun<F> {
                 Ok(Self::Periodic(SteadyState {
                     equation,
                     start: fixed.start,
-                    tally: Summary::of(&tally),
+                    half_turns: 1,
+                    tally: Summary::of(&tally, 1),
                     multipliers,
                     distance: fixed.distance,
                     periods,
@@ -144,7 +157,7 @@ impl<F: Float> LongRun<F> {
     pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
         match self {
             Self::Periodic(steady) | Self::Family(steady) => Some(steady),
-            Self::Rest(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
+            Self::Rest(_) | Self::Irregular(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
         }
     }
 }

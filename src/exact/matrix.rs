@@ -44,6 +44,21 @@ impl<F: Float> Matrix<F> {
         Self { c: ratio * self.c, d: ratio * self.d, ..self }
     }
 
+    /// What it becomes where friction gives way to the force: the later by δθ = δx/(α cos θ) the body is let go, the less it has of the
+    /// acceleration η − 1 that it begins with, so that `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that factor of δx.
+    #[inline]
+    pub(crate) fn after_release(self, gain: F) -> Self {
+        if gain == F::int(0) {
+            return self;
+        }
+        Self { c: self.c - gain * self.a, d: self.d - gain * self.b, ..self }
+    }
+
+    /// The same turned upside down.
+    pub(crate) fn negated(self) -> Self {
+        Self { a: -self.a, b: -self.b, c: -self.c, d: -self.d }
+    }
+
     pub(crate) fn determinant(self) -> F {
         self.a * self.d - self.b * self.c
     }
@@ -69,6 +84,20 @@ impl<F: Float> Matrix<F> {
     /// The absolute values of the entries.
     pub(crate) fn absolute(self) -> Self {
         Self { a: self.a.abs(), b: self.b.abs(), c: self.c.abs(), d: self.d.abs() }
+    }
+
+    /// The eigenvalues, each as (re, im), the larger first.
+    pub(crate) fn eigenvalues(self) -> [(F, F); 2] {
+        let (zero, two) = (F::int(0), F::int(2));
+        let (half, det) = (self.trace() / two, self.determinant());
+        let discriminant = half.square() - det;
+        if discriminant < zero {
+            let imaginary = (-discriminant).sqrt();
+            return [(half, imaginary), (half, -imaginary)];
+        }
+        let larger = half + discriminant.sqrt().with_sign_of(half);
+        let smaller = if larger == zero { zero } else { det / larger };
+        [(larger, zero), (smaller, zero)]
     }
 
     /// The squares of the eigenvalues, each as (re, im), the larger first.

@@ -184,11 +184,12 @@ impl<F: Float> Tally<F> {
         }
     }
 
-    /// The paper's error measures of this cycle.
-    pub(crate) fn errors(&self) -> ErrorMeasures<F> {
-        let turn = F::int(2) * F::pi();
+    /// The paper's error measures of this cycle of so many turns.
+    pub(crate) fn errors(&self, turns: u32) -> ErrorMeasures<F> {
+        let half = F::from_f64(f64::from(turns)) * F::pi();
+        let cycle = F::int(2) * half;
         let size = |max: F, min: F| (max + min).abs() / max;
-        let shift = |max: DrivePhase<F>, min: DrivePhase<F>| (min.since(max).abs() - F::pi()) / turn;
+        let shift = |max: DrivePhase<F>, min: DrivePhase<F>| (min.since(max).abs() - half) / cycle;
         ErrorMeasures {
             error_1: size(self.max_x.value, self.min_x.value),
             error_2: shift(self.max_x.phase, self.min_x.phase),
@@ -206,7 +207,7 @@ impl<F: Float> Tally<F> {
 /// ```
 ///
 /// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All are zero for a
-/// motion with `x(t + π/ω_d) = −x(t)`.
+/// motion with `x(t + π/ω_d) = −x(t)`. Of a cycle of several turns T is the whole of them, and half of it takes the place of π/ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ErrorMeasures<F> {
     /// Of the displacements.
@@ -240,7 +241,7 @@ mod tests {
             min_v: extreme(-2.5, 5.0 - std::f64::consts::PI),
             ..Tally::at(&start, 0.5)
         };
-        let errors = tally.errors();
+        let errors = tally.errors(1);
         assert_eq!((errors.error_1, errors.error_3), (0.25, 0.25));
         assert!((errors.error_2 - 0.25).abs() < 1e-15 && errors.error_4.abs() < 1e-15, "{errors:?}");
     }

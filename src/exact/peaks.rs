@@ -34,9 +34,10 @@ impl<F: Float> SteadyState<F> {
         let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
         let start = self.state();
         let phases = Trajectory::of(self.equation, start);
+        let cycle = TAU * f64::from(self.turns_per_cycle());
         for phase in phases {
             let phase = phase?;
-            if phase.start().phase.since(start.phase).to_f64() >= TAU {
+            if phase.start().phase.since(start.phase).to_f64() >= cycle {
                 break;
             }
             let Some(length) = phase.duration() else { break };

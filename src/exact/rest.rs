@@ -8,6 +8,9 @@
 //! With damping, which holds the body back as well, the way is at most that force over 2ζ, (α/2ζΩ) ∫(cos τ − cos η) dτ ≤ 1.89 δ √(δ/α)/2ζΩ.
 //! So once δ is below `α min(Ω², 1)/16` or `α min((2ζΩ)², 1)/16` the body creeps to the edge of the interval and never gets there: a limit in closed form,
 //! which no amount of simulation reaches (δ falls like 1/cycles).
+//!
+//! With a static friction above the kinetic one a body can rest for ever where `|x| ≤ η − α`. For α < 1 it ends there from every start, because
+//! `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that the way it slides is finite. It does not creep: what moves it begins with the acceleration η − 1.
 
 use super::equation::Equation;
 use super::long_run::LongRun;
@@ -21,7 +24,7 @@ use crate::ratios::Ratios;
 /// Where a body ends at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rest<F> {
-    /// Place of rest x/B, `|x| ≤ 1 − α`.
+    /// Place of rest x/B, `|x| ≤ η − α`.
     pub position: F,
     /// Slides until it is at rest for ever; `None` where it creeps for ever towards [`Rest::position`].
     pub slides: Option<u64>,
@@ -40,7 +43,8 @@ pub(crate) fn come_to_rest<F: Float>(
 ) -> Result<LongRun<F>, Error> {
     let (zero, one, turn) = (F::int(0), F::int(1), F::int(2) * F::pi());
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
-    let edge = one - alpha;
+    let creeps = !ratios.has_higher_static_friction();
+    let edge = ratios.static_friction_ratio() - alpha;
     let slow = omega.square().or_larger((F::int(2) * ratios.damping_ratio() * omega).square());
     let creeping = alpha * if slow < one { slow } else { one } / F::int(16);
     let mut slides = 0;
@@ -57,7 +61,7 @@ pub(crate) fn come_to_rest<F: Float>(
                 if phase.end == End::Never {
                     return Ok(LongRun::Rest(Rest { position: stick.x, slides: Some(slides), periods }));
                 }
-                if outside < creeping {
+                if creeps && outside < creeping {
                     let position = if stick.x < zero { -edge } else { edge };
                     return Ok(LongRun::Rest(Rest { position, slides: None, periods }));
                 }

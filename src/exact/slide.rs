@@ -79,6 +79,14 @@ pub struct Slide<F> {
     cos_start: F,
 }
 
+impl<F: Float> Equation<F> {
+    /// `s(η − 1)`; +0 and not −0 where η = 1.
+    #[inline]
+    fn acceleration_at_release(&self, direction: Direction) -> F {
+        F::int(0) + direction.sign::<F>() * self.static_excess()
+    }
+}
+
 impl<F: Float> Slide<F> {
     /// The slide with a velocity `w = Ωv` that is not zero, or zero with the force above friction.
     #[inline]
@@ -113,17 +121,23 @@ impl<F: Float> Slide<F> {
         Self { equation, start, direction, x, w: F::int(0), acceleration, sin_start, cos_start }
     }
 
-    /// The slide that begins at rest with the force exactly at the friction bound and rising: zero velocity and zero
-    /// acceleration, whatever rounding makes of their difference.
+    /// The slide that begins at rest with the force exactly at the static friction and rising: zero velocity and the
+    /// acceleration `s(η − 1)`, whatever rounding makes of the difference.
     #[inline]
     pub(crate) fn released(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
+        let acceleration = equation.acceleration_at_release(direction);
+        Self { acceleration, ..Self::new(equation, start, x, F::int(0), direction) }
+    }
+
+    /// The slide that goes on where its velocity touches zero, the force at the kinetic friction: no acceleration.
+    pub(crate) fn grazing(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
         let zero = F::int(0);
         Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
     }
 
-    /// Whether it begins at rest with the force at the friction bound.
+    /// Whether it begins at rest with the force at the static friction.
     pub(crate) fn begins_at_bound(&self) -> bool {
-        self.w == F::int(0) && self.acceleration == F::int(0)
+        self.w == F::int(0) && self.acceleration == self.equation.acceleration_at_release(self.direction)
     }
 
     /// (sin θ_i, cos θ_i).

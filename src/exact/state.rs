@@ -66,7 +66,7 @@ pub struct Instant<F> {
     pub state: State<F>,
     /// Acceleration `x″/(Bω_d²)`.
     pub acceleration: F,
-    /// Friction force `r_a/r_y`, within ±1: the direction of sliding, or what holds the body.
+    /// Friction force `r_a/r_y`: the direction of sliding, ±1, or what holds the body, within ±η.
     pub friction: F,
 }
 

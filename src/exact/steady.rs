@@ -3,6 +3,7 @@
 use super::confirm::confirmed;
 use super::equation::Equation;
 use super::family;
+use super::followed;
 use super::long_run::{DEFAULT_BUDGET, LongRun, cycle_guess, fastest_point};
 use super::measures::{ErrorMeasures, Extreme, Tally};
 use super::shooting::Budget;
@@ -14,6 +15,12 @@ use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
 use crate::ratios::Ratios;
+
+/// Turns of the drive in a cycle of a motion that the half-turn map repeats after so many half turns: as many where that is odd, and the
+/// motion symmetric; half as many where it is even.
+fn turns<F: Float>(half_turns: u32) -> F {
+    F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
+}
 
 /// The parts of a tally that a steady state keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,8 +38,8 @@ pub(crate) struct Summary<F> {
 }
 
 impl<F: Float> Summary<F> {
-    /// Of the tally of one whole cycle.
-    pub(crate) fn of(tally: &Tally<F>) -> Self {
+    /// Of the tally of one whole cycle, which the half-turn map repeats after so many half turns.
+    pub(crate) fn of(tally: &Tally<F>, half_turns: u32) -> Self {
         Self {
             max_x: tally.max_x,
             min_x: tally.min_x,
@@ -40,7 +47,7 @@ impl<F: Float> Summary<F> {
             min_v: tally.min_v,
             sticks: tally.sticks,
             zeros: tally.zeros,
-            stick_fraction: tally.rest / (F::int(2) * F::pi()),
+            stick_fraction: tally.rest / (F::int(2) * F::pi() * turns(half_turns)),
             energy_in: tally.work_in,
             energy_out: tally.work_out,
             damper_work: tally.damper,
@@ -82,6 +89,8 @@ impl<F: Float> Summary<F> {
 pub struct SteadyState<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
+    /// After how many half turns the state is the same again, upside down after an odd number.
+    pub(crate) half_turns: u32,
     pub(crate) tally: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
     pub(crate) distance: (F, F),
@@ -101,12 +110,27 @@ impl<F: Float> SteadyState<F> {
         if !is_family && let Some(steady) = confirmed(equation, cycle) {
             return Ok(LongRun::Periodic(steady));
         }
-        let budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
+        let mut budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
         let (section, hint) = fastest_point(equation, cycle);
+        if ratios.has_higher_static_friction() {
+            let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
+            return followed::limit(ratios, start, &mut budget);
+        }
         if is_family {
             return family::member(equation, section, hint, budget);
         }
         LongRun::shot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), budget)
+    }
+
+    /// Turns of the drive in a cycle of the motion: 1, but for some motions with a static friction above the kinetic one.
+    pub fn turns_per_cycle(&self) -> u32 {
+        if self.half_turns % 2 == 1 { self.half_turns } else { self.half_turns / 2 }
+    }
+
+    /// Whether each half of a cycle is the other turned upside down: always, but for a member of a family at Ω = 1/(2n), and for some
+    /// motions with a static friction above the kinetic one. Of one that is not symmetric the mirror image is a motion, too.
+    pub const fn is_symmetric(&self) -> bool {
+        self.half_turns % 2 == 1
     }
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
@@ -220,16 +244,21 @@ impl<F: Float> SteadyState<F> {
     /// # Errors
     /// [`Error::SearchBound`].
     pub fn errors(&self) -> Result<ErrorMeasures<F>, Error> {
-        error_measures(self.equation, &self.start)
+        error_measures(self.equation, &self.start, self.turns_per_cycle())
     }
 }
 
-/// The error measures of the cycle that begins at a point.
-fn error_measures<F: Float>(equation: Equation<F>, start: &Point<F>) -> Result<ErrorMeasures<F>, Error> {
+/// The error measures of the cycle of so many turns that begins at a point.
+fn error_measures<F: Float>(
+    equation: Equation<F>,
+    start: &Point<F>,
+    turns: u32,
+) -> Result<ErrorMeasures<F>, Error> {
     let usual = F::pi() / equation.omega;
     let mut tally = Tally::at(start, equation.omega);
-    follow(equation, *start, 2, usual, &mut Budget::of(0), |part| tally.add(&part))?;
-    Ok(tally.errors())
+    let half_turns = i64::from(turns).saturating_mul(2);
+    follow(equation, *start, half_turns, usual, &mut Budget::of(0), |part| tally.add(&part))?;
+    Ok(tally.errors(turns))
 }
 
 /// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of them from a start,
@@ -248,7 +277,7 @@ pub fn errors_after<F: Float>(
     for _ in 0..cycles {
         (point, _) = follow(equation, point, 2, usual, &mut Budget::of(0), |_| Ok(()))?;
     }
-    error_measures(equation, &point)
+    error_measures(equation, &point, 1)
 }
 
 #[cfg(test)]

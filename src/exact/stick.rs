@@ -1,7 +1,7 @@
 //! Sticking: the body at rest until the force left over reaches the friction bound.
 //!
-//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to 1. It gives way forward where
-//! `α sin θ` rises through `x + 1` and backward where it falls through `x − 1`: at an arcsine, or never.
+//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It gives way forward where
+//! `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine, or never.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -18,7 +18,7 @@ pub struct Stick<F> {
 }
 
 impl<F: Float> Stick<F> {
-    /// The stop at x from the phase `start` on, where `|α sin θ − x| ≤ 1` to within rounding.
+    /// The stop at x from the phase `start` on, where `|α sin θ − x| ≤ η` to within rounding.
     pub(crate) fn new(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
         Self::until(equation, start, x, false)
     }
@@ -29,8 +29,8 @@ impl<F: Float> Stick<F> {
     }
 
     fn until(equation: Equation<F>, start: DrivePhase<F>, x: F, falling: bool) -> Self {
-        let forward = release(equation.alpha, start, x, Direction::Forward, falling);
-        let backward = release(equation.alpha, start, x, Direction::Backward, falling);
+        let forward = release(&equation, start, x, Direction::Forward, falling);
+        let backward = release(&equation, start, x, Direction::Backward, falling);
         let first = match (forward, backward) {
             (Some(f), Some(b)) if b.since(f) < F::int(0) => Some((b, Direction::Backward)),
             (Some(f), _) => Some((f, Direction::Forward)),
@@ -41,7 +41,7 @@ impl<F: Float> Stick<F> {
     }
 
     /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever, which is where
-    /// `|x| ≤ 1 − α`.
+    /// `|x| ≤ η − α`.
     ///
     /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
     pub const fn release(&self) -> Option<(DrivePhase<F>, Direction)> {
@@ -56,26 +56,27 @@ impl<F: Float> Stick<F> {
 
 /// How far from its bound the friction force counts as at the bound: the rounding of `α sin θ − x`.
 #[inline]
-pub(crate) fn force_rounding<F: Float>(alpha: F, x: F) -> F {
-    F::int(4) * F::epsilon() * (alpha + x.abs() + F::int(1))
+pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
+    F::int(4) * F::epsilon() * (equation.alpha + x.abs() + equation.static_friction)
 }
 
 /// When friction gives way in one direction, from the phase `now` on.
 ///
-/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + 1` with cos θ > 0 has one
+/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0 has one
 /// solution in each even half turn, where y < α. A maximum of the force that exceeds the bound by no more than its
 /// rounding moves the body by nothing that x can resolve, and does not count. `falling`: nor does the present half turn.
 fn release<F: Float>(
-    alpha: F,
+    equation: &Equation<F>,
     now: DrivePhase<F>,
     x: F,
     direction: Direction,
     falling: bool,
 ) -> Option<DrivePhase<F>> {
-    let y = F::int(1) + direction.sign::<F>() * x;
-    let rounding = force_rounding(alpha, x);
-    // Without the rounding of y, which counts where α is next to 1.
-    let above = (alpha - F::int(1)) - direction.sign::<F>() * x;
+    let Equation { alpha, static_friction, .. } = *equation;
+    let y = static_friction + direction.sign::<F>() * x;
+    let rounding = force_rounding(equation, x);
+    // Without the rounding of y, which counts where α is next to η.
+    let above = (alpha - static_friction) - direction.sign::<F>() * x;
     let exceeds = above > rounding;
     if !exceeds {
         return None;
@@ -113,11 +114,11 @@ mod tests {
 
     #[test]
     fn rounding_is_that_of_three_terms() {
-        // 4 ε (α + |x| + 1)
-        assert_eq!(
-            (force_rounding(3.0, -2.0), force_rounding(3.0, 2.0)),
-            (24.0 * f64::EPSILON, 24.0 * f64::EPSILON)
-        );
+        // 4 ε (α + |x| + η)
+        let ratios = Ratios::new(0.7, 3.0).unwrap();
+        let equations = [1.0, 2.0].map(|eta| Equation::new(ratios.with_static_friction_ratio(eta).unwrap()));
+        let found = equations.map(|equation| [-2.0, 2.0].map(|x| force_rounding(&equation, x)));
+        assert_eq!(found, [[24.0 * f64::EPSILON; 2], [28.0 * f64::EPSILON; 2]]);
     }
 
     #[test]
@@ -136,6 +137,27 @@ mod tests {
                 assert!(before.abs() < 1.0 + 1e-12, "{alpha} {theta} {x}: {before}");
             }
         }
+    }
+
+    /// With static friction above the kinetic one: the force at the release is η, and was below it until then.
+    #[test]
+    fn gives_way_at_the_static_friction() {
+        for (alpha, eta, theta, x) in
+            [(2.0f64, 1.3f64, 0.0f64, 0.0f64), (4.0, 2.5, 3.0, 0.2), (4.0, 1.01, -0.3, -1.5)]
+        {
+            let ratios = Ratios::new(0.7, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
+            let s = Stick::new(Equation::new(ratios), DrivePhase::new(theta).unwrap(), x);
+            let (end, direction) = s.release().unwrap();
+            let friction = alpha * end.sin_cos().0 - x;
+            assert!((friction - eta * direction.sign::<f64>()).abs() < 1e-14, "{alpha} {eta}: {friction}");
+            let length = s.duration().unwrap();
+            for i in 1..1000 {
+                let before = alpha * (theta + length * f64::from(i) / 1000.0).sin() - x;
+                assert!(before.abs() < eta + 1e-12, "{alpha} {theta} {x}: {before}");
+            }
+        }
+        let held = Ratios::new(0.7, 1.2).unwrap().with_static_friction_ratio(1.25).unwrap();
+        assert_eq!(Stick::new(Equation::new(held), DrivePhase::new(0.3).unwrap(), 0.04).release(), None);
     }
 
     #[test]

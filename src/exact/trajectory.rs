@@ -104,8 +104,8 @@ impl<F: Float> Phase<F> {
                 let zero = F::int(0);
                 let friction = s.equation.alpha * phase.sin_cos().0 - s.x;
                 // Rounding may carry the force at the release beyond its bound.
-                let one = F::int(1);
-                let friction = if friction.abs() > one { one.with_sign_of(friction) } else { friction };
+                let most = s.equation.static_friction;
+                let friction = if friction.abs() > most { most.with_sign_of(friction) } else { friction };
                 Instant { state: State { phase, x: s.x, v: zero }, acceleration: zero, friction }
             }
         }
@@ -128,7 +128,7 @@ pub(crate) enum Next<F> {
 }
 
 impl<F: Float> Next<F> {
-    /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the friction bound.
+    /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the static friction.
     ///
     /// Within rounding of the bound the first derivative that is not zero decides: a force that rises lets go, one that
     /// falls holds.
@@ -136,7 +136,7 @@ impl<F: Float> Next<F> {
     pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
         let sin_cos = phase.sin_cos();
         let force = equation.alpha * sin_cos.0 - x;
-        let bound = F::int(1) + force_rounding(equation.alpha, x);
+        let bound = equation.static_friction + force_rounding(&equation, x);
         if force.abs() > bound {
             let direction = Direction::of(force);
             return Self::Slide(Slide::from_rest(equation, phase, sin_cos, x, direction));
@@ -167,9 +167,10 @@ impl<F: Float> Next<F> {
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);
-        // A velocity that touches zero has a minimum there.
-        if zero.grazes && direction.sign::<F>() * zero.jerk > F::int(0) {
-            return (Self::Slide(Slide::released(equation, zero.phase, zero.x, direction)), End::Grazing);
+        // A velocity that touches zero has a minimum there. A static friction above the kinetic one holds the body.
+        let goes_on = zero.grazes && !equation.has_higher_static_friction();
+        if goes_on && direction.sign::<F>() * zero.jerk > F::int(0) {
+            return (Self::Slide(Slide::grazing(equation, zero.phase, zero.x, direction)), End::Grazing);
         }
         let next = if zero.phase.since(slide.start) <= F::int(0) && slide.begins_at_bound() {
             Self::Stick(Stick::held(equation, zero.phase, zero.x))
@@ -210,7 +211,7 @@ impl<F: Float> Trajectory<F> {
     /// The motion at (Ω, α) from a start.
     ///
     /// # Errors
-    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits. Where ζ is above 2²⁰.
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits. Where ζ or η is above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))
@@ -258,13 +259,17 @@ impl<F: Float> Iterator for Trajectory<F> {
 
 impl<F: Float> core::iter::FusedIterator for Trajectory<F> {}
 
-/// (Ω, α, ζ) with Ω where phases keep their digits and ζ where velocities do.
+/// (Ω, α, ζ, η) with Ω where phases keep their digits, ζ where velocities do and η where forces do.
 pub(crate) fn resolved<F: Float>(ratios: Ratios<F>) -> Result<Ratios<F>, Error> {
     let (least, greatest) = (F::exp2i(-20), F::exp2i(20));
     crate::ratios::within(Quantity::FrequencyRatio, ratios.omega(), least, greatest)?;
     if ratios.is_damped() {
         let zeta = ratios.damping_ratio();
         crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), greatest)?;
+    }
+    if ratios.has_higher_static_friction() {
+        let eta = ratios.static_friction_ratio();
+        crate::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), greatest)?;
     }
     Ok(ratios)
 }

@@ -127,7 +127,9 @@ pub(crate) fn follow<F: Float>(
             Next::Stick(stick) => match stick.release {
                 Some((phase, direction)) if target.since(phase) > zero => {
                     visit(Part::Stick(stick, phase.since(stick.start)))?;
-                    next = Next::Slide(Slide::released(equation, phase, stick.x, direction));
+                    let slide = Slide::released(equation, phase, stick.x, direction);
+                    monodromy = monodromy.after_release(slide.gain_at_release());
+                    next = Next::Slide(slide);
                 }
                 _ => {
                     visit(Part::Stick(stick, target.since(stick.start)))?;
@@ -160,6 +162,18 @@ pub(crate) fn follow<F: Float>(
     Err(equation.lost("the end of a half turn", from.phase, "64 + 16/Ω slides and stops"))
 }
 
+impl<F: Float> Slide<F> {
+    /// `(η − 1)/(αΩ |cos θ|)` of a slide that begins where friction gives way ([`Matrix::after_release`]).
+    fn gain_at_release(&self) -> F {
+        let equation = &self.equation;
+        if !equation.has_higher_static_friction() {
+            return F::int(0);
+        }
+        let (_, cosine) = self.sin_cos_start();
+        equation.static_excess() / (equation.alpha * equation.omega * cosine.abs())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{MOST_KEPT, Part, follow, walk};
@@ -173,13 +187,17 @@ mod tests {
 
     #[test]
     fn the_monodromy_is_the_derivative_of_the_walk() {
-        for (omega, alpha, theta, x, w) in [
-            (0.7, 2.0, 0.1, -0.4, 1.0),
-            (0.4, 6.0, 0.3, -0.5, 2.0),
-            (1.5, 2.5, -1.0, 0.2, -1.0),
-            (0.13, 3.0, 0.2, 0.1, 0.4),
+        for (omega, alpha, eta, theta, x, w) in [
+            (0.7, 2.0, 1.0, 0.1, -0.4, 1.0),
+            (0.4, 6.0, 1.0, 0.3, -0.5, 2.0),
+            (1.5, 2.5, 1.0, -1.0, 0.2, -1.0),
+            (0.13, 3.0, 1.0, 0.2, 0.1, 0.4),
+            (0.7, 2.0, 1.5, 0.1, -0.4, 1.0),
+            (0.4, 6.0, 2.0, 0.3, -0.5, 2.0),
+            (0.13, 3.0, 1.3, 0.2, 0.1, 0.4),
         ] {
-            let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
+            let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
+            let equation = Equation::new(ratios);
             let phase = DrivePhase::new(theta).unwrap();
             let at =
                 |x, w| walk(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();

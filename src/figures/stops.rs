@@ -40,6 +40,6 @@ fn class(omega: f64, alpha: f64) -> f64 {
         Ok(LongRun::Rest(_)) => 5.0,
         Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle().div_ceil(2).min(4)),
         Ok(LongRun::Unbounded { .. }) => 0.0,
-        Ok(LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
+        Ok(LongRun::Irregular(_) | LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
     }
 }

@@ -150,12 +150,44 @@ impl<F: Float> Border<F> {
         crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
     }
 
-    /// The border at Ω and ζ of `ratios`.
-    pub(crate) fn of(ratios: &crate::Ratios<F>) -> Self {
+    /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the kinetic one the condition at the
+    /// turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without damping; inside the half cycle nothing changes.
+    pub fn of(ratios: &crate::Ratios<F>) -> Self {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))
+        } else if ratios.has_higher_static_friction() {
+            Self::with_static_friction(
+                &PhaseFunction::of_valid(ratios.omega()),
+                ratios.static_friction_ratio(),
+            )
         } else {
             Self::at(&PhaseFunction::of_valid(ratios.omega()))
+        }
+    }
+
+    /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force has to exceed η, so that
+    /// `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body slides there.
+    #[cold]
+    fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
+        let omega = p.omega();
+        // S = η/Ω²
+        let limit = eta.wide() / omega.wide().square();
+        let turning_point = border_force_ratio(p.wide(), p.one_minus_square() * limit).value();
+        let inner = if omega < F::ratio(1, 2) { inner_maximum(omega) } else { None };
+        let inner = inner.map(|inner| (inner.force_ratio(p), inner));
+        match inner {
+            Some((least, inner)) if least > turning_point => Self {
+                min_force_ratio: least,
+                turning_point,
+                phase: inner.phase(),
+                least_displacement: (inner.width / p.one_minus_square()).value(),
+            },
+            _ => Self {
+                min_force_ratio: turning_point,
+                turning_point,
+                phase: F::int(0),
+                least_displacement: limit.value(),
+            },
         }
     }
 
@@ -226,7 +258,8 @@ impl<F: Float> Border<F> {
         }
     }
 
-    /// The exact border α_min(Ω): at and above it the steady motion does not stick.
+    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction above the kinetic one
+    /// other motions that stick can exist beside it.
     ///
     /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.
     pub const fn min_force_ratio(&self) -> F {

@@ -138,7 +138,7 @@ impl<F: Float> DampedCycle<F> {
     }
 }
 
-/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (1 + G + 2ζΩH)/Ω².
+/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
 pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
     let found = supremum(half);
     let force_ratio = |amplitude: F| half.k.hypot(half.stiffness * amplitude);
@@ -149,8 +149,8 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
             Border::of_parts(least, turning_point, touch.phase(half.omega), found.amplitude - half.shift)
         }
         None => {
-            // S − G = [1 + G (1 − Ω²) + 2ζΩH]/Ω²
-            let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h;
+            // S − G = [η + G (1 − Ω²) + 2ζΩH]/Ω²
+            let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
             Border::of_parts(turning_point, turning_point, F::int(0), held / half.omega.square())
         }
     }
@@ -169,6 +169,7 @@ pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
 /// The half period at ratios with ζ > 0.
 pub(crate) fn half_period<F: Float>(ratios: &Ratios<F>) -> HalfPeriod<F> {
     HalfPeriod::new(ratios.omega(), ratios.damping_ratio())
+        .with_static_friction(ratios.static_friction_ratio())
 }
 
 /// The half period at an Ω and a ζ > 0 that are in their domains.

@@ -104,10 +104,11 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with damping, for which it is not known.
+    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with damping or a static
+    /// friction above the kinetic one, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        if ratios.is_damped() || !is_within(omega, alpha) {
+        if ratios.is_damped() || ratios.has_higher_static_friction() || !is_within(omega, alpha) {
             return None;
         }
         let frequency = Frequency::of(&PhaseFunction::of_valid(omega));

@@ -196,7 +196,7 @@ impl<F: Float> Drive<F> {
         }
     }
 
-    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8) and ζ.
+    /// The ratios of `oscillator` under this drive: `Ω = ω_d/ω_n` (eq. 9), `α = p₀/r_y` (eq. 8), ζ and η.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`].
@@ -205,6 +205,7 @@ impl<F: Float> Drive<F> {
             self.angular_frequency / oscillator.natural_frequency(),
             self.force_amplitude(oscillator) / oscillator.friction_bound(),
         )?
-        .with_damping_ratio(oscillator.damping_ratio())
+        .with_damping_ratio(oscillator.damping_ratio())?
+        .with_static_friction_ratio(oscillator.static_friction_ratio())
     }
 }

@@ -5,22 +5,9 @@
 //! 0.07 of 1/Ω = 3, 5, 7, 9 it was met at ζ = 0.0024 and below for 1/Ω = 3, at ζ = 0.001 and below for the others, within 0.034 of the pole,
 //! and at no damping ratio from 0.006 to 1.5. So it is asked for where ζ < 1/128 and 1/Ω is within 1/16 of 2n + 1.
 
-use super::Regime;
 use crate::exact::{LongRun, State};
 use crate::float::Float;
-use crate::nonsticking::Border;
 use crate::ratios::Ratios;
-
-/// The regime that the border alone tells.
-pub(crate) fn regime_by_border<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
-    if ratios.alpha() <= F::int(1) {
-        Regime::Stuck
-    } else if ratios.alpha() < border.min_force_ratio() {
-        Regime::Sticking
-    } else {
-        Regime::NonSticking
-    }
-}
 
 /// Whether the exact motion below the border never stops: `Some(false)` where it was not asked, `None` where it does not settle.
 pub(crate) fn never_stops<F: Float>(ratios: Ratios<F>) -> Option<bool> {

@@ -1,6 +1,6 @@
 //! The regime that the exact motion shows, one with that of the closed forms.
 
-use super::{NoStop, Regime, damped, no_stop_force_ratios, regime_of};
+use super::{NoStop, Regime, no_stop_force_ratios, regime_by_border, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -25,18 +25,19 @@ pub struct Observed {
 /// velocity that nearly vanishes, may be smaller than that, within about 1e-10 of a border beside a pole and a few units in the last place
 /// elsewhere. There the borders decide, which are known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So they do where
 /// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`] agree.
+///
+/// With a static friction above the kinetic one the regime is that of this long run, and no border decides: others can exist beside it.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
-    let expected = if ratios.is_damped() {
-        damped::regime_by_border(ratios, &border)
-    } else {
-        regime_of(ratios, &border)
-    };
+    let expected =
+        if ratios.is_damped() { regime_by_border(ratios, &border) } else { regime_of(ratios, &border) };
     let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
         LongRun::Rest(_) => return by_name(Regime::Stuck),
+        LongRun::Irregular(motion) if motion.stops() > 0 => return by_name(Regime::Sticking),
+        LongRun::Irregular(_) => return by_name(Regime::NonSticking),
         LongRun::Unbounded { .. } => return by_name(Regime::Unbounded),
         LongRun::NotConverged { .. } => {
             let reversals = (expected == Regime::NonSticking).then_some(reversals);
@@ -51,6 +52,10 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
         reversals: (regime == Regime::NonSticking).then_some(zeros),
         by_border,
     };
+    if ratios.has_higher_static_friction() {
+        // There can be motions with stops above the border, and others below it: what is seen is all that is known.
+        return of(seen, sticks, false);
+    }
     let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
     if agrees || !is_hidden(ratios, &border, steady) {
         return of(seen, sticks, false);

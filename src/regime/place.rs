@@ -1,7 +1,7 @@
 //! Where a point lies in the plane of Ω and α, and how surely.
 
 use super::damped::never_stops;
-use super::{Family, Regime, Verdict};
+use super::{Family, Regime, Verdict, regime_by_border};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -58,6 +58,9 @@ impl<F: Float> Place<F> {
     /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that is 1/(2n)
     /// to within its rounding only has one limit, the symmetric cycle, though it takes 10¹⁵ cycles and more to come close to it.
     pub fn new(ratios: Ratios<F>) -> Self {
+        if ratios.has_higher_static_friction() {
+            return Self::with_static_friction(ratios);
+        }
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
@@ -96,6 +99,24 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
+    /// The place of ratios with a static friction above the kinetic one, where the border is all that is known for every start.
+    fn with_static_friction(ratios: Ratios<F>) -> Self {
+        let border = Border::of(&ratios);
+        let (least, one) = (border.min_force_ratio(), F::int(1));
+        let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
+        let regime = regime_by_border(ratios, &border);
+        let verdict = if regime == Regime::Stuck {
+            Verdict::AtRest
+        } else if (ratios.alpha() - least).abs() <= error * F::epsilon() * least {
+            let at_resonance = ratios.omega() == one && !ratios.is_damped();
+            let above = if at_resonance { Regime::Unbounded } else { Regime::NonSticking };
+            Verdict::Undecided(Regime::Sticking, above)
+        } else {
+            Verdict::DependsOnStart(regime)
+        };
+        Self { ratios, border, verdict }
+    }
+
     /// The place of a machine in physical units, whose ratios carry the rounding of two divisions and a square root.
     ///
     /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the verdict is
@@ -103,7 +124,7 @@ impl<F: Float> Place<F> {
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`] or of [`border_range`]; [`Error::Damped`] for a body with a damper, for which the
-    /// range of the border is not known.
+    /// range of the border is not known; [`Error::StaticFriction`] for one whose static friction is above the kinetic one.
     pub fn of(body: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
         let ratios = drive.ratios(body)?.undamped()?;
         // 1.25 and 1 times ε at most, and the rounding of the ends themselves.

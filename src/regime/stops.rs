@@ -23,6 +23,8 @@ pub struct Stops {
 /// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all members but for those at its
 /// edge. A stop that is shorter than the motion is known to, beside a border, is an error, not a count ([`observed()`]).
 ///
+/// With a static friction above the kinetic one the motion can depend on the start: that is refused.
+///
 /// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity zeros
 /// ([`crate::Verdict::SixReversals`]).
 ///
@@ -39,10 +41,10 @@ pub struct Stops {
 ///
 /// # Errors
 /// [`Error::Undecided`] where a stop, or the clearance without one, is smaller than the motion is known to;
-/// [`Error::NotSettled`] where the motion creeps for longer than [`crate::exact::DEFAULT_BUDGET`] periods, and as for
+/// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than [`crate::exact::DEFAULT_BUDGET`] periods, and as for
 /// [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
-    let limit = LongRun::from_start(ratios, State::rest())?;
+    let limit = LongRun::from_start(ratios.with_one_friction()?, State::rest())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {
         let alpha = ratios.alpha();
         let away = |x: &F| (*x - alpha).abs();
@@ -60,7 +62,7 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
             velocity_zeros: steady.velocity_zeros_per_cycle(),
         })),
         LongRun::Rest(_) | LongRun::Unbounded { .. } => Ok(None),
-        LongRun::NotConverged { .. } => {
+        LongRun::Irregular(_) | LongRun::NotConverged { .. } => {
             Err(Error::NotSettled { omega: written(ratios.omega()), alpha: written(ratios.alpha()) })
         }
     }

@@ -23,6 +23,10 @@ pub enum Verdict<F> {
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
     Unbounded,
+    /// The static friction is above the kinetic one, and α > 1: the motion in the long run can depend on the start. The regime is what the
+    /// border alone guarantees, as for [`crate::Response::new`]: non-sticking, that a cycle without a stop exists and is stable;
+    /// sticking, that there is none of two reversals.
+    DependsOnStart(Regime),
     /// One of these two, closer to the border between them than the arithmetic or the input can tell.
     Undecided(Regime, Regime),
 }
@@ -36,6 +40,7 @@ impl<F: Float> Verdict<F> {
             Self::Sticking => Some(Regime::Sticking),
             Self::NonSticking | Self::SixReversals | Self::Degenerate(_) => Some(Regime::NonSticking),
             Self::Unbounded => Some(Regime::Unbounded),
+            Self::DependsOnStart(regime) => Some(*regime),
             Self::Undecided(..) => None,
         }
     }
@@ -50,6 +55,7 @@ impl<F: Float> Verdict<F> {
             Self::SixReversals => "non-sticking, six reversals",
             Self::Degenerate(_) => "degenerate",
             Self::Unbounded => "unbounded",
+            Self::DependsOnStart(_) => "depends on the start",
             Self::Undecided(..) => "undecided",
         }
     }
@@ -135,6 +141,7 @@ mod tests {
             (Verdict::SixReversals, "non-sticking, six reversals", Some(Regime::NonSticking)),
             (Verdict::Degenerate(family), "degenerate", Some(Regime::NonSticking)),
             (Verdict::Unbounded, "unbounded", Some(Regime::Unbounded)),
+            (Verdict::DependsOnStart(Regime::Sticking), "depends on the start", Some(Regime::Sticking)),
             (Verdict::Undecided(Regime::Sticking, Regime::NonSticking), "undecided", None),
         ] {
             assert_eq!((verdict.name(), verdict.regime()), (name, regime));

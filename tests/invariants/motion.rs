@@ -22,9 +22,36 @@ pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
 /// As [`trajectory`].
 pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
-    let (Ok(ratios), Ok(start)) = (ratios, State::new(theta, x, v)) else { return };
+    if let Ok(ratios) = ratios {
+        trajectory_at(ratios, theta, x, v);
+    }
+}
+
+/// The motion and its long run with a static friction, too.
+///
+/// # Panics
+/// As [`trajectory`].
+pub(crate) fn static_motion(omega: f64, alpha: f64, zeta: f64, eta: f64, theta: f64, x: f64, v: f64) {
+    let ratios = Ratios::new(omega, alpha)
+        .and_then(|r| r.with_damping_ratio(zeta))
+        .and_then(|r| r.with_static_friction_ratio(eta));
+    let Ok(ratios) = ratios else { return };
+    trajectory_at(ratios, theta, x, v);
+    long_run_at(ratios, theta, x, v);
+}
+
+/// The factor 1 + 2^e, e from −52 to 3, that `part` of 2³² is; 1 for none.
+pub(crate) fn static_friction_ratio(part: u32) -> f64 {
+    if part == 0 { 1.0 } else { 1.0 + (55.0 * f64::from(part) / f64::from(u32::MAX) - 52.0).exp2() }
+}
+
+fn trajectory_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    let (zeta, eta) = (ratios.damping_ratio(), ratios.static_friction_ratio());
+    let Ok(start) = State::new(theta, x, v) else { return };
     let Ok(motion) = Trajectory::new(ratios, start) else {
-        assert!(!(2f64.powi(-20)..=2f64.powi(20)).contains(&omega) || zeta > 2f64.powi(20));
+        let far = 2f64.powi(20);
+        assert!(!(far.recip()..=far).contains(&omega) || zeta > far || eta > far);
         return;
     };
     let mut last = start;
@@ -33,7 +60,8 @@ pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x
         let from = phase.start();
         assert!(from.phase == last.phase && from.x == last.x, "phase {i} of {ratios:?} from {start:?}");
         let at = phase.at(from.phase);
-        assert!(at.friction.abs() <= 1.0);
+        let most = if phase.kind() == Kind::Stick { eta } else { 1.0 };
+        assert!(at.friction.abs() <= most);
         let Some(to) = phase.end() else {
             assert!(phase.ends_by() == End::Never && phase.kind() == Kind::Stick);
             return;
@@ -43,11 +71,11 @@ pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x
         assert!(to.x.is_finite() && to.v == 0.0);
         if phase.kind() == Kind::Stick {
             assert_eq!(to.x, from.x);
-            // Friction gives way where the force left over is r_y.
+            // Friction gives way where the force left over is η r_y.
             let (sine, _) = to.phase.sin_cos();
             let force = (alpha * sine - to.x).abs();
-            let scale = 1.0 + alpha + to.x.abs();
-            assert!((force - 1.0).abs() <= 1e-9 * scale, "release at {force:e} of {scale:e}");
+            let scale = eta + alpha + to.x.abs();
+            assert!((force - eta).abs() <= 1e-9 * scale, "release at {force:e} of {scale:e}");
         }
         last = to;
     }
@@ -67,7 +95,15 @@ pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
 /// As [`trajectory`].
 pub(crate) fn damped_long_run(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
-    let (Ok(ratios), Ok(start)) = (ratios, State::new(theta, x, v)) else { return };
+    if let Ok(ratios) = ratios {
+        long_run_at(ratios, theta, x, v);
+    }
+}
+
+fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    let (zeta, eta) = (ratios.damping_ratio(), ratios.static_friction_ratio());
+    let Ok(start) = State::new(theta, x, v) else { return };
     // Bounded work: a cycle has up to 4 + 4/Ω slides.
     let mut slides = 0;
     let limit = LongRun::within_while(ratios, start, 200, &mut || {
@@ -79,17 +115,23 @@ pub(crate) fn damped_long_run(omega: f64, alpha: f64, zeta: f64, theta: f64, x: 
     let Ok(limit) = limit else { return };
     match &limit {
         LongRun::Rest(rest) => {
-            assert!(alpha <= 1.0 && rest.position.abs() <= (1.0 - alpha) + 1e-12 * (1.0 + x.abs()));
+            let slack = 1e-12 * (eta + x.abs());
+            assert!(alpha <= eta && rest.position.abs() <= (eta - alpha) + slack, "{rest:?} of {ratios:?}");
         }
         LongRun::Unbounded { growth } => assert!(omega == 1.0 && *growth > 0.0 && zeta == 0.0),
         LongRun::NotConverged { .. } => {}
+        LongRun::Irregular(motion) => {
+            assert!(eta > 1.0 && motion.max_displacement() >= motion.min_displacement());
+            assert!(motion.turns() > 0 && motion.lyapunov_exponent().is_finite());
+        }
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             assert!(alpha > 1.0);
             assert!(steady.min_displacement() <= steady.max_displacement());
             assert!(steady.min_velocity() <= 0.0 && steady.max_velocity() >= 0.0);
             assert!((0.0..1.0).contains(&steady.stick_fraction()));
             let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
-            let most = 24.0 + 4.0 / omega;
+            let most = f64::from(steady.turns_per_cycle()) * (24.0 + 4.0 / omega);
+            assert!(eta > 1.0 || steady.turns_per_cycle() == 1);
             assert!(sticks <= zeros && f64::from(zeros) <= most, "{steady:?}");
             // No part of a motion drives two of them apart: rounding of a few units each, and near a double root the root of it.
             let rounding = 16.0 * f64::EPSILON * f64::from(zeros) + 2e-7;

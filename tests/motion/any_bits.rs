@@ -120,6 +120,22 @@ proptest! {
     }
 
     #[test]
+    fn any_hard_motion_with_static_friction(
+        start in hard::<Start>(), zeta in hard::<DampingRatio>(), part in any::<u32>(),
+    ) {
+        let Start { point: Point { omega, alpha }, theta, x, v } = start;
+        motion::static_motion(omega, alpha, zeta.0, motion::static_friction_ratio(part), theta, x, v);
+    }
+
+    #[test]
+    fn any_ordinary_motion_with_static_friction(
+        e in -4.0..2.0, a in -1.0..5.0, z in 1e-4..0.2f64, eta in 1.0..3.0, theta in -9.0..9.0,
+        x in -30.0..30.0, v in -30.0..30.0,
+    ) {
+        motion::static_motion(2f64.powf(e), 2f64.powf(a), z, eta, theta, x, v);
+    }
+
+    #[test]
     fn any_question(e in -8.0..6.0, a in 0.0..12.0, t in -2.0..12.0, low in -6.0..3.0, width in 0.0..2.0) {
         motion::questions(2f64.powf(e), 2f64.powf(t), 2f64.powf(a), 2f64.powf(low), 2f64.powf(low + width));
     }

@@ -19,7 +19,7 @@ fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
         }
         LongRun::Rest(_) => Some(Regime::Stuck),
         LongRun::Unbounded { .. } => Some(Regime::Unbounded),
-        LongRun::NotConverged { .. } => None,
+        LongRun::Irregular(_) | LongRun::NotConverged { .. } => None,
     }
 }
 

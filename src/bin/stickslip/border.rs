@@ -25,10 +25,14 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.
 type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
-/// The forces without any stop; nothing is known of them with damping.
+/// The forces without any stop; nothing is known of them with damping or a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
     if ratios.is_damped() {
         return Err(Error::Damped { damping_ratio: ratios.damping_ratio().to_string() });
+    }
+    if ratios.has_higher_static_friction() {
+        let static_friction_ratio = ratios.static_friction_ratio().to_string();
+        return Err(Error::StaticFriction { static_friction_ratio });
     }
     no_stop_force_ratios(ratios.omega())
 }
@@ -46,6 +50,9 @@ pub(crate) fn record<F: Value>(
     let mut record = Record::of_border(&answer);
     if given.has_damper() {
         record = record.with_damping(&answer);
+    }
+    if given.has_static_friction() {
+        record = record.with_static_friction_ratio(point.ratios.static_friction_ratio());
     }
     if let Some(found) = &found {
         record = record.with_no_stop(found);

@@ -42,10 +42,18 @@ impl<W: Write> Task for Run<'_, W> {
             Some(text) => reader.value("--damping-ratio", text, Kind::Ratio)?,
             None => F::int(0),
         };
-        let decay = FreeDecay::with_damping(x, v, zeta).map_err(|e| {
+        let eta = match &args.static_friction_ratio {
+            Some(text) => reader.value("--static-friction-ratio", text, Kind::Ratio)?,
+            None => F::int(1),
+        };
+        let decay = FreeDecay::with_frictions(x, v, zeta, eta).map_err(|e| {
             let argument = match e.quantity() {
                 Some(Quantity::DampingRatio) => {
                     format!("--damping-ratio {}", args.damping_ratio.as_deref().unwrap_or("0"))
+                }
+                Some(Quantity::StaticFrictionRatio) => {
+                    let text = args.static_friction_ratio.as_deref().unwrap_or("1");
+                    format!("--static-friction-ratio {text}")
                 }
                 Some(Quantity::Velocity) => format!("--v0 {}", args.v0),
                 _ => format!("--x0 {}", args.x0),

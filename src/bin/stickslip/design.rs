@@ -7,6 +7,7 @@ use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
+use crate::input::completed;
 use crate::machine::base_motion;
 use crate::note::digits;
 use crate::record::Cell;
@@ -14,7 +15,7 @@ use crate::units::{Kind, Reader, System};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
-use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity};
+use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
 
 /// The question and where its answer goes.
 struct Run<'a, W>(&'a Question, &'a mut W);
@@ -216,8 +217,11 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.get(P::DampingRatio).unwrap_or(F::int(0))
     }
 
-    /// Refuses a damping ratio, where it is not known what it does.
+    /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they do.
     fn undamped(&self) -> Result<(), Failure> {
+        if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
+            return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.to_string() }));
+        }
         let zeta = self.damping_ratio();
         if zeta > F::int(0) {
             return Err(self.fail(Error::Damped { damping_ratio: zeta.to_string() }));
@@ -225,9 +229,10 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(())
     }
 
-    /// The border at Ω with the damping ratio that is given.
+    /// The border at Ω with the damping ratio and the static friction ratio that are given.
     fn border(&self, omega: F) -> Result<Border<F>, Failure> {
-        Border::with_damping(omega, self.damping_ratio()).map_err(|e| self.fail(e))
+        let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
+        Ok(Border::of(&completed(&self.given, ratios)?))
     }
 
     fn alpha(&self) -> Result<F, Failure> {

@@ -18,6 +18,8 @@ pub(crate) enum Parameter {
     Gravity,
     DampingRatio,
     Damping,
+    StaticFrictionRatio,
+    StaticFriction,
     Frequency,
     Alpha,
     Force,
@@ -30,7 +32,7 @@ pub(crate) enum Parameter {
 use Parameter as P;
 
 impl Parameter {
-    pub(crate) const ALL: [Self; 16] = [
+    pub(crate) const ALL: [Self; 18] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -40,6 +42,8 @@ impl Parameter {
         P::Gravity,
         P::DampingRatio,
         P::Damping,
+        P::StaticFrictionRatio,
+        P::StaticFriction,
         P::Frequency,
         P::Alpha,
         P::Force,
@@ -61,6 +65,8 @@ impl Parameter {
             P::Gravity => "--gravity",
             P::DampingRatio => "--damping-ratio",
             P::Damping => "--damping",
+            P::StaticFrictionRatio => "--static-friction-ratio",
+            P::StaticFriction => "--static-friction",
             P::Frequency => "--frequency",
             P::Alpha => "--alpha",
             P::Force => "--force",
@@ -78,7 +84,7 @@ impl Parameter {
 
     /// Whether it is of a machine in physical units.
     pub(crate) const fn is_physical(self) -> bool {
-        !matches!(self, P::Omega | P::Alpha | P::DampingRatio)
+        !matches!(self, P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio)
     }
 
     /// What it is called where it is checked here and not by the library.
@@ -93,6 +99,8 @@ impl Parameter {
             P::Gravity => "gravity g",
             P::DampingRatio => "damping ratio ζ",
             P::Damping => "damping constant c",
+            P::StaticFrictionRatio => "static friction ratio η",
+            P::StaticFriction => "static friction r_s",
             P::Frequency => "angular frequency ω_d",
             P::Alpha => "force ratio α",
             P::Force => "force amplitude p₀",
@@ -105,12 +113,14 @@ impl Parameter {
 
     pub(crate) const fn kind(self) -> Kind {
         match self {
-            P::Omega | P::Alpha | P::FrictionCoefficient | P::DampingRatio => Kind::Ratio,
+            P::Omega | P::Alpha | P::FrictionCoefficient | P::DampingRatio | P::StaticFrictionRatio => {
+                Kind::Ratio
+            }
             P::Damping => Kind::Damping,
             P::Mass => Kind::Mass,
             P::Stiffness => Kind::Stiffness,
             P::Period => Kind::Time,
-            P::Friction | P::Force => Kind::Force,
+            P::Friction | P::StaticFriction | P::Force => Kind::Force,
             P::Gravity | P::BaseAcceleration => Kind::Acceleration,
             P::Frequency => Kind::Frequency,
             P::BaseVelocity => Kind::Velocity,
@@ -131,6 +141,8 @@ impl Parameter {
             P::Gravity => &[Q::FrictionBound],
             P::DampingRatio => &[Q::DampingRatio],
             P::Damping => &[Q::Damping, Q::DampingRatio],
+            P::StaticFrictionRatio => &[Q::StaticFrictionRatio],
+            P::StaticFriction => &[Q::StaticFriction, Q::StaticFrictionRatio],
             P::Frequency => {
                 &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness]
             }
@@ -149,7 +161,7 @@ impl Parameter {
     }
 
     /// What the border of sticking depends on.
-    pub(crate) const BORDER: [Self; 10] = [
+    pub(crate) const BORDER: [Self; 12] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -159,11 +171,16 @@ impl Parameter {
         P::Gravity,
         P::DampingRatio,
         P::Damping,
+        P::StaticFrictionRatio,
+        P::StaticFriction,
         P::Frequency,
     ];
 
     /// Damping, by its ratio or its constant.
     pub(crate) const DAMPERS: [Self; 2] = [P::DampingRatio, P::Damping];
+
+    /// Static friction above the kinetic one, by its ratio or its force.
+    pub(crate) const STATIC_FRICTIONS: [Self; 2] = [P::StaticFrictionRatio, P::StaticFriction];
 
     /// What a machine and its drive take: one of each of these.
     pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
@@ -320,6 +337,8 @@ fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Paramete
         P::Gravity => &machine.gravity,
         P::DampingRatio => &machine.damping_ratio,
         P::Damping => &machine.damping,
+        P::StaticFrictionRatio => &machine.static_friction_ratio,
+        P::StaticFriction => &machine.static_friction,
         P::Frequency => &machine.frequency,
         P::Alpha => &force.alpha,
         P::Force => &force.force,

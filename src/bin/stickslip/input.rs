@@ -36,7 +36,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let named = |e| given.at_fault(e);
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(P::Omega)?, given.required(P::Alpha)?).map_err(named)?;
-        return Ok(Point { ratios: damped(given, ratios)?, machine: None });
+        return Ok(Point { ratios: completed(given, ratios)?, machine: None });
     }
     let oscillator = given.oscillator()?;
     let drive = given.drive(&oscillator, given.required(P::Frequency)?)?;
@@ -46,22 +46,30 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let omega = given.get(P::Omega).unwrap_or(ratios.omega());
     let alpha = given.get(P::Alpha).unwrap_or(ratios.alpha());
     let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
-    let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)).map_err(named)?;
+    let eta = given.get(P::StaticFrictionRatio).unwrap_or(ratios.static_friction_ratio());
+    let ratios = Ratios::new(omega, alpha)
+        .and_then(|r| r.with_damping_ratio(zeta)?.with_static_friction_ratio(eta))
+        .map_err(named)?;
     let machine = Machine {
         oscillator,
         drive,
         scales,
         system: given.system,
         has_damper: given.has_damper(),
+        has_static_friction: given.has_static_friction(),
         friction_coefficient: given.get(P::FrictionCoefficient),
     };
     Ok(Point { ratios, machine: Some(machine) })
 }
 
-/// The ratios with the damping that is given.
-fn damped<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result<Ratios<F>, Failure> {
+/// The ratios with the damping and the static friction that are given.
+pub(crate) fn completed<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result<Ratios<F>, Failure> {
     let zeta = given.get(P::DampingRatio).unwrap_or(F::int(0));
-    ratios.with_damping_ratio(zeta).map_err(|e| given.at_fault(e))
+    let eta = given.get(P::StaticFrictionRatio).unwrap_or(F::int(1));
+    ratios
+        .with_damping_ratio(zeta)
+        .and_then(|ratios| ratios.with_static_friction_ratio(eta))
+        .map_err(|e| given.at_fault(e))
 }
 
 /// The state at ω_d t = 0 that `--x0` and `--v0` name, in the units of the point.
@@ -104,7 +112,7 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     let named = |e| given.at_fault(e);
     if !given.is_physical() {
         let ratios = Ratios::new(given.required(P::Omega)?, F::int(1)).map_err(named)?;
-        return Ok(BorderPoint { ratios: damped(given, ratios)?, physical: None });
+        return Ok(BorderPoint { ratios: completed(given, ratios)?, physical: None });
     }
     let oscillator = given.oscillator()?;
     let frequency = given.required(P::Frequency)?;
@@ -114,8 +122,11 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     let scales = Scales::new(&oscillator, &drive).map_err(named)?;
     let omega = given.get(P::Omega).unwrap_or(ratios.omega());
     let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
+    let eta = given.get(P::StaticFrictionRatio).unwrap_or(ratios.static_friction_ratio());
     Ok(BorderPoint {
-        ratios: Ratios::new(omega, F::int(1)).and_then(|r| r.with_damping_ratio(zeta)).map_err(named)?,
+        ratios: Ratios::new(omega, F::int(1))
+            .and_then(|r| r.with_damping_ratio(zeta)?.with_static_friction_ratio(eta))
+            .map_err(named)?,
         physical: Some(BorderScales {
             length: scales.length,
             force: scales.force,

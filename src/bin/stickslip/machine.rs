@@ -4,7 +4,7 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};
 use crate::units::System;
-use stickslip::{Drive, Excitation, Oscillator, Scales};
+use stickslip::{Drive, Error, Excitation, Oscillator, Scales};
 
 /// A machine in physical units and the scale of its answers.
 pub(crate) struct Machine<F> {
@@ -14,6 +14,8 @@ pub(crate) struct Machine<F> {
     pub(crate) system: System,
     /// Whether damping was given, be it 0.
     pub(crate) has_damper: bool,
+    /// Whether static friction was given, be it the kinetic one.
+    pub(crate) has_static_friction: bool,
     /// The coefficient of friction, where friction was given by it.
     pub(crate) friction_coefficient: Option<F>,
 }
@@ -120,14 +122,30 @@ impl<F: Value> Given<F> {
         .and_then(|body| self.with_damper(body))
     }
 
-    /// The body with its damper, if it has one.
+    /// The body with its damper, if it has one, and its static friction.
     pub(crate) fn with_damper(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Failure> {
+        self.one_of(&P::STATIC_FRICTIONS)?;
         match self.one_of(&P::DAMPERS)? {
             Some((P::Damping, damping)) => body.with_damping(damping),
             Some((_, ratio)) => body.with_damping_ratio(ratio),
             None => Ok(body),
         }
+        .and_then(|body| self.with_static_friction(body))
         .map_err(|e| self.at_fault(e))
+    }
+
+    /// The body with its static friction, if that is given.
+    fn with_static_friction(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Error> {
+        match (self.get(P::StaticFrictionRatio), self.get(P::StaticFriction)) {
+            (Some(ratio), _) => body.with_static_friction_ratio(ratio),
+            (None, Some(force)) => body.with_static_friction(force),
+            (None, None) => Ok(body),
+        }
+    }
+
+    /// Whether static friction is given, be it the kinetic one.
+    pub(crate) fn has_static_friction(&self) -> bool {
+        P::STATIC_FRICTIONS.into_iter().any(|p| self.has(p))
     }
 
     /// Whether damping is given, be it 0.

@@ -75,8 +75,19 @@ pub(crate) fn response<F: Value>(
     if response.ratios().is_damped() {
         writeln!(out, "  damping ratio ζ          {}", digits(response.ratios().damping_ratio()))?;
     }
+    if response.ratios().has_higher_static_friction() {
+        let eta = digits(response.ratios().static_friction_ratio());
+        writeln!(out, "  static friction ratio η  {eta}")?;
+    }
     if let Some(machine) = machine {
         given(machine, out)?;
+    }
+    if response.ratios().has_higher_static_friction() && response.regime() != Regime::Stuck {
+        writeln!(
+            out,
+            "\nWith static friction above the kinetic one the motion can depend on the start, and the verdict is that of\n\
+             the border alone; `stickslip steady` follows one start."
+        )?;
     }
     if let Some(cycle) = response.cycle() {
         motion(cycle, machine, units, out)?;

@@ -15,6 +15,11 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("omega", "1", "frequency ratio Ω = ω_d/ω_n"),
             ("alpha", "1", "force ratio α = p₀/r_y"),
             ("damping_ratio", "1", "damping ratio ζ = c/(2√(k m)), where damping was given"),
+            (
+                "static_friction_ratio",
+                "1",
+                "static friction ratio η = r_s/r_y, where static friction was given",
+            ),
         ],
     ),
     (
@@ -74,7 +79,11 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
     (
         "steady: the exact motion in the long run, stops included",
         &[
-            ("limit", "", "periodic, family (one of many, by the start), rest, none or not-converged"),
+            (
+                "limit",
+                "",
+                "periodic, family (one of many, by the start), rest, irregular, none or not-converged",
+            ),
             ("max_displacement_phase", "rad", "phase ω_d t of the maximum displacement"),
             ("min_displacement", "B", "minimum displacement"),
             ("min_displacement_phase", "rad", "its phase"),
@@ -98,6 +107,15 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("distance", "B", "estimate of how far the motion found is from the limit"),
             ("rest_position", "B", "where the body comes to rest for good"),
             ("periods", "2π/ω_d", "periods of the drive that were followed"),
+            (
+                "turns_per_cycle",
+                "",
+                "turns of the drive in a cycle; this and the next four where static friction was given",
+            ),
+            ("symmetric", "", "whether half a cycle is the other half upside down: yes or no"),
+            ("lyapunov_exponent", "1", "of an irregular motion, by turn of the drive"),
+            ("lyapunov_exponent_error", "1", "its standard error"),
+            ("turns_observed", "", "turns of the drive over which an irregular motion was observed"),
         ],
     ),
     (
@@ -131,6 +149,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("natural_frequency", "ω_n = √(k/m)"),
     ("period", "natural period 2π/ω_n"),
     ("mass, stiffness, friction, damping", "m, k, r_y, c"),
+    ("static_friction", "r_s = η r_y, where it was given"),
     ("friction_coefficient", "µ = r_y/(m g), where it was given"),
     ("force_amplitude", "amplitude p₀ of the force on the body"),
     ("foot_displacement", "amplitude of the spring's foot"),

@@ -32,7 +32,7 @@ impl<F: Value> Physical<F> {
 
     /// The machine and its drive: what was given and what follows from it.
     pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
-        let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
+        let Machine { oscillator, drive, scales, system, has_damper, has_static_friction, .. } = machine;
         let p0 = drive.force_amplitude(oscillator);
         let mut physical = Self { drive: Some(drive.excitation().name()), ..Self::of(*system) };
         let mut add = |name, kind, value| physical.values.push((name, kind, Cell::Number(Some(value))));
@@ -49,6 +49,10 @@ impl<F: Value> Physical<F> {
         }
         if *has_damper {
             add("damping", Kind::Damping, oscillator.damping());
+        }
+        if *has_static_friction {
+            let ratio = oscillator.static_friction_ratio();
+            add("static_friction", Kind::Force, ratio * oscillator.friction_bound());
         }
         add("force_amplitude", Kind::Force, p0);
         match drive.excitation() {

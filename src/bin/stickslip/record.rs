@@ -215,6 +215,15 @@ impl<F: Value> Record<F> {
         self
     }
 
+    /// With η behind the other ratios.
+    pub(crate) fn with_static_friction_ratio(mut self, static_friction_ratio: F) -> Self {
+        let is_ratio =
+            |(name, _): &(&'static str, Cell<F>)| matches!(*name, "omega" | "alpha" | "damping_ratio");
+        let place = self.fields.iter().take_while(|field| is_ratio(field)).count();
+        self.fields.insert(place, ("static_friction_ratio", Cell::Number(Some(static_friction_ratio))));
+        self
+    }
+
     /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME` or `NAME[unit]`, or
     /// NAME where no field is called so.
     pub(crate) fn has(&self, wanted: &str) -> bool {

@@ -15,7 +15,7 @@ use crate::response::single_format;
 use crate::style;
 use crate::units::{Kind, System};
 use std::io::{self, Write};
-use stickslip::exact::{LongRun, Peaks, State, SteadyState};
+use stickslip::exact::{Irregular, LongRun, Peaks, State, SteadyState};
 use stickslip::regime::{Observed, observed};
 use stickslip::{Error, Quantity, Ratios, Regime};
 
@@ -77,6 +77,11 @@ pub(crate) fn answer<F: Value>(
     } else {
         record
     };
+    let record = if given.has_static_friction() {
+        with_static_friction(record, &point.ratios, &limit)
+    } else {
+        record
+    };
     let record = match &point.machine {
         Some(machine) => with_machine(record, machine).finite().map_err(|e| given.behind_all(e))?,
         None => record,
@@ -84,9 +89,34 @@ pub(crate) fn answer<F: Value>(
     Ok((limit, record))
 }
 
+/// The record with η, and with what only a static friction above the kinetic one brings about.
+fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: &LongRun<F>) -> Record<F> {
+    let mut record = record.with_static_friction_ratio(ratios.static_friction_ratio());
+    let steady = limit.steady_state();
+    let irregular = if let LongRun::Irregular(motion) = limit { Some(motion) } else { None };
+    let number = |value: fn(&Irregular<F>) -> F| Cell::Number(irregular.map(value));
+    let symmetric = steady.map_or("", |s| if s.is_symmetric() { "yes" } else { "no" });
+    let (most, least) = (irregular.map(|m| m.max_displacement()), irregular.map(|m| m.min_displacement()));
+    for (name, cell) in &mut record.fields {
+        match *name {
+            "max_displacement" if irregular.is_some() => *cell = Cell::Number(most),
+            "min_displacement" if irregular.is_some() => *cell = Cell::Number(least),
+            _ => {}
+        }
+    }
+    record.fields.extend([
+        ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
+        ("symmetric", Cell::Text(symmetric)),
+        ("lyapunov_exponent", number(|m| m.lyapunov_exponent())),
+        ("lyapunov_exponent_error", number(|m| m.lyapunov_exponent_error())),
+        ("turns_observed", Cell::Count(irregular.map(Irregular::turns))),
+    ]);
+    record
+}
+
 /// The failure behind the argument that the exact motion cannot be followed with.
 pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
-    if matches!(error, Error::Damped { .. }) || error.quantity() == Some(Quantity::DampingRatio) {
+    if matches!(error.quantity(), Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio)) {
         return given.at_fault(error);
     }
     Failure::Input(format!("--omega or --frequency: {error}"))
@@ -98,6 +128,7 @@ fn names<F: Value>(limit: &LongRun<F>, seen: &Observed) -> (&'static str, &'stat
         LongRun::Periodic(_) => "periodic",
         LongRun::Family(_) => "family",
         LongRun::Rest(_) => "rest",
+        LongRun::Irregular(_) => "irregular",
         LongRun::Unbounded { .. } => "none",
         LongRun::NotConverged { .. } => "not-converged",
     };
@@ -119,6 +150,7 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
         LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
         LongRun::Rest(rest) => (Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => (None, None),
+        LongRun::Irregular(motion) => (Some(motion.periods()), None),
         LongRun::NotConverged { periods, .. } => (Some(*periods), None),
     };
     Ok(Record {
@@ -207,7 +239,7 @@ fn note<F: Value>(
     match limit {
         LongRun::Periodic(steady) => {
             let verdict = style::verdict(&verdict(steady, &seen));
-            writeln!(out, "{verdict} One periodic motion, from every start.\n")?;
+            writeln!(out, "{verdict} {}\n", from_where(point, steady))?;
             motion(steady, point, units, out)
         }
         LongRun::Family(steady) => {
@@ -228,6 +260,23 @@ fn note<F: Value>(
             };
             writeln!(out, "{}", style::verdict(&sentence))
         }
+        LongRun::Irregular(found) => {
+            let turns = found.turns();
+            let sentence = format!(
+                "Irregular: the motion from this start did not repeat itself in {turns} turns of the drive."
+            );
+            writeln!(out, "{}\n", style::verdict(&sentence))?;
+            writeln!(out, "  greatest displacement    {}", length(found.max_displacement()))?;
+            writeln!(out, "  least displacement       {}", length(found.min_displacement()))?;
+            let (exponent, error) = (found.lyapunov_exponent(), found.lyapunov_exponent_error());
+            writeln!(
+                out,
+                "  Lyapunov exponent        {} a turn, ± {:.1e}",
+                digits(exponent),
+                error.to_f64()
+            )?;
+            writeln!(out, "  stops                    {}", found.stops())
+        }
         LongRun::Unbounded { growth } => {
             let growth = length(*growth);
             let sentence = format!("Unbounded: the amplitude grows by {growth} in a cycle, in the long run.");
@@ -242,6 +291,23 @@ fn note<F: Value>(
             writeln!(out, "{}", style::verdict(&sentence))
         }
     }
+}
+
+/// From which starts the motion comes, and what there is to say of its cycle.
+fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
+    if !point.ratios.has_higher_static_friction() {
+        return "One periodic motion, from every start.".to_owned();
+    }
+    let cycle = match steady.turns_per_cycle() {
+        1 => String::new(),
+        turns => format!(" A cycle takes {turns} turns of the drive."),
+    };
+    let symmetry = if steady.is_symmetric() {
+        ""
+    } else {
+        " It is not symmetric: its mirror image is a motion from other starts."
+    };
+    format!("The limit of this start; others can have another.{cycle}{symmetry}")
 }
 
 fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {

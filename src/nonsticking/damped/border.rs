@@ -90,9 +90,10 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     }
 }
 
-/// ρ(0⁺), the amplitude that keeps the body from sticking at its turning points.
+/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of η times the kinetic one
+/// `(η + G + 2ζΩH)/Ω²`.
 pub(crate) fn turning_point<F: Float>(half: &HalfPeriod<F>) -> F {
-    half.holding() / half.omega.square()
+    (half.holding() + half.static_excess) / half.omega.square()
 }
 
 /// The search at a lower precision.

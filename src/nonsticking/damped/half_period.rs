@@ -37,6 +37,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) decay: F,
     pub(crate) cosine: F,
     pub(crate) sine: F,
+    /// `η − 1`, by how much the static friction is above the kinetic one, in r_y.
+    pub(crate) static_excess: F,
 }
 
 impl<F: Float> HalfPeriod<F> {
@@ -67,6 +69,7 @@ impl<F: Float> HalfPeriod<F> {
             decay,
             cosine: c.square() - free.square * s.square(),
             sine: two * s * c,
+            static_excess: F::int(0),
         }
     }
 
@@ -84,7 +87,13 @@ impl<F: Float> HalfPeriod<F> {
             decay: to(self.decay),
             cosine: to(self.cosine),
             sine: to(self.sine),
+            static_excess: to(self.static_excess),
         }
+    }
+
+    /// The same with a static friction of η times the kinetic one.
+    pub(crate) fn with_static_friction(self, eta: F) -> Self {
+        Self { static_excess: eta - F::int(1), ..self }
     }
 
     /// The lag δ of the linear oscillator, in (0, π).

@@ -142,7 +142,7 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
     let steady = match limit {
         LongRun::Rest(_) => return (Regime::Stuck, None, None),
         LongRun::Unbounded { .. } => return (Regime::Unbounded, None, None),
-        LongRun::NotConverged { .. } => return (due.0, None, due.1),
+        LongRun::Irregular(_) | LongRun::NotConverged { .. } => return (due.0, None, due.1),
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
     };
     let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
@@ -166,6 +166,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         LongRun::Family(s) => ("family", Some(s.periods()), None),
         LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => ("none", None, None),
+        LongRun::Irregular(motion) => ("irregular", Some(motion.periods()), None),
         LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
     };
     named([

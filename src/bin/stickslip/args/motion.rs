@@ -9,6 +9,7 @@ Examples:
   stickslip steady --omega 0.4 --alpha 6 --enclose
   stickslip steady --mass 50 --stiffness 877.3 --friction 5 --frequency 6.2832 --force 6 --format json
   stickslip steady --omega 0.5 --alpha 4 --x0 3 --v0 0.2
+  stickslip steady --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
   stickslip steady --points points.csv --format csv";
 
 pub(crate) const SIMULATE_EXAMPLES: &str = "\
@@ -90,6 +91,9 @@ pub(crate) struct DecayArgs {
     /// Damping ratio ζ = c/(2√(k m)), 0 unless given
     #[arg(long, value_name = "ZETA", allow_hyphen_values = true)]
     pub(crate) damping_ratio: Option<String>,
+    /// Static friction ratio η = r_s/r_y, 1 unless given
+    #[arg(long, value_name = "ETA", allow_hyphen_values = true)]
+    pub(crate) static_friction_ratio: Option<String>,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: String,

@@ -34,6 +34,12 @@ pub(crate) struct MachineArgs {
     /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) damping: Option<String>,
+    /// Static friction ratio η = r_s/r_y, such as 1.3: a body at rest stays until the force exceeds η r_y [default: 1]
+    #[arg(long, value_name = "η", allow_hyphen_values = true)]
+    pub(crate) static_friction_ratio: Option<String>,
+    /// Static friction r_s, such as 6.5kN, in place of the ratio
+    #[arg(long, value_name = "RS", allow_hyphen_values = true)]
+    pub(crate) static_friction: Option<String>,
     /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s; a bare number is ω_d in rad/s
     #[arg(long, value_name = "WD", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,

@@ -28,7 +28,7 @@ impl Mode {
 }
 
 /// The options that only a machine and its drive have.
-const MACHINE: [&str; 13] = [
+const MACHINE: [&str; 14] = [
     "mass",
     "stiffness",
     "period",
@@ -36,6 +36,7 @@ const MACHINE: [&str; 13] = [
     "friction_coefficient",
     "gravity",
     "damping",
+    "static_friction",
     "frequency",
     "force",
     "base_acceleration",
@@ -46,48 +47,52 @@ const MACHINE: [&str; 13] = [
 
 /// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
 const USED: &[(&str, Mode, &str)] = &[
-    ("response", Ratios, "omega alpha damping_ratio enclose format bits"),
-    ("response", Machine, "omega alpha BODY frequency DRIVE format bits units"),
-    ("response", Points, "points omega alpha BODY frequency DRIVE format header bits units"),
-    ("border", Ratios, "omega damping_ratio no_stop enclose format bits"),
-    ("border", Machine, "omega BODY frequency no_stop format bits units"),
-    ("border", Points, "points omega BODY frequency no_stop format header bits units"),
-    ("steady", Ratios, "omega alpha damping_ratio x0 v0 max_periods enclose format bits"),
-    ("steady", Machine, "omega alpha BODY frequency DRIVE x0 v0 max_periods format bits units"),
-    ("steady", Points, "points omega alpha BODY frequency DRIVE x0 v0 max_periods format header bits units"),
-    ("simulate", Ratios, "omega alpha damping_ratio x0 v0 cycles samples format bits"),
-    ("simulate", Machine, "omega alpha BODY frequency DRIVE x0 v0 cycles samples format bits units"),
+    ("response", Ratios, "omega alpha damping_ratio static_friction_ratio enclose format bits"),
+    ("response", Machine, "omega alpha BODY STATIC frequency DRIVE format bits units"),
+    ("response", Points, "points omega alpha BODY STATIC frequency DRIVE format header bits units"),
+    ("border", Ratios, "omega damping_ratio static_friction_ratio no_stop enclose format bits"),
+    ("border", Machine, "omega BODY STATIC frequency no_stop format bits units"),
+    ("border", Points, "points omega BODY STATIC frequency no_stop format header bits units"),
+    ("steady", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods enclose format bits"),
+    ("steady", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format bits units"),
+    (
+        "steady",
+        Points,
+        "points omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format header bits units",
+    ),
+    ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
+    ("simulate", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 cycles samples format bits units"),
     (
         "sweep",
         Ratios,
-        "question omega alpha damping_ratio outputs format out resume shard header no_header bits",
+        "question omega alpha damping_ratio static_friction_ratio outputs format out resume shard header no_header bits",
     ),
     (
         "sweep",
         Machine,
-        "question omega alpha BODY frequency DRIVE units outputs format out resume shard header no_header bits",
+        "question omega alpha BODY STATIC frequency DRIVE units outputs format out resume shard header no_header bits",
     ),
-    ("map", Ratios, "quantity omega alpha damping_ratio out overwrite"),
-    ("map", Machine, "quantity omega alpha BODY frequency DRIVE units out overwrite"),
+    ("map", Ratios, "quantity omega alpha damping_ratio static_friction_ratio out overwrite"),
+    ("map", Machine, "quantity omega alpha BODY STATIC frequency DRIVE units out overwrite"),
     ("response-curve", Ratios, "what omega alpha damping_ratio out overwrite"),
     ("response-curve", Machine, "what omega alpha BODY frequency DRIVE units out overwrite"),
-    ("motion-plot", Ratios, "omega alpha damping_ratio x0 v0 out overwrite"),
-    ("motion-plot", Machine, "omega alpha BODY frequency DRIVE x0 v0 units out overwrite"),
+    ("motion-plot", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 out overwrite"),
+    ("motion-plot", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 units out overwrite"),
     (
         "identify",
         Machine,
         "file mass stiffness period force base_acceleration base_velocity base_displacement \
          foot_displacement format units",
     ),
-    ("decay", Ratios, "damping_ratio x0 v0 format bits"),
-    ("decay", Machine, "mass stiffness friction damping_ratio x0 v0 format bits units"),
-    ("design force", Ratios, "omega damping_ratio no_stop format bits"),
-    ("design force", Machine, "BODY frequency no_stop format bits units"),
-    ("design friction", Ratios, "omega damping_ratio format bits"),
+    ("decay", Ratios, "damping_ratio static_friction_ratio x0 v0 format bits"),
+    ("decay", Machine, "mass stiffness friction damping_ratio static_friction_ratio x0 v0 format bits units"),
+    ("design force", Ratios, "omega damping_ratio static_friction_ratio no_stop format bits"),
+    ("design force", Machine, "BODY STATIC frequency no_stop format bits units"),
+    ("design friction", Ratios, "omega damping_ratio static_friction_ratio format bits"),
     (
         "design friction",
         Machine,
-        "mass stiffness period gravity damping_ratio damping frequency DRIVE format bits units",
+        "mass stiffness period gravity damping_ratio damping static_friction_ratio frequency DRIVE format bits units",
     ),
     ("design bands", Ratios, "alpha damping_ratio from to no_stop format bits"),
     ("design bands", Machine, "BODY DRIVE from to no_stop format bits units"),
@@ -115,6 +120,7 @@ fn options(used: &str) -> impl Iterator<Item = &str> {
         "BODY" => {
             "mass stiffness period friction friction_coefficient gravity damping_ratio damping".split(' ')
         }
+        "STATIC" => "static_friction_ratio static_friction".split(' '),
         "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement".split(' '),
         single => single.split(' '),
     })

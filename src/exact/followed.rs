@@ -1,0 +1,279 @@
+//! What a motion tends to from one start, where the static friction is above the kinetic one.
+//!
+//! Friction is not monotone then: a body at rest resists more than one that moves, two motions under the same drive can part, and
+//! what `shooting` proves for every start does not hold. Limits can coexist, be asymmetric, take several turns of the drive, or be irregular. So the
+//! motion itself is followed, and what is said of it is said of this start.
+//!
+//! H takes the state half a turn on and turns it upside down (`shooting`). Let m be the least number with `Hᵐ(y) = y`.
+//!
+//! * m odd: the motion is symmetric, `x(t + mT/2) = −x(t)`, and takes m turns.
+//! * m even: it is not, and takes m/2 turns; `H(y)` is on its mirror image, another motion.
+//!
+//! # How a periodic motion is told
+//!
+//! The state is compared with a reference, taken anew after 16, 32, 64, 128, 256, 384 … half turns, so that m up to [`LONGEST`] is found. Where it comes back
+//! to the reference by 2⁻²⁰ of its size, Newton's method on Hᵐ gives the periodic motion, with its derivative J along it. It is the limit of this start
+//! where all of these hold:
+//!
+//! * its multipliers are within the unit circle;
+//! * it is within 2⁻¹² of the motion followed, relative to its size, and both have the same sequence of slides and stops over m half turns;
+//! * the distance after those is that of the linearised motion, J times that before, to an eighth of itself.
+//!
+//! Then the motion is where the linearised map rules, and that contracts. Otherwise it is followed on.
+//!
+//! # How an irregular one is told
+//!
+//! A disturbance is carried along by the exact linearised motion from a quarter of the budget on; its mean logarithmic growth is the Lyapunov
+//! exponent. Where no periodic motion was found by the end of the budget, the motion does not come back to its last reference and the exponent is not
+//! below zero by more than four times its standard error, the motion is irregular as far as it was followed: chaotic where the exponent is above that,
+//! and otherwise one whose neighbours neither leave it nor approach it. Those exist: with one stop in a cycle the state is one number, and the map of a
+//! turn can be that of a circle onto itself, with breaks where a stop begins or ends; then the motion is quasi-periodic.
+
+mod observed;
+
+use super::broken::Broken;
+use super::equation::Equation;
+use super::family;
+use super::long_run::{LongRun, unsettled};
+use super::matrix::Matrix;
+use super::measures::Tally;
+use super::rest::Rest;
+use super::shooting::{Budget, Residual, is_known, rate_noise};
+use super::slide::Direction;
+use super::state::{Point, State};
+use super::steady::{SteadyState, Summary};
+use super::walk::{Part, follow, walk};
+use crate::error::Error;
+use crate::float::Float;
+use crate::ratios::Ratios;
+use observed::{GrowthAtResonance, Observed};
+
+/// Half turns that a periodic motion may take.
+const LONGEST: u64 = 128;
+
+/// The limit of the motion from a start, α > 1, η > 1.
+///
+/// # Errors
+/// [`Error::SearchBound`], [`Error::Interrupted`].
+pub(crate) fn limit<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Error> {
+    let equation = Equation::new(ratios);
+    let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut reference = y;
+    let (mut lag, mut next_reference) = (0u64, 16u64);
+    // Whether the motion came back to this reference, and to the one before.
+    let (mut is_tried, mut was_tried) = (false, false);
+    let mut observed = Observed::new(budget.most);
+    let mut change = F::int(0);
+    let grows = GrowthAtResonance::of(&ratios);
+    while budget.half_turns < budget.most {
+        let step = half_turns(equation, &y, 1, budget, |part| observed.add(part))?;
+        if let Some(position) = step.rest {
+            let position = if observed.is_upside_down { -position } else { position };
+            let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
+            return Ok(LongRun::Rest(Rest { position, slides: Some(observed.slides), periods }));
+        }
+        observed.stretch(&step.derivative, budget.half_turns);
+        change = distance(&step.end, &y);
+        if let Some(growth) = grows.as_ref().and_then(|grows| grows.seen(&y, &step.end)) {
+            return Ok(LongRun::Unbounded { growth });
+        }
+        y = step.end;
+        lag = lag.saturating_add(1);
+        let is_back = distance(&y, &reference) <= F::exp2i(-20) * size(&reference);
+        if is_back && !is_tried {
+            is_tried = true;
+            for half_turns in [lag, lag.saturating_mul(2)] {
+                let here = observed.upright(&y);
+                if let Some(found) = periodic(ratios, &here, half_turns, budget)? {
+                    return Ok(found);
+                }
+            }
+        }
+        if budget.half_turns >= next_reference {
+            next_reference = budget.half_turns.saturating_add(budget.half_turns.min(LONGEST));
+            (reference, lag, was_tried, is_tried) = (y, 0, is_tried, false);
+        }
+    }
+    let here = observed.upright(&y);
+    let irregular = if is_tried || was_tried { None } else { observed.irregular(&equation, &here, budget) };
+    Ok(irregular.map_or_else(|| unsettled(&equation, &here, change, budget), LongRun::Irregular))
+}
+
+/// Some half turns of a motion.
+struct Step<F> {
+    /// Where it ends, turned upside down after an odd number.
+    end: Point<F>,
+    /// Its derivative by the state at the beginning.
+    derivative: Matrix<F>,
+    /// Where the body rests for ever, if it does.
+    rest: Option<F>,
+    /// The sequence of slides and stops, as a number that tells most apart.
+    pattern: u64,
+}
+
+/// `Hᵐ` at a point, with its derivative.
+fn half_turns<F: Float>(
+    equation: Equation<F>,
+    from: &Point<F>,
+    m: u64,
+    budget: &mut Budget<'_>,
+    mut visit: impl FnMut(&Part<F>),
+) -> Result<Step<F>, Broken> {
+    let (mut rest, mut pattern) = (None, 0u64);
+    let usual = F::pi() / equation.omega;
+    let count = i64::try_from(m).unwrap_or(i64::MAX);
+    let (end, derivative) = follow(equation, *from, count, usual, budget, |part| {
+        let kind = match &part {
+            Part::Slide(slide, _) | Part::Onward(slide, ..) => match slide.direction {
+                Direction::Forward => 1,
+                Direction::Backward => 2,
+            },
+            Part::Stick(stick, _) => {
+                rest = if stick.release.is_none() { Some(stick.x) } else { None };
+                3
+            }
+        };
+        pattern = pattern.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(kind);
+        visit(&part);
+        Ok(())
+    })?;
+    budget.walked(m);
+    Ok(if m % 2 == 1 {
+        let end = Point { phase: from.phase, x: -end.x, w: -end.w };
+        Step { end, derivative: derivative.negated(), rest, pattern }
+    } else {
+        Step { end: Point { phase: from.phase, ..end }, derivative, rest, pattern }
+    })
+}
+
+/// The periodic motion of m half turns next to a point of the motion followed, where it is the limit.
+fn periodic<F: Float>(
+    ratios: Ratios<F>,
+    near: &Point<F>,
+    m: u64,
+    budget: &mut Budget<'_>,
+) -> Result<Option<LongRun<F>>, Broken> {
+    let equation = Equation::new(ratios);
+    let times = i32::try_from(m).unwrap_or(i32::MAX).saturating_mul(4);
+    let first = half_turns(equation, near, m, budget, |_| {})?;
+    let missed =
+        |y: &Point<F>, step: &Step<F>| Residual::new(&equation, y, (step.end.x - y.x, step.end.w - y.w));
+    let (mut y, mut step) = (*near, first);
+    let mut left = missed(&y, &step);
+    let (begin, arrived, pattern) = (*near, step.end, step.pattern);
+    if family::is_one(ratios) && !is_within(&step.derivative, -F::exp2i(-20)) {
+        // One multiplier is 1: no step leads anywhere, and the motion is followed until its own change is rounding.
+        let is_settled = left.is_rounding(times) && is_within(&step.derivative, rate_noise(m));
+        return if is_settled { member(equation, &y, m, &step, &left, budget).map(Some) } else { Ok(None) };
+    }
+    for _ in 0..MOST_STEPS {
+        let (dx, dw) = step.derivative.negated().inverse_of_one_plus().times((left.x, left.w));
+        let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
+        if !(dx.is_finite() && dw.is_finite()) {
+            break;
+        }
+        let tried = half_turns(equation, &trial, m, budget, |_| {})?;
+        let after = missed(&trial, &tried);
+        if after.norm() * F::int(2) > left.norm() {
+            break;
+        }
+        (y, step, left) = (trial, tried, after);
+    }
+    let inverse = step.derivative.negated().inverse_of_one_plus();
+    let is_periodic = left.is_rounding(times.saturating_mul(4)) && is_known(&y, inverse, &left);
+    if !(is_periodic && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
+        return Ok(None);
+    }
+    let (before, room) = ((begin.x - y.x, begin.w - y.w), left.bound());
+    let away = before.0.hypot(before.1);
+    let linear = step.derivative.times(before);
+    let off = (arrived.x - y.x - linear.0).hypot(arrived.w - y.w - linear.1);
+    let is_followed = away <= F::exp2i(-12) * size(&y)
+        && pattern == step.pattern
+        && off <= away / F::int(8) + F::int(64) * room;
+    if !is_followed {
+        return Ok(None);
+    }
+    // It may come back earlier: of a symmetric motion that settles slowly the first half turn is not as near as the second.
+    let mut m = m;
+    for divisor in (1..m).filter(|divisor| m.is_multiple_of(*divisor)) {
+        let early = half_turns(equation, &y, divisor, budget, |_| {})?;
+        let after = missed(&y, &early);
+        if after.is_rounding(times.saturating_mul(16)) {
+            (m, step, left) = (divisor, early, after);
+            break;
+        }
+    }
+    let inverse = step.derivative.negated().inverse_of_one_plus();
+    let distance = inverse.absolute().times(left.bounds());
+    let multipliers =
+        if m % 2 == 1 { step.derivative.squared_eigenvalues() } else { step.derivative.eigenvalues() };
+    steady(equation, y, m, multipliers, distance, budget).map(|found| Some(LongRun::Periodic(found)))
+}
+
+/// Steps of Newton's method, each of which at least halves what is missed.
+const MOST_STEPS: u32 = 24;
+
+/// The member of a family at Ω = 1/(2n) that a motion has settled on.
+fn member<F: Float>(
+    equation: Equation<F>,
+    y: &Point<F>,
+    m: u64,
+    step: &Step<F>,
+    left: &Residual<F>,
+    budget: &mut Budget<'_>,
+) -> Result<LongRun<F>, Broken> {
+    let (zero, one) = (F::int(0), F::int(1));
+    let other = step.derivative.determinant().abs();
+    let off = left.bound() / (one - other);
+    let multipliers = [(one, zero), (other, zero)];
+    steady(equation, *y, m, multipliers, (off, off), budget).map(LongRun::Family)
+}
+
+/// A periodic motion of m half turns with what a cycle of it amounts to.
+fn steady<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    m: u64,
+    multipliers: [(F, F); 2],
+    distance: (F, F),
+    budget: &mut Budget<'_>,
+) -> Result<SteadyState<F>, Broken> {
+    let half_turns = u32::try_from(m).unwrap_or(u32::MAX);
+    let usual = F::pi() / equation.omega;
+    let once = walk(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
+    let tally = Tally::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
+    let tally = if m % 2 == 1 { tally.doubled() } else { tally };
+    Ok(SteadyState {
+        equation,
+        start,
+        half_turns,
+        tally: Summary::of(&tally, half_turns),
+        multipliers,
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    })
+}
+
+/// Whether the multipliers are within the unit circle, with that much room.
+fn is_within<F: Float>(derivative: &Matrix<F>, room: F) -> bool {
+    let [(a, b), (c, d)] = derivative.eigenvalues();
+    let most = F::int(1) + room;
+    let (first, second) = (a.hypot(b), c.hypot(d));
+    if room == F::int(0) { first < most && second < most } else { first <= most && second <= most }
+}
+
+fn distance<F: Float>(p: &Point<F>, q: &Point<F>) -> F {
+    (p.x - q.x).hypot(p.w - q.w)
+}
+
+fn size<F: Float>(p: &Point<F>) -> F {
+    F::int(1) + p.x.abs() + p.w.abs()
+}
+
+#[cfg(test)]
+mod tests;
