@@ -19,6 +19,7 @@ pages! {
     Stability: "../docs/theory/stability.md",
     Damping: "../docs/theory/damping.md",
     ExactMotion: "../docs/theory/exact-motion.md",
+    StaticFriction: "../docs/theory/static-friction.md",
 }
 
 #[cfg(all(feature = "batch", feature = "dual"))]

@@ -1,5 +1,6 @@
 //! What can be typed.
 
+mod attractors;
 mod closed;
 mod curve;
 mod design;
@@ -14,6 +15,8 @@ mod used;
 use crate::failure::Failure;
 use crate::outputs;
 use crate::style::STYLES;
+use attractors::ATTRACTORS_EXAMPLES;
+pub(crate) use attractors::AttractorsArgs;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
@@ -82,6 +85,9 @@ pub(crate) enum Command {
     /// The exact motion in the long run, stops included.
     #[command(after_help = STEADY_EXAMPLES)]
     Steady(SteadyArgs),
+    /// All limits that many starts lead to, where the static friction is above the kinetic one.
+    #[command(after_help = ATTRACTORS_EXAMPLES)]
+    Attractors(AttractorsArgs),
     /// The exact motion from a start, phase by phase or sampled.
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),

@@ -38,14 +38,24 @@ pub(crate) fn steady(
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
+    with_one_friction(machine)?;
     let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
     enclosed_steady(ratios, machine.damping_ratio.as_deref(), output, out)
 }
 
 /// The closed forms with damping have no enclosures.
 fn undamped(machine: &MachineArgs) -> Outcome {
+    with_one_friction(machine)?;
     let Some(zeta) = &machine.damping_ratio else { return Ok(()) };
     Err(Failure::Input(format!("--damping-ratio {zeta}: --enclose is for closed forms without damping")))
+}
+
+/// Static friction above the kinetic one has no enclosures.
+fn with_one_friction(machine: &MachineArgs) -> Outcome {
+    let Some(eta) = &machine.static_friction_ratio else { return Ok(()) };
+    Err(Failure::Input(format!(
+        "--static-friction-ratio {eta}: --enclose is for static friction as large as kinetic"
+    )))
 }
 
 #[cfg(feature = "mp")]

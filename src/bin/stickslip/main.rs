@@ -14,6 +14,7 @@
 )]
 
 mod args;
+mod attractors;
 mod axes;
 mod bits;
 mod border;
@@ -86,6 +87,7 @@ fn run(command: &Command) -> Outcome {
         Command::Response(args) => response::run(args, &mut out)?,
         Command::Border(args) => border::run(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
+        Command::Attractors(args) => attractors::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
         Command::Design(question) => design::run(question, &mut out)?,
         Command::Identify(args) => identify::run(args, &mut out)?,

@@ -119,6 +119,19 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         ],
     ),
     (
+        "attractors: one limit a row",
+        &[
+            ("attractor", "", "its number, in the order of the first starts"),
+            ("share", "1", "part of the starts that lead to it"),
+            ("starts", "", "how many of them"),
+            ("first_x", "B", "displacement of the first of them, at ω_d t = 0"),
+            ("first_v", "B ω_d", "its velocity"),
+            ("mirror", "", "number of the limit that is this one upside down"),
+            ("rest_from", "B", "least place of rest, or middle of a member of a family"),
+            ("rest_to", "B", "greatest of them"),
+        ],
+    ),
+    (
         "simulate: one phase a row, or one sample with --samples",
         &[
             ("kind", "", "slide-forward, slide-backward or stick"),

@@ -122,17 +122,16 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     Failure::Input(format!("--omega or --frequency: {error}"))
 }
 
-/// The regime that the motion itself shows, and what kind of limit it has.
-fn names<F: Value>(limit: &LongRun<F>, seen: &Observed) -> (&'static str, &'static str) {
-    let kind = match limit {
+/// What kind of limit it is.
+pub(crate) const fn kind<F: Value>(limit: &LongRun<F>) -> &'static str {
+    match limit {
         LongRun::Periodic(_) => "periodic",
         LongRun::Family(_) => "family",
         LongRun::Rest(_) => "rest",
         LongRun::Irregular(_) => "irregular",
         LongRun::Unbounded { .. } => "none",
         LongRun::NotConverged { .. } => "not-converged",
-    };
-    (seen.regime.name(), kind)
+    }
 }
 
 /// All outputs of a steady state; the peaks where they are asked for.
@@ -143,7 +142,7 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
     let errors = steady.map(SteadyState::errors).transpose()?;
     let peaks = steady.filter(|_| peaks).map(SteadyState::peaks).transpose()?;
     let seen = observed(ratios, limit);
-    let (regime, kind) = names(limit, &seen);
+    let (regime, kind) = (seen.regime.name(), kind(limit));
     let larger = |a: F, b: F| if a > b { a } else { b };
     let amplitude = steady.map(|s| larger(s.max_displacement().abs(), s.min_displacement().abs()));
     let (periods, rest) = match limit {

@@ -1,7 +1,9 @@
 //! The limits of docs/theory/static-friction.md, found from starts, and the motion itself against what is said of it.
 
-use crate::Ratios;
 use crate::exact::{LongRun, State, SteadyState, Trajectory};
+use crate::nonsticking::damped;
+use crate::phase_function::PhaseFunction;
+use crate::{Border, Cycle, Ratios};
 use std::f64::consts::TAU;
 
 fn ratios(omega: f64, zeta: f64, eta: f64, alpha: f64) -> Ratios<f64> {
@@ -204,4 +206,47 @@ fn a_family_at_half_the_natural_frequency() {
     // Beyond, the body stops.
     let beyond = at(2.7);
     assert!(beyond.steady_state().is_none_or(|steady| steady.sticks_per_cycle() > 0), "{beyond:?}");
+}
+
+/// Just above the border the cycle is a motion without a stop, and just below it stops within half a turn.
+fn beside_the_border(points: u32) {
+    let mut inside = 0;
+    for i in 0..points {
+        let part = |step: f64| (f64::from(i) * step).fract();
+        let omega = 2f64.powf(3.0 * part(0.819_173) - 2.0);
+        let zeta = if i % 5 == 0 { 0.0 } else { 0.002 + 0.3 * part(0.671_044) };
+        let eta = 1.0 + 2.0 * part(0.549_700);
+        let at = |alpha| ratios(omega, zeta, eta, alpha);
+        let border = Border::of(&at(2.0));
+        inside += i32::from(!border.is_turning_point());
+        let stops = |side: f64| {
+            let ratios = at(border.min_force_ratio() * (1.0 + side * 1e-9));
+            let (amplitude, phase) = if zeta > 0.0 {
+                let half = damped::half_period(&ratios);
+                let cycle = damped::DampedCycle::at(half, ratios.alpha());
+                (cycle.max_displacement, cycle.displacement_phase)
+            } else {
+                let cycle = Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios);
+                (cycle.max_displacement(), cycle.displacement_phase())
+            };
+            let start = State::new(phase, amplitude, 0.0).unwrap();
+            let parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
+            let mut parts = parts.take_while(|part| part.start().phase.since(start.phase) < 3.0);
+            parts.any(|part| part.kind() == crate::exact::Kind::Stick)
+        };
+        assert!(!stops(1.0), "Ω = {omega}, ζ = {zeta}, η = {eta}: a stop above {border:?}");
+        assert!(stops(-1.0), "Ω = {omega}, ζ = {zeta}, η = {eta}: no stop below {border:?}");
+    }
+    assert!(inside * 50 > points as i32, "{inside} of {points}");
+}
+
+#[test]
+fn the_border_is_that_of_the_motion() {
+    beside_the_border(2000);
+}
+
+#[test]
+#[ignore = "a campaign of 10⁵ points"]
+fn the_border_is_that_of_the_motion_everywhere() {
+    beside_the_border(100_000);
 }

@@ -53,12 +53,26 @@ const USED: &[(&str, Mode, &str)] = &[
     ("border", Ratios, "omega damping_ratio static_friction_ratio no_stop enclose format bits"),
     ("border", Machine, "omega BODY STATIC frequency no_stop format bits units"),
     ("border", Points, "points omega BODY STATIC frequency no_stop format header bits units"),
-    ("steady", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods enclose format bits"),
+    (
+        "steady",
+        Ratios,
+        "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods enclose format bits",
+    ),
     ("steady", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format bits units"),
     (
         "steady",
         Points,
         "points omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format header bits units",
+    ),
+    (
+        "attractors",
+        Ratios,
+        "omega alpha damping_ratio static_friction_ratio starts reach max_periods format bits",
+    ),
+    (
+        "attractors",
+        Machine,
+        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods format bits units",
     ),
     ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
     ("simulate", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 cycles samples format bits units"),

@@ -1,0 +1,38 @@
+//! The arguments of `stickslip attractors`.
+
+use super::{ForceArgs, Format, MachineArgs, UnitArgs};
+use clap::Args;
+
+pub(crate) const ATTRACTORS_EXAMPLES: &str = "\
+Examples:
+  stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
+  stickslip attractors --omega 0.1356 --alpha 4.4107 --damping-ratio 0.0388 --static-friction-ratio 2.7673 --starts 400
+  stickslip attractors --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --format json
+
+The starts are at ω_d t = 0: the first at rest at x = 0, the others spread evenly over |x| ≤ R, |v| ≤ R, always the same. A limit
+that no start leads to is not found.";
+
+#[derive(Debug, Args)]
+pub(crate) struct AttractorsArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    /// Number of starts
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1000")]
+    pub(crate) starts: String,
+    /// R: how far the starts reach, in units of B and of B ω_d [default: 3 + 2 η + 2 × the frictionless amplitude, at most 20 α]
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    pub(crate) reach: Option<String>,
+    /// Periods of the drive to follow each start for
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
+    pub(crate) max_periods: u32,
+    /// text, json, jsonl or csv
+    #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
+    pub(crate) format: Format,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+}

@@ -1,0 +1,260 @@
+//! `stickslip attractors`: all limits that a set of starts leads to.
+
+use crate::args::{AttractorsArgs, Format, Header};
+use crate::bits::{self, Task, Value};
+use crate::failure::{Failure, Outcome};
+use crate::given::Given;
+use crate::input;
+use crate::interrupt;
+use crate::note::{both, digits};
+use crate::physical::Physical;
+use crate::progress;
+use crate::record::{Cell, Record};
+use crate::sink::Sink;
+use crate::steady::{kind, of_motion};
+use crate::style;
+use serde::Serialize;
+use std::io::Write;
+use std::ops::ControlFlow;
+use stickslip::Ratios;
+use stickslip::exact::{Attractor, Attractors, LongRun, State, Trajectory};
+
+/// Starts, at most: their limits are kept in memory.
+const MOST_STARTS: u64 = 10_000_000;
+
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a AttractorsArgs, &'a mut W);
+
+pub(crate) fn run(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
+    bits::run(args.bits, Run(args, out))
+}
+
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        if args.max_periods == 0 {
+            return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
+        }
+        let count = input::count("--starts", &args.starts, MOST_STARTS)?;
+        let given = Given::<F>::of(&args.machine, &args.force, &args.units.reader())?;
+        let point = input::point(&given)?;
+        let reach = reach(args.reach.as_deref(), &point.ratios)?;
+        Trajectory::new(point.ratios, State::<F>::rest()).map_err(|e| of_motion(&given, e))?;
+        let mut limits = Vec::new();
+        progress::in_order(
+            0..count,
+            |starts| {
+                starts
+                    .map(|n| follow(point.ratios, start(n, reach)?, args.max_periods))
+                    .collect::<Result<Vec<_>, _>>()
+            },
+            |found| {
+                limits.extend(found);
+                Ok(())
+            },
+        )?;
+        let all = Attractors::of_limits(limits).map_err(|e| of_motion(&given, e))?;
+        let rows: Vec<Record<F>> = (0..all.limits().len()).map(|place| row(&all, place, reach)).collect();
+        match args.format {
+            Format::Text => {
+                let scale = point.machine.as_ref().map(|m| m.scales.length);
+                text(&all, reach, |x| both(x, "B", scale, given.system.length), out)
+            }
+            Format::Json => {
+                let answer = Answer::of(&given, &point.ratios, &all, reach, &rows);
+                serde_json::to_writer_pretty(&mut *out, &answer)?;
+                Ok(out.write_all(b"\n")?)
+            }
+            Format::Jsonl | Format::Csv => {
+                let mut sink = if args.format == Format::Csv {
+                    Sink::rows(out, Header::Names)
+                } else {
+                    Sink::lines(out)
+                };
+                rows.iter().try_for_each(|row| sink.write(row))?;
+                Ok(sink.flush()?)
+            }
+        }
+    }
+}
+
+/// How far the starts reach.
+fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
+    let Some(text) = text else {
+        let (swing, most) = (ratios.forced_amplitude().abs(), F::int(20) * ratios.alpha());
+        let swing = if swing < most { swing } else { most };
+        return Ok(F::int(3) + F::int(2) * (ratios.static_friction_ratio() + swing));
+    };
+    let reach: F = input::number("--reach", text)?;
+    if reach > F::int(0) && reach <= F::exp2i(40) {
+        Ok(reach)
+    } else {
+        Err(Failure::Input(format!("--reach {text}: must be > 0 and ≤ 2⁴⁰")))
+    }
+}
+
+/// The start of that number: the first at rest, the others by the multiples of two irrational numbers, which fill the square evenly.
+fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
+    let place = |step: f64| {
+        let part = (number as f64 * step).fract();
+        F::from_f64(if number == 0 { 0.0 } else { 2.0 * part - 1.0 }) * reach
+    };
+    // 1/g and 1/g², g³ = g + 1.
+    State::new(F::int(0), place(0.754_877_666_246_692_7), place(0.569_840_290_998_053_3))
+        .map_err(|e| Failure::Input(e.to_string()))
+}
+
+fn follow<F: Value>(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<LongRun<F>, Failure> {
+    let mut keep_going =
+        || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    LongRun::within_while(ratios, start, periods, &mut keep_going).map_err(|e| match e {
+        stickslip::Error::Interrupted => Failure::Interrupted,
+        other => Failure::Input(other.to_string()),
+    })
+}
+
+/// The share of the starts that lead to a limit.
+fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
+    limit.starts() as f64 / all.starts() as f64
+}
+
+/// A limit as a record.
+fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
+    let mut fields = Vec::new();
+    if let Some(found) = all.limits().get(place) {
+        let steady = found.limit().steady_state();
+        let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
+        let first = start(found.first_start() as u64, reach).ok();
+        let either = |a: Option<F>, b: Option<F>| Cell::Number(a.or(b));
+        let yes = |flag: bool| if flag { "yes" } else { "no" };
+        fields = vec![
+            ("attractor", Cell::Count(Some(place as u64 + 1))),
+            ("limit", Cell::Text(kind(found.limit()))),
+            ("share", Cell::Number(Some(F::from_f64(share(all, found))))),
+            ("starts", Cell::Count(Some(found.starts()))),
+            ("first_x", Cell::Number(first.map(|s| s.x))),
+            ("first_v", Cell::Number(first.map(|s| s.v))),
+            ("mirror", Cell::Count(found.mirror().map(|place| place as u64 + 1))),
+            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric())))),
+            ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
+            (
+                "max_displacement",
+                either(steady.map(|s| s.max_displacement()), irregular.map(|m| m.max_displacement())),
+            ),
+            (
+                "min_displacement",
+                either(steady.map(|s| s.min_displacement()), irregular.map(|m| m.min_displacement())),
+            ),
+            ("sticks_per_cycle", Cell::Count(steady.map(|s| u64::from(s.sticks_per_cycle())))),
+            (
+                "velocity_zeros_per_cycle",
+                Cell::Count(steady.map(|s| u64::from(s.velocity_zeros_per_cycle()))),
+            ),
+            ("stick_fraction", Cell::Number(steady.map(|s| s.stick_fraction()))),
+            ("multipliers", Cell::Pairs(steady.map(|s| s.multipliers()))),
+            ("lyapunov_exponent", Cell::Number(irregular.map(|m| m.lyapunov_exponent()))),
+            ("lyapunov_exponent_error", Cell::Number(irregular.map(|m| m.lyapunov_exponent_error()))),
+            ("rest_from", Cell::Number(found.range().map(|(low, _)| low))),
+            ("rest_to", Cell::Number(found.range().map(|(_, high)| high))),
+        ];
+    }
+    Record { fields, physical: Physical::default() }
+}
+
+/// The answer as JSON.
+#[derive(Serialize)]
+struct Answer<'a, F: Value> {
+    omega: Cell<F>,
+    alpha: Cell<F>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    damping_ratio: Option<Cell<F>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    static_friction_ratio: Option<Cell<F>>,
+    starts: u64,
+    reach: Cell<F>,
+    unsettled: u64,
+    attractors: &'a [Record<F>],
+}
+
+impl<'a, F: Value> Answer<'a, F> {
+    fn of(
+        given: &Given<F>,
+        ratios: &Ratios<F>,
+        all: &Attractors<F>,
+        reach: F,
+        rows: &'a [Record<F>],
+    ) -> Self {
+        let number = |x: F| Cell::Number(Some(x));
+        Self {
+            omega: number(ratios.omega()),
+            alpha: number(ratios.alpha()),
+            damping_ratio: given.has_damper().then(|| number(ratios.damping_ratio())),
+            static_friction_ratio: given
+                .has_static_friction()
+                .then(|| number(ratios.static_friction_ratio())),
+            starts: all.starts() as u64,
+            reach: number(reach),
+            unsettled: all.unsettled() as u64,
+            attractors: rows,
+        }
+    }
+}
+
+fn text<F: Value>(
+    all: &Attractors<F>,
+    reach: F,
+    length: impl Fn(F) -> String,
+    out: &mut impl Write,
+) -> Outcome {
+    let (count, reach) = (all.starts(), digits(reach));
+    let sentence = match all.limits().len() {
+        1 => format!("One limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
+        n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
+    };
+    writeln!(out, "{}", style::verdict(&sentence))?;
+    if all.unsettled() > 0 {
+        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
+    }
+    for (place, found) in all.limits().iter().enumerate() {
+        let part = digits((share(all, found) * 1e4).round() / 1e2);
+        writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, described(found))?;
+        if let Some(steady) = found.limit().steady_state() {
+            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
+            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
+            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle())?;
+            writeln!(out, "  left of a disturbance    {} in a cycle", digits(steady.contraction()))?;
+        } else if let LongRun::Irregular(motion) = found.limit() {
+            writeln!(out, "  greatest displacement    {}", length(motion.max_displacement()))?;
+            writeln!(out, "  least displacement       {}", length(motion.min_displacement()))?;
+            writeln!(out, "  Lyapunov exponent        {} a turn", digits(motion.lyapunov_exponent()))?;
+        } else if let Some((low, high)) = found.range() {
+            writeln!(out, "  from                     {}", length(low))?;
+            writeln!(out, "  to                       {}", length(high))?;
+        }
+    }
+    Ok(())
+}
+
+/// What a limit is, in words.
+fn described<F: Value>(found: &Attractor<F>) -> String {
+    let mirror = match found.mirror() {
+        Some(place) => format!(", the mirror image of {}", place + 1),
+        None => String::new(),
+    };
+    match found.limit() {
+        LongRun::Periodic(steady) => {
+            let symmetry = if steady.is_symmetric() { "Symmetric" } else { "Not symmetric" };
+            let turns = match steady.turns_per_cycle() {
+                1 => "a cycle of one turn of the drive".to_owned(),
+                turns => format!("a cycle of {turns} turns of the drive"),
+            };
+            format!("{symmetry}, {turns}{mirror}")
+        }
+        LongRun::Family(_) => "A family of motions, by their middles".to_owned(),
+        LongRun::Rest(_) => "Rest".to_owned(),
+        LongRun::Irregular(motion) if motion.is_chaotic() => format!("Irregular, chaotic{mirror}"),
+        LongRun::Irregular(_) => format!("Irregular, neighbours neither leave nor approach it{mirror}"),
+        LongRun::Unbounded { .. } => "Growing without bound".to_owned(),
+        LongRun::NotConverged { .. } => "Not settled".to_owned(),
+    }
+}

@@ -1,0 +1,99 @@
+//! Static friction above the kinetic one, and `stickslip attractors`, as a user meets them.
+
+use crate::command_line::{json, refused, stdout};
+
+const PAIR: &str = "--omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3";
+
+#[test]
+fn a_long_run_says_that_it_is_of_its_start() {
+    let answer = json(&format!("steady {PAIR} --format json"));
+    let number = |name: &str| answer[name].as_f64().unwrap_or_else(|| panic!("{name}: {answer}"));
+    let (most, least) = (number("max_displacement"), number("min_displacement"));
+    assert!((most - least - 10.548_676).abs() < 2e-6 && (most + least).abs() > 0.1, "{answer}");
+    assert_eq!((number("static_friction_ratio"), number("turns_per_cycle")), (1.3, 1.0));
+    assert_eq!((answer["symmetric"].as_str(), answer["limit"].as_str()), (Some("no"), Some("periodic")));
+    let text = stdout(&format!("steady {PAIR}"));
+    assert!(text.contains("The limit of this start") && !text.contains("every start"), "{text}");
+    let rest = json("steady --omega 0.8 --alpha 1.2 --static-friction-ratio 1.3 --format json");
+    assert_eq!((rest["limit"].as_str(), rest["rest_position"].as_f64()), (Some("rest"), Some(0.0)));
+}
+
+#[test]
+fn a_machine_has_it_as_a_force() {
+    let machine = "--mass 2 --stiffness 8 --friction 4 --force 16 --frequency 1 --damping-ratio 0.02";
+    let by_force = json(&format!("steady {machine} --static-friction 5.2 --format json"));
+    let by_ratio = json(&format!("steady {machine} --static-friction-ratio 1.3 --format json"));
+    let ratios = json(&format!("steady {PAIR} --format json"));
+    let most = |answer: &serde_json::Value| answer["max_displacement"].as_f64().unwrap();
+    assert!((most(&by_force) - most(&ratios)).abs() < 1e-9 && (most(&by_ratio) - most(&ratios)).abs() < 1e-9);
+    assert_eq!(by_force["physical"]["static_friction"].as_f64(), Some(5.2));
+    refused(
+        &format!("steady {machine} --static-friction 3"),
+        &["--static-friction 3", "static friction ratio η = 0.75 must be ≥ 1"],
+    );
+    refused(
+        &format!("steady {machine} --static-friction 5 --static-friction-ratio 1.2"),
+        &["--static-friction-ratio and --static-friction"],
+    );
+}
+
+#[test]
+fn border_response_and_design_know_it() {
+    // α_min = hypot(K, (1 − Ω²) η/Ω²), K = (1 − Ω²) tan(π/2Ω)/Ω.
+    let (omega, eta) = (0.8f64, 1.3f64);
+    let k = (1.0 - omega * omega) * (std::f64::consts::FRAC_PI_2 / omega).tan() / omega;
+    let least = k.hypot((1.0 - omega * omega) * eta / (omega * omega));
+    let ratios = "--omega 0.8 --static-friction-ratio 1.3 --format json";
+    let close = |found: &serde_json::Value| (found.as_f64().unwrap() / least - 1.0).abs() < 1e-14;
+    assert!(close(&json(&format!("border {ratios}"))["min_force_ratio"]));
+    assert!(close(&json(&format!("design force {ratios}"))["force_ratio"]));
+    let response = json(&format!("response --alpha 2 {ratios}"));
+    assert!(close(&response["min_force_ratio"]));
+    assert_eq!(response["static_friction_ratio"].as_f64(), Some(1.3));
+    let text = stdout("response --omega 0.8 --alpha 2 --static-friction-ratio 1.3");
+    assert!(text.contains("can depend on the start"), "{text}");
+    let decay = json("decay --x0 2.2 --static-friction-ratio 2.5 --format json");
+    assert_eq!((decay["half_cycles"].as_u64(), decay["rest_position"].as_f64()), (Some(0), Some(2.2)));
+}
+
+#[test]
+fn what_does_not_know_it_refuses_it() {
+    refused("border --omega 0.8 --static-friction-ratio 1.3 --no-stop", &["η = 1.3 must be 1 here"]);
+    for command in ["response --omega 0.8 --alpha 2", "border --omega 0.8", "steady --omega 0.8 --alpha 2"] {
+        refused(
+            &format!("{command} --static-friction-ratio 1.3 --enclose"),
+            &["--enclose is for static friction"],
+        );
+    }
+    refused("design bands --alpha 3 --from 0.1 --to 2 --static-friction-ratio 1.3", &["does not use it"]);
+    refused("steady --omega 0.8 --alpha 2 --static-friction-ratio 0.9", &["η = 0.9 must be ≥ 1"]);
+    refused("steady --omega 0.8 --alpha 2 --static-friction-ratio nan", &["must be finite"]);
+    refused("attractors --omega 0.8 --alpha 2 --starts 0", &["--starts 0"]);
+    refused("attractors --omega 0.8 --alpha 2 --reach -1", &["--reach -1: must be > 0"]);
+}
+
+#[test]
+fn attractors_are_found_whatever_the_number_of_threads() {
+    let line = format!("attractors {PAIR} --starts 60 --format json");
+    let found = |threads: &str| {
+        let mut command = crate::command_line::stickslip(&line);
+        let output = command.env("RAYON_NUM_THREADS", threads).assert().success().get_output().stdout.clone();
+        String::from_utf8(output).unwrap()
+    };
+    let one = found("1");
+    assert!(one == found("2") && one == found("5"), "{one}");
+    let answer: serde_json::Value = serde_json::from_str(&one).unwrap();
+    let limits = answer["attractors"].as_array().unwrap();
+    assert_eq!((limits.len(), answer["unsettled"].as_u64()), (2, Some(0)), "{answer}");
+    let starts: u64 = limits.iter().map(|limit| limit["starts"].as_u64().unwrap()).sum();
+    assert_eq!(starts, 60);
+    for (limit, other) in [(&limits[0], 2), (&limits[1], 1)] {
+        assert_eq!((limit["mirror"].as_u64(), limit["symmetric"].as_str()), (Some(other), Some("no")));
+        assert_eq!(limit["sticks_per_cycle"].as_u64(), Some(1));
+    }
+    let rows = stdout(&format!("attractors {PAIR} --starts 60 --format csv"));
+    assert_eq!(rows.lines().count(), 3, "{rows}");
+    assert!(rows.starts_with("attractor,limit,share,starts,first_x,first_v,mirror,"), "{rows}");
+    let text = stdout(&format!("attractors {PAIR} --starts 60"));
+    assert!(text.contains("2 limits from 60 starts") && text.contains("the mirror image of 1"), "{text}");
+}
