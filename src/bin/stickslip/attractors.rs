@@ -16,8 +16,8 @@ use crate::style;
 use serde::Serialize;
 use std::io::Write;
 use std::ops::ControlFlow;
-use stickslip::Ratios;
 use stickslip::exact::{Attractor, Attractors, LongRun, State, Trajectory};
+use stickslip::{Error, Ratios};
 
 /// Starts, at most: their limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -107,9 +107,8 @@ fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
 fn follow<F: Value>(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<LongRun<F>, Failure> {
     let mut keep_going =
         || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    LongRun::within_while(ratios, start, periods, &mut keep_going).map_err(|e| match e {
-        stickslip::Error::Interrupted => Failure::Interrupted,
-        other => Failure::Input(other.to_string()),
+    LongRun::within_while(ratios, start, periods, &mut keep_going).map_err(|e| {
+        if e == Error::Interrupted { Failure::Interrupted } else { Failure::Input(e.to_string()) }
     })
 }
 
@@ -163,6 +162,7 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
 
 /// The answer as JSON.
 #[derive(Serialize)]
+#[serde(bound = "")]
 struct Answer<'a, F: Value> {
     omega: Cell<F>,
     alpha: Cell<F>,
