@@ -14,8 +14,8 @@
 //! | file | what |
 //! |---|---|
 //! | [`DrivePhase`] | the phase of the drive, reduced |
-//! | `equation`, `motion`, [`Slide`], `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
-//! | [`Stick`] | sticking, and when friction gives way |
+//! | `equation`, `motion`, `slide`, `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
+//! | `stick` | sticking, and when friction gives way |
 //! | `event`, `stretch`, `velocity_zero` | the next velocity zero, with its proof |
 //! | `expect` | where it is looked for first |
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
@@ -71,12 +71,11 @@ pub use drive::DrivePhase;
 pub use free::FreeDecay;
 pub use irregular::Irregular;
 pub use long_run::{DEFAULT_BUDGET, LongRun};
-pub use measures::{ErrorMeasures, Extreme};
+pub use measures::ErrorMeasures;
 pub use peaks::Peaks;
 pub use rest::Rest;
 pub use samples::Samples;
-pub use slide::{Direction, Slide};
+pub use slide::Direction;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
-pub use stick::Stick;
 pub use trajectory::{End, Kind, Phase, Trajectory};

@@ -205,7 +205,7 @@ impl Series {
 
     /// The same with other words in the legend.
     #[must_use]
-    pub fn with_key(self, key: impl Into<String>) -> Self {
+    pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
         Self { key: key.into(), ..self }
     }
 }

@@ -2,7 +2,7 @@
 //! [`arbitrary`](https://docs.rs/arbitrary), for a fuzzer and for proptest alike.
 //!
 //! Random bits rarely meet the places where formulae break. About one number in eight here is any double at all; the others are
-//! at such a place, or some floats or a small part of themselves beside it ([`beside`]):
+//! at such a place, or some floats or a small part of themselves beside it:
 //!
 //! | number | where it is put |
 //! |---|---|
@@ -32,8 +32,10 @@ mod points;
 mod starts;
 
 use arbitrary::{Arbitrary, Result, Unstructured};
-pub use numbers::{any_bits, beside, magnitude, neighbours, ordinary};
-pub use points::{damping_ratio, force_ratio, frequency_ratio};
+#[cfg(test)]
+pub(crate) use numbers::neighbours;
+pub(crate) use numbers::{beside, magnitude, ordinary};
+pub(crate) use points::{damping_ratio, force_ratio, frequency_ratio};
 
 /// A frequency ratio and a force ratio.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -118,7 +118,7 @@ impl<F: Float> Interval<F> {
     }
 
     /// Whether it is one number.
-    pub fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.low == self.high
     }
 

@@ -37,14 +37,14 @@ use crate::float::Float;
 use crate::nonsticking::Solvable;
 use crate::nonsticking::{Border, Cycle};
 use crate::ratios::Ratios;
-pub use case::Case;
+pub(crate) use case::Case;
 use core::ops::ControlFlow;
 use formulae::{Formulae, Library};
 
 /// Units in the last place of its largest term that rounding may leave of a true identity.
 ///
 /// Measured: below 64, at 53 to 4096 bits.
-pub const TOLERANCE: f64 = 128.0;
+pub(crate) const TOLERANCE: f64 = 128.0;
 
 /// How an equation of the paper stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -65,20 +65,20 @@ enum Digits {
 
 /// One identity: which, and what is left of it in a case.
 #[derive(Debug, Clone, Copy)]
-pub struct Identity<F> {
+pub(crate) struct Identity<F> {
     /// The equation's number, with a letter where one has parts.
-    pub equation: &'static str,
+    pub(crate) equation: &'static str,
     /// What it says.
-    pub statement: &'static str,
+    pub(crate) statement: &'static str,
     /// Whether it is to hold or to fail.
-    pub standing: Standing,
+    pub(crate) standing: Standing,
     digits: Digits,
     residual: fn(&Case<'_, F>) -> Option<F>,
 }
 
 impl<F: Float> Identity<F> {
     /// Left less right side against the size of the terms; `None` where the identity does not apply.
-    pub fn relative_residual(&self, case: &Case<'_, F>) -> Option<F> {
+    pub(crate) fn relative_residual(&self, case: &Case<'_, F>) -> Option<F> {
         let unit = match self.digits {
             Digits::All => F::int(1),
             Digits::Half => F::epsilon().sqrt(),
@@ -105,12 +105,12 @@ pub struct Verdict {
     pub at: Option<(String, String)>,
     /// The damping ratio ζ there, if there is a damper.
     pub damping_ratio: Option<String>,
-    /// Holds within [`TOLERANCE`], or is refuted by more than that.
+    /// Holds within 128 units in the last place of its largest term, or is refuted by more than that.
     pub passed: bool,
 }
 
 /// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in [`verify`] alone.
-pub fn identities<F: Float>() -> Vec<Identity<F>> {
+pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
     [
         matching::identities(),
         cycle::identities(),

@@ -13,11 +13,11 @@ use crate::float::Float;
 
 /// An extreme value and its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Extreme<F> {
+pub(crate) struct Extreme<F> {
     /// The value: x/B or x′/(Bω_d).
-    pub value: F,
+    pub(crate) value: F,
     /// Where it is taken first.
-    pub phase: DrivePhase<F>,
+    pub(crate) phase: DrivePhase<F>,
 }
 
 impl<F: Float> Extreme<F> {

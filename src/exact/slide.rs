@@ -51,15 +51,6 @@ impl Direction {
     pub(crate) fn of<F: Float>(x: F) -> Self {
         if x < F::int(0) { Self::Backward } else { Self::Forward }
     }
-
-    /// The other way.
-    #[must_use]
-    pub const fn reversed(self) -> Self {
-        match self {
-            Self::Forward => Self::Backward,
-            Self::Backward => Self::Forward,
-        }
-    }
 }
 
 /// One slide from `(θ_i, x_i, v_i)` in a given direction: a closed form in time.
@@ -68,7 +59,7 @@ impl Direction {
 /// units of B = r_y/k, velocities in B ω_d. Accuracy at f64: a few units in the last place of the largest term,
 /// `|x_i| + |w_i| + α/|1 − Ω²|` (beside Ω = 1, αφ for the last), times 1 + φ + Ωφ for the rounding of the angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slide<F> {
+pub(crate) struct Slide<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: DrivePhase<F>,
     pub(crate) direction: Direction,
@@ -144,21 +135,6 @@ impl<F: Float> Slide<F> {
     #[inline]
     pub(crate) const fn sin_cos_start(&self) -> (F, F) {
         (self.sin_start, self.cos_start)
-    }
-
-    /// The direction of motion.
-    pub const fn direction(&self) -> Direction {
-        self.direction
-    }
-
-    /// Displacement `x/B` a phase `Δθ = ω_d(t − t_i)` after the start.
-    pub fn displacement_after(&self, advance: F) -> F {
-        self.motion(advance / self.equation.omega).x
-    }
-
-    /// Velocity `x′/(Bω_d)` a phase `Δθ` after the start.
-    pub fn velocity_after(&self, advance: F) -> F {
-        self.motion(advance / self.equation.omega).w / self.equation.omega
     }
 
     /// The motion at natural time φ after the start.

@@ -10,10 +10,14 @@ use crate::float::Float;
 
 /// A stop: the body at rest at x until a phase in closed form, or for ever.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stick<F> {
+pub(crate) struct Stick<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: DrivePhase<F>,
     pub(crate) x: F,
+    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever, which is where
+    /// `|x| ≤ η − α`.
+    ///
+    /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
     pub(crate) release: Option<(DrivePhase<F>, Direction)>,
 }
 
@@ -40,16 +44,8 @@ impl<F: Float> Stick<F> {
         Self { equation, start, x, release: first }
     }
 
-    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever, which is where
-    /// `|x| ≤ η − α`.
-    ///
-    /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
-    pub const fn release(&self) -> Option<(DrivePhase<F>, Direction)> {
-        self.release
-    }
-
     /// How long it lasts, as a phase; `None` for ever.
-    pub fn duration(&self) -> Option<F> {
+    pub(crate) fn duration(&self) -> Option<F> {
         self.release.map(|(end, _)| end.since(self.start))
     }
 }
@@ -127,7 +123,7 @@ mod tests {
             [(2.0f64, 0.0f64, 0.0f64), (1.3, 3.0, 0.2), (4.0, -0.3, -1.5), (1.3, 1.8, 0.3)]
         {
             let s = stick(alpha, theta, x);
-            let (end, direction) = s.release().unwrap();
+            let (end, direction) = s.release.unwrap();
             let friction = alpha * end.sin_cos().0 - x;
             assert!((friction - direction.sign::<f64>()).abs() < 1e-14);
             // and nowhere before
@@ -147,7 +143,7 @@ mod tests {
         {
             let ratios = Ratios::new(0.7, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
             let s = Stick::new(Equation::new(ratios), DrivePhase::new(theta).unwrap(), x);
-            let (end, direction) = s.release().unwrap();
+            let (end, direction) = s.release.unwrap();
             let friction = alpha * end.sin_cos().0 - x;
             assert!((friction - eta * direction.sign::<f64>()).abs() < 1e-14, "{alpha} {eta}: {friction}");
             let length = s.duration().unwrap();
@@ -157,14 +153,14 @@ mod tests {
             }
         }
         let held = Ratios::new(0.7, 1.2).unwrap().with_static_friction_ratio(1.25).unwrap();
-        assert_eq!(Stick::new(Equation::new(held), DrivePhase::new(0.3).unwrap(), 0.04).release(), None);
+        assert_eq!(Stick::new(Equation::new(held), DrivePhase::new(0.3).unwrap(), 0.04).release, None);
     }
 
     #[test]
     fn rests_for_ever_where_the_force_is_too_small() {
-        assert_eq!(stick(0.9, 0.3, 0.05).release(), None);
-        assert_eq!(stick(1.0, 0.3, 0.0).release(), None);
-        let (end, direction) = stick(0.9, 0.0, -0.2).release().unwrap();
+        assert_eq!(stick(0.9, 0.3, 0.05).release, None);
+        assert_eq!(stick(1.0, 0.3, 0.0).release, None);
+        let (end, direction) = stick(0.9, 0.0, -0.2).release.unwrap();
         assert_eq!(direction, Direction::Forward);
         assert!((end.reduced() - (0.8f64 / 0.9).asin()).abs() < 1e-15);
     }
@@ -174,9 +170,9 @@ mod tests {
         let x = 2.0 * 0.5f64.sin() - 1.0;
         assert_eq!(stick(2.0, 0.5, x).duration(), Some(0.0));
         let falling = stick(2.0, PI - 0.5, x);
-        assert_eq!(falling.release().unwrap().1, Direction::Backward);
+        assert_eq!(falling.release.unwrap().1, Direction::Backward);
         assert!(falling.duration().unwrap() > 0.1);
         // At its maximum a force that just reaches the bound holds, too.
-        assert_eq!(stick(1.5, FRAC_PI_2, 0.5).release().map(|r| r.1), Some(Direction::Backward));
+        assert_eq!(stick(1.5, FRAC_PI_2, 0.5).release.map(|r| r.1), Some(Direction::Backward));
     }
 }

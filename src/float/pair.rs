@@ -5,9 +5,9 @@
 //!
 //! | name | exact | operations | source |
 //! |---|---|---|---|
-//! | [`Pair::two_sum`] | a + b = hi + lo | 6 | Møller 1965, BIT 5; Knuth, *TAOCP* 2, 4.2.2, theorem B |
-//! | [`Pair::fast_two_sum`] | a + b = hi + lo for \|a\| ≥ \|b\| | 3 | Dekker 1971, Numer. Math. 18 |
-//! | [`Pair::two_prod`] | a b = hi + lo | 2, one of them fused | Ogita, Rump and Oishi 2005, SIAM J. Sci. Comput. 26 |
+//! | `two_sum` | a + b = hi + lo | 6 | Møller 1965, BIT 5; Knuth, *TAOCP* 2, 4.2.2, theorem B |
+//! | `fast_two_sum` | a + b = hi + lo for \|a\| ≥ \|b\| | 3 | Dekker 1971, Numer. Math. 18 |
+//! | `two_prod` | a b = hi + lo | 2, one of them fused | Ogita, Rump and Oishi 2005, SIAM J. Sci. Comput. 26 |
 //!
 //! Where there is a fused operation it takes the place of Veltkamp's split, which Dekker's product needs: both give the same rest, to
 //! the last bit, and a processor without one has it in software ([`super::Float::fused`]).
@@ -59,7 +59,7 @@ impl<F: Float> Pair<F> {
     /// `a + b` exactly.
     #[inline(always)]
     #[must_use]
-    pub fn two_sum(a: F, b: F) -> Self {
+    pub(crate) fn two_sum(a: F, b: F) -> Self {
         // s = fl(a + b), e = fl[(a − (s − (s − a))) + (b − (s − a))]
         let hi = a + b;
         let b_part = hi - a;
@@ -69,7 +69,7 @@ impl<F: Float> Pair<F> {
     /// `a + b` exactly, of |a| ≥ |b| (or a = 0) in half the operations.
     #[inline(always)]
     #[must_use]
-    pub fn fast_two_sum(a: F, b: F) -> Self {
+    pub(crate) fn fast_two_sum(a: F, b: F) -> Self {
         // s = fl(a + b), e = fl[(a − s) + b]
         let hi = a + b;
         Self { hi, lo: (a - hi) + b }
@@ -78,7 +78,7 @@ impl<F: Float> Pair<F> {
     /// `a · b` exactly.
     #[inline(always)]
     #[must_use]
-    pub fn two_prod(a: F, b: F) -> Self {
+    pub(crate) fn two_prod(a: F, b: F) -> Self {
         // p = fl(a b), e = fl(a b − p), which is fused
         let hi = a * b;
         Self { hi, lo: a.mul_add(b, -hi) }
@@ -87,13 +87,13 @@ impl<F: Float> Pair<F> {
     /// π: within `2⁻²ᵖ` of it.
     #[inline(always)]
     #[must_use]
-    pub fn pi() -> Self {
+    pub(crate) fn pi() -> Self {
         Self { hi: F::pi(), lo: F::pi_rest().0 }
     }
 
     /// The parts in another number type, each rounded on its own.
     #[must_use]
-    pub fn map<G>(self, to: impl Fn(F) -> G) -> Pair<G> {
+    pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> Pair<G> {
         Pair { hi: to(self.hi), lo: to(self.lo) }
     }
 
@@ -107,7 +107,7 @@ impl<F: Float> Pair<F> {
     /// The same number with hi its nearest.
     #[inline(always)]
     #[must_use]
-    pub fn normalised(self) -> Self {
+    pub(crate) fn normalised(self) -> Self {
         Self::fast_two_sum(self.hi, self.lo)
     }
 }

@@ -6,7 +6,7 @@ use arbitrary::{Arbitrary, Result, Unstructured};
 ///
 /// # Errors
 /// As for [`Unstructured`]; none with the standard kinds.
-pub fn any_bits(u: &mut Unstructured<'_>) -> Result<f64> {
+pub(crate) fn any_bits(u: &mut Unstructured<'_>) -> Result<f64> {
     u64::arbitrary(u).map(f64::from_bits)
 }
 
@@ -14,7 +14,7 @@ pub fn any_bits(u: &mut Unstructured<'_>) -> Result<f64> {
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn ordinary(u: &mut Unstructured<'_>, low: f64, high: f64) -> Result<f64> {
+pub(crate) fn ordinary(u: &mut Unstructured<'_>, low: f64, high: f64) -> Result<f64> {
     let part = f64::from(u32::arbitrary(u)?) / f64::from(u32::MAX);
     Ok(low + (high - low) * part)
 }
@@ -23,7 +23,7 @@ pub fn ordinary(u: &mut Unstructured<'_>, low: f64, high: f64) -> Result<f64> {
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn beside(u: &mut Unstructured<'_>, x: f64) -> Result<f64> {
+pub(crate) fn beside(u: &mut Unstructured<'_>, x: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=2)?;
     let by = i8::arbitrary(u)?;
     Ok(match kind {
@@ -41,7 +41,7 @@ pub fn beside(u: &mut Unstructured<'_>, x: f64) -> Result<f64> {
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn magnitude(u: &mut Unstructured<'_>) -> Result<f64> {
+pub(crate) fn magnitude(u: &mut Unstructured<'_>) -> Result<f64> {
     match u.int_in_range(0..=7)? {
         0 => any_bits(u),
         1 => Ok(-ordinary(u, -1.0, 1024.0)?),
@@ -52,13 +52,8 @@ pub fn magnitude(u: &mut Unstructured<'_>) -> Result<f64> {
 }
 
 /// `x` and the `n` floats on either side of it, from the least to the greatest; fewer where the floats end.
-///
-/// ```
-/// use stickslip::generators::neighbours;
-/// let three: Vec<f64> = neighbours(1.0, 1).collect();
-/// assert_eq!(three, [1.0 - f64::EPSILON / 2.0, 1.0, 1.0 + f64::EPSILON]);
-/// ```
-pub fn neighbours(x: f64, n: u32) -> impl Iterator<Item = f64> {
+#[cfg(test)]
+pub(crate) fn neighbours(x: f64, n: u32) -> impl Iterator<Item = f64> {
     let first = (0..n).fold(x, |at, _| at.next_down());
     std::iter::successors(Some(first), |at| Some(at.next_up()))
         .take((n as usize).saturating_mul(2).saturating_add(1))
@@ -68,4 +63,15 @@ pub fn neighbours(x: f64, n: u32) -> impl Iterator<Item = f64> {
 fn moved(x: f64, by: i8) -> f64 {
     let step = if by < 0 { f64::next_down } else { f64::next_up };
     (0..by.unsigned_abs()).fold(x, |at, _| step(at))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::neighbours;
+
+    #[test]
+    fn the_floats_on_either_side() {
+        let three: Vec<f64> = neighbours(1.0, 1).collect();
+        assert_eq!(three, [1.0 - f64::EPSILON / 2.0, 1.0, 1.0 + f64::EPSILON]);
+    }
 }

@@ -13,7 +13,7 @@ const LEAST_BORDER: f64 = 0.849_158_848_834_442;
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
+pub(crate) fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     let place = match u.int_in_range(0..=9)? {
         0 => return any_bits(u),
         1 => return ordinary(u, -6.0, 6.0).map(f64::exp2),
@@ -35,7 +35,7 @@ pub fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
+pub(crate) fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=12)?;
     let place = match kind {
         0 => return any_bits(u),
@@ -63,7 +63,7 @@ pub fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
 ///
 /// # Errors
 /// As for [`any_bits`].
-pub fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
+pub(crate) fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     match u.int_in_range(0..=7)? {
         0 | 1 => Ok(0.0),
         2 => beside(u, 1.0),

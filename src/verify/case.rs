@@ -1,7 +1,9 @@
 //! A cycle with all that the identities ask of it.
 
 use super::Solvable;
-use super::formulae::{Answers, Formulae, Library};
+#[cfg(test)]
+use super::formulae::Library;
+use super::formulae::{Answers, Formulae};
 use super::motion::Motion;
 use super::on_border::OnBorder;
 use crate::float::Float;
@@ -13,7 +15,7 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 
 /// A cycle with all that the identities ask of it.
 #[derive(Debug, Clone, Copy)]
-pub struct Case<'a, F> {
+pub(crate) struct Case<'a, F> {
     pub(super) formulae: &'a dyn Formulae<F>,
     pub(super) cycle: Cycle<F>,
     pub(super) phase_function: PhaseFunction<F>,
@@ -31,9 +33,10 @@ pub struct Case<'a, F> {
     pub(super) on_border: Option<OnBorder<F>>,
 }
 
+#[cfg(test)]
 impl<F: Float> Case<'static, F> {
     /// The case of a cycle, for the identities that ask for nothing beyond the closed forms.
-    pub fn new(cycle: Cycle<F>) -> Self {
+    pub(crate) fn new(cycle: Cycle<F>) -> Self {
         Case::by(&Library, cycle)
     }
 }

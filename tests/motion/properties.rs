@@ -9,7 +9,7 @@ use proptest::prelude::*;
 use std::f64::consts::PI;
 use stickslip::exact::{DrivePhase, Kind, Phase, State, Trajectory};
 use stickslip::float::mp::Mp;
-use stickslip::generators::{Point, frequency_ratio};
+use stickslip::generators::Point;
 use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales};
 
 /// Ω that is not 1 and ordinary, and α from the border up.
@@ -117,7 +117,7 @@ proptest! {
 
     #[test]
     fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere(bytes in prop::collection::vec(any::<u8>(), 16)) {
-        let omega = frequency_ratio(&mut Unstructured::new(&bytes)).unwrap();
+        let omega = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega;
         let Ok(border) = Border::new(omega) else { return Ok(()) };
         prop_assert!(border.min_force_ratio() >= border.turning_point());
         prop_assert!(omega < 0.5 || border.min_force_ratio() == border.turning_point());
@@ -131,7 +131,7 @@ proptest! {
     /// At f64 it is the value of 512 bits, rounded, to within the documented accuracy.
     #[test]
     fn borders_are_those_of_512_bits(bytes in prop::collection::vec(any::<u8>(), 16)) {
-        rounded::borders(frequency_ratio(&mut Unstructured::new(&bytes)).unwrap());
+        rounded::borders(Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega);
     }
 
     /// The regime at f64 is that of 512 bits but within rounding of a border.
