@@ -10,6 +10,7 @@ mod enclosed;
 #[cfg(feature = "matching")]
 mod field;
 mod formulae;
+mod ranges;
 mod text;
 mod traits;
 

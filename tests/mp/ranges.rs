@@ -1,0 +1,115 @@
+//! Claims of `docs/proof.md` over whole ranges: boxes are halved until ball arithmetic shows the sign in each.
+
+use stickslip::float::ball::Ball;
+use stickslip::float::mp::Mp;
+use stickslip::{Field, Real};
+
+type B = Ball<1>;
+
+/// `sin x/x`: up to 1/2 also by its series, `1 − x²/6 ≤ sin x/x ≤ 1 − x²/6 + x⁴/120`, because the quotient of two balls near zero is wide.
+fn sinc(x: B) -> B {
+    let quotient = x.sin() / x;
+    if !x.abs().is_below(&B::ratio(1, 2)) {
+        return quotient;
+    }
+    let square = x.square();
+    let rest = Ball::between(Mp::ZERO, (square.square() / B::int(120)).upper());
+    quotient.intersection(&(B::int(1) - square / B::int(6) + rest)).unwrap()
+}
+
+/// `[1/Ω² − f(τ)] Ω sin τ`, u = 1/Ω, f the function of Den Hartog's condition, in a form that is smooth through u = 1:
+/// with v = u − 1, `T (cos τ − cos uτ) = −2 cos(πv/2) sin((1 + u)τ/2) sin(vτ/2)/sin(πv/2)`.
+fn clearance(u: B, tau: B) -> B {
+    let (half, v) = (B::ratio(1, 2), u - B::int(1));
+    let turn = B::pi() * half * v;
+    let quotient = tau / B::pi() * sinc(v * tau * half) / sinc(turn);
+    let matched = B::int(2) * turn.cos() * ((B::int(1) + u) * tau * half).sin() * quotient;
+    u * tau.sin() - (u * tau).sin() + matched
+}
+
+/// Whether `holds` in every part of a rectangle; how many boxes that took.
+fn throughout(
+    first: (f64, f64),
+    second: (f64, f64),
+    holds: impl Fn(B, B) -> bool,
+) -> Result<usize, (f64, f64)> {
+    let ball = |(low, high): (f64, f64)| B::between(Mp::from(low), Mp::from(high));
+    let mut left = vec![(first, second)];
+    let mut count = 0;
+    while let Some((x, y)) = left.pop() {
+        count += 1;
+        if holds(ball(x), ball(y)) {
+            continue;
+        }
+        if count > 400_000 || x.1 - x.0 < 1e-9 {
+            return Err((x.0, y.0));
+        }
+        let middle = |(low, high): (f64, f64)| f64::midpoint(low, high);
+        for x in [(x.0, middle(x)), (middle(x), x.1)] {
+            left.extend([(x, (y.0, middle(y))), (x, (middle(y), y.1))]);
+        }
+    }
+    Ok(count)
+}
+
+/// Eq. 61 suffices: `f(τ) < 1/Ω²` for every Ω in [1/2, 20] and τ in [0.15, π/2].
+///
+/// What is left is at the ends: as τ → 0, f → 1/Ω², and as Ω → ∞ both sides vanish; there `src/nonsticking/border.rs` has the sign by hand.
+#[test]
+fn equation_61_suffices_over_a_whole_range() {
+    let quarter = std::f64::consts::FRAC_PI_2.next_up();
+    let boxes = throughout((0.05, 2.0), (0.15, quarter), |u, tau| clearance(u, tau).is_positive());
+    assert!(boxes.is_ok_and(|count| count > 100), "{boxes:?}");
+    // The same way finds that it does not suffice just below Ω = 1/2.
+    assert!(throughout((2.0, 2.2), (0.15, quarter), |u, tau| clearance(u, tau).is_positive()).is_err());
+}
+
+/// The form above is the condition's own function.
+#[test]
+fn the_smooth_form_is_den_hartogs() {
+    for (u, tau) in [(0.3f64, 0.4f64), (0.7, 1.2), (1.4, 0.9), (1.9, 0.2), (2.15, 1.1)] {
+        let tangent = (std::f64::consts::FRAC_PI_2 * u).tan();
+        let f = u * ((u * tau).sin() + tangent * (tau.cos() - (u * tau).cos())) / tau.sin();
+        let expected = (u * u - f) / u * tau.sin();
+        let found = clearance(Ball::exact(Mp::from(u)), Ball::exact(Mp::from(tau)));
+        assert!((found.mid().to_f64() - expected).abs() < 1e-14, "{u} {tau}: {found} {expected}");
+    }
+}
+
+/// The sign of ρ above Ω = 1: `Ω sin β = (π/2) sin β/β > 1`, so that the velocity falls in the middle of the half cycle.
+#[test]
+fn the_velocity_falls_in_the_middle_above_resonance() {
+    let half = B::ratio(1, 2);
+    let falls = |u: B, _| (B::pi() * half * sinc(B::pi() * half * u) - B::int(1)).is_positive();
+    assert!(throughout((0.0, 0.999), (0.0, 1.0), falls).is_ok());
+    assert!(throughout((0.0, 1.001), (0.0, 1.0), falls).is_err());
+}
+
+/// One stationary point of the velocity: with ψ = tβ, y = (π/2)(1 − u) and Δ₀/B ≥ 1/Ω², v′/cos Ωψ falls where q < 1,
+///
+/// ```text
+/// cos²Ωψ (v′/cos Ωψ)′ = q − Ω²Δ₀/B,   q = (2/π) [cos ψ sin Ωψ + ψ sin(ty)/(ty)]/(sin y/y),
+/// ```
+///
+/// and below Ω = 1, in the second half, v′ ≤ m/Ω < 0 elsewhere, `m = [cos ψ − Ω sin β cos Ωψ]/cos β − sin Ωψ`; v′(0) < 0 there.
+/// So v′ has one zero at most. For every Ω in [0.52, 50] and |ψ| ≤ 0.9 β; the rest is by hand in `src/nonsticking/velocity.rs`.
+#[test]
+fn the_velocity_has_one_stationary_point_over_a_whole_range() {
+    let quarter = || B::pi() * B::ratio(1, 2);
+    let falls = |u: B, t: B| {
+        let (y, psi, slow) = (quarter() * (B::int(1) - u), quarter() * u * t, quarter() * t);
+        let q = (psi.cos() * slow.sin() + psi * sinc(t * y)) / sinc(y) / quarter();
+        (B::int(1) - q).is_positive()
+    };
+    let is_negative = |u: B, t: B| {
+        let (y, psi, slow) = (quarter() * (B::int(1) - u), quarter() * u * t, quarter() * t);
+        let m = (psi.cos() - y.cos() * slow.cos() / u) / y.sin() - slow.sin();
+        (u - B::int(1)).is_positive() && t.is_positive() && m.is_negative()
+    };
+    let holds = |u, t| falls(u, t) || is_negative(u, t);
+    let found = throughout((0.02, 1.92), (-0.9, 0.9), holds);
+    assert!(found.is_ok_and(|count| count > 100), "{found:?}");
+    // Neither is enough alone, and at the turning point itself, where v = v′ = 0 on the border, no ball can show it.
+    assert!(throughout((1.2, 1.9), (0.1, 0.9), falls).is_err());
+    assert!(throughout((0.5, 0.9), (0.9, 1.0), holds).is_err());
+}
