@@ -244,11 +244,17 @@ fn what_cannot_be_proved_is_not_claimed() {
     let at = |omega, alpha| enclosed::steady(&known(omega), &known(alpha), &known("0"), 64).unwrap();
     assert!(at("0.5", "3").is_none());
     assert!(at("0.7", "0.9").is_none());
+    // Six reversals a cycle are a motion like any other, an endless number of slides is not.
+    assert_eq!(at("0.331", "61.6").map(|motion| motion.velocity_zeros_per_cycle), Some(6));
+    assert!(at("1e-4", "3").is_none());
+    assert!(enclosed::steady(&known("1e10"), &known("3"), &known("0"), 64).is_err());
+    assert!(enclosed::steady(&known("0.5"), &known("3"), &known("1"), 64).is_err());
 }
 
 /// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.
 #[test]
 #[ignore = "minutes; .ci/slow enclosures"]
+#[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
 fn a_million_points() {
     use std::time::{Duration, Instant};
     use stickslip::enclosed::GREATEST_BITS;
@@ -298,8 +304,8 @@ fn a_million_points() {
             if let Some(enclosure) = found.get(output)
                 && let Some(value) = output.of(&exact)
             {
-                let distance = (value - Mp::<4>::from(enclosure.mid())).abs();
-                let rad = Mp::<4>::from(enclosure.rad());
+                let distance = (value - Mp::<4>::from_rug(enclosure.mid())).abs();
+                let rad = Mp::<4>::from_rug(enclosure.rad());
                 assert!(distance <= rad, "{omega:e} {alpha:e} {output:?}: {value} {enclosure}");
                 values += 1;
                 if value != Mp::ZERO {
@@ -319,4 +325,39 @@ fn a_million_points() {
         widths[widths.len() - 1],
         with.as_secs_f64() / without.as_secs_f64()
     );
+}
+
+/// The guaranteed ranges of `uncertainty` at f64 have the enclosed value in them, in boxes of one point, where nothing but their margin for
+/// rounding is between the two.
+#[test]
+fn guaranteed_ranges_have_the_enclosed_values() {
+    use stickslip::uncertainty::{Interval, RatioBox};
+    let outputs = [
+        Output::MaxDisplacement,
+        Output::LoopSizeStiffness,
+        Output::MinForceRatio,
+        Output::Margin,
+        Output::MaxVelocity,
+    ];
+    let mut compared = 0;
+    for i in 0..400 {
+        let omega = 0.21 + 2.8 * (f64::from(i) * 0.618_033_988_749_895).fract();
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        let alpha = least * (1.0 + 8.0 * (f64::from(i) * 0.754_877_666_246_693).fract().powi(6) + 1e-12);
+        let found =
+            enclosed::response(&known(Mp::<1>::from(omega)), &known(Mp::<1>::from(alpha)), 64).unwrap();
+        let point = RatioBox::new(Interval::exactly(omega), Interval::exactly(alpha)).unwrap();
+        for output in outputs {
+            let range = point.range(output, 4).unwrap().unwrap();
+            if !range.is_guaranteed() {
+                continue;
+            }
+            let enclosure = found.get(output).unwrap();
+            let (mid, rad) = (Exact::from_rug(enclosure.mid()), Exact::from_rug(enclosure.rad()));
+            let inside = Exact::from(range.low) <= mid - rad && mid + rad <= Exact::from(range.high);
+            assert!(inside, "{omega} {alpha} {output:?}: {} … {} {enclosure}", range.low, range.high);
+            compared += 1;
+        }
+    }
+    assert!(compared > 1000, "{compared}");
 }

@@ -1,6 +1,7 @@
 //! The order of events of a steady motion, and roughly when they are: found at f64, proved by nothing here.
 
-use crate::exact::{Direction, End, Kind, LongRun, Phase, State, Trajectory};
+use crate::error::Error;
+use crate::exact::{Direction, End, Kind, LongRun, Phase, State, SteadyState, Trajectory};
 use crate::ratios::Ratios;
 
 /// One slide, and what follows it.
@@ -26,12 +27,17 @@ pub(super) struct Outline {
 }
 
 /// Slides in half a turn, at most.
-const MOST: usize = 4096;
+const MOST: usize = 512;
 
 /// Half a turn of the steady motion from rest; `None` where there is none, or none that is symmetric and clear of grazing.
-pub(super) fn outline(ratios: Ratios<f64>) -> Option<Outline> {
-    let run = LongRun::from_start(ratios, State::rest()).ok()?;
-    let steady = run.steady_state()?;
+///
+/// # Errors
+/// As of [`LongRun::from_start`].
+pub(super) fn outline(ratios: Ratios<f64>) -> Result<Option<Outline>, Error> {
+    LongRun::from_start(ratios, State::rest()).map(|run| half_turn(ratios, run.steady_state()?))
+}
+
+fn half_turn(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Option<Outline> {
     let stops = steady.sticks_per_cycle() > 0;
     let mut phases = Trajectory::new(ratios, steady.state()).ok()?;
     // The first slide that begins at rest: after a stop, where there are any.

@@ -38,11 +38,11 @@ pub struct Steady {
     pub bits: u32,
 }
 
-/// The steady motion from rest at (Ω, α, ζ), enclosed to `bits` bits; `None` where it is not proved: it grazes, is not symmetric, or does not
-/// settle.
+/// The steady motion from rest at (Ω, α, ζ), enclosed to `bits` bits; `None` where it is not proved: it grazes, is not symmetric, does not
+/// settle, has more than 512 slides in half a turn, or Ω = 1 without damping.
 ///
 /// # Errors
-/// Where a ratio or `bits` is outside its domain, or ζ ≥ 1, for which there is no enclosure.
+/// Where a ratio or `bits` is outside its domain ([`crate::exact::Trajectory::new`] for Ω), or ζ ≥ 1, for which there is no enclosure.
 pub fn steady(
     omega: &Known,
     alpha: &Known,
@@ -62,7 +62,7 @@ pub fn steady(
     }
     let ratios = Ratios::new(omega.middle().to_f64(), alpha.middle().to_f64())?;
     let ratios = ratios.with_damping_ratio(damping_ratio.middle().to_f64())?;
-    let Some(outline) = outline(ratios) else { return Ok(None) };
+    let Some(outline) = outline(ratios)? else { return Ok(None) };
     let mut last = None;
     macro_rules! at {
         ($($width:literal)*) => {$(
