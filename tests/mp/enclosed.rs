@@ -88,7 +88,8 @@ proptest! {
         let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio();
         let alpha = Exact::rounded(Mp::<2>::rounded(least * Exact::from(1.0 + excess)));
         let widest = check(omega, alpha, if wide { 256 } else { 64 });
-        prop_assert!(widest <= 1.0, "{omega} {alpha}: {widest} units");
+        // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave another half.
+        prop_assert!(widest <= 1.5, "{omega} {alpha}: {widest} units");
     }
 
     /// Every number of the intervals has its outputs in their enclosures.
@@ -156,7 +157,7 @@ fn more_bits_are_taken_where_they_are_needed() {
     let omega = format!("1.{}1", "0".repeat(99));
     let found = enclosed::response(&omega.parse().unwrap(), &"1.3".parse().unwrap(), 64).unwrap();
     let displacement = found.get(Output::MaxDisplacement).unwrap();
-    assert!(units(displacement) <= 1.0 && found.bits() > 256, "{displacement} {}", found.bits());
+    assert!(units(displacement) <= 1.5 && found.bits() > 256, "{displacement} {}", found.bits());
     let near = Exact::from_rational(
         &(rug::Rational::from(1)
             + rug::Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 100))))),
