@@ -1,4 +1,4 @@
-//! The questions that are asked backwards: from what the machine is to do, to what it takes.
+//! Inverse problems: the force, friction, frequency or stiffness that a required motion takes.
 //!
 //! | question | in ratios | in physical units | file |
 //! |---|---|---|---|

@@ -114,7 +114,7 @@ impl<'a> Arbitrary<'a> for Machine {
     }
 }
 
-/// What the questions asked backwards are asked with.
+/// Inputs of the inverse problems.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Question {
     /// Frequency ratio Ω and force ratio α.

@@ -24,7 +24,7 @@
 //! # From input to answer
 //!
 //! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
-//! [`Response`], [`Place`] → [`design`], the questions asked backwards, and [`uncertainty`], parameters that are not known exactly; [`Scales`]
+//! [`Response`], [`Place`] → [`design`], the inverse problems, and [`uncertainty`], parameters that are not known exactly; [`Scales`]
 //! leads back to physical units, [`Output`] names the outputs.
 //!
 //! # The closed forms

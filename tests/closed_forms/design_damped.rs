@@ -1,4 +1,4 @@
-//! The questions asked backwards with a damper: velocity and displacement, bands, friction and stiffness.
+//! The inverse problems with a damper: velocity and displacement, bands, friction and stiffness.
 
 use stickslip::design::{
     Band, Edge, Optimum, bands, bands_with_damping, force_for_velocity,

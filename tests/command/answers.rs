@@ -16,7 +16,7 @@ fn the_text_answer_begins_with_the_regime() {
     ] {
         let text = stdout(&format!("response {args}"));
         assert!(text.starts_with(regime), "{text}");
-        assert!(text.contains("least without sticking"), "{text}");
+        assert!(text.contains("minimum without sticking"), "{text}");
         // Said where it is so: 1/3 < Ω < 1/2.
         assert_eq!(text.contains("(eq. 61 asks for"), args.contains("0.4"), "{text}");
     }

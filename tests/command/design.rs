@@ -49,7 +49,7 @@ fn the_bands_end_where_the_regime_changes() {
     let physical = json(&format!("design bands {BODY} --force 60 --from 0.5 --to 9"));
     let natural = 20f64.sqrt();
     close(number(&physical[0]["frequency_from"]), natural * number(&bands[0]["omega_from"]));
-    assert!(stdout("design bands --alpha 1.1 --from 0.1 --to 2").starts_with("It sticks"));
+    assert!(stdout("design bands --alpha 1.1 --from 0.1 --to 2").starts_with("The body sticks"));
 }
 
 #[test]
@@ -151,7 +151,7 @@ fn with_a_damper() {
 fn text_begins_with_the_answer() {
     let text = stdout(&format!("design force {BODY} --frequency 6 --units kN,m"));
     assert!(text.starts_with(
-        "It does not stick from a force of 7.393705 kN on: a motion of 0.007393705 m of the spring's foot over a surface \
+        "The body never sticks at a force of 7.393705 kN or more: a motion of 0.007393705 m of the spring's foot over a surface \
          that stays, or of 0.004107614 m of a base that carries the surface."
     ));
     assert!(stdout("design bands --alpha 12 --from 0.1 --to 2").contains("2 bands of that range"));

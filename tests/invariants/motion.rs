@@ -1,4 +1,4 @@
-//! What holds of the exact motion from any state, and of the questions asked backwards.
+//! What holds of the exact motion from any state, and of the inverse problems.
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
@@ -166,7 +166,7 @@ fn condition(omega: f64, alpha: f64, max_displacement: f64) -> f64 {
     64.0 * f64::EPSILON / (sine * sine)
 }
 
-/// The questions asked backwards: an error that says what is wrong, or an answer that the forward functions confirm.
+/// The inverse problems: an error that says what is wrong, or an answer that the forward functions confirm.
 ///
 /// # Panics
 /// As [`trajectory`].

@@ -1,4 +1,4 @@
-//! The answers to the questions asked backwards, put through the exact motion.
+//! The answers to the inverse problems, put through the exact motion.
 
 use proptest::prelude::*;
 use stickslip::design;

@@ -282,7 +282,7 @@ impl<'a, F: Value> Asked<'a, F> {
             let omega = self.omega()?;
             let border = self.border(omega)?;
             let least = border.min_force_ratio();
-            let sentence = format!("It does not stick from a force of {} r_y on.", digits(least));
+            let sentence = format!("The body never sticks at a force of {} r_y or more.", digits(least));
             return Ok(Answer::one(
                 sentence,
                 vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))],
@@ -295,8 +295,8 @@ impl<'a, F: Value> Asked<'a, F> {
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
         let sentence = format!(
-            "It does not stick from a force of {} {newton} on: a motion of {} {length} of the spring's foot over a surface \
-             that stays, or of {} {length} of a base that carries the surface.",
+            "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the spring's foot over a \
+             surface that stays, or of {} {length} of a base that carries the surface.",
             of("force"),
             of("foot_displacement"),
             of("base_displacement")
@@ -309,7 +309,8 @@ impl<'a, F: Value> Asked<'a, F> {
             let omega = self.omega()?;
             let border = self.border(omega)?;
             let ratio = self.one / border.min_force_ratio();
-            let sentence = format!("It does not stick up to a friction bound of {} p₀.", digits(ratio));
+            let sentence =
+                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio));
             return Ok(Answer::one(
                 sentence,
                 vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))],
@@ -319,7 +320,7 @@ impl<'a, F: Value> Asked<'a, F> {
         let drive = self.drive(&body, self.frequency()?)?;
         let friction = design::greatest_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let sentence = format!(
-            "It does not stick up to a friction bound of {} {}.",
+            "The body never sticks with a friction bound of {} {} or less.",
             digits(friction),
             self.system().force
         );
@@ -365,15 +366,15 @@ impl<'a, F: Value> Asked<'a, F> {
             .map_err(|e| self.fail(e))?;
         let sentence = match rows.len() {
             0 if searched => {
-                "It sticks, or rests, throughout that range, by a search that is not a proof.".to_owned()
+                "The body sticks or rests throughout that range, by a search that is not a proof.".to_owned()
             }
-            0 => "It sticks, or rests, throughout that range.".to_owned(),
+            0 => "The body sticks or rests throughout that range.".to_owned(),
             n if searched => format!(
-                "It does not stick in {n} {} of that range, found by a search that is not a proof:",
+                "The body does not stick in {n} {} of that range, found by a search that is not a proof:",
                 if n == 1 { "band" } else { "bands" }
             ),
-            1 => "It does not stick in one band of that range:".to_owned(),
-            n => format!("It does not stick in {n} bands of that range, which are all there are:"),
+            1 => "The body does not stick in one band of that range:".to_owned(),
+            n => format!("The body does not stick in {n} bands of that range, and in no others:"),
         };
         Ok(Answer { sentence, rows })
     }
@@ -400,13 +401,13 @@ impl<'a, F: Value> Asked<'a, F> {
 
     fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {
         let force = force.map_err(|e| self.fail(e))?;
-        let sentence = format!("It takes a force of {} {}.", digits(force), self.system().force);
+        let sentence = format!("The force needed is {} {}.", digits(force), self.system().force);
         Ok(Answer::one(sentence, vec![("force", Kind::Force, some(force))]))
     }
 
     fn ratio_for(&self, ratio: Result<F, Error>) -> Result<Answer<F>, Failure> {
         let ratio = ratio.map_err(|e| self.fail(e))?;
-        let sentence = format!("It takes a force of {} r_y.", digits(ratio));
+        let sentence = format!("The force needed is {} r_y.", digits(ratio));
         Ok(Answer::one(sentence, vec![("force_ratio", Kind::Ratio, some(ratio))]))
     }
 }

@@ -44,16 +44,18 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
     let margin = digits(alpha / response.border().min_force_ratio());
     match response.regime() {
         Regime::Stuck => {
-            "Stuck: α ≤ 1, the force never exceeds friction, and the body ends at rest for good.".into()
+            "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
         }
         Regime::Sticking => format!(
-            "Sticking: the body does not slide through its cycle; the force is {margin} of what it would take."
+            "Sticking: the body stops in each cycle; the force is {margin} of the minimum for continuous sliding."
         ),
         Regime::NonSticking if response.cycle().is_none() => format!(
-            "Non-sticking: the body never stops; it reverses six times a cycle, with {margin} of the force for two."
+            "Non-sticking: the body never stops; it reverses six times a cycle. The force is {margin} of the minimum for two reversals."
         ),
         Regime::NonSticking => {
-            format!("Non-sticking: the body never stops; the force is {margin} times the least that does it.")
+            format!(
+                "Non-sticking: the body never stops; the force is {margin} times the minimum for continuous sliding."
+            )
         }
         Regime::Unbounded => format!(
             "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the displacement grows in every cycle."
@@ -94,7 +96,7 @@ pub(crate) fn response<F: Value>(
     } else if response.regime() == Regime::NonSticking {
         writeln!(
             out,
-            "\nThe closed forms are those of two reversals; `stickslip steady` gives this motion."
+            "\nThe closed forms hold for two reversals only; `stickslip steady` gives this motion."
         )?;
     }
     if response.regime() == Regime::NonSticking
@@ -105,9 +107,9 @@ pub(crate) fn response<F: Value>(
         let shift = digits(alpha / least - one);
         writeln!(
             out,
-            "\nAt Ω = 1/(2n) this is the symmetric one of a family of cycles, whose middles lie within"
+            "\nAt Ω = 1/(2n) this is the symmetric member of a family of cycles, whose centres lie within"
         )?;
-        writeln!(out, "±{shift} B; the start decides which is reached, see `stickslip steady`.")?;
+        writeln!(out, "±{shift} B. The start decides which is reached; see `stickslip steady`.")?;
     }
     needed_force(response, machine, units, out)
 }
@@ -174,8 +176,7 @@ fn motion<F: Value>(
         writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
     }
     writeln!(out, "  dynamic amplification    k Δ₀/p₀ = {}", digits(cycle.dynamic_amplification()))?;
-    let left = digits(cycle.contraction());
-    writeln!(out, "  a disturbance shrinks to {left} of itself in half a cycle")?;
+    writeln!(out, "  a disturbance            {}", decay(cycle.contraction(), "half a cycle"))?;
     writeln!(out, "\nDissipation in a cycle")?;
     if let Some(Machine { scales, .. }) = machine {
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
@@ -190,7 +191,13 @@ fn motion<F: Value>(
     writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
 }
 
-/// The force that keeps the body from sticking, and the one that dissipates most.
+/// The share of a disturbance that is left after a time.
+pub(crate) fn decay<F: Value>(left: F, time: &str) -> String {
+    let left = digits(left);
+    if left == "1" { "does not decay".to_owned() } else { format!("decays to {left} of its size in {time}") }
+}
+
+/// The minimum force without sticking, and the force of maximum dissipation.
 fn needed_force<F: Value>(
     response: &Response<F>,
     machine: Option<&Machine<F>>,
@@ -212,40 +219,37 @@ fn needed_force<F: Value>(
     let ratios = response.ratios();
     let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();
     match no_stop.as_ref().and_then(NoStop::six_reversals) {
-        None => writeln!(out, "  least without sticking   {}", forces(border.min_force_ratio()))?,
+        None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio()))?,
         Some((low, high)) => {
-            writeln!(out, "  least without any stop   {}", forces(low))?;
+            writeln!(out, "  minimum without a stop   {}", forces(low))?;
             writeln!(out, "    up to                  {}  (six reversals a cycle)", forces(high))?;
             writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
-            writeln!(out, "    between these two it stops; from the border on it does not")?;
+            writeln!(out, "    (between these two the body stops)")?;
         }
     }
     not_to_be_held(response.ratios().omega(), border.min_force_ratio(), out)?;
     if border.turning_point() < border.min_force_ratio() && !response.ratios().is_damped() {
         let eq_61 = digits(border.turning_point());
-        writeln!(out, "    (eq. 61 asks for {eq_61} r_y only, which does not suffice below Ω = 1/2)")?;
+        writeln!(out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
     }
     match response.best_loop_size() {
         Some(size) if response.best_is_reached() => {
-            writeln!(out, "  of the largest loop A₁   {}", forces(response.best_force_ratio()))?;
-            writeln!(out, "    which is A₁ =          {}", digits(size))?;
+            writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio()))?;
+            writeln!(out, "    with A₁ =              {}", digits(size))?;
             if size.to_f64() > ABSURD {
-                writeln!(
-                    out,
-                    "    (Ω is so close to 1/(2n), where it is infinite, that no machine can use this)"
-                )?;
+                writeln!(out, "    (Ω is too close to 1/(2n), where it is infinite, for any machine)")?;
             }
             Ok(())
         }
         None if response.best_is_reached() => {
             writeln!(
                 out,
-                "  of the largest loop A₁   any above the least: at Ω = 1 the loop grows in every cycle"
+                "  of maximum dissipation   any above the minimum: at Ω = 1 the loop grows in every cycle"
             )
         }
         Some(_) | None => writeln!(
             out,
-            "  of the largest loop A₁   that least one, of those that do not stick ({} would dissipate more, but sticks)",
+            "  of maximum dissipation   the minimum above; the optimum of eq. 65, {} r_y, would stick",
             digits(response.best_force_ratio())
         ),
     }
@@ -258,10 +262,7 @@ const ABSURD: f64 = 1e6;
 fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
     // Away from the poles the border is 1/Ω² or a few times that.
     if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
-        writeln!(
-            out,
-            "    (Ω is so close to 1/(2n+1), where the border is infinite, that no machine can use this)"
-        )?;
+        writeln!(out, "    (Ω is too close to 1/(2n+1), where the border is infinite, for any machine)")?;
     }
     Ok(())
 }
@@ -270,9 +271,9 @@ fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Re
 pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     let border = digits(found.border());
     match found.six_reversals() {
-        None => format!("from a force of {border} {unit} on"),
+        None => format!("at a force of {border} {unit} or more"),
         Some((low, high)) => format!(
-            "with a force of {} to {} {unit}, where it reverses six times a cycle, and from {border} {unit} on",
+            "at a force of {} to {} {unit}, where it reverses six times a cycle, and of {border} {unit} or more",
             digits(low),
             digits(high)
         ),
@@ -300,8 +301,8 @@ pub(crate) fn border<F: Value>(
     match found {
         None => {
             let least = digits(border.min_force_ratio());
-            let cycle = "a cycle of two reversals does not stick from a force of";
-            writeln!(out, "At Ω = {} {cycle} {least} r_y on.\n", digits(omega))?;
+            let cycle = "the cycle of two reversals does not stick at a force of";
+            writeln!(out, "At Ω = {} {cycle} {least} r_y or more.\n", digits(omega))?;
         }
         Some(found) => {
             writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
@@ -322,6 +323,6 @@ pub(crate) fn border<F: Value>(
         "    (eq. 61{})",
         if omega >= exact_from(answer.ratios()) { ", exact here" } else { ", necessary only here" }
     )?;
-    writeln!(out, "  least displacement       {}", lengths(border.least_displacement()))?;
-    writeln!(out, "  it would stop first at   {} after its maximum", times(border.phase()))
+    writeln!(out, "  minimum displacement     {}", lengths(border.least_displacement()))?;
+    writeln!(out, "  velocity touches zero    {} after the maximum displacement", times(border.phase()))
 }

@@ -43,7 +43,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "border_phase",
                 "rad",
-                "phase after the maximum displacement at which it would stop first, on the border",
+                "phase after the maximum displacement at which the velocity first touches zero, on the border",
             ),
             ("least_displacement", "B", "maximum displacement on the border"),
             ("no_stop_force_ratios", "1", "force ratios without any stop, as intervals (border --no-stop)"),

@@ -7,7 +7,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::input::{self, Point};
 use crate::machine::{Machine, base_motion, transmitted};
-use crate::note::{both, digits};
+use crate::note::{both, decay, digits};
 use crate::physical::Physical;
 use crate::points;
 use crate::record::{Cell, Record};
@@ -252,10 +252,10 @@ fn note<F: Value>(
         LongRun::Rest(rest) => {
             let place = length(rest.position);
             let sentence = match rest.slides {
-                Some(slides) => {
-                    format!("Stuck: it comes to rest at {place} after {slides} slides and stays there.")
-                }
-                None => format!("Stuck: it creeps for ever towards rest at {place}."),
+                Some(0) => format!("Stuck: the body never moves from {place}."),
+                Some(1) => format!("Stuck: the body comes to rest at {place} after one slide."),
+                Some(slides) => format!("Stuck: the body comes to rest at {place} after {slides} slides."),
+                None => format!("Stuck: the body creeps towards rest at {place} for ever."),
             };
             writeln!(out, "{}", style::verdict(&sentence))
         }
@@ -356,8 +356,7 @@ fn motion<F: Value>(
     if steady.damper_work() > F::int(0) {
         writeln!(out, "  work against the damper  {}", work(steady.damper_work()))?;
     }
-    let left = digits(steady.contraction().to_f64());
-    writeln!(out, "  a disturbance shrinks to {left} of itself in a cycle")?;
+    writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
     let far = format!("{:.0e}", steady.distance().0.to_f64());
     let periods = digits(steady.periods().to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")

@@ -1,4 +1,4 @@
-//! The arguments of the questions asked backwards.
+//! The arguments of the inverse problems.
 
 use super::{ForceArgs, Format, MachineArgs, UnitArgs};
 use clap::{Args, Subcommand};

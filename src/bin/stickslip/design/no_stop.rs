@@ -31,7 +31,7 @@ impl<F: Value> Asked<'_, F> {
         };
         let mut fields = fields;
         fields.push((name, kind, Record::intervals(&found)));
-        Ok(Answer::one(format!("It does not stop {}.", no_stop(&found, unit)), fields))
+        Ok(Answer::one(format!("The body does not stop {}.", no_stop(&found, unit)), fields))
     }
 
     pub(super) fn bands_without_stop(&self) -> Result<Answer<F>, Failure> {
@@ -62,9 +62,9 @@ impl<F: Value> Asked<'_, F> {
             })
             .collect();
         let sentence = match rows.len() {
-            0 => "It stops, or rests, throughout that range.".to_owned(),
-            1 => "It does not stop in one band of that range:".to_owned(),
-            n => format!("It does not stop in {n} bands of that range:"),
+            0 => "The body stops or rests throughout that range.".to_owned(),
+            1 => "The body does not stop in one band of that range:".to_owned(),
+            n => format!("The body does not stop in {n} bands of that range:"),
         };
         Ok(Answer { sentence, rows })
     }

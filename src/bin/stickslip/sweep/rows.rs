@@ -41,8 +41,8 @@ impl<F: Value> Rows<F> {
             }
             if !first.has(wanted) {
                 return Err(Failure::Input(format!(
-                    "--outputs {wanted}: must be of {}",
-                    first.output_names().join(",")
+                    "--outputs {wanted}: unknown column; choose from {}",
+                    first.output_names().join(", ")
                 )));
             }
         }
