@@ -187,6 +187,19 @@ pub mod uncertainty;
 #[cfg(feature = "matching")]
 pub mod verify;
 
+/// The crates whose types and traits stand in this API, in the versions that it takes.
+pub mod dependencies {
+    #[cfg(feature = "generators")]
+    pub use arbitrary;
+    #[cfg(feature = "matching")]
+    pub use nalgebra;
+    pub use num_traits;
+    #[cfg(feature = "random")]
+    pub use rand_distr;
+    #[cfg(feature = "mp")]
+    pub use rug;
+}
+
 pub use error::{Error, Quantity};
 pub use float::{Field, Float, Real};
 pub use nonsticking::{Border, Cycle};

@@ -1,0 +1,89 @@
+//! Tests of `identify.rs`.
+
+use super::{Identified, Measurement, identify, student};
+use crate::{Cycle, Drive, Error, Oscillator};
+
+const FORCE: f64 = 12.0;
+
+fn body(friction: f64, zeta: f64) -> Oscillator<f64> {
+    Oscillator::new(2.0, 8.0, friction).unwrap().with_damping_ratio(zeta).unwrap()
+}
+
+/// The exact curve between two frequencies.
+fn curve(friction: f64, zeta: f64, (low, high): (f64, f64), count: u32, phases: bool) -> Vec<Measurement> {
+    let body = body(friction, zeta);
+    let at = |i: u32| low + (high - low) * f64::from(i) / f64::from(count - 1);
+    (0..count)
+        .map(|i| {
+            let drive = Drive::force(FORCE, at(i)).unwrap();
+            let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
+            Measurement {
+                angular_frequency: at(i),
+                amplitude: cycle.max_displacement() * body.friction_displacement(),
+                phase: phases.then_some(cycle.displacement_phase()),
+            }
+        })
+        .collect()
+}
+
+fn found(curve: &[Measurement]) -> Identified {
+    identify(&body(1.0, 0.0), FORCE, curve).unwrap()
+}
+
+#[test]
+fn a_body_without_a_damper_is_found() {
+    for (friction, count) in [(0.3, 8), (1.5, 12), (3.0, 6), (4.5, 10)] {
+        let fit = found(&curve(friction, 0.0, (1.3, 3.5), count, false));
+        assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-6, "{friction} {count}: {fit:?}");
+        assert!(fit.damping_ratio.value < 1e-6, "{friction} {count}: {fit:?}");
+    }
+}
+
+#[test]
+fn one_frequency_does_not_tell_friction_from_damping() {
+    let point = curve(3.0, 0.05, (1.5, 3.6), 2, false)[0];
+    let error = identify(&body(1.0, 0.0), FORCE, &[point; 4]).unwrap_err();
+    assert!(matches!(error, Error::NotIdentified), "{error}");
+}
+
+#[test]
+fn an_exact_curve_gives_its_parameters_back() {
+    for (friction, zeta) in [(3.0, 0.05), (1.5, 0.01), (4.0, 0.2), (0.5, 0.03)] {
+        for phases in [false, true] {
+            let fit = found(&curve(friction, zeta, (1.2, 3.6), 20, phases));
+            assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-8, "{friction} {zeta}: {fit:?}");
+            assert!((fit.damping_ratio.value / zeta - 1.0).abs() < 1e-8, "{friction} {zeta}: {fit:?}");
+            assert!(fit.noise < 1e-9 && fit.residuals.iter().all(Option::is_some));
+        }
+    }
+}
+
+#[test]
+fn where_the_body_sticks_a_measurement_is_left_out() {
+    let (friction, zeta) = (6.0, 0.05);
+    let mut measured = curve(friction, zeta, (1.3, 2.6), 12, false);
+    let least = crate::design::least_force(&body(friction, zeta), 0.3).unwrap();
+    assert!(least > FORCE);
+    measured.push(Measurement { angular_frequency: 0.3, amplitude: 0.7, phase: None });
+    let fit = found(&measured);
+    assert!((fit.friction_bound.value / friction - 1.0).abs() < 1e-8, "{fit:?}");
+    assert_eq!(fit.residuals.iter().filter(|r| r.is_none()).count(), 1);
+}
+
+#[test]
+fn too_little_or_bad_input_is_refused() {
+    let few = curve(3.0, 0.05, (1.2, 3.6), 2, false);
+    assert!(matches!(identify(&body(1.0, 0.0), FORCE, &few), Err(Error::TooFewMeasurements { of: 2, .. })));
+    let mut bad = curve(3.0, 0.05, (1.2, 3.6), 5, false);
+    bad[2].amplitude = -1.0;
+    assert!(identify(&body(1.0, 0.0), FORCE, &bad).is_err());
+}
+
+#[test]
+fn quantiles_of_students_distribution() {
+    // From tables.
+    for (n, exact) in [(3, 3.182_446), (5, 2.570_582), (10, 2.228_139), (28, 2.048_407), (100, 1.983_972)] {
+        assert!((student(n) / exact - 1.0).abs() < 0.01, "{n}: {}", student(n));
+    }
+    assert!((student(28) - 2.048_407).abs() < 1e-5);
+}

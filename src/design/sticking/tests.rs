@@ -1,0 +1,151 @@
+//! Tests of `sticking.rs`.
+
+use super::{
+    LoopSize, bound_between, doubt_of_way, loop_size_of_motion, most_dissipating_force_ratio_of_all,
+    most_dissipating_friction_of_all,
+};
+use crate::design::Optimum;
+use crate::exact::{LongRun, State, Trajectory};
+use crate::{Drive, Error, Oscillator, Ratios, Response};
+
+#[test]
+fn more_friction_less_way() {
+    for omega in [0.13, 0.22, 0.3, 0.4, 0.7, 0.95, 1.3, 4.0] {
+        let mut last = f64::INFINITY;
+        for i in 1..200 {
+            let share = 0.005 * f64::from(i);
+            let way = loop_size_of_motion::<f64>(omega, 1.0 / share).unwrap().found / share;
+            assert!(way <= last * (1.0 + 1e-12), "{omega} {share}: {way} after {last}");
+            last = way;
+        }
+    }
+}
+
+/// Two motions a little apart, stops included: their ways in a cycle differ by no more than the bound says.
+#[test]
+fn the_way_of_a_motion_known_within_d() {
+    let mut worst = 0.0f64;
+    for (omega, alpha) in
+        [(0.01, 2.0), (0.03, 5.0), (0.13, 2.0), (0.3, 3.0), (0.4, 2.0), (0.7, 1.2), (0.7, 3.0), (1.3, 1.5)]
+    {
+        let ratios = Ratios::new(omega, alpha).unwrap();
+        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        let from = steady.state();
+        let way = |x: f64, w: f64| {
+            let start = State { x: from.x + x, v: from.v + w / omega, ..from };
+            let samples = Trajectory::new(ratios, start).unwrap().samples(20_000).unwrap();
+            let x: Vec<f64> = samples.take(20_001).map(|sample| sample.unwrap().state.x).collect();
+            x.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>()
+        };
+        let usual = way(0.0, 0.0);
+        assert!((usual / steady.energy_out() - 1.0).abs() < 1e-6, "{omega}");
+        for i in 0..8 {
+            let (s, c) = f64::from(i).sin_cos();
+            let d = 1e-3;
+            let change = (way(d * c, d * s) - usual).abs();
+            assert!(change <= doubt_of_way(d, omega, alpha, usual), "{omega} {alpha}: {change}");
+            worst = worst.max(change / d);
+        }
+        let size = LoopSize::of_motion(steady, omega, alpha);
+        let (x, v) = steady.distance();
+        let doubt = 2.0 / alpha / alpha * doubt_of_way(x.hypot(v * omega), omega, alpha, steady.energy_out());
+        assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
+    }
+    assert!(worst > 1.0, "{worst}");
+    // Found with its own doubt, at the tolerance that leaves least room for it.
+    let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
+    let again = loop_size_of_motion(0.3, best.force_ratio).unwrap();
+    assert!(best.bound >= again.most && again.most > again.found);
+}
+
+/// The doubt by changes of direction does not grow with the length of a cycle; that by its length does.
+#[test]
+fn a_long_cycle_is_known_as_well() {
+    let doubt = |omega: f64| doubt_of_way(1e-10, omega, 2.0, 4.0);
+    assert!((doubt(1e-4) / 1.6e-9 - 1.0).abs() < 1e-8, "{}", doubt(1e-4));
+    assert_eq!(doubt(1e-4), doubt(1e-6));
+    assert!((doubt(10.0) / (std::f64::consts::TAU * 1e-11) - 1.0).abs() < 1e-12);
+    assert!((doubt_of_way(0.5, 0.1, 2.0, 4.0) / (std::f64::consts::TAU * 5.0) - 1.0).abs() < 1e-12);
+}
+
+/// A cycle of thousands of stops is known well enough for the coarsest question, and a fine one.
+#[test]
+fn far_below_one_a_motion_is_known() {
+    for alpha in [1.7, 2.0, 32.0] {
+        let size = loop_size_of_motion::<f64>(2e-4, alpha).unwrap();
+        assert!(size.most <= size.found * (1.0 + 1e-8), "{alpha}: {size:?}");
+    }
+}
+
+/// The bound holds, and is nearly met where friction hardly shortens the way.
+#[test]
+fn no_loop_between_two_frictions_exceeds_the_bound() {
+    let loop_size = |omega: f64, share: f64| loop_size_of_motion(omega, 1.0 / share).unwrap();
+    let mut nearest = 0.0f64;
+    for omega in [0.13, 0.22, 0.3, 0.4, 0.7, 1.3, 4.0] {
+        for i in 1..25 {
+            let low = 0.04 * f64::from(i);
+            let at_low = loop_size(omega, low).most;
+            for j in 1..=4 {
+                let high = low * (1.0 + 0.2 * f64::from(j));
+                let bound = bound_between(at_low, low, high);
+                for k in 1..=4 {
+                    let found = loop_size(omega, low + (high - low) * f64::from(k) / 4.0).found;
+                    assert!(found <= bound * (1.0 + 1e-12), "{omega} {low} {high}: {found} > {bound}");
+                    nearest = nearest.max(found / bound);
+                }
+            }
+        }
+    }
+    assert!(nearest > 0.98, "{nearest}");
+}
+
+#[test]
+fn none_of_all_is_better() {
+    for omega in [0.05, 0.13, 0.22, 0.3, 0.4, 0.6, 0.7, 0.9, 1.3, 4.0] {
+        let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
+        assert!(best.bound >= best.loop_size && best.bound <= best.loop_size * 1.0001, "{best:?}");
+        assert!(best.loop_size >= best.non_sticking.loop_size && best.motions < 3000, "{omega} {best:?}");
+        let again = loop_size_of_motion(omega, best.force_ratio * (1.0 + 1e-14)).unwrap().found;
+        assert!((again / best.loop_size - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
+        for i in 1..300 {
+            let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap().found;
+            assert!(other <= best.bound, "{omega} {i} {other} {best:?}");
+        }
+        let answer = Response::new(Ratios::new(omega, best.force_ratio * (1.0 + 1e-14)).unwrap());
+        assert_eq!(answer.cycle().is_none(), best.optimum == Optimum::Sticking, "{omega} {best:?}");
+    }
+}
+
+/// The tolerance is one of the bound: the place is refined beyond it.
+#[test]
+fn a_coarse_search_ends_at_the_same_place() {
+    for omega in [0.13, 0.22, 0.3] {
+        let at = |tolerance: f64| most_dissipating_force_ratio_of_all(omega, tolerance).unwrap();
+        let (coarse, fine) = (at(1e-2), at(1e-5));
+        assert_eq!(fine.optimum, Optimum::Sticking);
+        assert!((coarse.force_ratio / fine.force_ratio - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
+    }
+}
+
+#[test]
+fn the_slow_limit_and_which_one_it_is() {
+    let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 1e-3).unwrap();
+    assert!((slow.force_ratio - 2.0).abs() < 0.05 && (slow.loop_size - 2.0).abs() < 0.01, "{slow:?}");
+    let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap().optimum;
+    assert_eq!(optimum(0.3), Optimum::Sticking);
+    assert_eq!(optimum(1.5), Optimum::Interior);
+    assert!(matches!(most_dissipating_force_ratio_of_all(1.0, 1e-3), Err(Error::AtResonance { .. })));
+    assert!(matches!(most_dissipating_force_ratio_of_all(0.7, 1e-30), Err(Error::OutOfRange { .. })));
+}
+
+#[test]
+fn in_physical_units() {
+    let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
+    let drive = Drive::force(12.0, 0.6).unwrap();
+    let best = most_dissipating_friction_of_all::<f64>(&body, &drive, 1e-3).unwrap();
+    let ratios = most_dissipating_force_ratio_of_all(0.3, 1e-3).unwrap();
+    assert!((best.friction_bound * ratios.force_ratio / 12.0 - 1.0).abs() < 1e-6);
+    assert!((best.energy / (ratios.loop_size * 9.0) - 1.0).abs() < 1e-9 && best.optimum == Optimum::Sticking);
+}
