@@ -191,19 +191,23 @@ fn what_is_outside_the_domain_is_refused() {
 #[test]
 fn steady_motions_are_proved() {
     use stickslip::exact::{LongRun, State};
-    for (omega, alpha, zeta, sticks) in [
-        ("0.4", "6", "0", 2),
-        ("0.1", "3", "0", 4),
-        ("0.15", "3", "0", 4),
-        ("1.5", "2.5", "0", 0),
-        ("0.6", "1.7", "0.05", 2),
-        ("0.8", "2", "0.05", 0),
+    for (omega, alpha, zeta, eta, sticks) in [
+        ("0.4", "6", "0", "1", 2),
+        ("0.1", "3", "0", "1", 4),
+        ("0.15", "3", "0", "1", 4),
+        ("1.5", "2.5", "0", "1", 0),
+        ("0.6", "1.7", "0.05", "1", 2),
+        ("0.8", "2", "0.05", "1", 0),
+        ("0.6", "2.2", "0.05", "1.3", 2),
+        ("0.3", "4", "0.1", "1.3", 2),
+        ("0.8", "1.5", "0.05", "1.25", 0),
     ] {
         let known = |text: &str| text.parse::<Known>().unwrap();
-        let found = enclosed::steady(&known(omega), &known(alpha), &known(zeta), 128).unwrap();
+        let found = enclosed::steady(&known(omega), &known(alpha), &known(zeta), &known(eta), 128).unwrap();
         let found = found.unwrap_or_else(|| panic!("{omega} {alpha} {zeta}: not proved"));
         let ratios = Ratios::new(omega.parse::<Mp<4>>().unwrap(), alpha.parse().unwrap()).unwrap();
         let ratios = ratios.with_damping_ratio(zeta.parse().unwrap()).unwrap();
+        let ratios = ratios.with_static_friction_ratio(eta.parse().unwrap()).unwrap();
         let run = LongRun::from_start(ratios, State::rest()).unwrap();
         let exact = run.steady_state().unwrap();
         let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
@@ -242,14 +246,20 @@ fn steady_motions_are_proved() {
 #[test]
 fn what_cannot_be_proved_is_not_claimed() {
     let known = |text: &str| text.parse::<Known>().unwrap();
-    let at = |omega, alpha| enclosed::steady(&known(omega), &known(alpha), &known("0"), 64).unwrap();
+    let at =
+        |omega, alpha| enclosed::steady(&known(omega), &known(alpha), &known("0"), &known("1"), 64).unwrap();
     assert!(at("0.5", "3").is_none());
     assert!(at("0.7", "0.9").is_none());
     // Six reversals a cycle are a motion like any other, an endless number of slides is not.
     assert_eq!(at("0.331", "61.6").map(|motion| motion.velocity_zeros_per_cycle), Some(6));
     assert!(at("1e-4", "3").is_none());
-    assert!(enclosed::steady(&known("1e10"), &known("3"), &known("0"), 64).is_err());
-    assert!(enclosed::steady(&known("0.5"), &known("3"), &known("1"), 64).is_err());
+    let fails = |omega, zeta, eta| {
+        enclosed::steady(&known(omega), &known("3"), &known(zeta), &known(eta), 64).is_err()
+    };
+    assert!(fails("1e10", "0", "1") && fails("0.5", "1", "1") && fails("0.5", "0", "0.99"));
+    // A mirror pair: neither is symmetric.
+    let pair = enclosed::steady(&known("0.5"), &known("4"), &known("0.02"), &known("1.3"), 64).unwrap();
+    assert!(pair.is_none());
 }
 
 /// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.

@@ -38,24 +38,20 @@ pub(crate) fn steady(
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
-    with_one_friction(machine)?;
     let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
-    enclosed_steady(ratios, machine.damping_ratio.as_deref(), output, out)
+    let others = (machine.damping_ratio.as_deref(), machine.static_friction_ratio.as_deref());
+    enclosed_steady(ratios, others, output, out)
 }
 
-/// The closed forms with damping have no enclosures.
+/// The closed forms with damping or static friction have no enclosures.
 fn undamped(machine: &MachineArgs) -> Outcome {
-    with_one_friction(machine)?;
+    if let Some(eta) = &machine.static_friction_ratio {
+        return Err(Failure::Input(format!(
+            "--static-friction-ratio {eta}: --enclose has closed forms for static friction as large as kinetic"
+        )));
+    }
     let Some(zeta) = &machine.damping_ratio else { return Ok(()) };
     Err(Failure::Input(format!("--damping-ratio {zeta}: --enclose is for closed forms without damping")))
-}
-
-/// Static friction above the kinetic one has no enclosures.
-fn with_one_friction(machine: &MachineArgs) -> Outcome {
-    let Some(eta) = &machine.static_friction_ratio else { return Ok(()) };
-    Err(Failure::Input(format!(
-        "--static-friction-ratio {eta}: --enclose is for static friction as large as kinetic"
-    )))
 }
 
 #[cfg(feature = "mp")]
@@ -74,7 +70,12 @@ fn enclosed_border(_: &str, _: &OutputArgs, _: &mut impl Write) -> Outcome {
 }
 
 #[cfg(not(feature = "mp"))]
-fn enclosed_steady(_: (&str, &str), _: Option<&str>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
+fn enclosed_steady(
+    _: (&str, &str),
+    _: (Option<&str>, Option<&str>),
+    _: &OutputArgs,
+    _: &mut impl Write,
+) -> Outcome {
     Err(no_balls())
 }
 

@@ -35,7 +35,7 @@ fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) ->
 
 /// Whether the velocity of the slide has the slide's sign from its start to its end, and no other zero there.
 ///
-/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release; at the end the acceleration
+/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release with η = 1; at the end the acceleration
 /// has the other one; between, the velocity has it itself.
 pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
     let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
@@ -61,22 +61,22 @@ pub(super) fn is_one_stop<const W: usize>(
     release: Ball<W>,
     sign: i32,
 ) -> bool {
-    let (one, sign) = (Ball::<W>::int(1), Ball::int(sign));
+    let sign = Ball::int(sign);
     let (low, high) = (release.lower(), release.upper());
     let rises = |phase: Ball<W>| {
         let all = phase.hull(&Ball::between(low, high));
         (sign * machine.alpha * all.cos()).is_positive()
     };
     let Some(last) = stretch(low, from.lower() - low, rises) else { return false };
-    throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&one))
+    throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&machine.eta))
 }
 
-/// Whether the body slides back at once in the direction `sign`: the force exceeds friction that way.
+/// Whether the body slides back at once in the direction `sign`: the force exceeds the static friction that way.
 pub(super) fn reverses<const W: usize>(
     machine: &Machine<W>,
     place: Ball<W>,
     phase: Ball<W>,
     sign: i32,
 ) -> bool {
-    Ball::int(1).is_below(&(Ball::int(sign) * machine.force(phase, place)))
+    machine.eta.is_below(&(Ball::int(sign) * machine.force(phase, place)))
 }

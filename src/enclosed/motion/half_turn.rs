@@ -87,7 +87,7 @@ impl<const W: usize> Map<'_, W> {
         Some(HalfTurn { start, steps, end, derivatives })
     }
 
-    /// dθ/dx of a release, where α sin θ = x ± 1.
+    /// dθ/dx of a release, where α sin θ = x ± η.
     fn by_place(&self, phase: Ball<W>) -> Ball<W> {
         Ball::int(1) / (self.machine.alpha * phase.cos())
     }

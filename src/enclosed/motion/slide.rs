@@ -18,6 +18,8 @@ pub(super) struct Machine<const W: usize> {
     pub(super) omega: Ball<W>,
     pub(super) alpha: Ball<W>,
     pub(super) zeta: Ball<W>,
+    /// Static friction over the kinetic one, η.
+    pub(super) eta: Ball<W>,
     /// d = √(1 − ζ²).
     free: Ball<W>,
     /// (P, Q).
@@ -25,12 +27,12 @@ pub(super) struct Machine<const W: usize> {
 }
 
 impl<const W: usize> Machine<W> {
-    pub(super) fn new(omega: Ball<W>, alpha: Ball<W>, zeta: Ball<W>) -> Self {
+    pub(super) fn new(omega: Ball<W>, alpha: Ball<W>, zeta: Ball<W>, eta: Ball<W>) -> Self {
         let one = Ball::int(1);
         let (detuning, damper) = ((one - omega) * (one + omega), zeta * omega * Ball::int(2));
         let scale = alpha / (detuning.square() + damper.square());
         let free = ((one - zeta) * (one + zeta)).sqrt();
-        Self { omega, alpha, zeta, free, forced: (scale * detuning, -(scale * damper)) }
+        Self { omega, alpha, zeta, eta, free, forced: (scale * detuning, -(scale * damper)) }
     }
 
     /// The force that friction has to hold, α sin θ − x.
@@ -38,9 +40,10 @@ impl<const W: usize> Machine<W> {
         self.alpha * phase.sin() - place
     }
 
-    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + σ, the force growing.
+    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, the force growing.
     pub(super) fn release(&self, guess: Mp<W>, place: Ball<W>, sign: Ball<W>) -> Option<Ball<W>> {
-        only_zero(guess, |phase| self.force(phase, place) - sign, |phase| self.alpha * phase.cos())
+        let bound = sign * self.eta;
+        only_zero(guess, |phase| self.force(phase, place) - bound, |phase| self.alpha * phase.cos())
     }
 }
 
@@ -59,7 +62,7 @@ pub(super) struct Slide<const W: usize> {
     machine: Machine<W>,
     pub(super) sign: Ball<W>,
     phase: Ball<W>,
-    /// The acceleration at the start: zero at a release.
+    /// The acceleration at the start: σ(η − 1) at a release.
     pub(super) start: Ball<W>,
     a: Ball<W>,
     b: Ball<W>,
@@ -77,7 +80,7 @@ pub(super) struct End<const W: usize> {
 }
 
 impl<const W: usize> Slide<W> {
-    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at the friction bound.
+    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at the static friction.
     pub(super) fn new(
         machine: Machine<W>,
         sign: i32,
@@ -90,7 +93,8 @@ impl<const W: usize> Slide<W> {
         let (p, q) = machine.forced;
         let a = place + sign - (p * s + q * c);
         let b = (machine.zeta * a - machine.omega * (p * c - q * s)) / machine.free;
-        let start = if released { Ball::int(0) } else { machine.alpha * s - place - sign };
+        let start =
+            if released { sign * (machine.eta - Ball::int(1)) } else { machine.alpha * s - place - sign };
         Self { machine, sign, phase, start, a, b }
     }
 
@@ -106,7 +110,7 @@ impl<const W: usize> Slide<W> {
     }
 
     pub(super) fn at(&self, phi: Ball<W>) -> Motion<W> {
-        let Machine { omega, alpha, zeta, free, forced: (p, q) } = self.machine;
+        let Machine { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
         let (fs, fc) = self.free_waves(phi);
         let x = p * s + q * c - self.sign + self.a * fc + self.b * fs;

@@ -38,8 +38,10 @@ pub struct Steady {
     pub bits: u32,
 }
 
-/// The steady motion from rest at (Ω, α, ζ), enclosed to `bits` bits; `None` where it is not proved: it grazes, is not symmetric, does not
-/// settle, has more than 512 slides in half a turn, or Ω = 1 without damping.
+/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction over the kinetic one; `None` where it
+/// is not proved: it grazes, is not symmetric, does not settle, has more than 512 slides in half a turn, or Ω = 1 without damping.
+///
+/// With η > 1 other starts may lead to other motions.
 ///
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::exact::Trajectory::new`] for Ω), or ζ ≥ 1, for which there is no enclosure.
@@ -47,6 +49,7 @@ pub fn steady(
     omega: &Known,
     alpha: &Known,
     damping_ratio: &Known,
+    static_friction_ratio: &Known,
     bits: u32,
 ) -> Result<Option<Steady>, Error> {
     let omega = omega.within(Quantity::FrequencyRatio, true)?;
@@ -62,12 +65,17 @@ pub fn steady(
     }
     let ratios = Ratios::new(omega.middle().to_f64(), alpha.middle().to_f64())?;
     let ratios = ratios.with_damping_ratio(damping_ratio.middle().to_f64())?;
+    let eta = static_friction_ratio;
+    if *eta.low() < 1 {
+        return Err(Error::BelowKineticFriction { static_friction_ratio: eta.low().to_f64().to_string() });
+    }
+    let ratios = ratios.with_static_friction_ratio(eta.middle().to_f64())?;
     let Some(outline) = outline(ratios)? else { return Ok(None) };
     let mut last = None;
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 {
-                let machine = Machine::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball());
+                let machine = Machine::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
                 let found = proved(&Map { machine, outline: &outline });
                 if let Some(found) = &found && found.is_sharp(bits) {
                     return Ok(Some(found.answer(bits)));

@@ -14,20 +14,25 @@ struct Answer<'a> {
     omega: &'a str,
     alpha: &'a str,
     damping_ratio: Option<&'a str>,
+    static_friction_ratio: Option<&'a str>,
     found: Option<Steady>,
 }
 
 pub(crate) fn steady(
     (omega, alpha): (&str, &str),
-    damping_ratio: Option<&str>,
+    (damping_ratio, static_friction_ratio): (Option<&str>, Option<&str>),
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
     let zeta = known("--damping-ratio", damping_ratio.unwrap_or("0"))?;
-    let found = enclosed::steady(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, bits(output));
-    let typed = damping_ratio.map_or(String::new(), |zeta| format!(" --damping-ratio {zeta}"));
+    let eta = known("--static-friction-ratio", static_friction_ratio.unwrap_or("1"))?;
+    let ratios = (known("--omega", omega)?, known("--alpha", alpha)?);
+    let found = enclosed::steady(&ratios.0, &ratios.1, &zeta, &eta, bits(output));
+    let typed = |option: &str, text: Option<&str>| text.map_or(String::new(), |t| format!(" {option} {t}"));
+    let typed =
+        typed("--damping-ratio", damping_ratio) + &typed("--static-friction-ratio", static_friction_ratio);
     let found = found.map_err(|e| fault(&format!("--omega {omega} --alpha {alpha}{typed}"), output, &e))?;
-    let answer = Answer { omega, alpha, damping_ratio, found };
+    let answer = Answer { omega, alpha, damping_ratio, static_friction_ratio, found };
     match output.format.unwrap_or(Format::Text) {
         Format::Text => answer.text(out),
         Format::Json => {
@@ -76,6 +81,9 @@ impl Serialize for Answer<'_> {
         map.serialize_entry("alpha", self.alpha)?;
         if let Some(zeta) = self.damping_ratio {
             map.serialize_entry("damping_ratio", zeta)?;
+        }
+        if let Some(eta) = self.static_friction_ratio {
+            map.serialize_entry("static_friction_ratio", eta)?;
         }
         let found = self.found.as_ref();
         let value = |of: fn(&Steady) -> &Enclosure| found.map(of).map(MidRad);
