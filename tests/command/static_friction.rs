@@ -97,3 +97,47 @@ fn attractors_are_found_whatever_the_number_of_threads() {
     let text = stdout(&format!("attractors {PAIR} --starts 60"));
     assert!(text.contains("2 limits from 60 starts") && text.contains("the mirror image of 1"), "{text}");
 }
+
+/// Each start of the plane has the limit that `attractors` and `steady` name, in ratios and in units.
+#[test]
+fn basins_name_the_limit_of_each_start() {
+    let grid = "--x0 -6:6:5 --v0 -4:4:3";
+    let rows = stdout(&format!("basins {PAIR} {grid}"));
+    let rows: Vec<Vec<&str>> = rows.lines().map(|line| line.split(',').collect()).collect();
+    assert_eq!(rows[0], ["x0[B]", "v0[B ω_d]", "attractor", "limit"]);
+    assert_eq!(rows.len(), 16);
+    let mut seen = std::collections::BTreeMap::new();
+    for row in &rows[1..] {
+        let steady = json(&format!("steady {PAIR} --x0 {} --v0 {} --format json", row[0], row[1]));
+        let most = steady["max_displacement"].as_f64().unwrap();
+        let known = *seen.entry(row[2]).or_insert(most);
+        assert!((known - most).abs() < 1e-6, "{row:?} {known} {most}");
+    }
+    let most: Vec<f64> = seen.into_values().collect();
+    assert!(most.len() == 2 && (most[0] - most[1]).abs() > 0.1, "{most:?}");
+    // B = 5 mm, ω_d = 5 rad/s: the same starts, limit by limit.
+    let machine = "--mass 10 --stiffness 1000 --friction 5 --frequency 5 --force 20 --damping-ratio 0.02";
+    let grid = "--x0=-0.03:0.03:5 --v0=-0.1:0.1:3";
+    let physical = stdout(&format!("basins {machine} --static-friction-ratio 1.3 {grid}"));
+    for (line, row) in physical.lines().zip(&rows) {
+        let line: Vec<&str> = line.split(',').collect();
+        assert_eq!(line[2..], row[2..], "{line:?}");
+    }
+    assert!(physical.starts_with("x0[m],v0[m/s],"), "{physical}");
+}
+
+#[test]
+fn basins_are_drawn() {
+    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let file = folder.join("basins-of-a-pair.svg");
+    let _ = std::fs::remove_file(&file);
+    let line = format!("basins {PAIR} --x0 -6:6:21 --v0 -4:4:11 --out {}", file.display());
+    assert_eq!(stdout(&line), "");
+    let svg = std::fs::read_to_string(&file).unwrap();
+    for text in ["1: periodic, x from", "2: periodic, x from", "displacement at the start (B)"] {
+        assert!(svg.contains(text), "{text}: {svg}");
+    }
+    refused(&format!("basins {PAIR} --x0 -6:6:2000 --v0 -4:4:2000"), &["--x0, --v0: 4000000 starts"]);
+    refused(&format!("basins {PAIR} --x0 1e80,2e80 --v0 0,1"), &["--x0"]);
+    refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}/x.svg", folder.display()), &["ascending"]);
+}

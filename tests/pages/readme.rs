@@ -82,6 +82,18 @@ fn folder(page: &str) -> PathBuf {
     folder
 }
 
+/// The picture of basins is kept beside the figures, and is what the command on its page draws.
+#[test]
+fn the_kept_basins_are_what_the_command_draws() {
+    let page = std::fs::read_to_string("docs/theory/static-friction.md").unwrap();
+    let command = page.lines().find_map(|line| line.strip_prefix("$ ").filter(|c| c.contains("basins")));
+    let folder = folder("the-kept-basins");
+    let (success, printed) = run(command.unwrap(), &folder);
+    assert!(success, "{printed}");
+    let drawn = std::fs::read_to_string(folder.join("basins.svg")).unwrap();
+    assert!(crate::kept::Kept::default().at("docs/figures/basins.svg", &drawn) == drawn);
+}
+
 #[test]
 fn every_command_prints_what_is_shown() {
     let (mut compared, mut only_run) = (0, 0);

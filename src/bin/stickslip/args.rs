@@ -15,8 +15,8 @@ mod used;
 use crate::failure::Failure;
 use crate::outputs;
 use crate::style::STYLES;
-use attractors::ATTRACTORS_EXAMPLES;
-pub(crate) use attractors::AttractorsArgs;
+use attractors::{ATTRACTORS_EXAMPLES, BASINS_EXAMPLES};
+pub(crate) use attractors::{AttractorsArgs, BasinsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};
@@ -88,6 +88,9 @@ pub(crate) enum Command {
     /// All limits that many starts lead to, where the static friction is above the kinetic one.
     #[command(after_help = ATTRACTORS_EXAMPLES)]
     Attractors(AttractorsArgs),
+    /// The limit that each start in a plane of starts leads to, as CSV or a picture.
+    #[command(after_help = BASINS_EXAMPLES)]
+    Basins(BasinsArgs),
     /// The exact motion from a start, phase by phase or sampled.
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),

@@ -79,7 +79,7 @@ impl<W: Write> Task for Run<'_, W> {
 }
 
 /// How far the starts reach.
-fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
+pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
     let Some(text) = text else {
         let (swing, most) = (ratios.forced_amplitude().abs(), F::int(20) * ratios.alpha());
         let swing = if swing < most { swing } else { most };
@@ -104,7 +104,11 @@ fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
         .map_err(|e| Failure::Input(e.to_string()))
 }
 
-fn follow<F: Value>(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<LongRun<F>, Failure> {
+pub(crate) fn follow<F: Value>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    periods: u32,
+) -> Result<LongRun<F>, Failure> {
     let mut keep_going =
         || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
     LongRun::within_while(ratios, start, periods, &mut keep_going).map_err(|e| {
@@ -236,7 +240,7 @@ fn text<F: Value>(
 }
 
 /// What a limit is, in words.
-fn described<F: Value>(found: &Attractor<F>) -> String {
+pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
     let mirror = match found.mirror() {
         Some(place) => format!(", the mirror image of {}", place + 1),
         None => String::new(),

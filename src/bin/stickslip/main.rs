@@ -16,6 +16,7 @@
 mod args;
 mod attractors;
 mod axes;
+mod basins;
 mod bits;
 mod border;
 mod curve;
@@ -88,6 +89,7 @@ fn run(command: &Command) -> Outcome {
         Command::Border(args) => border::run(args, &mut out)?,
         Command::Steady(args) => steady::run(args, &mut out)?,
         Command::Attractors(args) => attractors::run(args, &mut out)?,
+        Command::Basins(args) => basins::run(args, &mut out)?,
         Command::Simulate(args) => simulate::run(args, &mut out)?,
         Command::Design(question) => design::run(question, &mut out)?,
         Command::Identify(args) => identify::run(args, &mut out)?,

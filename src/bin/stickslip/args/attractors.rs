@@ -1,7 +1,8 @@
-//! The arguments of `stickslip attractors`.
+//! The arguments of `stickslip attractors` and `basins`.
 
 use super::{ForceArgs, Format, MachineArgs, UnitArgs};
 use clap::Args;
+use std::path::PathBuf;
 
 pub(crate) const ATTRACTORS_EXAMPLES: &str = "\
 Examples:
@@ -35,4 +36,36 @@ pub(crate) struct AttractorsArgs {
     pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
+}
+
+pub(crate) const BASINS_EXAMPLES: &str = "\
+Examples:
+  stickslip basins --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --out basins.svg
+  stickslip basins --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --x0 -8:8:81 --v0 -8:8:81
+
+The starts are at ω_d t = 0. As rows: the start, the number of its limit and what that is.";
+
+#[derive(Debug, Args)]
+pub(crate) struct BasinsArgs {
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
+    #[command(flatten)]
+    pub(crate) force: ForceArgs,
+    /// Displacements at the start, FROM:TO:COUNT [default: 101 values, as far as the starts of attractors reach]
+    #[arg(long, value_name = "X", allow_hyphen_values = true)]
+    pub(crate) x0: Option<String>,
+    /// Velocities at the start, FROM:TO:COUNT [default: likewise]
+    #[arg(long, value_name = "V", allow_hyphen_values = true)]
+    pub(crate) v0: Option<String>,
+    /// Periods of the drive to follow each start for
+    #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
+    pub(crate) max_periods: u32,
+    #[command(flatten)]
+    pub(crate) units: UnitArgs,
+    /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
+    #[arg(long, value_name = "FILE")]
+    pub(crate) out: Option<PathBuf>,
+    /// Replace FILE where it exists
+    #[arg(long, requires = "out")]
+    pub(crate) overwrite: bool,
 }

@@ -74,6 +74,8 @@ const USED: &[(&str, Mode, &str)] = &[
         Machine,
         "omega alpha BODY STATIC frequency DRIVE starts reach max_periods format bits units",
     ),
+    ("basins", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods out overwrite"),
+    ("basins", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods units out overwrite"),
     ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
     ("simulate", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 cycles samples format bits units"),
     (
