@@ -141,3 +141,23 @@ fn basins_are_drawn() {
     refused(&format!("basins {PAIR} --x0 1e80,2e80 --v0 0,1"), &["--x0"]);
     refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}/x.svg", folder.display()), &["ascending"]);
 }
+
+/// The limits of a few starts in a word for each point: those of the six machines, and one limit with η = 1.
+#[test]
+fn a_map_of_limits() {
+    for (ratios, expected) in [
+        ("--omega 0.5,0.8 --alpha 4,5 --damping-ratio 0.02 --static-friction-ratio 1.3", "a mirror pair"),
+        ("--omega 0.573,0.8 --alpha 3.92,5 --damping-ratio 0.005 --static-friction-ratio 1.87", "several"),
+        (
+            "--omega 0.45,0.8 --alpha 8.5,9 --damping-ratio 0.02 --static-friction-ratio 3",
+            "irregular among them",
+        ),
+        ("--omega 0.5,0.8 --alpha 4,5 --damping-ratio 0.02", "\"one, symmetric\""),
+        ("--omega 0.5,0.8 --alpha 0.5,0.6 --damping-ratio 0.02", "rest"),
+    ] {
+        let rows = stdout(&format!("map limits {ratios}"));
+        assert!(rows.starts_with("omega,alpha,limits\n"), "{rows}");
+        let first = rows.lines().nth(1).unwrap();
+        assert!(first.ends_with(&format!(",{expected}")), "{ratios}: {first}");
+    }
+}

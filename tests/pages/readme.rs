@@ -82,17 +82,8 @@ fn folder(page: &str) -> PathBuf {
     folder
 }
 
-/// The picture of basins is kept beside the figures, and is what the command on its page draws.
-#[test]
-fn the_kept_basins_are_what_the_command_draws() {
-    let page = std::fs::read_to_string("docs/theory/static-friction.md").unwrap();
-    let command = page.lines().find_map(|line| line.strip_prefix("$ ").filter(|c| c.contains("basins")));
-    let folder = folder("the-kept-basins");
-    let (success, printed) = run(command.unwrap(), &folder);
-    assert!(success, "{printed}");
-    let drawn = std::fs::read_to_string(folder.join("basins.svg")).unwrap();
-    assert!(crate::kept::Kept::default().at("docs/figures/basins.svg", &drawn) == drawn);
-}
+/// Pictures that are kept beside the figures, and drawn by a command on their page.
+const KEPT: [&str; 2] = ["basins.svg", "limits.svg"];
 
 #[test]
 fn every_command_prints_what_is_shown() {
@@ -111,6 +102,11 @@ fn every_command_prints_what_is_shown() {
                 let (success, printed) = run(&command, &folder);
                 // Bad input is shown with its one line, which begins with the program's name.
                 assert_eq!(success, !shown.starts_with("stickslip: "), "{page}: {command}\n{printed}");
+                for name in KEPT.into_iter().filter(|name| command.ends_with(&format!("--out {name}"))) {
+                    let drawn = std::fs::read_to_string(folder.join(name)).unwrap();
+                    let kept = crate::kept::Kept::default().at(&format!("docs/figures/{name}"), &drawn);
+                    assert!(kept == drawn, "docs/figures/{name} is not what is drawn");
+                }
                 if shown.is_empty() {
                     only_run += 1;
                 } else {

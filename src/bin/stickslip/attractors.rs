@@ -94,7 +94,7 @@ pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<
 }
 
 /// The start of that number: the first at rest, the others by the multiples of two irrational numbers, which fill the square evenly.
-fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
+pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
     let place = |step: f64| {
         let part = (number as f64 * step).fract();
         F::from_f64(if number == 0 { 0.0 } else { 2.0 * part - 1.0 }) * reach

@@ -1,5 +1,6 @@
 //! `stickslip map`.
 
+mod limits;
 mod picture;
 
 use crate::args::{MapArgs, Picture, Swept};
@@ -29,6 +30,7 @@ enum Quantity<'a> {
     Regime,
     Margin,
     Stops,
+    Limits,
     Output(Swept, &'a str),
 }
 
@@ -38,6 +40,7 @@ impl<'a> Quantity<'a> {
             "regime" => Self::Regime,
             "margin" => Self::Margin,
             "stops" => Self::Stops,
+            "limits" => Self::Limits,
             _ => match text.strip_prefix("steady:") {
                 Some(name) => Self::Output(Swept::Steady, name),
                 None => Self::Output(Swept::Response, text),
@@ -50,6 +53,7 @@ impl<'a> Quantity<'a> {
             Self::Regime => "regime",
             Self::Margin => "margin",
             Self::Stops => "sticks_per_cycle",
+            Self::Limits => "limits",
             Self::Output(_, name) => name,
         }
     }
@@ -57,7 +61,7 @@ impl<'a> Quantity<'a> {
     const fn question(&self) -> Swept {
         match self {
             Self::Regime | Self::Margin => Swept::Response,
-            Self::Stops => Swept::Steady,
+            Self::Stops | Self::Limits => Swept::Steady,
             Self::Output(question, _) => *question,
         }
     }
@@ -67,6 +71,9 @@ impl<'a> Quantity<'a> {
         if matches!(self, Self::Margin) {
             let margin = margin(&Response::new(input::point(given)?.ratios));
             return Ok(Some((None, Cell::Number(Some(margin)))));
+        }
+        if matches!(self, Self::Limits) {
+            return Ok(Some((None, Cell::Text(limits::of(input::point(given)?.ratios)?))));
         }
         let peaks = PEAKS.contains(&self.name());
         let record = rows::answer(self.question(), given, peaks)?;

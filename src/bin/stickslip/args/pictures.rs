@@ -22,7 +22,7 @@ Examples:
   stickslip figures --all --dir /tmp/data --format csv";
 
 pub(crate) const MAP_EXAMPLES: &str = "\
-Quantities: regime, margin (α/α_min), stops (per cycle, from rest); an output of `response`, such as
+Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (how many, from 16 starts); an output of `response`, such as
 loop_size_stiffness; or steady:NAME for one of `steady`, such as steady:max_displacement. Of a machine it is in the
 machine's units where it has any.
 
@@ -34,7 +34,8 @@ Examples:
   stickslip map margin --omega 0.205:1.995:180 --alpha 0.5:8:76 --out margin.svg
   stickslip map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm \\
     --frequency 0.6Hz:5Hz:200 --base-acceleration 0.02g:0.4g:100 --out stroke.svg
-  stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg";
+  stickslip map steady:stick_fraction --omega 0.05:1.5:300 --alpha 1.05:8:140 --out sticking.svg
+  stickslip map limits --omega 0.1:1.2:56 --alpha 3.1:9.1:31 --damping-ratio 0.02 --static-friction-ratio 2 --out limits.svg";
 
 #[derive(Debug, Args)]
 pub(crate) struct FigureArgs {

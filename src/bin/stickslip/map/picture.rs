@@ -1,6 +1,6 @@
 //! The picture of a map.
 
-use super::{Map, Quantity, margin};
+use super::{Map, Quantity, limits, margin};
 use crate::failure::{Failure, Outcome};
 use crate::given::Parameter as P;
 use crate::grid::Grid;
@@ -18,6 +18,7 @@ impl Map<'_> {
             Quantity::Regime => "regime".to_owned(),
             Quantity::Margin => "margin over the border, α/α_min".to_owned(),
             Quantity::Stops => "stops in a cycle".to_owned(),
+            Quantity::Limits => format!("limits from {} starts", limits::STARTS),
             Quantity::Output(..) => outputs::in_words(self.quantity.name()),
         };
         let unit = match self.kind {
@@ -109,7 +110,8 @@ impl Map<'_> {
         };
         // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as they come.
         let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
-        let mut names: Vec<String> = regimes.map(str::to_owned).to_vec();
+        let known = if matches!(self.quantity, Quantity::Limits) { limits::NAMES } else { regimes };
+        let mut names: Vec<String> = known.map(str::to_owned).to_vec();
         let mut named = false;
         let mut values = Vec::new();
         let mut whole = true;

@@ -1,0 +1,48 @@
+//! How many limits a machine has, from a few starts.
+
+use crate::attractors::{follow, reach, start};
+use crate::failure::Failure;
+use crate::steady::kind;
+use stickslip::Ratios;
+use stickslip::exact::{Attractors, LongRun, SteadyState};
+
+/// Starts that are followed for each point, those of `stickslip attractors`.
+pub(super) const STARTS: u64 = 16;
+/// Periods of the drive that each is followed for.
+const PERIODS: u32 = 2000;
+
+const ONE: &str = "one, symmetric";
+const PAIR: &str = "a mirror pair";
+const SEVERAL: &str = "several";
+const IRREGULAR: &str = "irregular among them";
+
+/// What the limits can be, from the lightest colour to the darkest; others as they come.
+pub(super) const NAMES: [&str; 4] = [ONE, PAIR, SEVERAL, IRREGULAR];
+
+/// The limits of those starts in words, a motion and its mirror image counted once.
+pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
+    let reach = reach(None, &ratios)?;
+    let limits = (0..STARTS)
+        .map(|number| follow(ratios, start(number, reach)?, PERIODS))
+        .collect::<Result<Vec<_>, _>>()?;
+    let all = Attractors::of_limits(limits).map_err(|e| Failure::Input(e.to_string()))?;
+    if all.limits().iter().any(|found| matches!(found.limit(), LongRun::Irregular(_))) {
+        return Ok(IRREGULAR);
+    }
+    let is_first = |place: usize, mirror: Option<usize>| mirror.is_none_or(|mirror| place < mirror);
+    let mut single =
+        all.limits().iter().enumerate().filter(|(place, found)| is_first(*place, found.mirror()));
+    Ok(match (single.next(), single.next()) {
+        (Some(_), Some(_)) => SEVERAL,
+        (Some((_, found)), None) => {
+            let limit = found.limit();
+            let is_periodic = matches!(limit, LongRun::Periodic(_));
+            match limit.steady_state().filter(|_| is_periodic).map(SteadyState::is_symmetric) {
+                Some(true) => ONE,
+                Some(false) => PAIR,
+                None => kind(limit),
+            }
+        }
+        (None, _) => "not settled",
+    })
+}
