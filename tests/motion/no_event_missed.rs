@@ -100,6 +100,60 @@ fn brute_force_finds_no_earlier_zero() {
     assert!(with_dips > 1000, "{with_dips}");
 }
 
+/// With static friction up to three times the kinetic one: no velocity zero is missed, the body stops where the force left over is at most
+/// η and nowhere else, and stays as long as that holds.
+#[test]
+fn brute_force_finds_no_other_stop_with_static_friction() {
+    const MOTIONS: u64 = 20_000;
+    let mut random = Random(17);
+    let (mut stops, mut reversals) = (0u64, 0u64);
+    for number in 0..MOTIONS {
+        let (omega, alpha, start) = draw(&mut random);
+        let eta = random.between(1.0, 3.0);
+        if (omega - 1.0).abs() < 1e-4 {
+            continue;
+        }
+        let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
+        let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(4).map(Result::unwrap).collect();
+        let at = || format!("motion {number}, Ω = {omega}, α = {alpha}, η = {eta}, {start:?}");
+        let left_over =
+            |phase: stickslip::exact::DrivePhase<f64>, x: f64| (alpha * phase.sin_cos().0 - x).abs();
+        for (phase, next) in phases.iter().zip(phases.iter().skip(1)) {
+            let Some(end) = phase.end() else { continue };
+            let room = 1e-9 * (eta + alpha + end.x.abs());
+            let left = left_over(end.phase, end.x);
+            match phase.kind() {
+                Kind::Slide(direction) => {
+                    let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
+                    let (least, size) = least_velocity(omega, alpha, phase, sign);
+                    let turned = phase.duration().unwrap() * (1.0 + 1.0 / omega);
+                    assert!(least > -1e-15 * size * (4.0 + turned), "{}: {least:e} of {size:e}", at());
+                    if next.kind() == Kind::Stick {
+                        assert!(left <= eta + room, "{}: it stops at {left}", at());
+                        stops += 1;
+                    } else {
+                        assert!(left >= eta - room, "{}: it slides on at {left}", at());
+                        reversals += 1;
+                    }
+                }
+                Kind::Stick => {
+                    assert!((left - eta).abs() <= room, "{}: released at {left}", at());
+                    let length = phase.duration().unwrap();
+                    for i in 0..1000 {
+                        let within = phase.at(stickslip::exact::DrivePhase::new(
+                            phase.start().phase.reduced() + length * f64::from(i) / 1000.0,
+                        )
+                        .unwrap());
+                        let left = (alpha * within.state.phase.sin_cos().0 - end.x).abs();
+                        assert!(left <= eta + room, "{}: {left} during a stop", at());
+                    }
+                }
+            }
+        }
+    }
+    assert!(stops > 5_000 && reversals > 5_000, "{stops} {reversals}");
+}
+
 /// Ω of the whole range, log-uniform, with a start anywhere or one that the slow wave carries along.
 fn draw_wide(random: &mut Random) -> (f64, f64, State<f64>) {
     let omega = 2f64.powf(random.between(-20.0, 20.0));

@@ -251,3 +251,37 @@ fn the_border_is_that_of_the_motion() {
 fn the_border_is_that_of_the_motion_everywhere() {
     beside_the_border(100_000);
 }
+
+/// The motion from a start turned upside down, half a turn of the drive on, is the motion turned upside down: to the last bit, phase by
+/// phase.
+#[test]
+fn a_mirrored_start_has_the_mirrored_motion() {
+    let part = |i: u32, step: f64| (f64::from(i) * step).fract();
+    for i in 1..400 {
+        let (omega, alpha) = (0.1 + 1.4 * part(i, 0.618_034), 1.1 + 8.0 * part(i, 0.754_878));
+        let (zeta, eta) = ([0.0, 0.02, 0.3][i as usize % 3], 1.0 + 2.0 * part(i, 0.569_84));
+        let ratios = ratios(omega, zeta, eta, alpha);
+        let x = 10.0 * part(i, 0.819_173) - 5.0;
+        let start = State::new(6.0 * part(i, 0.671_044), x, 4.0 * part(i, 0.549_7) - 2.0).unwrap();
+        let mirrored = State { phase: start.phase.later_by_half_turns(1), x: -start.x, v: -start.v };
+        let motion = |start| Trajectory::new(ratios, start).unwrap().take(60).map(Result::unwrap);
+        for (a, b) in motion(start).zip(motion(mirrored)) {
+            let (from, to) = (a.start(), b.start());
+            assert_eq!(
+                (from.phase.later_by_half_turns(1), -from.x),
+                (to.phase, to.x),
+                "{ratios:?} {start:?}"
+            );
+            assert_eq!(a.ends_by(), b.ends_by());
+            assert_eq!(a.duration(), b.duration());
+        }
+        let limits = [start, mirrored].map(|start| LongRun::within(ratios, start, 300).unwrap());
+        if let [Some(a), Some(b)] = limits.each_ref().map(LongRun::steady_state) {
+            assert_eq!(
+                (a.max_displacement(), a.min_displacement()),
+                (-b.min_displacement(), -b.max_displacement())
+            );
+            assert_eq!(a.multipliers(), b.multipliers());
+        }
+    }
+}
