@@ -91,7 +91,7 @@ fn arrow_steady<'py>(
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyAny>> {
     mapped(py, input, |points, stop| {
-        let none = points.damping.is_none().then(|| vec![0.0; points.omega.len()]).unwrap_or_default();
+        let none = if points.damping.is_none() { vec![0.0; points.omega.len()] } else { Vec::new() };
         let damping = points.damping.as_ref().map_or(&none[..], |d| &d.values()[..]);
         motion::table(points.omega.values(), points.alpha.values(), damping, start, max_periods, stop)
             .map_err(|e| e.to_string())

@@ -3,6 +3,7 @@
 mod arrow;
 mod closed_forms;
 mod design;
+mod enclosed;
 mod interrupt;
 mod machine;
 mod motion;
@@ -32,6 +33,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     closed_forms::register(module)?;
     motion::register(module)?;
     machine::register(module)?;
+    enclosed::register(module)?;
     design::register(module)?;
     wide::register(module)
 }

@@ -47,7 +47,7 @@ impl Task<'_> {
     fn at(self, bits: u32) -> Result<Cells, String> {
         match bits {
             ..=256 => self.run::<Mp<4>>(),
-            ..=1024 => self.run::<Mp<16>>(),
+            257..=1024 => self.run::<Mp<16>>(),
             _ => Err(format!("bits = {bits} must be ≤ 1024 here; the command has 8192")),
         }
     }

@@ -23,6 +23,7 @@ array(['non-sticking', 'non-sticking'], dtype='<U12')
 2
 """
 
+from . import enclosed
 from ._closed_forms import OUTPUTS, Border, Response, border, response
 from ._design import FIGURES, Band, BestFriction, Estimate, Figure, Identified, figure, identify
 from ._machine import Drive, Machine
@@ -49,6 +50,7 @@ __all__ = [
     "__version__",
     "border",
     "decay",
+    "enclosed",
     "figure",
     "identify",
     "response",

@@ -67,7 +67,8 @@ pub fn steady(
     let ratios = ratios.with_damping_ratio(damping_ratio.middle().to_f64())?;
     let eta = static_friction_ratio;
     if *eta.low() < 1 {
-        return Err(Error::BelowKineticFriction { static_friction_ratio: eta.low().to_f64().to_string() });
+        let static_friction_ratio = Mp::<2>::from_rational(eta.low()).to_f64().to_string();
+        return Err(Error::BelowKineticFriction { static_friction_ratio });
     }
     let ratios = ratios.with_static_friction_ratio(eta.middle().to_f64())?;
     let Some(outline) = outline(ratios)? else { return Ok(None) };

@@ -1,0 +1,80 @@
+//! Answers with an error bound: decimal numbers in, midpoint and radius out.
+
+use crate::interrupt::interruptible;
+use crate::refused;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
+use stickslip::{Error, Output};
+
+fn known(name: &str, text: &str) -> PyResult<Known> {
+    text.parse().map_err(|error| refused(format!("{name} = {text}: {error}")))
+}
+
+/// The regime, the bits and the outputs that there are.
+fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<'py, PyDict>> {
+    let found = found.map_err(refused)?;
+    let dict = PyDict::new(py);
+    dict.set_item("regime", found.regime().map(Regime::name))?;
+    dict.set_item("bits", found.bits())?;
+    for output in Output::ALL {
+        dict.set_item(output.name(), found.get(output).map(Enclosure::decimal))?;
+    }
+    Ok(dict)
+}
+
+/// Every output of the closed forms that has an enclosure.
+#[pyfunction]
+fn enclosed_response<'py>(
+    py: Python<'py>,
+    omega: &str,
+    alpha: &str,
+    bits: u32,
+) -> PyResult<Bound<'py, PyDict>> {
+    let (omega, alpha) = (known("omega", omega)?, known("alpha", alpha)?);
+    dict(py, interruptible(py, |_| enclosed::response(&omega, &alpha, bits))?)
+}
+
+/// The border.
+#[pyfunction]
+fn enclosed_border<'py>(py: Python<'py>, omega: &str, bits: u32) -> PyResult<Bound<'py, PyDict>> {
+    let omega = known("omega", omega)?;
+    dict(py, interruptible(py, |_| enclosed::border(&omega, bits))?)
+}
+
+/// A steady motion that is proved to exist; nothing where none is proved.
+#[pyfunction]
+fn enclosed_steady<'py>(
+    py: Python<'py>,
+    ratios: [String; 4],
+    bits: u32,
+) -> PyResult<Option<Bound<'py, PyDict>>> {
+    let [omega, alpha, zeta, eta] = &ratios;
+    let (omega, alpha) = (known("omega", omega)?, known("alpha", alpha)?);
+    let (zeta, eta) = (known("damping_ratio", zeta)?, known("static_friction_ratio", eta)?);
+    let found = interruptible(py, |_| enclosed::steady(&omega, &alpha, &zeta, &eta, bits))?;
+    let Some(found) = found.map_err(refused)? else { return Ok(None) };
+    let dict = PyDict::new(py);
+    for (name, value) in [
+        ("max_displacement", &found.max_displacement),
+        ("max_velocity", &found.max_velocity),
+        ("stick_fraction", &found.stick_fraction),
+        ("start_phase", &found.start.0),
+        ("start_displacement", &found.start.1),
+    ] {
+        dict.set_item(name, value.decimal())?;
+    }
+    dict.set_item("sticks_per_cycle", found.sticks_per_cycle)?;
+    dict.set_item("velocity_zeros_per_cycle", found.velocity_zeros_per_cycle)?;
+    let multipliers = found.multipliers.each_ref().map(|(re, im)| (re.decimal(), im.decimal()));
+    dict.set_item("multipliers", multipliers.to_vec())?;
+    dict.set_item("only_within", found.only_within.1.mid().to_f64())?;
+    dict.set_item("bits", found.bits)?;
+    Ok(Some(dict))
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(enclosed_response, module)?)?;
+    module.add_function(wrap_pyfunction!(enclosed_border, module)?)?;
+    module.add_function(wrap_pyfunction!(enclosed_steady, module)?)
+}

@@ -1,0 +1,171 @@
+"""Answers with a guarantee: each output as a midpoint and a radius that contain it, rounding included.
+
+Ratios are taken as they are written: ``"0.4"`` is four tenths, and ``"1/3"`` a third; a float is the binary number that
+it is.
+"""
+
+from __future__ import annotations
+
+from decimal import Decimal, localcontext
+from typing import Any, ClassVar, NamedTuple, Optional, Sequence
+
+from . import _native
+from ._result import Result, digits, precision
+
+__all__ = ["Enclosure", "Response", "Steady", "border", "response", "steady"]
+
+
+class Enclosure(NamedTuple):
+    """All numbers within a radius of a midpoint; the output is one of them.
+
+    >>> from stickslip import enclosed
+    >>> enclosed.border("0.4").min_force_ratio.mid
+    Decimal('6.94973775590873527...')
+    >>> enclosed.border("0.4").min_force_ratio.rad < Decimal("1e-18")
+    True
+    """
+
+    mid: Decimal
+    rad: Decimal
+
+    def __contains__(self, value: object) -> bool:
+        if not isinstance(value, (int, float, Decimal)):
+            return False
+        with localcontext() as context:
+            context.prec = 5000
+            return abs(Decimal(value) - self.mid) <= self.rad
+
+    def __str__(self) -> str:
+        return f"{self.mid} ± {self.rad}"
+
+
+class Response(Result):
+    """The closed forms at one point, enclosed; see `response`.
+
+    Attributes
+    ----------
+    regime : str or None
+        ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None where that is undecided.
+    bits : int
+        The bits it was computed with in the end.
+    max_displacement, max_velocity, ... : Enclosure or None
+        The outputs by the names that `stickslip.response` has; None where one does not exist or has no enclosure.
+    """
+
+    _names: ClassVar[Sequence[str]] = ("regime", "bits", *_native.OUTPUTS)
+
+    def __getattr__(self, name: str) -> Any:
+        raise AttributeError(f"no output {name}; there are {', '.join(self._names)}")
+
+
+class Steady(Result):
+    """A symmetric periodic motion that exists; see `steady`.
+
+    Attributes
+    ----------
+    max_displacement, max_velocity, stick_fraction : Enclosure
+        In B, B w, and as a part of a cycle; the minima are the negatives.
+    sticks_per_cycle, velocity_zeros_per_cycle : int
+    multipliers : list of (Enclosure, Enclosure)
+        Real and imaginary part of what a cycle leaves of a disturbance.
+    start_phase, start_displacement : Enclosure
+        A release, or a reversal where the body never stops.
+    only_within : float
+        Within this distance (B) of that place there is no other symmetric motion of the kind.
+    bits : int
+    """
+
+    _names: ClassVar[Sequence[str]] = (
+        "max_displacement",
+        "max_velocity",
+        "stick_fraction",
+        "sticks_per_cycle",
+        "velocity_zeros_per_cycle",
+        "multipliers",
+        "start_phase",
+        "start_displacement",
+        "only_within",
+        "bits",
+    )
+
+    max_displacement: Enclosure
+    max_velocity: Enclosure
+    stick_fraction: Enclosure
+    sticks_per_cycle: int
+    velocity_zeros_per_cycle: int
+    multipliers: list[tuple[Enclosure, Enclosure]]
+    start_phase: Enclosure
+    start_displacement: Enclosure
+    only_within: float
+    bits: int
+
+
+def _enclosure(pair: Optional[tuple[str, str]]) -> Optional[Enclosure]:
+    return None if pair is None else Enclosure(Decimal(pair[0]), Decimal(pair[1]))
+
+
+def _response(found: dict[str, Any]) -> Response:
+    outputs = {name: _enclosure(found[name]) for name in _native.OUTPUTS}
+    return Response({"regime": found["regime"], "bits": found["bits"], **outputs})
+
+
+def response(omega: Any, alpha: Any, *, bits: int = 64) -> Response:
+    """The closed forms at (omega, alpha), each output with its error bound.
+
+    Parameters
+    ----------
+    omega, alpha : str, Decimal, int, float or a number of mpmath
+        The ratios, exactly as given.
+    bits : int
+        As many are certain in each output, up to 8192.
+
+    Examples
+    --------
+    >>> from stickslip import enclosed
+    >>> found = enclosed.response("0.4", 9)
+    >>> found.regime, str(found.max_velocity)
+    ('non-sticking', '13.69686082687735713... ± ...')
+    """
+    texts = (digits("omega", omega), digits("alpha", alpha))
+    return _response(_native.enclosed_response(*texts, precision(bits)))
+
+
+def border(omega: Any, *, bits: int = 64) -> Response:
+    """The border at omega, with its error bound; parameters as for `response`."""
+    return _response(_native.enclosed_border(digits("omega", omega), precision(bits)))
+
+
+def steady(
+    omega: Any,
+    alpha: Any,
+    damping_ratio: Any = 0,
+    static_friction_ratio: Any = 1,
+    *,
+    bits: int = 64,
+) -> Optional[Steady]:
+    """The steady motion from rest, stops included, proved to exist; None where no proof is found.
+
+    Parameters
+    ----------
+    omega, alpha, damping_ratio, static_friction_ratio : str, Decimal, int, float or a number of mpmath
+        The ratios, exactly as given; the last is static friction over the kinetic one.
+    bits : int
+        As for `response`.
+
+    Examples
+    --------
+    >>> from stickslip import enclosed
+    >>> motion = enclosed.steady("0.4", 6)
+    >>> motion.sticks_per_cycle, str(motion.max_displacement)
+    (2, '6.7938216049671567... ± ...')
+    """
+    names = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
+    values = (omega, alpha, damping_ratio, static_friction_ratio)
+    texts = [digits(name, value) for name, value in zip(names, values)]
+    found = _native.enclosed_steady(texts, precision(bits))
+    if found is None:
+        return None
+    pairs = ("max_displacement", "max_velocity", "stick_fraction", "start_phase", "start_displacement")
+    enclosures = {name: _enclosure(found[name]) for name in pairs}
+    multipliers = [(_enclosure(re), _enclosure(im)) for re, im in found["multipliers"]]
+    return Steady({**found, **enclosures, "multipliers": multipliers})
