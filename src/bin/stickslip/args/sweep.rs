@@ -60,7 +60,7 @@ impl SweepFormat {
 
 #[derive(Debug, Args)]
 pub(crate) struct SweepArgs {
-    /// response, steady or border
+    /// response, steady (from rest) or border
     #[arg(value_enum, value_name = "WHAT", hide_possible_values = true)]
     pub(crate) question: Swept,
     #[command(flatten)]
