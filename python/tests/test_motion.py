@@ -120,12 +120,17 @@ def test_bad_input_is_refused_in_words(call, words):
     ],
 )
 def test_ctrl_c_is_heard(work):
-    code = f"import stickslip as ss, numpy as np\nprint('ready', flush=True)\nwhile True: {work}"
+    # A shell that runs tests in the background has its children ignore the signal.
+    hear = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    code = f"{hear}\nimport stickslip as ss, numpy as np\nprint('ready', flush=True)\nwhile True: {work}"
     run = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert run.stdout.readline() == "ready\n"
-    time.sleep(0.3)
-    run.send_signal(signal.SIGINT)
-    _, words = run.communicate(timeout=20)
+    try:
+        assert run.stdout.readline() == "ready\n"
+        time.sleep(0.3)
+        run.send_signal(signal.SIGINT)
+        _, words = run.communicate(timeout=20)
+    finally:
+        run.kill()
     assert run.returncode != 0 and words.rstrip().endswith("KeyboardInterrupt")
 
 
