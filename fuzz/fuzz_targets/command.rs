@@ -11,6 +11,7 @@ mod command {
     pub(crate) mod border;
     pub(crate) mod decay;
     pub(crate) mod design;
+    pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod given;
     pub(crate) mod grid;
@@ -32,8 +33,8 @@ mod command {
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
-    args, bits, border, decay, design, failure, given, grid, input, interrupt, machine, note, outputs,
-    physical, points, progress, record, response, sink, style, units,
+    args, bits, border, decay, design, enclose, failure, given, grid, input, interrupt, machine, note,
+    outputs, physical, points, progress, record, response, sink, style, units,
 };
 use failure::Failure;
 use std::path::PathBuf;
@@ -77,6 +78,8 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
             return check_grid(grid::Grid::<f64>::parse("--alpha", alpha));
         }
         Command::Steady(_)
+        | Command::Attractors(_)
+        | Command::Basins(_)
         | Command::Simulate(_)
         | Command::Identify(_)
         | Command::Outputs

@@ -10,6 +10,7 @@ mod command {
     pub(crate) mod args;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod given;
     pub(crate) mod grid;
@@ -31,8 +32,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, bits, border, failure, given, input, interrupt, machine, note, outputs, physical, points, progress,
-    record, response, sink, style, units,
+    args, bits, border, enclose, failure, given, input, interrupt, machine, note, outputs, physical, points,
+    progress, record, response, sink, style, units,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};

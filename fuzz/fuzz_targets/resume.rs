@@ -10,6 +10,7 @@ mod command {
     pub(crate) mod axes;
     pub(crate) mod bits;
     pub(crate) mod border;
+    pub(crate) mod enclose;
     pub(crate) mod failure;
     pub(crate) mod given;
     pub(crate) mod grid;
@@ -33,8 +34,8 @@ mod command {
 
 use command::args::{Command, NoCommand};
 use command::{
-    args, axes, bits, border, failure, given, grid, input, interrupt, machine, note, output, outputs,
-    physical, points, progress, record, response, sink, steady, style, sweep, units,
+    args, axes, bits, border, enclose, failure, given, grid, input, interrupt, machine, note, output,
+    outputs, physical, points, progress, record, response, sink, steady, style, sweep, units,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;
