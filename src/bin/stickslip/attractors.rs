@@ -32,28 +32,12 @@ pub(crate) fn run(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        if args.max_periods == 0 {
-            return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
-        }
+        let periods = input::periods(args.max_periods)?;
         let count = input::count("--starts", &args.starts, MOST_STARTS)?;
         let given = Given::<F>::of(&args.machine, &args.force, &args.units.reader())?;
         let point = input::point(&given)?;
         let reach = reach(args.reach.as_deref(), &point.ratios)?;
-        Trajectory::new(point.ratios, State::<F>::rest()).map_err(|e| of_motion(&given, e))?;
-        let mut limits = Vec::new();
-        progress::in_order(
-            0..count,
-            |starts| {
-                starts
-                    .map(|n| follow(point.ratios, start(n, reach)?, args.max_periods))
-                    .collect::<Result<Vec<_>, _>>()
-            },
-            |found| {
-                limits.extend(found);
-                Ok(())
-            },
-        )?;
-        let all = Attractors::of_limits(limits).map_err(|e| of_motion(&given, e))?;
+        let all = limits_of(&given, point.ratios, count, |number| start(number, reach), periods)?;
         let rows: Vec<Record<F>> = (0..all.limits().len()).map(|place| row(&all, place, reach)).collect();
         match args.format {
             Format::Text => {
@@ -104,6 +88,36 @@ pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure
         .map_err(|e| Failure::Input(e.to_string()))
 }
 
+/// The limits of so many starts, followed in parallel; their order is that of the starts.
+pub(crate) fn limits_of<F: Value>(
+    given: &Given<F>,
+    ratios: Ratios<F>,
+    count: u64,
+    start: impl Fn(u64) -> Result<State<F>, Failure> + Sync,
+    periods: u32,
+) -> Result<Attractors<F>, Failure> {
+    let named = |e: Error| of_motion(given, e);
+    Trajectory::new(ratios, State::<F>::rest()).map_err(named)?;
+    let mut limits = Vec::new();
+    progress::in_order(
+        0..count,
+        |starts| starts.map(|number| follow(ratios, start(number)?, periods)).collect::<Result<Vec<_>, _>>(),
+        |found| {
+            limits.extend(found);
+            Ok(())
+        },
+    )?;
+    Attractors::of_limits(limits).map_err(named)
+}
+
+/// The least and the greatest displacement of a limit that moves.
+pub(crate) fn extrema<F: Value>(limit: &LongRun<F>) -> Option<(F, F)> {
+    if let LongRun::Irregular(motion) = limit {
+        return Some((motion.min_displacement(), motion.max_displacement()));
+    }
+    limit.steady_state().map(|steady| (steady.min_displacement(), steady.max_displacement()))
+}
+
 pub(crate) fn follow<F: Value>(
     ratios: Ratios<F>,
     start: State<F>,
@@ -128,7 +142,7 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
         let steady = found.limit().steady_state();
         let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
         let first = start(found.first_start() as u64, reach).ok();
-        let either = |a: Option<F>, b: Option<F>| Cell::Number(a.or(b));
+        let extrema = extrema(found.limit());
         let yes = |flag: bool| if flag { "yes" } else { "no" };
         fields = vec![
             ("attractor", Cell::Count(Some(place as u64 + 1))),
@@ -140,14 +154,8 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
             ("mirror", Cell::Count(found.mirror().map(|place| place as u64 + 1))),
             ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric())))),
             ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
-            (
-                "max_displacement",
-                either(steady.map(|s| s.max_displacement()), irregular.map(|m| m.max_displacement())),
-            ),
-            (
-                "min_displacement",
-                either(steady.map(|s| s.min_displacement()), irregular.map(|m| m.min_displacement())),
-            ),
+            ("max_displacement", Cell::Number(extrema.map(|(_, most)| most))),
+            ("min_displacement", Cell::Number(extrema.map(|(least, _)| least))),
             ("sticks_per_cycle", Cell::Count(steady.map(|s| u64::from(s.sticks_per_cycle())))),
             (
                 "velocity_zeros_per_cycle",

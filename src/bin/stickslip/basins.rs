@@ -1,14 +1,13 @@
 //! `stickslip basins`: the limit that each start in a plane of starts leads to.
 
-use crate::args::{BasinsArgs, Picture};
-use crate::attractors::{described, follow, reach};
+use crate::args::BasinsArgs;
+use crate::attractors::{described, extrema, limits_of, reach};
 use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::figure::Target;
 use crate::given::Given;
 use crate::grid::Grid;
 use crate::input;
 use crate::note::digits;
-use crate::progress;
 use crate::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};
@@ -38,23 +37,14 @@ struct Axed {
 }
 
 pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
-    let picture = args.out.as_deref().map_or(Ok(Picture::Csv), figure::picture_of)?;
+    let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let basins = Basins::new(args)?;
-    match (&args.out, picture) {
-        (Some(file), Picture::Svg | Picture::Png) => {
-            let drawn = basins.figure()?;
-            figure::beside(file, args.overwrite)?.fill(|out| figure::write(&drawn, picture, out))
-        }
-        (Some(file), Picture::Csv) => figure::beside(file, args.overwrite)?.fill(|out| basins.table(out)),
-        (None, _) => basins.table(out),
-    }
+    target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
 }
 
 impl Basins {
     fn new(args: &BasinsArgs) -> Result<Self, Failure> {
-        if args.max_periods == 0 {
-            return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
-        }
+        let periods = input::periods(args.max_periods)?;
         let reader = args.units.reader();
         let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
         let point = input::point(&given)?;
@@ -88,20 +78,7 @@ impl Basins {
             State::new(0.0, place / x.scale, speed / v.scale)
                 .map_err(|e| Failure::Input(format!("--x0 {place}, --v0 {speed}: {e}")))
         };
-        let mut limits = Vec::new();
-        progress::in_order(
-            0..count,
-            |starts| {
-                starts
-                    .map(|number| follow(point.ratios, start(number)?, args.max_periods))
-                    .collect::<Result<Vec<_>, _>>()
-            },
-            |found| {
-                limits.extend(found);
-                Ok(())
-            },
-        )?;
-        let all = Attractors::of_limits(limits).map_err(|e| given.at_fault(e))?;
+        let all = limits_of(&given, point.ratios, count, start, periods)?;
         Ok(Self { x, v, all })
     }
 
@@ -162,17 +139,10 @@ impl Basins {
     /// A limit by its number and what tells it from the others: its extrema.
     fn name(&self, place: usize) -> Option<String> {
         let limit = self.all.limits().get(place)?.limit();
-        let extrema = match (limit.steady_state(), limit) {
-            (Some(steady), _) => Some((steady.min_displacement(), steady.max_displacement())),
-            (None, stickslip::exact::LongRun::Irregular(motion)) => {
-                Some((motion.min_displacement(), motion.max_displacement()))
-            }
-            (None, _) => None,
-        };
         let kind = crate::steady::kind(limit);
         // Four digits of B tell two limits apart.
         let in_units = |x: f64| digits((x * 1e4).round() / 1e4 * self.x.scale);
-        Some(match extrema {
+        Some(match extrema(limit) {
             Some((low, high)) => {
                 format!("{}: {kind}, x from {} to {}", place + 1, in_units(low), in_units(high))
             }

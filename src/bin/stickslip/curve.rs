@@ -3,9 +3,9 @@
 mod amplitude;
 mod picture;
 
-use crate::args::{Curve, CurveArgs, Picture};
+use crate::args::{Curve, CurveArgs};
 use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::figure::Target;
 use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input::{self, Point};
@@ -56,20 +56,11 @@ struct Asked {
 }
 
 pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
-    let picture = args.out.as_deref().map_or(Ok(Picture::Csv), figure::picture_of)?;
+    let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let reader = args.units.reader();
     let asked = Asked::new(args, &reader)?;
     let lines = asked.lines()?;
-    match (&args.out, picture) {
-        (Some(file), Picture::Csv) => {
-            figure::beside(file, args.overwrite)?.fill(|out| asked.rows(&lines, out))
-        }
-        (Some(file), Picture::Svg | Picture::Png) => {
-            let drawn = asked.figure(&lines)?;
-            figure::beside(file, args.overwrite)?.fill(|out| figure::write(&drawn, picture, out))
-        }
-        (None, _) => asked.rows(&lines, out),
-    }
+    target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
 }
 
 impl Asked {

@@ -72,6 +72,34 @@ fn check(picture: Picture, argument: &str) -> Outcome {
     )))
 }
 
+/// Where rows or a picture of them go: known before the work begins.
+pub(crate) struct Target<'a> {
+    file: Option<&'a Path>,
+    picture: Picture,
+    overwrite: bool,
+}
+
+impl<'a> Target<'a> {
+    /// Rows to standard output without a file; otherwise as the end of its name says.
+    pub(crate) fn new(file: Option<&'a Path>, overwrite: bool) -> Result<Self, Failure> {
+        Ok(Self { file, picture: file.map_or(Ok(Picture::Csv), picture_of)?, overwrite })
+    }
+
+    /// Writes the rows, or draws the picture.
+    pub(crate) fn fill(
+        &self,
+        out: &mut impl Write,
+        rows: impl FnOnce(&mut dyn Write) -> Outcome,
+        drawn: impl FnOnce() -> Result<Figure, Failure>,
+    ) -> Outcome {
+        let Some(file) = self.file else { return rows(out) };
+        beside(file, self.overwrite)?.fill(|out| match self.picture {
+            Picture::Csv => rows(out),
+            Picture::Svg | Picture::Png => write(&drawn()?, self.picture, out),
+        })
+    }
+}
+
 /// The file of `--out FILE`, before what is drawn in it.
 pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<Beside, Failure> {
     Beside::create(file, &format!("--out {}", file.display()), overwrite)

@@ -99,6 +99,11 @@ pub(crate) fn start<F: Value>(
     })
 }
 
+/// The periods to follow a motion for.
+pub(crate) fn periods(most: u32) -> Result<u32, Failure> {
+    if most >= 1 { Ok(most) } else { Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned())) }
+}
+
 /// A whole number of at least 1, as typed.
 pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failure> {
     match text.trim().parse() {

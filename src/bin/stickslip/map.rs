@@ -3,10 +3,10 @@
 mod limits;
 mod picture;
 
-use crate::args::{MapArgs, Picture, Swept};
+use crate::args::{MapArgs, Swept};
 use crate::axes::Axes;
 use crate::failure::{Failure, Outcome};
-use crate::figure;
+use crate::figure::Target;
 use crate::given::{Given, Parameter as P};
 use crate::grid::Grid;
 use crate::input;
@@ -18,7 +18,7 @@ use crate::sweep::rows;
 use crate::units::{Kind, System};
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::Response;
+use stickslip::{Output, Response};
 
 pub(crate) use picture::capital;
 
@@ -111,18 +111,9 @@ struct Map<'a> {
 const DEFAULT: [(P, &str); 2] = [(P::Omega, "0.0525:1.9975:390"), (P::Alpha, "0.025:7.975:160")];
 
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
-    let kind = args.out.as_deref().map_or(Ok(Picture::Csv), figure::picture_of)?;
+    let target = Target::new(args.out.as_deref(), args.overwrite)?;
     let map = Map::new(args)?;
-    match (&args.out, kind) {
-        (Some(file), Picture::Svg | Picture::Png) => {
-            map.drawable()?;
-            figure::beside(file, args.overwrite)?.fill(|out| figure::write(&map.picture()?, kind, out))
-        }
-        (Some(file), Picture::Csv) => {
-            figure::beside(file, args.overwrite)?.fill(|out| map.table(&args.quantity, out))
-        }
-        (None, _) => map.table(&args.quantity, out),
-    }
+    target.fill(out, |mut out| map.table(&args.quantity, &mut out), || map.picture())
 }
 
 impl<'a> Map<'a> {
@@ -214,5 +205,5 @@ impl<'a> Map<'a> {
 
 /// The force over the least force without sticking, α/α_min.
 pub(crate) fn margin(response: &Response<f64>) -> f64 {
-    response.ratios().alpha() / response.border().min_force_ratio()
+    Output::Margin.of(response).unwrap_or(f64::NAN)
 }

@@ -32,9 +32,7 @@ pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        if args.max_periods == 0 {
-            return Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned()));
-        }
+        input::periods(args.max_periods)?;
         let reader = args.output.units.reader();
         let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         let answer = |given: &Given<F>, point: &Point<F>| {

@@ -67,7 +67,7 @@ impl Map<'_> {
     }
 
     /// Fails where a picture would be too large.
-    pub(super) fn drawable(&self) -> Outcome {
+    fn drawable(&self) -> Outcome {
         let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
         if points > MOST {
             return Err(Failure::Input(format!("{x}, {y}: {points} points, must be ≤ {MOST} in a picture")));
@@ -100,6 +100,7 @@ impl Map<'_> {
     }
 
     pub(super) fn picture(&self) -> Result<Figure, Failure> {
+        self.drawable()?;
         let values = |(parameter, grid): &(P, Grid<f64>)| -> Vec<f64> {
             grid.values().map(|v| v * self.on_axis(*parameter).1).collect()
         };
