@@ -30,9 +30,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod angle;
-mod border;
-mod cycle;
+pub(crate) mod angle;
+pub(crate) mod border;
+pub(crate) mod cycle;
 mod enclosure;
 mod known;
 mod motion;

@@ -301,7 +301,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. Without damping: NaN with it.
-    #[cfg(any(test, feature = "matching"))]
+    #[cfg(test)]
     pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
         let one = F::int(1);
         den_hartog::FallingHalf {

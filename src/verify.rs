@@ -23,6 +23,8 @@
 mod case;
 mod cycle;
 mod damped;
+#[cfg(feature = "mp")]
+mod enclosed;
 mod formulae;
 mod matching;
 mod motion;
@@ -32,6 +34,7 @@ mod on_border;
 mod points;
 mod printed;
 mod solved;
+mod terms;
 
 use crate::float::Float;
 use crate::nonsticking::Solvable;
@@ -39,7 +42,10 @@ use crate::nonsticking::{Border, Cycle};
 use crate::ratios::Ratios;
 pub(crate) use case::Case;
 use core::ops::ControlFlow;
+#[cfg(feature = "mp")]
+pub use enclosed::verify_enclosed;
 use formulae::{Formulae, Library};
+use terms::{Claim, Terms};
 
 /// Units in the last place of its largest term that rounding may leave of a true identity.
 ///
@@ -73,7 +79,23 @@ pub(crate) struct Identity<F> {
     /// Whether it is to hold or to fail.
     pub(crate) standing: Standing,
     digits: Digits,
-    residual: fn(&Case<'_, F>) -> Option<F>,
+    residual: Residual<F>,
+}
+
+/// What an identity asks for.
+#[derive(Debug, Clone, Copy)]
+enum Residual<F> {
+    /// The closed forms, in any arithmetic.
+    OfTerms(fn(&Terms<'_, F>) -> Option<F>),
+    /// Order, the exact motion or Newton's method as well.
+    OfCase(fn(&Case<'_, F>) -> Option<F>),
+}
+
+impl<F> From<Claim<F>> for Identity<F> {
+    fn from(Claim { equation, statement, residual }: Claim<F>) -> Self {
+        let (standing, residual) = (Standing::Holds, Residual::OfTerms(residual));
+        Self { equation, statement, standing, digits: Digits::All, residual }
+    }
 }
 
 impl<F: Float> Identity<F> {
@@ -83,7 +105,11 @@ impl<F: Float> Identity<F> {
             Digits::All => F::int(1),
             Digits::Half => F::epsilon().sqrt(),
         };
-        (self.residual)(case).map(|r| r.abs() / case.scale * unit)
+        let residual = match self.residual {
+            Residual::OfTerms(residual) => residual(case),
+            Residual::OfCase(residual) => residual(case),
+        };
+        residual.map(|r| r.abs() / case.scale * unit)
     }
 }
 
@@ -111,9 +137,10 @@ pub struct Verdict {
 
 /// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in [`verify`] alone.
 pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
+    let of_terms = matching::identities().into_iter().chain(cycle::identities());
     [
-        matching::identities(),
-        cycle::identities(),
+        of_terms.map(Identity::from).collect(),
+        cycle::answered(),
         solved::identities(),
         motion::identities(),
         on_border::identities(),

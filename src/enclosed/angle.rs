@@ -9,25 +9,25 @@ use crate::phase_function::{phase_function_beside_one, phase_function_of_tangent
 use rug::{Integer, Rational};
 
 /// What depends on Ω alone.
-pub(super) struct Angle<const W: usize> {
-    pub(super) omega: Ball<W>,
+pub(crate) struct Angle<const W: usize> {
+    pub(crate) omega: Ball<W>,
     /// Ω as it is known.
-    pub(super) known: Known,
+    pub(crate) known: Known,
     /// q mod 4 of β = q π/2 + w.
-    pub(super) quarter: u8,
+    pub(crate) quarter: u8,
     /// w, |w| ≤ π/4 where Ω is exact.
-    pub(super) remainder: Ball<W>,
+    pub(crate) remainder: Ball<W>,
     /// 1 − Ω².
-    pub(super) one_minus_square: Ball<W>,
+    pub(crate) one_minus_square: Ball<W>,
     /// K(Ω).
-    pub(super) phase_function: Ball<W>,
+    pub(crate) phase_function: Ball<W>,
     /// (sin β, cos β).
-    pub(super) sin_cos: (Ball<W>, Ball<W>),
+    pub(crate) sin_cos: (Ball<W>, Ball<W>),
 }
 
 impl<const W: usize> Angle<W> {
     /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small. 1 − qΩ is exact.
-    pub(super) fn new(known: &Known) -> Self {
+    pub(crate) fn new(known: &Known) -> Self {
         let omega = known.ball::<W>();
         let q = known.middle().recip().round().into_numer_denom().0;
         let quarter = (q.clone() & Integer::from(3)).to_u8().unwrap_or(0);
@@ -47,12 +47,12 @@ impl<const W: usize> Angle<W> {
     }
 
     /// The force ratio of the largest loop (eq. 65).
-    pub(super) fn best_force_ratio(&self) -> Ball<W> {
+    pub(crate) fn best_force_ratio(&self) -> Ball<W> {
         best_force_ratio(self.phase_function)
     }
 
     /// The largest loop (eq. 66); `None` where it may be infinite.
-    pub(super) fn best_loop_size(&self) -> Option<Ball<W>> {
+    pub(crate) fn best_loop_size(&self) -> Option<Ball<W>> {
         let found = best_loop_size(self.phase_function, self.one_minus_square);
         (!found.is_entire()).then_some(found)
     }

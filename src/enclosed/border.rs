@@ -10,12 +10,12 @@ use crate::nonsticking::border::{
 use core::cmp::Ordering;
 
 /// The border at one Ω.
-pub(super) struct Border<const W: usize> {
-    pub(super) min_force_ratio: Ball<W>,
-    pub(super) turning_point: Ball<W>,
-    pub(super) least_displacement: Ball<W>,
+pub(crate) struct Border<const W: usize> {
+    pub(crate) min_force_ratio: Ball<W>,
+    pub(crate) turning_point: Ball<W>,
+    pub(crate) least_displacement: Ball<W>,
     /// τ*; `None` where it is undecided which of the two values of S is the larger.
-    pub(super) phase: Option<Ball<W>>,
+    pub(crate) phase: Option<Ball<W>>,
 }
 
 /// The stationary value of Den Hartog's condition below Ω = 1/2.
@@ -29,7 +29,7 @@ struct Inner<const W: usize> {
 }
 
 impl<const W: usize> Border<W> {
-    pub(super) fn at(angle: &Angle<W>) -> Self {
+    pub(crate) fn at(angle: &Angle<W>) -> Self {
         let omega = angle.omega;
         let turning_point = turning_point_border(angle.phase_function, angle.one_minus_square, omega);
         let limit = Ball::int(1) / omega.square();

@@ -14,17 +14,17 @@ use crate::output::Output;
 use crate::phase_function::PhaseFunction;
 
 /// Displacement and greatest velocity of the cycle.
-pub(super) struct Cycle<const W: usize> {
-    max_displacement: Ball<W>,
-    displacement_phase: Ball<W>,
-    max_velocity: Ball<W>,
-    velocity_phase: Ball<W>,
-    deviation: Ball<W>,
+pub(crate) struct Cycle<const W: usize> {
+    pub(crate) max_displacement: Ball<W>,
+    pub(crate) displacement_phase: Ball<W>,
+    pub(crate) max_velocity: Ball<W>,
+    pub(crate) velocity_phase: Ball<W>,
+    pub(crate) deviation: Ball<W>,
 }
 
 impl<const W: usize> Cycle<W> {
     /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the greatest velocity is not found at this width.
-    pub(super) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
+    pub(crate) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
         let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
         let max_displacement = max_displacement(k, alpha, q);
         let sine = sin_displacement_phase(max_displacement, alpha, q);
@@ -43,8 +43,13 @@ impl<const W: usize> Cycle<W> {
         Some(Self { max_displacement, displacement_phase, max_velocity, velocity_phase, deviation })
     }
 
+    /// max |λ| of the half cycle.
+    pub(crate) fn contraction(&self, angle: &Angle<W>) -> Ball<W> {
+        contraction(angle, self.max_displacement)
+    }
+
     /// All outputs of the cycle that have an enclosure.
-    pub(super) fn outputs(&self, angle: &Angle<W>, alpha: Ball<W>) -> Vec<(Output, Option<Ball<W>>)> {
+    pub(crate) fn outputs(&self, angle: &Angle<W>, alpha: Ball<W>) -> Vec<(Output, Option<Ball<W>>)> {
         let (delta, omega) = (self.max_displacement, angle.omega);
         let a1 = loop_size_stiffness(delta, alpha);
         let is_above_half = *angle.known.low() >= rug::Rational::from((1, 2));
@@ -56,7 +61,7 @@ impl<const W: usize> Cycle<W> {
             (Output::Deviation, self.deviation),
             (Output::LoopSizeStiffness, a1),
             (Output::LoopSizeInertia, loop_size_inertia(a1, omega)),
-            (Output::Contraction, contraction(angle, delta)),
+            (Output::Contraction, self.contraction(angle)),
             (Output::DynamicAmplification, dynamic_amplification(delta, alpha)),
             (Output::TransmittedForce, transmitted_force(delta)),
             (Output::Transmissibility, transmitted_force(delta) / alpha),

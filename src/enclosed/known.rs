@@ -32,6 +32,12 @@ impl Known {
         Ok(Self { low: number.clone(), high: number })
     }
 
+    /// A ratio that is exactly this number.
+    #[cfg(feature = "matching")]
+    pub(crate) fn rational(x: Rational) -> Self {
+        Self { low: x.clone(), high: x }
+    }
+
     /// Anything from the low end of one to the high end of the other.
     ///
     /// # Errors
@@ -50,26 +56,26 @@ impl Known {
         self.low == self.high
     }
 
-    pub(super) fn low(&self) -> &Rational {
+    pub(crate) fn low(&self) -> &Rational {
         &self.low
     }
 
-    pub(super) fn high(&self) -> &Rational {
+    pub(crate) fn high(&self) -> &Rational {
         &self.high
     }
 
     /// The middle.
-    pub(super) fn middle(&self) -> Rational {
+    pub(crate) fn middle(&self) -> Rational {
         Rational::from(&self.low + &self.high) / 2u32
     }
 
     /// The same numbers through a function that does not fall.
-    pub(super) fn map(&self, f: impl Fn(&Rational) -> Rational) -> Self {
+    pub(crate) fn map(&self, f: impl Fn(&Rational) -> Rational) -> Self {
         Self { low: f(&self.low), high: f(&self.high) }
     }
 
     /// The ratio in its domain: of [`crate::Ratios`].
-    pub(super) fn within(&self, quantity: Quantity, is_bounded_below: bool) -> Result<&Self, Error> {
+    pub(crate) fn within(&self, quantity: Quantity, is_bounded_below: bool) -> Result<&Self, Error> {
         let greatest = Mp::<2>::exp2i(<f64 as Float>::RATIO_EXPONENT);
         let least = Mp::int(1) / greatest;
         for end in [&self.low, &self.high] {
@@ -80,7 +86,7 @@ impl Known {
     }
 
     /// A ball with these numbers.
-    pub(super) fn ball<const W: usize>(&self) -> Ball<W> {
+    pub(crate) fn ball<const W: usize>(&self) -> Ball<W> {
         let end = |x: &Rational| {
             let mid = Mp::from_rational(x);
             let rest = mid.to_rational().map(|mid| mid - x);

@@ -1,36 +1,39 @@
 //! A cycle with all that the identities ask of it.
 
 use super::Solvable;
+use super::formulae::Formulae;
 #[cfg(test)]
 use super::formulae::Library;
-use super::formulae::{Answers, Formulae};
 use super::motion::Motion;
 use super::on_border::OnBorder;
+use super::terms::{Point, Terms};
 use crate::float::Float;
 use crate::nonsticking::Cycle;
-use crate::nonsticking::den_hartog::{FallingHalf, phase_lag};
 use crate::nonsticking::matching::newton::Solution;
-use crate::nonsticking::matching::{Given, Unknowns};
+use crate::nonsticking::matching::pi_1;
 use crate::phase_function::{PhaseFunction, one_minus_square};
+use core::ops::Deref;
 
-/// A cycle with all that the identities ask of it.
+/// A cycle with all that the identities ask of it: the terms of the closed forms, and more.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Case<'a, F> {
-    pub(super) formulae: &'a dyn Formulae<F>,
+    terms: Terms<'a, F>,
     pub(super) cycle: Cycle<F>,
     pub(super) phase_function: PhaseFunction<F>,
-    pub(super) answers: Answers<F>,
-    pub(super) given: Given<F>,
-    pub(super) unknowns: Unknowns<F>,
-    pub(super) half: FallingHalf<F>,
-    pub(super) one_minus_square: F,
-    pub(super) scale: F,
     /// The exact motion at the same (Ω, α).
     pub(super) motion: Option<Motion<F>>,
     /// Eq. 21–25 solved at the same (Ω, α).
     pub(super) solved: Option<Solution<F>>,
     /// What is found on the border at Ω, in one case of each Ω.
     pub(super) on_border: Option<OnBorder<F>>,
+}
+
+impl<'a, F> Deref for Case<'a, F> {
+    type Target = Terms<'a, F>;
+
+    fn deref(&self) -> &Terms<'a, F> {
+        &self.terms
+    }
 }
 
 #[cfg(test)]
@@ -44,64 +47,28 @@ impl<F: Float> Case<'static, F> {
 impl<'a, F: Float> Case<'a, F> {
     /// The case of a cycle, by these formulae.
     pub(super) fn by(formulae: &'a dyn Formulae<F>, cycle: Cycle<F>) -> Self {
-        let omega = cycle.ratios().omega();
+        let (omega, alpha) = (cycle.ratios().omega(), cycle.ratios().alpha());
         let phase_function = PhaseFunction::of_valid(omega);
         let answers = formulae.answers(&cycle);
-        let given = cycle.given();
-        // The amplitudes: of the drive, of friction, of the motion, and of what swings freely, |T| being that of ρ and X.
-        let scale =
-            F::int(1) + given.amplitude.abs() + cycle.max_displacement() + phase_function.tangent().abs();
-        let half = FallingHalf {
-            phase_lag: phase_lag(answers.displacement_phase),
-            c1: formulae.sine_coefficient(phase_function.tangent()),
-            c2: formulae.cosine_coefficient(),
-            ..cycle.den_hartog()
-        };
-        Self {
-            formulae,
-            cycle,
-            phase_function,
-            answers,
-            given,
-            unknowns: unknowns(&answers, omega),
-            half,
+        let cos_pi_1 = pi_1(omega).cos();
+        let s = formulae.multiplier_product(omega, answers.max_displacement);
+        let point = Point {
+            given: cycle.given(),
+            alpha,
+            k: formulae.phase_function(&phase_function),
+            tangent: phase_function.tangent(),
+            cos_beta: phase_function.sin_cos().1,
             one_minus_square: one_minus_square(omega),
-            scale,
-            motion: None,
-            solved: None,
-            on_border: None,
-        }
-    }
-
-    /// Ω.
-    pub(super) fn omega(&self) -> F {
-        self.given.omega
-    }
-
-    /// α.
-    pub(super) fn alpha(&self) -> F {
-        self.cycle.ratios().alpha()
-    }
-
-    /// sgn(1 − Ω).
-    pub(super) fn sign(&self) -> F {
-        F::int(1).with_sign_of(F::int(1) - self.omega())
-    }
-
-    /// K(Ω).
-    pub(super) fn k(&self) -> F {
-        self.formulae.phase_function(&self.phase_function)
-    }
-
-    /// The residual of an identity that holds 1 + cos π₁ as the paper writes it: beside Ω = 1/(2n+1) the sum keeps
-    /// no more than the digits of 1/T², so that its terms count as larger by |T|.
-    pub(super) fn near_pole(&self, residual: F) -> F {
-        residual / self.scale
-    }
-
-    /// `1 + cos π₁ = 2 cos² β`, without cancellation.
-    pub(super) fn one_plus_cos(&self) -> F {
-        F::int(2) * self.phase_function.sin_cos().1.square()
+            sign: F::int(1).with_sign_of(F::int(1) - omega),
+            best: (
+                formulae.best_force_ratio_at(&phase_function),
+                formulae.best_loop_size_at(&phase_function),
+            ),
+            is_complex: Some(((F::int(1) + s) * cos_pi_1).square() < F::int(4) * s),
+            is_late: answers.velocity_phase > answers.displacement_phase,
+        };
+        let terms = Terms::new(formulae, point, answers);
+        Self { terms, cycle, phase_function, motion: None, solved: None, on_border: None }
     }
 
     /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than rounding: a
@@ -132,24 +99,11 @@ impl<F: Solvable> Case<'_, F> {
     }
 
     fn with_stops_beside_it(self) -> Self {
-        Self { on_border: self.on_border.map(|b| b.with_stops(self.omega())), ..self }
+        Self { on_border: self.on_border.map(|b| b.with_stops(self.given.omega)), ..self }
     }
 
     fn with_optimum(self) -> Self {
         let best = self.formulae.best_force_ratio_at(&self.phase_function);
-        Self { on_border: self.on_border.map(|b| b.with_optimum(self.omega(), best)), ..self }
-    }
-}
-
-/// The unknowns of eq. 21–25 by the answers, lengths in units of B, with t₂ − π/ω_d < t₁ < t₂.
-fn unknowns<F: Float>(answers: &Answers<F>, omega: F) -> Unknowns<F> {
-    let early = answers.velocity_phase > answers.displacement_phase;
-    let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
-    Unknowns {
-        velocity_phase: answers.velocity_phase - turn,
-        displacement_phase: answers.displacement_phase,
-        max_velocity: answers.max_velocity * omega,
-        max_displacement: answers.max_displacement,
-        deviation: answers.deviation,
+        Self { on_border: self.on_border.map(|b| b.with_optimum(self.given.omega, best)), ..self }
     }
 }

@@ -1,9 +1,9 @@
 //! The formulae that are held against the motion: the library's, or another set in their place.
 //!
 //! The default methods are the library's own. A test puts wrong ones in their place, one at a time, and each of them has
-//! to be refused: a check that nothing fails shows nothing.
+//! to be refused: a check that nothing fails shows nothing. What asks for order is for numbers that have one; the formulae are for all.
 
-use crate::float::Float;
+use crate::float::{Float, Real};
 use crate::nonsticking::matching::{Given, Unknowns};
 use crate::nonsticking::stability::{self, MultiplierPair};
 use crate::nonsticking::{self, Border, Cycle, border, den_hartog};
@@ -38,13 +38,19 @@ pub(crate) struct Edge<F> {
 }
 
 /// Every formula that is checked, by its place in the library.
-pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
+pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
     /// K(Ω).
-    fn phase_function(&self, p: &PhaseFunction<F>) -> F {
+    fn phase_function(&self, p: &PhaseFunction<F>) -> F
+    where
+        F: Float,
+    {
         p.value()
     }
     /// The answers at Ω.
-    fn edge(&self, p: &PhaseFunction<F>) -> Edge<F> {
+    fn edge(&self, p: &PhaseFunction<F>) -> Edge<F>
+    where
+        F: Float,
+    {
         let border = Border::at(p);
         Edge {
             min_force_ratio: border.min_force_ratio(),
@@ -54,7 +60,10 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
         }
     }
     /// The answers at (Ω, α).
-    fn answers(&self, cycle: &Cycle<F>) -> Answers<F> {
+    fn answers(&self, cycle: &Cycle<F>) -> Answers<F>
+    where
+        F: Float,
+    {
         Answers {
             max_displacement: cycle.max_displacement(),
             displacement_phase: cycle.displacement_phase(),
@@ -68,19 +77,31 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
         }
     }
     /// x/B at a phase.
-    fn displacement_at(&self, cycle: &Cycle<F>, phase: F) -> F {
+    fn displacement_at(&self, cycle: &Cycle<F>, phase: F) -> F
+    where
+        F: Float,
+    {
         cycle.displacement_at(phase)
     }
     /// x′/(Bω_d) at a phase.
-    fn velocity_at(&self, cycle: &Cycle<F>, phase: F) -> F {
+    fn velocity_at(&self, cycle: &Cycle<F>, phase: F) -> F
+    where
+        F: Float,
+    {
         cycle.velocity_at(phase)
     }
     /// α* as it is answered.
-    fn best_force_ratio_at(&self, p: &PhaseFunction<F>) -> F {
+    fn best_force_ratio_at(&self, p: &PhaseFunction<F>) -> F
+    where
+        F: Float,
+    {
         nonsticking::best_force_ratio_at(p)
     }
     /// A₁max as it is answered.
-    fn best_loop_size_at(&self, p: &PhaseFunction<F>) -> F {
+    fn best_loop_size_at(&self, p: &PhaseFunction<F>) -> F
+    where
+        F: Float,
+    {
         nonsticking::best_loop_size_at(p)
     }
 
@@ -141,7 +162,10 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
         nonsticking::cos_displacement_phase(k, alpha)
     }
     /// Eq. 43.
-    fn displacement_phase(&self, k: F, alpha: F, omega: F) -> F {
+    fn displacement_phase(&self, k: F, alpha: F, omega: F) -> F
+    where
+        F: Float,
+    {
         nonsticking::displacement_phase(k, alpha, omega)
     }
     /// Eq. 46.
@@ -206,4 +230,4 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Library;
 
-impl<F: Float> Formulae<F> for Library {}
+impl<F: Real> Formulae<F> for Library {}

@@ -1,33 +1,27 @@
 //! Eq. 3 and 11–39: the two branches and their matching.
 
-use super::{Case, Digits, Identity, Standing};
-use crate::float::Float;
+use super::terms::{Claim, Terms};
+use crate::float::Real;
 use crate::nonsticking::matching::half_period_later;
 
 macro_rules! holding {
     ($($equation:literal $statement:literal: |$c:ident| $residual:expr),+ $(,)?) => {
-        vec![$(Identity {
-            equation: $equation,
-            statement: $statement,
-            standing: Standing::Holds,
-            digits: Digits::All,
-            residual: |$c: &Case<'_, F>| Some($residual),
-        }),+]
+        vec![$(Claim { equation: $equation, statement: $statement, residual: |$c: &Terms<'_, F>| Some($residual) }),+]
     };
 }
 pub(super) use holding;
 
 /// `a`, `b` and ρ (eq. 30, 31, 27).
-fn coefficients<F: Float>(c: &Case<'_, F>) -> (F, F, F) {
+fn coefficients<F: Real>(c: &Terms<'_, F>) -> (F, F, F) {
     let (g, u) = (&c.given, &c.unknowns);
     (c.formulae.coefficient_a(g, u), c.formulae.coefficient_b(g, u), c.formulae.rho(g, u))
 }
 
-fn lag<F: Float>(c: &Case<'_, F>) -> (F, F) {
+fn lag<F: Real>(c: &Terms<'_, F>) -> (F, F) {
     c.given.lag(&c.unknowns).sin_cos()
 }
 
-pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
+pub(super) fn identities<F: Real>() -> Vec<Claim<F>> {
     holding![
         "3" "x(t₄) = −Δ₀, half a period after t₂": |c| {
             c.formulae.falling_displacement(&c.given, &c.unknowns, half_period_later(c.unknowns.displacement_phase))
@@ -63,10 +57,11 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "27" "ρ, what swings at ω_n at t₁, brings the body to rest at t₂": |c| {
             let (s, cosine) = lag(c);
             let (rho, x) = (coefficients(c).2, c.given.offset(&c.unknowns));
-            c.given.amplitude * c.omega() * c.unknowns.displacement_phase.cos() + rho * cosine - x * s
+            c.given.amplitude * c.given.omega * c.unknowns.displacement_phase.cos() + rho * cosine - x * s
         },
         "37" "ρ has the sign of 1 − Ω": |c| {
-            if coefficients(c).2 * c.sign() > F::int(0) { F::int(0) } else { c.scale }
+            let rho = coefficients(c).2;
+            rho * c.sign - rho.abs()
         },
         "28" "a cos θ + b sin θ = 0": |c| c.given.elimination_of_rate(&c.unknowns),
         "29" "a sin θ − b cos θ = 2B": |c| c.given.elimination_of_position(&c.unknowns),
@@ -89,7 +84,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         },
         "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c| {
             // Times ρ: the root of a small difference has half its digits.
-            let left = c.formulae.max_velocity(&c.given, &c.unknowns, c.sign()) - c.unknowns.max_velocity;
+            let left = c.formulae.max_velocity(&c.given, &c.unknowns, c.sign) - c.unknowns.max_velocity;
             c.near_pole(left * coefficients(c).2 * c.one_plus_cos())
         },
         "38" "cos θ = −b/(2B)": |c| lag(c).1 - c.given.cos_lag(&c.unknowns),

@@ -1,6 +1,6 @@
 //! The answers held against the exact motion, which takes none of them for granted: started from rest, followed slide by slide.
 
-use super::{Case, Digits, Identity, Standing};
+use super::{Case, Digits, Identity, Residual, Standing};
 use crate::exact::{LongRun, Phase, State, SteadyState, Trajectory};
 use crate::float::Float;
 use crate::ratios::Ratios;
@@ -67,7 +67,7 @@ macro_rules! moving {
             statement: $statement,
             standing: Standing::Holds,
             digits: Digits::$digits,
-            residual: |$c: &Case<'_, F>| { let $m = $c.motion.as_ref()?; $residual },
+            residual: Residual::OfCase(|$c: &Case<'_, F>| { let $m = $c.motion.as_ref()?; $residual }),
         }),+]
     };
 }
@@ -85,38 +85,38 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
         "43" All "ω_d t₂ is that of the exact motion": |c, m| {
             // What a phase is off moves the velocity by that times the acceleration before the reversal.
             let phase = apart(m.steady.max_displacement_phase(), c.answers.displacement_phase);
-            let acceleration = c.omega().square() * m.steady.max_displacement() + F::int(1);
-            Some(c.within(phase * acceleration / c.omega(), c.scale / c.omega(), m.doubt))
+            let acceleration = c.given.omega.square() * m.steady.max_displacement() + F::int(1);
+            Some(c.within(phase * acceleration / c.given.omega, c.scale / c.given.omega, m.doubt))
         },
         "49" All "V₀ is the greatest velocity of the exact motion": |c, m| {
-            let velocity = (m.steady.max_velocity() - c.answers.max_velocity) * c.omega();
-            Some(c.within(velocity, c.scale * (c.omega() + F::int(1)), m.doubt))
+            let velocity = (m.steady.max_velocity() - c.answers.max_velocity) * c.given.omega;
+            Some(c.within(velocity, c.scale * (c.given.omega + F::int(1)), m.doubt))
         },
         "46" All "ω_d t₁ is that of the exact motion": |c, m| {
             let phase = apart(m.steady.max_velocity_phase(), c.answers.velocity_phase);
-            let velocity = m.steady.max_velocity() * c.omega();
-            let jerk = c.alpha() * c.omega() * m.steady.max_velocity_phase().cos() - velocity;
-            Some(c.within(phase * jerk / c.omega(), c.scale * (c.omega() + F::int(1) / c.omega()), m.doubt))
+            let velocity = m.steady.max_velocity() * c.given.omega;
+            let jerk = c.alpha * c.given.omega * m.steady.max_velocity_phase().cos() - velocity;
+            Some(c.within(phase * jerk / c.given.omega, c.scale * (c.given.omega + F::int(1) / c.given.omega), m.doubt))
         },
         "62" All "the exact motion has two reversals a cycle and no stop": |c, m| {
             let steady = &m.steady;
             Some((count::<F>(steady.sticks_per_cycle(), 0) + count(steady.velocity_zeros_per_cycle(), 2)) * c.scale)
         },
         "64" All "A₁ is the work against friction": |c, m| {
-            let work = c.answers.loop_size_stiffness * c.alpha().square() / F::int(2);
+            let work = c.answers.loop_size_stiffness * c.alpha.square() / F::int(2);
             Some(c.within((m.steady.energy_out() - work) / F::int(4), c.scale, m.doubt))
         },
         "67" All "A₂ is Ω² times the work of the drive": |c, m| {
-            let work = c.answers.loop_size_inertia * (c.alpha() / c.omega()).square() / F::int(2);
-            let terms = c.alpha() * c.scale;
-            Some(c.within(m.steady.energy_in() - work, terms, c.alpha() * m.doubt))
+            let work = c.answers.loop_size_inertia * (c.alpha / c.given.omega).square() / F::int(2);
+            let terms = c.alpha * c.scale;
+            Some(c.within(m.steady.energy_in() - work, terms, c.alpha * m.doubt))
         },
         "λ" All "λ₁² + λ₂² and λ₁²λ₂² are those of the exact motion's linearised cycle": |c, m| {
             let [(a, b), (p, q)] = m.steady.multipliers();
             let (trace, product) = (a + p, a * p - b * q);
             let (sum, determinant) = half_cycle(c);
             let off = (sum.square() - F::int(2) * determinant - trace).abs() + (determinant.square() - product).abs();
-            Some(c.within(off, F::int(1) + F::int(1) / c.omega(), m.doubt))
+            Some(c.within(off, F::int(1) + F::int(1) / c.given.omega, m.doubt))
         },
         "λ" Half "λ₁ + λ₂ and λ₁λ₂, with their signs, are those of the exact half cycle by differences": |c, m| {
             let ((trace, product), (sum, determinant)) = (m.half_map?, half_cycle(c));
@@ -129,7 +129,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             let listed = a.hypot(b).or_larger(p.hypot(q));
             // A double root has half of its digits.
             let off = (found - listed).abs().or_larger((found.square() - squared).square());
-            Some(c.within(off, F::int(1) + F::int(1) / c.omega(), m.doubt))
+            Some(c.within(off, F::int(1) + F::int(1) / c.given.omega, m.doubt))
         },
     ]
 }

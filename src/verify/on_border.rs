@@ -6,7 +6,7 @@
 use super::formulae::{Edge, Formulae};
 use super::motion::third_of_digits;
 use super::solved::points;
-use super::{Case, Digits, Identity, Solvable, Standing};
+use super::{Case, Digits, Identity, Residual, Solvable, Standing};
 use crate::exact::{LongRun, State, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::matching::newton::Solution;
@@ -98,7 +98,7 @@ macro_rules! on_border {
             statement: $statement,
             standing: Standing::Holds,
             digits: Digits::$digits,
-            residual: |$c: &Case<'_, F>| { let $b = $c.on_border.as_ref()?; $residual },
+            residual: Residual::OfCase(|$c: &Case<'_, F>| { let $b = $c.on_border.as_ref()?; $residual }),
         }),+]
     };
 }
@@ -112,12 +112,12 @@ fn relative<F: Float>(c: &Case<'_, F>, s: &Solution<F>, residual: F, size: F) ->
 pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     on_border![
         "58, 59" All "Newton's method with α free: the turning point's border": |c, b| {
-            let per_turn = (F::int(1) + F::int(1) / c.omega()).square();
+            let per_turn = (F::int(1) + F::int(1) / c.given.omega).square();
             Some((b.turning_point? / b.edge.turning_point - F::int(1)) / per_turn * c.scale)
         },
         "62" All "Newton's method on the border: nowhere in the half cycle does the body go back": |c, b| {
             let s = b.solved.as_ref()?;
-            let (g, u, n) = (given(c, b), &s.unknowns, points(c.omega()));
+            let (g, u, n) = (given(c, b), &s.unknowns, points(c.given.omega));
             let most = (1..n).fold(F::int(0), |most, i| {
                 most.or_larger(g.falling_velocity(u, u.displacement_phase + F::pi() * F::ratio(i, n)))
             });

@@ -5,7 +5,7 @@ use crate::float::Float;
 use crate::nonsticking::Cycle;
 
 /// Bands of Ω as numerators and denominators of their ends: between the singular frequencies, and far above.
-const BANDS: [((i32, i32), (i32, i32)); 7] = [
+pub(super) const BANDS: [((i32, i32), (i32, i32)); 7] = [
     ((1, 6), (1, 5)),
     ((1, 5), (1, 4)),
     ((1, 4), (1, 3)),

@@ -1,7 +1,7 @@
 //! The answers held against eq. 21–25 solved by Newton's method, which knows none of them.
 
 use super::motion::apart;
-use super::{Case, Digits, Identity, Standing};
+use super::{Case, Digits, Identity, Residual, Standing};
 use crate::float::Float;
 use crate::nonsticking::matching::newton::Solution;
 
@@ -18,10 +18,10 @@ macro_rules! solved {
             statement: $statement,
             standing: Standing::Holds,
             digits: Digits::All,
-            residual: |$c: &Case<'_, F>| {
+            residual: Residual::OfCase(|$c: &Case<'_, F>| {
                 let $s = $c.solved.as_ref()?;
                 Some(in_good_digits($c, $s, $difference, $size))
-            },
+            }),
         }),+]
     };
 }
@@ -40,7 +40,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             |c, s| s.unknowns.deviation - c.unknowns.deviation, c.scale;
         "25" "Newton's method: no instant of its rising branch is faster than V₀":
             |c, s| {
-                let (g, u, n) = (&c.given, &s.unknowns, points(c.omega()));
+                let (g, u, n) = (&c.given, &s.unknowns, points(c.given.omega));
                 (1..n).fold(F::int(0), |most, i| {
                     let phase = u.displacement_phase - F::pi() * F::ratio(i, n);
                     most.or_larger(g.rising_velocity(u, phase) - c.unknowns.max_velocity)

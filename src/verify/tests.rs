@@ -1,6 +1,6 @@
 //! Tests of `verify.rs`.
 
-use super::{Case, Digits, Identity, Standing, TOLERANCE, Tally, Verdict, above_border, verify};
+use super::{Case, Digits, Identity, Residual, Standing, TOLERANCE, Tally, Verdict, above_border, verify};
 use crate::nonsticking::Solvable;
 use core::ops::ControlFlow;
 
@@ -39,11 +39,11 @@ fn a_wrong_sign_is_caught() {
         statement: "b with the wrong sign",
         standing: Standing::Holds,
         digits: Digits::All,
-        residual: |c: &Case<'_, f64>| {
+        residual: Residual::OfCase(|c: &Case<'_, f64>| {
             let (s, cosine) = c.given.lag(&c.unknowns).sin_cos();
             let (a, b) = (c.given.coefficient_a(&c.unknowns), c.given.coefficient_b(&c.unknowns));
             Some(a * s + b * cosine - 2.0)
-        },
+        }),
     };
     let cycle = above_border(0.7, 1.5).unwrap();
     let residual = wrong.relative_residual(&Case::new(cycle)).unwrap();

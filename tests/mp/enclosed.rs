@@ -262,7 +262,8 @@ fn what_cannot_be_proved_is_not_claimed() {
     assert!(pair.is_none());
 }
 
-/// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.
+/// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`. `STICKSLIP_SEED`,
+/// `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` say which, how many and for how long at most.
 #[test]
 #[ignore = "minutes; .ci/slow enclosures"]
 #[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
@@ -272,7 +273,7 @@ fn a_million_points() {
     let number = |name: &str, otherwise: u64| std::env::var(name).map_or(otherwise, |n| n.parse().unwrap());
     let (most, seconds) = (number("STICKSLIP_POINTS", 1_000_000), number("STICKSLIP_SECONDS", 1 << 40));
     let (mut count, start) = (0, Instant::now());
-    let mut state = 20u64;
+    let mut state = number("STICKSLIP_SEED", 20);
     let mut random = move || {
         state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

@@ -55,6 +55,8 @@ fn undamped(machine: &MachineArgs) -> Outcome {
 }
 
 #[cfg(feature = "mp")]
+pub(crate) use found::BITS;
+#[cfg(feature = "mp")]
 use found::{border as enclosed_border, response as enclosed_response};
 #[cfg(feature = "mp")]
 use motion::steady as enclosed_steady;
@@ -80,6 +82,6 @@ fn enclosed_steady(
 }
 
 #[cfg(not(feature = "mp"))]
-fn no_balls() -> Failure {
+pub(crate) fn no_balls() -> Failure {
     Failure::Input("--enclose: this build has no enclosures; they need the feature mp".to_owned())
 }

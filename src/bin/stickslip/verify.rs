@@ -2,10 +2,12 @@
 
 use crate::args::{Format, VerifyArgs};
 use crate::bits::{self, Task, Value};
+use crate::enclose;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::progress;
 use serde::Serialize;
+use std::convert::Infallible;
 use std::io::{self, Write};
 use std::ops::ControlFlow;
 use stickslip::verify::{Standing, Verdict, verify};
@@ -14,37 +16,77 @@ use stickslip::verify::{Standing, Verdict, verify};
 struct Run<'a, W>(&'a VerifyArgs, &'a mut W);
 
 pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+    if args.enclose {
+        return enclosed(args, out);
+    }
     bits::run(args.bits, Run(args, out))
+}
+
+/// `verify --enclose`: the identities in balls.
+#[cfg(feature = "mp")]
+fn enclosed(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+    let bits = args.bits.unwrap_or(enclose::BITS);
+    let verdicts = watched(|step| stickslip::verify::verify_enclosed(bits, step))
+        .map_err(|e| Failure::Input(format!("--bits {bits}: {e}")))?;
+    answer(&verdicts?, Residuals { bits, are_balls: true }, args, out)
+}
+
+#[cfg(not(feature = "mp"))]
+fn enclosed(_: &VerifyArgs, _: &mut impl Write) -> Outcome {
+    Err(enclose::no_balls())
+}
+
+/// What the residuals are.
+#[derive(Clone, Copy)]
+struct Residuals {
+    bits: u32,
+    /// Balls that contain them, and not the residuals themselves.
+    are_balls: bool,
 }
 
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
-        interrupt::listen();
-        let bar = progress::bar(0, "points");
-        let verdicts = verify::<F, Failure>(|done, all| {
-            bar.set_length(all as u64);
-            bar.set_position(done as u64);
-            match interrupt::check() {
-                Ok(()) => ControlFlow::Continue(()),
-                Err(failure) => ControlFlow::Break(failure),
-            }
-        });
-        let verdicts = match verdicts {
-            ControlFlow::Continue(verdicts) => verdicts,
-            ControlFlow::Break(failure) => return Err(failure),
-        };
-        bar.finish_and_clear();
-        match args.format {
-            Format::Json => json::<F>(&verdicts, out)?,
-            Format::Text => text::<F>(&verdicts, out)?,
-            Format::Jsonl | Format::Csv => {
-                return Err(Failure::Input("--format: the answer to verify is text or json".to_owned()));
-            }
-        }
-        out.flush()?;
-        conclusion(&verdicts)
+        let verdicts = watched(|step| Ok::<_, Infallible>(verify::<F, Failure>(step)));
+        let Ok(verdicts) = verdicts;
+        answer(&verdicts?, Residuals { bits: F::PRECISION, are_balls: false }, args, out)
     }
+}
+
+/// Verdicts with a progress bar, until an interrupt.
+fn watched<E>(
+    verify: impl FnOnce(
+        &mut dyn FnMut(usize, usize) -> ControlFlow<Failure>,
+    ) -> Result<ControlFlow<Failure, Vec<Verdict>>, E>,
+) -> Result<Result<Vec<Verdict>, Failure>, E> {
+    interrupt::listen();
+    let bar = progress::bar(0, "points");
+    let found = verify(&mut |done, all| {
+        bar.set_length(all as u64);
+        bar.set_position(done as u64);
+        match interrupt::check() {
+            Ok(()) => ControlFlow::Continue(()),
+            Err(failure) => ControlFlow::Break(failure),
+        }
+    });
+    let verdicts = match found? {
+        ControlFlow::Continue(verdicts) => verdicts,
+        ControlFlow::Break(failure) => return Ok(Err(failure)),
+    };
+    bar.finish_and_clear();
+    Ok(Ok(verdicts))
+}
+
+fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &mut impl Write) -> Outcome {
+    match args.format {
+        Format::Json => json(verdicts, residuals, out)?,
+        Format::Text => text(verdicts, residuals, out)?,
+        Format::Jsonl | Format::Csv => {
+            return Err(Failure::Input("--format: the answer to verify is text or json".to_owned()));
+        }
+    }
+    out.flush()?;
+    conclusion(verdicts)
 }
 
 /// A failure where one identity is not as it should be.
@@ -55,16 +97,17 @@ fn conclusion(verdicts: &[Verdict]) -> Outcome {
     }
 }
 
-fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> {
+fn text(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> io::Result<()> {
     let wide = |s: &str, width: usize| format!("{s}{}", " ".repeat(width.saturating_sub(s.chars().count())));
     let widest =
         |text: fn(&Verdict) -> &str| verdicts.iter().map(|v| text(v).chars().count()).max().unwrap_or(0);
     let (first, second) = (widest(|v| v.equation).max(3), widest(|v| v.statement).max(8));
-    writeln!(
-        out,
-        "{} bits; residuals in units of the last place of the terms, or of its square root for differences\n",
-        F::PRECISION
-    )?;
+    let what = if residuals.are_balls {
+        "how far the ball of a residual reaches from 0, in units of the last place of the terms"
+    } else {
+        "residuals in units of the last place of the terms, or of its square root for differences"
+    };
+    writeln!(out, "{} bits; {what}\n", residuals.bits)?;
     writeln!(out, "{}  {}  points  worst      ", wide("eq.", first), wide("identity", second))?;
     for v in verdicts {
         let verdict = match (v.standing, v.passed) {
@@ -85,12 +128,22 @@ fn text<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> io::Result<()> 
         }
     }
     let passed = verdicts.iter().filter(|v| v.passed).count();
-    writeln!(out, "\n{passed} of {} as they should be", verdicts.len())
+    writeln!(out, "\n{passed} of {} as they should be", verdicts.len())?;
+    if residuals.are_balls {
+        writeln!(
+            out,
+            "What holds has 0 in its ball at every point, rounding included; what is refuted has not, at any."
+        )?;
+    }
+    Ok(())
 }
 
 #[derive(Serialize)]
 struct Report<'a> {
     bits: u32,
+    /// Whether `worst_residual` is a bound from a ball.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    enclosed: bool,
     passed: bool,
     identities: Vec<Row<'a>>,
 }
@@ -130,9 +183,10 @@ impl<'a> From<&'a Verdict> for Row<'a> {
     }
 }
 
-fn json<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> Outcome {
+fn json(verdicts: &[Verdict], residuals: Residuals, out: &mut impl Write) -> Outcome {
     let report = Report {
-        bits: F::PRECISION,
+        bits: residuals.bits,
+        enclosed: residuals.are_balls,
         passed: verdicts.iter().all(|v| v.passed),
         identities: verdicts.iter().map(Row::from).collect(),
     };
@@ -142,7 +196,7 @@ fn json<F: Value>(verdicts: &[Verdict], out: &mut impl Write) -> Outcome {
 
 #[cfg(test)]
 mod tests {
-    use super::{conclusion, text};
+    use super::{Residuals, conclusion, text};
     use crate::failure::Failure;
     use stickslip::verify::{Standing, Verdict};
 
@@ -162,7 +216,7 @@ mod tests {
         let verdicts = [verdict(true), verdict(false)];
         assert!(matches!(conclusion(&verdicts), Err(Failure::Verdict(text)) if text.starts_with("1 of 2")));
         let mut table = Vec::new();
-        text::<f64>(&verdicts, &mut table).unwrap();
+        text(&verdicts, Residuals { bits: 53, are_balls: false }, &mut table).unwrap();
         let table = String::from_utf8(table).unwrap();
         assert!(table.contains("FAILS") && table.contains("at Ω = 0.7, α = 2, ζ = 0.05"), "{table}");
     }

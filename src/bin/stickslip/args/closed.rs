@@ -22,6 +22,7 @@ pub(crate) const VERIFY_EXAMPLES: &str = "\
 Examples:
   stickslip verify
   stickslip verify --bits 1024
+  stickslip verify --enclose --bits 128
   stickslip verify --bits 256 --format json";
 
 #[derive(Debug, Args)]
@@ -55,7 +56,11 @@ pub(crate) struct BorderArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct VerifyArgs {
-    /// Bits of precision (needs a build with the feature mp) [default: 53, f64]
+    /// The residuals in ball arithmetic, rounding included: a ball with 0 in it holds, a ball without refutes (needs a build
+    /// with the feature mp)
+    #[arg(long)]
+    pub(crate) enclose: bool,
+    /// Bits of precision (needs a build with the feature mp) [default: 53, f64; with --enclose 64]
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
     pub(crate) bits: Option<u32>,
     /// text or json

@@ -11,7 +11,7 @@ use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
 use stickslip::{Error, Output, Quantity};
 
 /// The bits of an enclosure where none are asked for.
-const BITS: u32 = 64;
+pub(crate) const BITS: u32 = 64;
 
 /// What was typed, and what it comes to.
 struct Answer<'a> {

@@ -1,0 +1,247 @@
+//! The identities in ball arithmetic: the ball of each residual has 0 in it and is as small as the bits that are asked for.
+//!
+//! A residual at plain numbers is rounding, or looks like it. The ball of a residual contains what the identity leaves at the exact answers: a
+//! ball without 0 refutes the identity at that point for good, and a ball with 0 bounds by its size what could be wrong with it. The witness of the exact
+//! motion is here a motion that is proved to exist ([`crate::enclosed::steady`]).
+//!
+//! | file | content |
+//! |---|---|
+//! | `point` | the points, and the answers there in balls |
+//! | `claims` | what holds besides the identities for any arithmetic |
+//! | `proved` | the motions that are proved |
+
+mod claims;
+#[cfg(test)]
+mod mutants;
+mod point;
+mod proved;
+
+use super::formulae::{Formulae, Library};
+use super::terms::Terms;
+use super::{Standing, Verdict, cycle, matching};
+use crate::error::{Error, Quantity};
+use crate::float::ball::{Ball, Radius};
+use crate::float::mp::Mp;
+use crate::ratios::within;
+use claims::Here;
+use core::ops::ControlFlow;
+use point::{Found, Place, places};
+
+/// The most bits: beside the poles more are computed with than are asked for.
+const MOST: u32 = 4096;
+
+/// An identity over balls.
+struct Row<const W: usize> {
+    equation: &'static str,
+    statement: &'static str,
+    standing: Standing,
+    residual: Residual<W>,
+}
+
+enum Residual<const W: usize> {
+    /// Of the closed forms.
+    OfTerms(fn(&Terms<'_, Ball<W>>) -> Option<Ball<W>>),
+    /// Of the border or as printed, too.
+    OfPoint(fn(&Here<'_, W>) -> Option<Ball<W>>),
+}
+
+/// What is left of an identity at a point, relative to its terms.
+#[derive(Debug, Clone, Copy)]
+struct Residue {
+    /// It is certainly not larger than this.
+    most: Radius,
+    /// It is certainly not smaller than this.
+    least: Radius,
+    has_zero: bool,
+}
+
+impl Residue {
+    fn of<const W: usize>(residual: Ball<W>, scale: Ball<W>) -> Self {
+        let relative = residual / scale;
+        if relative.is_entire() {
+            return Self { most: Radius::INFINITE, least: Radius::ZERO, has_zero: true };
+        }
+        let (mid, rad) = (relative.mid(), relative.rad());
+        Self {
+            most: Radius::above(mid).plus(rad),
+            least: Radius::below(mid).minus_down(rad),
+            has_zero: relative.contains_zero(),
+        }
+    }
+
+    /// Whether it is as small as one unit in the last of so many bits.
+    fn is_small(&self, bits: u32) -> bool {
+        !self.most.is_infinite() && self.most.scaled(i64::from(bits)) <= Radius::ONE
+    }
+}
+
+/// Every identity over balls: the same ones as in plain arithmetic, those on the border, and what is wrong as printed.
+fn rows<const W: usize>() -> Vec<Row<W>> {
+    let same = matching::identities().into_iter().chain(cycle::identities());
+    let same = same.map(|claim| Row {
+        equation: claim.equation,
+        statement: claim.statement,
+        standing: Standing::Holds,
+        residual: Residual::OfTerms(claim.residual),
+    });
+    same.chain(claims::rows()).collect()
+}
+
+/// What is left of every identity at a point; `None` where this width does not find the answers.
+fn residues<const W: usize>(
+    place: &Place,
+    formulae: &dyn Formulae<Ball<W>>,
+    alter: impl Fn(Found<W>) -> Found<W>,
+) -> Option<Vec<Option<Residue>>> {
+    let found = alter(Found::at(place)?);
+    let terms = Terms::new(formulae, found.point, found.answers);
+    let here = Here { terms: &terms, edge: &found.edge };
+    let residual = |row: &Row<W>| match row.residual {
+        Residual::OfTerms(residual) => residual(&terms),
+        Residual::OfPoint(residual) => residual(&here),
+    };
+    Some(rows::<W>().iter().map(|row| residual(row).map(|r| Residue::of(r, terms.scale))).collect())
+}
+
+/// The same with as many bits as it takes for residuals of one unit in the last of `bits`.
+fn sharp_residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
+    let mut last = Vec::new();
+    macro_rules! at {
+        ($($width:literal)*) => {$(
+            if Mp::<$width>::BITS >= bits + 64
+                && let Some(found) = residues::<$width>(place, &Library, |found| found)
+            {
+                // What excludes 0 needs no more bits.
+                let is_sharp = |residue: &Residue| residue.is_small(bits) || !residue.has_zero;
+                if found.iter().flatten().all(is_sharp) {
+                    return found;
+                }
+                last = found;
+            }
+        )*};
+    }
+    at!(2 5 17 65 129);
+    last
+}
+
+/// Worst residual of an identity so far.
+struct Tally {
+    points: usize,
+    worst: Option<(Residue, usize)>,
+    all_pass: bool,
+}
+
+impl Tally {
+    fn add(&mut self, residue: Residue, at: usize, standing: Standing, bits: u32) {
+        self.points = self.points.saturating_add(1);
+        let (passes, is_worse) = match standing {
+            Standing::Holds => (
+                residue.has_zero && residue.is_small(bits),
+                self.worst.as_ref().is_none_or(|(worst, _)| residue.most > worst.most),
+            ),
+            Standing::Refuted => {
+                (!residue.has_zero, self.worst.as_ref().is_none_or(|(worst, _)| residue.least < worst.least))
+            }
+        };
+        self.all_pass &= passes;
+        if is_worse {
+            self.worst = Some((residue, at));
+        }
+    }
+}
+
+/// Holds every identity among closed forms, and those of the exact motion, at a spread of points in ball arithmetic.
+///
+/// Passed is what holds at every point with a ball that has 0 in it and reaches no farther from it than one unit in the last of `bits` bits of the
+/// identity's terms; [`Verdict::worst`] is the farthest reach in those units. A statement that is wrong as printed passes where every ball
+/// is without 0, and `worst` is the least relative residual that it certainly has. Points and `step` are as of [`super::verify`], without damping.
+///
+/// # Errors
+/// Where `bits` is not in [1, 4096].
+pub fn verify_enclosed<B>(
+    bits: u32,
+    mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
+) -> Result<ControlFlow<B, Vec<Verdict>>, Error> {
+    within(Quantity::Precision, f64::from(bits), 1.0, f64::from(MOST))?;
+    let places = places();
+    let of_forms: Vec<_> =
+        rows::<2>().iter().map(|row| (row.equation, row.statement, row.standing)).collect();
+    let statements: Vec<_> = of_forms
+        .iter()
+        .copied()
+        .chain(proved::ROWS.map(|(equation, statement)| (equation, statement, Standing::Holds)))
+        .collect();
+    let mut tallies: Vec<_> =
+        statements.iter().map(|_| Tally { points: 0, worst: None, all_pass: true }).collect();
+    for (number, place) in places.iter().enumerate() {
+        if let ControlFlow::Break(ended) = step(number, places.len()) {
+            return Ok(ControlFlow::Break(ended));
+        }
+        let mut found = sharp_residues(place, bits);
+        // Answers that no width finds are undecided.
+        found.resize(
+            of_forms.len(),
+            Some(Residue { most: Radius::INFINITE, least: Radius::ZERO, has_zero: true }),
+        );
+        found.extend(proved::residues(place, bits));
+        for ((tally, residue), (_, _, standing)) in tallies.iter_mut().zip(found).zip(&statements) {
+            if let Some(residue) = residue {
+                tally.add(residue, number, *standing, bits);
+            }
+        }
+    }
+    if let ControlFlow::Break(ended) = step(places.len(), places.len()) {
+        return Ok(ControlFlow::Break(ended));
+    }
+    let verdicts = statements.into_iter().zip(tallies).map(|((equation, statement, standing), tally)| {
+        let worst = tally.worst.map_or(0.0, |(residue, _)| match standing {
+            Standing::Holds => residue.most.scaled(i64::from(bits)).value::<1>().to_f64(),
+            Standing::Refuted => residue.least.value::<1>().to_f64(),
+        });
+        Verdict {
+            equation,
+            statement,
+            standing,
+            points: tally.points,
+            worst,
+            at: tally.worst.and_then(|(_, at)| places.get(at)).map(Place::written),
+            damping_ratio: None,
+            passed: tally.all_pass && tally.points > 0,
+        }
+    });
+    Ok(ControlFlow::Continue(verdicts.collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Standing, verify_enclosed};
+    use core::ops::ControlFlow;
+
+    #[test]
+    fn every_ball_has_zero_in_it_and_is_small() {
+        for bits in [53, 300] {
+            let found = verify_enclosed::<()>(bits, |_, _| ControlFlow::Continue(())).unwrap();
+            let ControlFlow::Continue(verdicts) = found else { panic!("ended by nobody") };
+            let failed: Vec<_> = verdicts.iter().filter(|v| !v.passed || v.points < 3).collect();
+            assert!(failed.is_empty() && verdicts.len() > 60, "{} {failed:#?}", verdicts.len());
+            // Balls are balls: a residual that is exactly zero says nothing.
+            let holding = || verdicts.iter().filter(|v| v.standing == Standing::Holds);
+            assert!(holding().filter(|v| v.worst > 0.0).count() > 50);
+        }
+    }
+
+    #[test]
+    fn it_ends_where_it_is_told_to_and_refuses_other_bits() {
+        let mut steps = 0;
+        let ended = verify_enclosed::<usize>(64, |done, all| {
+            steps += 1;
+            assert!(all > 100);
+            if done == 2 { ControlFlow::Break(done) } else { ControlFlow::Continue(()) }
+        });
+        assert!(matches!(ended, Ok(ControlFlow::Break(2))) && steps == 3);
+        for bits in [0, 4097] {
+            let error = verify_enclosed::<()>(bits, |_, _| ControlFlow::Continue(())).unwrap_err();
+            assert!(error.to_string().starts_with("precision in bits"), "{error}");
+        }
+    }
+}
