@@ -24,6 +24,13 @@ mod case;
 mod cycle;
 mod damped;
 #[cfg(feature = "mp")]
+#[cfg_attr(
+    not(test),
+    allow(
+        clippy::arithmetic_side_effects,
+        reason = "operators of balls, of rational numbers and of bits up to 4096"
+    )
+)]
 mod enclosed;
 mod formulae;
 mod matching;

@@ -61,8 +61,23 @@ fn a_motion_with_stops_is_proved() {
     assert!(stdout("steady --omega 0.5 --alpha 3 --enclose").starts_with("Not proved"));
 }
 
+/// Every residual's ball has 0 in it, and its reach is stated.
+#[test]
+fn the_identities_hold_in_balls() {
+    let report = json("verify --enclose --bits 96 --format json");
+    assert_eq!((report["bits"].as_u64(), report["enclosed"].as_bool()), (Some(96), Some(true)));
+    let identities = report["identities"].as_array().unwrap();
+    assert!(identities.len() > 60 && report["passed"] == true);
+    for row in identities {
+        let worst = row["worst_residual"].as_f64().unwrap();
+        assert!(row["standing"] != "holds" || worst <= 1.0, "{row}");
+    }
+    assert!(identities.iter().any(|row| row["statement"].as_str().unwrap().contains("proved to exist")));
+}
+
 #[test]
 fn bad_input_is_refused() {
+    refused("verify --enclose --bits 5000", &["--bits 5000", "≤ 4096"]);
     refused("response --omega 0.4 --enclose", &["--alpha", "missing"]);
     refused("response --omega x --alpha 3 --enclose", &["--omega x", "must be a number"]);
     refused("response --omega -1 --alpha 3 --enclose", &["--omega -1", "must be > 0"]);

@@ -101,7 +101,8 @@ fn off(x: B) -> B {
 }
 
 /// What is answered wrongly.
-const WRONG_ANSWERS: [(&str, fn(Found<W>) -> Found<W>); 18] = [
+type Wrong = (&'static str, fn(Found<W>) -> Found<W>);
+const WRONG_ANSWERS: [Wrong; 18] = [
     ("K with the other sign", |mut f| {
         f.point.k = -f.point.k;
         f

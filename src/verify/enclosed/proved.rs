@@ -78,7 +78,7 @@ fn at_width<const W: usize>(place: &Place, bits: u32) -> Vec<Option<Residue>> {
 fn beside_the_border<const W: usize>(place: &Place) -> Option<Residue> {
     let least = Found::<W>::at(place)?.edge.min_force_ratio;
     let turns = place.omega.middle().recip();
-    let nearest = Rational::from((Rational::from(&turns - 1u32) / 2u32).round()) * 2u32 + 1u32;
+    let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;
     if (turns - nearest).abs() * 128u32 <= 1 {
         return None;
     }
