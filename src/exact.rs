@@ -66,7 +66,7 @@ mod walk;
 mod window;
 mod work;
 
-pub use attractors::{Attractor, Attractors, attractors};
+pub use attractors::{Attractor, Attractors, Signature, attractors};
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
 pub use irregular::Irregular;

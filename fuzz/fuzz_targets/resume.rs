@@ -25,6 +25,7 @@ mod command {
     pub(crate) mod progress;
     pub(crate) mod record;
     pub(crate) mod response;
+    pub(crate) mod resume;
     pub(crate) mod sink;
     pub(crate) mod steady;
     pub(crate) mod style;
@@ -35,7 +36,7 @@ mod command {
 use command::args::{Command, NoCommand};
 use command::{
     args, axes, bits, border, enclose, failure, given, grid, input, interrupt, machine, note, output,
-    outputs, physical, points, progress, record, response, sink, steady, style, sweep, units,
+    outputs, physical, points, progress, record, response, resume, sink, steady, style, sweep, units,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;

@@ -19,6 +19,7 @@ mod parquet;
 #[cfg(feature = "generators")]
 mod round_trips;
 mod shell;
+mod starts;
 mod static_friction;
 mod sweep;
 mod tasks;

@@ -16,7 +16,7 @@ use crate::failure::Failure;
 use crate::outputs;
 use crate::style::STYLES;
 use attractors::{ATTRACTORS_EXAMPLES, BASINS_EXAMPLES};
-pub(crate) use attractors::{AttractorsArgs, BasinsArgs};
+pub(crate) use attractors::{AttractorsArgs, BasinsArgs, RowsArgs};
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use closed::{BORDER_EXAMPLES, RESPONSE_EXAMPLES, VERIFY_EXAMPLES};
 pub(crate) use closed::{BorderArgs, ResponseArgs, VerifyArgs};

@@ -5,19 +5,17 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
-use crate::interrupt;
 use crate::note::{both, digits};
 use crate::physical::Physical;
-use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
-use crate::steady::{kind, of_motion};
+use crate::starts::Starts;
+use crate::steady::kind;
 use crate::style;
 use serde::Serialize;
 use std::io::Write;
-use std::ops::ControlFlow;
-use stickslip::exact::{Attractor, Attractors, LongRun, State, Trajectory};
-use stickslip::{Error, Ratios};
+use stickslip::Ratios;
+use stickslip::exact::{Attractor, Attractors, LongRun, State};
 
 /// Starts, at most: their limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -37,7 +35,8 @@ impl<W: Write> Task for Run<'_, W> {
         let given = Given::<F>::of(&args.machine, &args.force, &args.units.reader())?;
         let point = input::point(&given)?;
         let reach = reach(args.reach.as_deref(), &point.ratios)?;
-        let all = limits_of(&given, point.ratios, count, |number| start(number, reach), periods)?;
+        let at = |number| start(number, reach);
+        let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
         let rows: Vec<Record<F>> = (0..all.limits().len()).map(|place| row(&all, place, reach)).collect();
         match args.format {
             Format::Text => {
@@ -88,46 +87,12 @@ pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure
         .map_err(|e| Failure::Input(e.to_string()))
 }
 
-/// The limits of so many starts, followed in parallel; their order is that of the starts.
-pub(crate) fn limits_of<F: Value>(
-    given: &Given<F>,
-    ratios: Ratios<F>,
-    count: u64,
-    start: impl Fn(u64) -> Result<State<F>, Failure> + Sync,
-    periods: u32,
-) -> Result<Attractors<F>, Failure> {
-    let named = |e: Error| of_motion(given, e);
-    Trajectory::new(ratios, State::<F>::rest()).map_err(named)?;
-    let mut limits = Vec::new();
-    progress::in_order(
-        0..count,
-        |starts| starts.map(|number| follow(ratios, start(number)?, periods)).collect::<Result<Vec<_>, _>>(),
-        |found| {
-            limits.extend(found);
-            Ok(())
-        },
-    )?;
-    Attractors::of_limits(limits).map_err(named)
-}
-
 /// The least and the greatest displacement of a limit that moves.
 pub(crate) fn extrema<F: Value>(limit: &LongRun<F>) -> Option<(F, F)> {
     if let LongRun::Irregular(motion) = limit {
         return Some((motion.min_displacement(), motion.max_displacement()));
     }
     limit.steady_state().map(|steady| (steady.min_displacement(), steady.max_displacement()))
-}
-
-pub(crate) fn follow<F: Value>(
-    ratios: Ratios<F>,
-    start: State<F>,
-    periods: u32,
-) -> Result<LongRun<F>, Failure> {
-    let mut keep_going =
-        || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    LongRun::within_while(ratios, start, periods, &mut keep_going).map_err(|e| {
-        if e == Error::Interrupted { Failure::Interrupted } else { Failure::Input(e.to_string()) }
-    })
 }
 
 /// The share of the starts that lead to a limit.

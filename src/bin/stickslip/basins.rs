@@ -1,13 +1,15 @@
 //! `stickslip basins`: the limit that each start in a plane of starts leads to.
 
 use crate::args::BasinsArgs;
-use crate::attractors::{described, extrema, limits_of, reach};
+use crate::attractors::{described, extrema, reach};
+use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
 use crate::given::Given;
 use crate::grid::Grid;
 use crate::input;
 use crate::note::digits;
+use crate::starts::Starts;
 use crate::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};
@@ -21,38 +23,48 @@ const MOST: u64 = 1_000_000;
 const MOST_NAMES: usize = 7;
 
 /// The starts and the limits that they lead to.
-struct Basins {
-    x: Axed,
-    v: Axed,
-    all: Attractors<f64>,
+struct Basins<F> {
+    x: Axed<F>,
+    v: Axed<F>,
+    all: Attractors<F>,
 }
 
 /// The values along an axis, in the units they were given in.
-struct Axed {
-    grid: Grid<f64>,
+struct Axed<F> {
+    grid: Grid<F>,
     /// B, or B ω_d, in those units.
-    scale: f64,
+    scale: F,
     label: String,
     column: String,
 }
 
+/// The command with its arguments and where its answer goes.
+struct Run<'a, W>(&'a BasinsArgs, &'a mut W);
+
 pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
-    let target = Target::new(args.out.as_deref(), args.overwrite)?;
-    let basins = Basins::new(args)?;
-    target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
+    bits::run(args.bits, Run(args, out))
 }
 
-impl Basins {
+impl<W: Write> Task for Run<'_, W> {
+    fn run<F: Value>(self) -> Outcome {
+        let Self(args, out) = self;
+        let target = Target::new(args.out.as_deref(), args.overwrite)?;
+        let basins = Basins::<F>::new(args)?;
+        target.fill(out, |mut out| basins.table(&mut out), || basins.figure())
+    }
+}
+
+impl<F: Value> Basins<F> {
     fn new(args: &BasinsArgs) -> Result<Self, Failure> {
         let periods = input::periods(args.max_periods)?;
         let reader = args.units.reader();
-        let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
+        let given = Given::<F>::of(&args.machine, &args.force, &reader)?;
         let point = input::point(&given)?;
         let scales = point.machine.as_ref().map(|m| m.scales);
-        let reach: f64 = reach(None, &point.ratios)?;
-        let axis = |option: &str, text: &Option<String>, kind: Kind, symbol: &str, scale: Option<f64>| {
+        let reach: F = reach(None, &point.ratios)?;
+        let axis = |option: &str, text: &Option<String>, kind: Kind, symbol: &str, scale: Option<F>| {
             let kind = if scale.is_some() { kind } else { Kind::Ratio };
-            let scale = scale.unwrap_or(1.0);
+            let scale = scale.unwrap_or(F::int(1));
             let grid = match text {
                 Some(text) => Grid::with_units(option, text, &reader, kind)?,
                 None => {
@@ -75,15 +87,15 @@ impl Basins {
         let start = |number: u64| {
             let (across, up) = (number % x.grid.len(), number / x.grid.len());
             let (place, speed) = (x.grid.value(across), v.grid.value(up));
-            State::new(0.0, place / x.scale, speed / v.scale)
+            State::new(F::int(0), place / x.scale, speed / v.scale)
                 .map_err(|e| Failure::Input(format!("--x0 {place}, --v0 {speed}: {e}")))
         };
-        let all = limits_of(&given, point.ratios, count, start, periods)?;
+        let all = Starts { ratios: point.ratios, count, at: start, periods }.limits(&given, &args.rows)?;
         Ok(Self { x, v, all })
     }
 
     /// The starts, row by row, each with the number of its limit.
-    fn starts(&self) -> impl Iterator<Item = (f64, f64, Option<usize>)> {
+    fn starts(&self) -> impl Iterator<Item = (F, F, Option<usize>)> {
         let places = self.v.grid.values().flat_map(|v| self.x.grid.values().map(move |x| (x, v)));
         places.enumerate().map(|(number, (x, v))| (x, v, self.all.of_start(number)))
     }
@@ -101,7 +113,8 @@ impl Basins {
     }
 
     fn figure(&self) -> Result<Figure, Failure> {
-        let (x, y): (Vec<f64>, Vec<f64>) = (self.x.grid.values().collect(), self.v.grid.values().collect());
+        let drawn = |axed: &Axed<F>| axed.grid.values().map(F::to_f64).collect::<Vec<f64>>();
+        let (x, y) = (drawn(&self.x), drawn(&self.v));
         let ends = |values: &[f64], option: &str| match values {
             [first, .., last] if values.windows(2).all(|pair| matches!(pair, [a, b] if a < b)) => {
                 Ok((*first, *last))
@@ -141,7 +154,7 @@ impl Basins {
         let limit = self.all.limits().get(place)?.limit();
         let kind = crate::steady::kind(limit);
         // Four digits of B tell two limits apart.
-        let in_units = |x: f64| digits((x * 1e4).round() / 1e4 * self.x.scale);
+        let in_units = |x: F| digits((x.to_f64() * 1e4).round() / 1e4 * self.x.scale.to_f64());
         Some(match extrema(limit) {
             Some((low, high)) => {
                 format!("{}: {kind}, x from {} to {}", place + 1, in_units(low), in_units(high))

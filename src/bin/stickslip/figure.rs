@@ -82,7 +82,11 @@ pub(crate) struct Target<'a> {
 impl<'a> Target<'a> {
     /// Rows to standard output without a file; otherwise as the end of its name says.
     pub(crate) fn new(file: Option<&'a Path>, overwrite: bool) -> Result<Self, Failure> {
-        Ok(Self { file, picture: file.map_or(Ok(Picture::Csv), picture_of)?, overwrite })
+        let picture = file.map_or(Ok(Picture::Csv), picture_of)?;
+        if let Some(file) = file {
+            output::refuse_existing(file, &format!("--out {}", file.display()), overwrite)?;
+        }
+        Ok(Self { file, picture, overwrite })
     }
 
     /// Writes the rows, or draws the picture.

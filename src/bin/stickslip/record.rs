@@ -132,6 +132,19 @@ impl<F: Value> Serialize for Cell<F> {
     }
 }
 
+/// The text of some rows of CSV.
+pub(crate) fn csv_text(
+    fill: impl FnOnce(&mut csv::Writer<&mut Vec<u8>>) -> Outcome,
+) -> Result<Vec<u8>, Failure> {
+    let mut text = Vec::new();
+    {
+        let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(&mut text);
+        fill(&mut writer)?;
+        writer.flush()?;
+    }
+    Ok(text)
+}
+
 /// The name of an output in the machine's units.
 fn physical_name(wanted: &str) -> &str {
     wanted.strip_prefix("physical.").unwrap_or(wanted)

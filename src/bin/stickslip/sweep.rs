@@ -2,24 +2,19 @@
 
 #[cfg(feature = "parquet")]
 mod parquet;
-mod resume;
 pub(crate) mod rows;
 
 use crate::args::{SweepArgs, SweepFormat};
 use crate::axes::Axes;
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::output::{self, Lines, named};
-use crate::progress;
+use crate::output::{Lines, named};
+use crate::resume::{self, Rows as _};
 use rows::Rows;
-use std::fs::{File, OpenOptions};
-use std::io::{ErrorKind, Write};
+use std::fs::File;
+use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
-use std::time::{Duration, Instant};
-
-/// How old rows are, at most, that a kill loses.
-const AT_RISK: Duration = Duration::from_secs(1);
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a SweepArgs, &'a mut W);
@@ -57,7 +52,7 @@ fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &m
             let (file, done) = resume::reopen(name, rows, &part, !args.no_header)?;
             to_file(rows, part.start + done.rows..part.end, !done.header && !args.no_header, &file, name)
         }
-        Some(name) => to_file(rows, part, !args.no_header, &create(name)?, name),
+        Some(name) => to_file(rows, part, !args.no_header, &resume::create(name, "--out")?, name),
     }
 }
 
@@ -79,40 +74,12 @@ fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
     Err(Failure::Input("--format parquet: this build has none; it needs the feature parquet".to_owned()))
 }
 
-/// A new file; one that is there is not overwritten.
-fn create(file: &Path) -> Result<File, Failure> {
-    let name = file.display();
-    let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
-        Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
-            format!("--out {name}: must not exist yet; --resume goes on with it")
-        } else {
-            format!("--out {name}: {e}")
-        })
-    })?;
-    output::take(&created, &format!("--out {name}"))?;
-    Ok(created)
-}
-
 /// The rows of a part of the sweep, with their header.
 fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut impl Write) -> Outcome {
     if header {
         out.write_all(&rows.header()?)?;
     }
-    let mut flushed = Instant::now();
-    let outcome = progress::in_order(
-        part,
-        |points| rows.text(points),
-        |text| {
-            out.write_all(&text)?;
-            if flushed.elapsed() > AT_RISK {
-                out.flush()?;
-                flushed = Instant::now();
-            }
-            Ok(())
-        },
-    );
-    out.flush()?;
-    outcome
+    resume::write(part, out, |points| rows.text(points), |text, out| Ok(out.write_all(&text)?))
 }
 
 /// The rows of `--shard I/N`: the parts follow each other without gap, and differ by one row at most.

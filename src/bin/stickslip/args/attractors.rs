@@ -4,14 +4,29 @@ use super::{ForceArgs, Format, MachineArgs, UnitArgs};
 use clap::Args;
 use std::path::PathBuf;
 
+/// Where the limit of each start goes.
+#[derive(Debug, Args)]
+pub(crate) struct RowsArgs {
+    /// Also write each start with its limit to FILE, as rows of CSV, as they are found
+    #[arg(long, value_name = "FILE")]
+    pub(crate) rows: Option<PathBuf>,
+    /// Go on after the last complete row of --rows FILE: the answer is that of a run that was not broken off
+    #[arg(long, requires = "rows")]
+    pub(crate) resume: bool,
+}
+
 pub(crate) const ATTRACTORS_EXAMPLES: &str = "\
 Examples:
   stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
   stickslip attractors --omega 0.1356 --alpha 4.4107 --damping-ratio 0.0388 --static-friction-ratio 2.7673 --starts 400
   stickslip attractors --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --format json
+  stickslip attractors --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume
 
 The starts are at ω_d t = 0: the first at rest at x = 0, the others spread evenly over |x| ≤ R, |v| ≤ R, always the same. A limit
-that no start leads to is not found.";
+that no start leads to is not found.
+
+A run that was broken off, by Ctrl-C, kill -9 or a full disk, goes on with --resume, and with itself alone: machine and start of every
+row are compared, and as many whole rows, spread evenly, as a second allows. More --starts go on with fewer.";
 
 #[derive(Debug, Args)]
 pub(crate) struct AttractorsArgs {
@@ -28,6 +43,8 @@ pub(crate) struct AttractorsArgs {
     /// Periods of the drive to follow each start for
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
+    #[command(flatten)]
+    pub(crate) rows: RowsArgs,
     /// text, json, jsonl or csv
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,
@@ -60,6 +77,11 @@ pub(crate) struct BasinsArgs {
     /// Periods of the drive to follow each start for
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
+    #[command(flatten)]
+    pub(crate) rows: RowsArgs,
+    /// Bits of precision (needs a build with the feature mp)
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = super::bits)]
+    pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
     /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]

@@ -67,15 +67,23 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "attractors",
         Ratios,
-        "omega alpha damping_ratio static_friction_ratio starts reach max_periods format bits",
+        "omega alpha damping_ratio static_friction_ratio starts reach max_periods rows resume format bits",
     ),
     (
         "attractors",
         Machine,
-        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods format bits units",
+        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods rows resume format bits units",
     ),
-    ("basins", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods out overwrite"),
-    ("basins", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods units out overwrite"),
+    (
+        "basins",
+        Ratios,
+        "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods rows resume bits out overwrite",
+    ),
+    (
+        "basins",
+        Machine,
+        "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods rows resume bits units out overwrite",
+    ),
     ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
     ("simulate", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 cycles samples format bits units"),
     (

@@ -1,7 +1,8 @@
 //! How many limits a machine has, from a few starts.
 
-use crate::attractors::{follow, reach, start};
+use crate::attractors::{reach, start};
 use crate::failure::Failure;
+use crate::starts::follow;
 use crate::steady::kind;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, SteadyState};

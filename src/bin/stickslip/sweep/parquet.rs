@@ -7,7 +7,6 @@
 mod column;
 mod parts;
 
-use super::AT_RISK;
 use super::rows::Rows;
 use crate::args::SweepArgs;
 use crate::bits::Value;
@@ -16,6 +15,7 @@ use crate::given::{Given, Parameter};
 use crate::output::{Beside, Lines};
 use crate::progress;
 use crate::record::Record;
+use crate::resume::AT_RISK;
 use clap::ValueEnum;
 use column::Column;
 use parquet::basic::Compression;

@@ -7,7 +7,8 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::interrupt;
 use crate::physical::Physical;
-use crate::record::{Cell, PEAKS, Record};
+use crate::record::{Cell, PEAKS, Record, csv_text};
+use crate::resume;
 use crate::{border, input, response, steady};
 use std::ops::Range;
 use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
@@ -54,15 +55,46 @@ impl<F: Value> Rows<F> {
         self.axes.len()
     }
 
+    fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
+        let given = self.axes.at(point);
+        let ratios = match self.question {
+            Swept::Border => input::border_point(&given)?.ratios,
+            Swept::Response | Swept::Steady => input::point(&given)?.ratios,
+        };
+        Ok((ratios.omega(), ratios.alpha()))
+    }
+
+    /// The columns wanted, in the order they were named.
+    pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
+        let record = self.full_record(point)?;
+        Ok(match &self.outputs {
+            Some(outputs) => record.only(outputs),
+            None => record,
+        })
+    }
+
+    fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
+        if interrupt::asked() {
+            return Err(Failure::Interrupted);
+        }
+        // An error is made once more, with the values in its words.
+        answer(self.question, &self.axes.at(point), self.peaks)
+            .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
+    }
+}
+
+impl<F: Value> resume::Rows for Rows<F> {
+    const OF: &'static str = "this sweep";
+
     /// The line of column names; nothing for JSON lines.
-    pub(crate) fn header(&self) -> Result<Vec<u8>, Failure> {
-        self.bytes(|writer| if self.csv { self.record(0)?.write_header(writer, self.header) } else { Ok(()) })
+    fn header(&self) -> Result<Vec<u8>, Failure> {
+        csv_text(|writer| if self.csv { self.record(0)?.write_header(writer, self.header) } else { Ok(()) })
     }
 
     /// The text of some rows.
-    pub(crate) fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure> {
+    fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure> {
         if self.csv {
-            return self.bytes(|writer| {
+            return csv_text(|writer| {
                 points.into_iter().try_for_each(|point| self.record(point)?.write_row(writer))
             });
         }
@@ -75,13 +107,13 @@ impl<F: Value> Rows<F> {
 
     /// Whether Ω and, where there is one, α are among the columns. Of a machine they tell one row from another, if not one
     /// machine from another.
-    pub(crate) fn hold_their_grid(&self) -> bool {
+    fn hold_their_grid(&self) -> bool {
         let among = |name: &str| self.columns.iter().any(|column| column == name);
         among("omega") && (self.question == Swept::Border || among("alpha"))
     }
 
     /// Whether the Ω and α of a row as written, those it has, are the ones of a point of the grid.
-    pub(crate) fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
+    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
         let (omega, alpha) = self.ratios(point)?;
         let due = [("omega", omega), ("alpha", alpha)];
         for (name, value) in
@@ -91,7 +123,7 @@ impl<F: Value> Rows<F> {
             let cell =
                 Record { fields: vec![(name, Cell::Number(Some(value)))], physical: Physical::default() };
             let same = if self.csv {
-                let due = self.bytes(|writer| cell.write_row(writer))?;
+                let due = csv_text(|writer| cell.write_row(writer))?;
                 let found = line.trim_ascii_end().split(|byte| *byte == b',').nth(place);
                 found == Some(due.trim_ascii_end())
             } else {
@@ -111,46 +143,6 @@ impl<F: Value> Rows<F> {
             }
         }
         Ok(true)
-    }
-
-    fn ratios(&self, point: u64) -> Result<(F, F), Failure> {
-        let given = self.axes.at(point);
-        let ratios = match self.question {
-            Swept::Border => input::border_point(&given)?.ratios,
-            Swept::Response | Swept::Steady => input::point(&given)?.ratios,
-        };
-        Ok((ratios.omega(), ratios.alpha()))
-    }
-
-    fn bytes(
-        &self,
-        fill: impl FnOnce(&mut csv::Writer<&mut Vec<u8>>) -> Outcome,
-    ) -> Result<Vec<u8>, Failure> {
-        let mut text = Vec::new();
-        {
-            let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(&mut text);
-            fill(&mut writer)?;
-            writer.flush()?;
-        }
-        Ok(text)
-    }
-
-    /// The columns wanted, in the order they were named.
-    pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
-        let record = self.full_record(point)?;
-        Ok(match &self.outputs {
-            Some(outputs) => record.only(outputs),
-            None => record,
-        })
-    }
-
-    fn full_record(&self, point: u64) -> Result<Record<F>, Failure> {
-        if interrupt::asked() {
-            return Err(Failure::Interrupted);
-        }
-        // An error is made once more, with the values in its words.
-        answer(self.question, &self.axes.at(point), self.peaks)
-            .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
     }
 }
 

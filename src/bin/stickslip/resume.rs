@@ -1,21 +1,74 @@
-//! Going on with a sweep that was broken off.
+//! Rows in a file, and going on with them where they were broken off.
 //!
-//! A file is gone on with only where its rows are those of this very sweep: the header, Ω and α of every row, and as
-//! many whole rows, spread evenly, as a second allows. Where Ω or α is not among the columns, every row is computed
+//! A file is gone on with only where its rows are those of this very question: the header, what each row begins with or has of its grid, and as
+//! many whole rows, spread evenly, as a second allows. Where the rows do not hold their grid, every one is computed
 //! anew. What is cut off behind the last whole row must be the beginning of the row that is due.
 
-use super::rows::Rows;
-use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
 use crate::output;
 use crate::progress;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::fs::{self, File, OpenOptions};
-use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
+use std::io::{BufRead, BufReader, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
 use std::time::{Duration, Instant};
+
+/// Rows that are each made from their number alone.
+pub(crate) trait Rows: Sync {
+    /// What they are the rows of, as errors have it.
+    const OF: &'static str;
+
+    /// The line above them; nothing where they have none.
+    fn header(&self) -> Result<Vec<u8>, Failure>;
+
+    /// The text of some of them.
+    fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure>;
+
+    /// Whether a row tells its point from others.
+    fn hold_their_grid(&self) -> bool;
+
+    /// Whether what a row has of its point is that of this one, at next to no cost.
+    fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure>;
+}
+
+/// How old rows are, at most, that a kill loses.
+pub(crate) const AT_RISK: Duration = Duration::from_secs(1);
+
+/// A new file; one that is there is not overwritten.
+pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
+    let argument = format!("{option} {}", file.display());
+    let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
+        Failure::Input(if e.kind() == ErrorKind::AlreadyExists {
+            format!("{argument}: must not exist yet; --resume goes on with it")
+        } else {
+            format!("{argument}: {e}")
+        })
+    })?;
+    output::take(&created, &argument)?;
+    Ok(created)
+}
+
+/// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order, as they come.
+pub(crate) fn write<T: Send, W: Write>(
+    points: Range<u64>,
+    out: &mut W,
+    answer: impl Fn(Range<u64>) -> Result<T, Failure> + Sync,
+    mut take: impl FnMut(T, &mut W) -> Outcome,
+) -> Outcome {
+    let mut flushed = Instant::now();
+    let outcome = progress::in_order(points, answer, |found| {
+        take(found, out)?;
+        if flushed.elapsed() > AT_RISK {
+            out.flush()?;
+            flushed = Instant::now();
+        }
+        Ok(())
+    });
+    out.flush()?;
+    outcome
+}
 
 /// What a file already holds.
 pub(crate) struct Done {
@@ -30,9 +83,9 @@ const MOST_COMPARED: usize = 1 << 13;
 const COMPARING: Duration = Duration::from_secs(1);
 
 /// Opens the file behind its last whole row; what follows that is cut off.
-pub(crate) fn reopen<F: Value>(
+pub(crate) fn reopen<R: Rows>(
     name: &Path,
-    rows: &Rows<F>,
+    rows: &R,
     part: &Range<u64>,
     header: bool,
 ) -> Result<(File, Done), Failure> {
@@ -67,12 +120,7 @@ struct Kept {
 
 impl Kept {
     /// Reads the whole file, and compares what costs little.
-    fn read<F: Value>(
-        file: &File,
-        rows: &Rows<F>,
-        part: &Range<u64>,
-        header: &[u8],
-    ) -> Result<Self, Failure> {
+    fn read<R: Rows>(file: &File, rows: &R, part: &Range<u64>, header: &[u8]) -> Result<Self, Failure> {
         let mut lines = BufReader::new(file);
         let mut kept = Self { rows: 0, begin: 0, end: 0, some: Spread::new() };
         let length = part.end - part.start;
@@ -83,14 +131,14 @@ impl Kept {
             if line.ends_with(b"\n") {
                 if kept.end == 0 && !header.is_empty() {
                     if line != header {
-                        return Err(Failure::Input("the header is not of this sweep".to_owned()));
+                        return Err(Failure::Input(format!("the header is not of {}", R::OF)));
                     }
                     kept.begin = count;
                 } else {
                     let point = part.start.saturating_add(kept.rows);
                     kept.rows += 1;
                     if kept.rows <= length && !rows.is_on_grid(&line, point)? {
-                        return Err(not_this(kept.rows));
+                        return Err(not_this::<R>(kept.rows));
                     }
                     kept.some.push((kept.rows - 1, kept.end, count));
                 }
@@ -102,8 +150,9 @@ impl Kept {
             }
             if kept.rows > length {
                 return Err(Failure::Input(format!(
-                    "{} rows, must be ≤ {length}, those of this sweep",
-                    kept.rows
+                    "{} rows, must be ≤ {length}, those of {}",
+                    kept.rows,
+                    R::OF
                 )));
             }
             kept.is_beginning(&line, rows, part, header)?;
@@ -112,13 +161,7 @@ impl Kept {
     }
 
     /// Whether what follows the last whole line is the beginning of what is due there.
-    fn is_beginning<F: Value>(
-        &self,
-        rest: &[u8],
-        rows: &Rows<F>,
-        part: &Range<u64>,
-        header: &[u8],
-    ) -> Outcome {
+    fn is_beginning<R: Rows>(&self, rest: &[u8], rows: &R, part: &Range<u64>, header: &[u8]) -> Outcome {
         let next = part.start + self.rows;
         let due = match rest {
             [] => Vec::new(),
@@ -130,13 +173,13 @@ impl Kept {
             return Ok(());
         }
         Err(Failure::Input(match self.rows {
-            0 => "it does not begin as this sweep does".to_owned(),
-            n => format!("what follows row {n} is not of this sweep"),
+            0 => format!("it does not begin as {} does", R::OF),
+            n => format!("what follows row {n} is not of {}", R::OF),
         }))
     }
 
     /// Compares rows that are spread evenly, for a second.
-    fn compare_some<F: Value>(&self, file: &File, rows: &Rows<F>, part: &Range<u64>) -> Outcome {
+    fn compare_some<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
         let begin = Instant::now();
         for some in self.some.in_order().chunks(8 * rayon::current_num_threads()) {
             let mut found = Vec::new();
@@ -149,7 +192,7 @@ impl Kept {
             }
             found.par_iter().try_for_each(|(row, line)| {
                 let point = part.start + row;
-                if rows.text(point..point + 1)? == *line { Ok(()) } else { Err(not_this(row + 1)) }
+                if rows.text(point..point + 1)? == *line { Ok(()) } else { Err(not_this::<R>(row + 1)) }
             })?;
             interrupt::check()?;
             if begin.elapsed() > COMPARING {
@@ -160,7 +203,7 @@ impl Kept {
     }
 
     /// Compares every row.
-    fn compare_all<F: Value>(&self, file: &File, rows: &Rows<F>, part: &Range<u64>) -> Outcome {
+    fn compare_all<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
         let mut file = file;
         file.seek(SeekFrom::Start(self.begin))?;
         let mut found = BufReader::new(file);
@@ -173,7 +216,7 @@ impl Kept {
                     let mut line = vec![0; due.len()];
                     row += 1;
                     if found.read_exact(&mut line).is_err() || line != due {
-                        return Err(not_this(row));
+                        return Err(not_this::<R>(row));
                     }
                 }
                 Ok(())
@@ -182,8 +225,8 @@ impl Kept {
     }
 }
 
-fn not_this(row: u64) -> Failure {
-    Failure::Input(format!("row {row} is not of this sweep"))
+pub(crate) fn not_this<R: Rows>(row: u64) -> Failure {
+    Failure::Input(format!("row {row} is not of {}", R::OF))
 }
 
 /// Rows by number, place and length, thinned out evenly as they grow many, and the last one.

@@ -1,0 +1,208 @@
+//! Many starts followed in parallel, each with the limit that it leads to, as rows that can be gone on with.
+
+use crate::args::{Header, RowsArgs};
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::given::Given;
+use crate::interrupt;
+use crate::output::{Lines, named};
+use crate::physical::Physical;
+use crate::record::{Cell, Record, csv_text};
+use crate::resume::{self, not_this};
+use crate::steady::{kind, of_motion};
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Write};
+use std::ops::{ControlFlow, Range};
+use std::path::Path;
+use stickslip::Ratios;
+use stickslip::exact::{Attractors, LongRun, Signature, State, Trajectory};
+
+/// So many starts of one machine, each made from its number.
+pub(crate) struct Starts<F, S> {
+    pub(crate) ratios: Ratios<F>,
+    pub(crate) count: u64,
+    pub(crate) at: S,
+    pub(crate) periods: u32,
+}
+
+impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
+    /// Their limits, in the order of the starts whatever the number of threads. The rows of a file that is gone on with are not
+    /// followed again, but for the first start of each limit.
+    pub(crate) fn limits(&self, given: &Given<F>, rows: &RowsArgs) -> Result<Attractors<F>, Failure> {
+        Trajectory::new(self.ratios, State::<F>::rest()).map_err(|e| of_motion(given, e))?;
+        let mut all = Attractors::new();
+        let Some(name) = &rows.rows else {
+            self.follow_on(0, &mut all, &mut io::sink())?;
+            return Ok(all);
+        };
+        if rows.resume && name.exists() {
+            let (file, done) = resume::reopen(name, self, &(0..self.count), true)?;
+            self.read(name, done.rows, &mut all)
+                .map_err(|e| e.about(&format!("--resume: {}", name.display())))?;
+            self.to_file(done.rows, done.header, &mut all, &file, name)?;
+        } else {
+            self.to_file(0, false, &mut all, &resume::create(name, "--rows")?, name)?;
+        }
+        Ok(all)
+    }
+
+    /// The rows from a start on to the end of a file. Whatever breaks them off, the file can be gone on with.
+    fn to_file(
+        &self,
+        from: u64,
+        has_header: bool,
+        all: &mut Attractors<F>,
+        file: &File,
+        name: &Path,
+    ) -> Outcome {
+        let name = name.display().to_string();
+        let mut out = Lines::new(file, name.as_str());
+        if !has_header {
+            out.write_all(&resume::Rows::header(self)?)?;
+        }
+        let outcome = self.follow_on(from, all, &mut out);
+        outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
+    }
+
+    /// Follows the starts from one on.
+    fn follow_on(&self, from: u64, all: &mut Attractors<F>, out: &mut impl Write) -> Outcome {
+        resume::write(
+            from..self.count,
+            out,
+            |numbers| numbers.map(|number| self.answer(number)).collect::<Result<Vec<_>, _>>(),
+            |found, out| {
+                found.into_iter().try_for_each(|(limit, row)| {
+                    out.write_all(&row)?;
+                    Ok(all.add(limit)?)
+                })
+            },
+        )
+    }
+
+    /// The limit of a start, and its row.
+    fn answer(&self, number: u64) -> Result<(LongRun<F>, Vec<u8>), Failure> {
+        let limit = follow(self.ratios, (self.at)(number)?, self.periods)?;
+        let signature = Signature::of(&limit)?;
+        let record = self.record(number, kind(&limit), &signature)?;
+        Ok((limit, csv_text(|writer| record.write_row(writer))?))
+    }
+
+    /// Counts in the starts that a file has the limits of.
+    fn read(&self, name: &Path, rows: u64, all: &mut Attractors<F>) -> Outcome {
+        let mut lines = BufReader::new(File::open(name)?).lines().skip(1);
+        for number in 0..rows {
+            let line = lines.next().transpose()?.unwrap_or_default();
+            let bad = || not_this::<Self>(number + 1);
+            let signature = signature(&line).ok_or_else(bad)?;
+            if all.count(&signature) {
+                continue;
+            }
+            let (limit, row) = self.answer(number)?;
+            if row.trim_ascii_end() != line.as_bytes() {
+                return Err(bad());
+            }
+            all.add(limit)?;
+            interrupt::check()?;
+        }
+        Ok(())
+    }
+
+    /// What tells a row from those of other starts.
+    fn of_start(&self, number: u64) -> Result<Vec<(&'static str, Cell<F>)>, Failure> {
+        let start = (self.at)(number)?;
+        let number = |x: F| Cell::Number(Some(x));
+        Ok(vec![
+            ("omega", number(self.ratios.omega())),
+            ("alpha", number(self.ratios.alpha())),
+            ("damping_ratio", number(self.ratios.damping_ratio())),
+            ("static_friction_ratio", number(self.ratios.static_friction_ratio())),
+            ("max_periods", Cell::Count(Some(self.periods.into()))),
+            ("bits", Cell::Count(Some(F::PRECISION.into()))),
+            ("x0", number(start.x)),
+            ("v0", number(start.v)),
+        ])
+    }
+
+    fn record(
+        &self,
+        number: u64,
+        kind: &'static str,
+        signature: &Signature<F>,
+    ) -> Result<Record<F>, Failure> {
+        let (mut half_turns, mut x, mut v, mut most, mut least) = (None, None, None, None, None);
+        match *signature {
+            Signature::Periodic { half_turns: count, x: place, v: speed } => {
+                (half_turns, x, v) = (Some(u64::from(count)), Some(place), Some(speed));
+            }
+            Signature::Family { middle: place } | Signature::Rest { position: place } => x = Some(place),
+            Signature::Irregular { max_displacement, min_displacement } => {
+                (most, least) = (Some(max_displacement), Some(min_displacement));
+            }
+            Signature::Unbounded | Signature::NotConverged => {}
+        }
+        let mut fields = self.of_start(number)?;
+        fields.extend([
+            ("limit", Cell::Text(kind)),
+            ("half_turns", Cell::Count(half_turns)),
+            ("x", Cell::Number(x)),
+            ("v", Cell::Number(v)),
+            ("max_displacement", Cell::Number(most)),
+            ("min_displacement", Cell::Number(least)),
+        ]);
+        Ok(Record { fields, physical: Physical::default() })
+    }
+}
+
+impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for Starts<F, S> {
+    const OF: &'static str = "these starts";
+
+    fn header(&self) -> Result<Vec<u8>, Failure> {
+        let record = self.record(0, "", &Signature::NotConverged)?;
+        csv_text(|writer| record.write_header(writer, Header::Names))
+    }
+
+    fn text(&self, numbers: Range<u64>) -> Result<Vec<u8>, Failure> {
+        let rows = numbers.map(|number| Ok(self.answer(number)?.1));
+        rows.collect::<Result<Vec<_>, Failure>>().map(|rows| rows.concat())
+    }
+
+    fn hold_their_grid(&self) -> bool {
+        true
+    }
+
+    fn is_on_grid(&self, line: &[u8], number: u64) -> Result<bool, Failure> {
+        let record = Record { fields: self.of_start(number)?, physical: Physical::default() };
+        let due = csv_text(|writer| record.write_row(writer))?;
+        let rest = line.strip_prefix(due.trim_ascii_end());
+        Ok(rest.is_some_and(|rest| rest.starts_with(b",")))
+    }
+}
+
+/// The signature in a row.
+fn signature<F: Value>(line: &str) -> Option<Signature<F>> {
+    let mut cells = line.split(',').skip(8);
+    let kind = cells.next()?;
+    let half_turns = cells.next()?;
+    let mut number = || cells.next()?.parse::<F>().ok();
+    let (x, v, most, least) = (number(), number(), number(), number());
+    Some(match kind {
+        "periodic" => Signature::Periodic { half_turns: half_turns.parse().ok()?, x: x?, v: v? },
+        "family" => Signature::Family { middle: x? },
+        "rest" => Signature::Rest { position: x? },
+        "irregular" => Signature::Irregular { max_displacement: most?, min_displacement: least? },
+        "none" => Signature::Unbounded,
+        "not-converged" => Signature::NotConverged,
+        _ => return None,
+    })
+}
+
+/// The limit of a start, until the user asks to stop.
+pub(crate) fn follow<F: Value>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    periods: u32,
+) -> Result<LongRun<F>, Failure> {
+    let mut keep_going =
+        || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+    Ok(LongRun::within_while(ratios, start, periods, &mut keep_going)?)
+}

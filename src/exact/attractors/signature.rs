@@ -1,0 +1,100 @@
+//! What tells one limit from another.
+
+use crate::error::Error;
+use crate::exact::drive::DrivePhase;
+use crate::exact::long_run::LongRun;
+use crate::exact::state::State;
+use crate::exact::steady::SteadyState;
+use crate::exact::trajectory::Trajectory;
+use crate::float::Float;
+
+/// What tells a limit from others: enough to count a start, not to describe the motion. Written and read again it stands for a limit that was
+/// found before ([`super::Attractors::count`]).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Signature<F> {
+    /// A periodic motion, by its state at a phase nπ of the drive, upside down where n is odd.
+    Periodic {
+        /// After how many half turns of the drive the state is the same again, upside down after an odd number.
+        half_turns: u32,
+        /// Displacement x/B.
+        x: F,
+        /// Velocity x′/(Bω_d).
+        v: F,
+    },
+    /// A member of a family, by the middle of its displacements x/B.
+    Family {
+        /// Half the sum of its extrema.
+        middle: F,
+    },
+    /// Rest.
+    Rest {
+        /// Where, x/B.
+        position: F,
+    },
+    /// An irregular motion, by its extrema x/B.
+    Irregular {
+        /// The greatest displacement.
+        max_displacement: F,
+        /// The least.
+        min_displacement: F,
+    },
+    /// Growth without bound.
+    Unbounded,
+    /// None: the start had not settled.
+    NotConverged,
+}
+
+impl<F: Float> Signature<F> {
+    /// The signature of a limit.
+    ///
+    /// # Errors
+    /// As for [`Trajectory::new`].
+    pub fn of(limit: &LongRun<F>) -> Result<Self, Error> {
+        Ok(match limit {
+            LongRun::Periodic(steady) => {
+                let (x, v) = at_zero(steady)?;
+                Self::Periodic { half_turns: steady.half_turns, x, v }
+            }
+            LongRun::Family(member) => {
+                let sum = member.max_displacement() + member.min_displacement();
+                Self::Family { middle: sum / F::int(2) }
+            }
+            LongRun::Rest(rest) => Self::Rest { position: rest.position },
+            LongRun::Irregular(motion) => Self::Irregular {
+                max_displacement: motion.max_displacement(),
+                min_displacement: motion.min_displacement(),
+            },
+            LongRun::Unbounded { .. } => Self::Unbounded,
+            LongRun::NotConverged { .. } => Self::NotConverged,
+        })
+    }
+
+    /// The place of rest, or the middle of a member of a family.
+    pub(super) const fn middle(&self) -> Option<F> {
+        match self {
+            Self::Rest { position: x } | Self::Family { middle: x } => Some(*x),
+            Self::Periodic { .. } | Self::Irregular { .. } | Self::Unbounded | Self::NotConverged => None,
+        }
+    }
+}
+
+/// The state of a periodic motion at the next phase nπ, x/B and x′/(Bω_d), upside down where n is odd.
+fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
+    let (start, zero) = (steady.state(), F::int(0));
+    let upright = |state: State<F>| {
+        if state.phase.is_even() { (state.x, state.v) } else { (-state.x, -state.v) }
+    };
+    let angle = start.phase.angle();
+    if angle == zero {
+        return Ok(upright(start));
+    }
+    let later = i64::from(angle > zero);
+    let target = DrivePhase::of_half_turn(start.phase.half_turns(), zero).later_by_half_turns(later);
+    for phase in Trajectory::of(steady.equation, start) {
+        let phase = phase?;
+        if phase.end().is_none_or(|end| target.since(end.phase) <= zero) {
+            return Ok(upright(State { phase: target, ..phase.at(target).state }));
+        }
+    }
+    Ok(upright(State { phase: target, x: start.x, v: zero }))
+}

@@ -1,0 +1,130 @@
+//! The limits of many starts, broken off and gone on with.
+
+use crate::command_line::{refused, stdout, stickslip};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// Three limits; rest at a range of places beside a motion; irregular motions; starts that do not settle.
+const MACHINES: [&str; 4] = [
+    "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87",
+    "--omega 0.8 --alpha 1.5 --damping-ratio 0.02 --static-friction-ratio 1.6",
+    "--omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 --max-periods 300",
+    "--omega 0.45 --alpha 5 --damping-ratio 0.002 --static-friction-ratio 1.4 --max-periods 40",
+];
+
+/// A path for the file of one test.
+fn place(name: &str) -> PathBuf {
+    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_file(&place);
+    place
+}
+
+/// What a line answers with so many threads.
+fn with_threads(line: &str, threads: usize) -> String {
+    let threads = threads.to_string();
+    let output =
+        stickslip(line).env("RAYON_NUM_THREADS", threads).assert().success().get_output().stdout.clone();
+    String::from_utf8(output).unwrap()
+}
+
+#[test]
+fn limits_of_starts_go_on_after_the_last_whole_row() {
+    for (index, machine) in MACHINES.into_iter().enumerate() {
+        for question in [
+            format!("attractors {machine} --reach 12 --starts 25 --format json"),
+            format!("basins {machine} --x0 -6:6:5 --v0 -4:4:3"),
+        ] {
+            let (file, kept) = (place("starts-whole"), place("starts-kept"));
+            let answer = with_threads(&format!("{question} --rows {}", file.display()), 2);
+            assert_eq!(answer, with_threads(&question, 1), "{question}: rows change the answer");
+            let rows = std::fs::read(&file).unwrap();
+            let header = rows.iter().position(|byte| *byte == b'\n').unwrap() + 1;
+            let first = rows[header..].iter().position(|byte| *byte == b'\n').unwrap() + header;
+            for (turn, length) in [0, 9, header, first, first + 1, rows.len() / 2, rows.len() - 1, rows.len()]
+                .into_iter()
+                .enumerate()
+            {
+                std::fs::write(&kept, &rows[..length]).unwrap();
+                let line = format!("{question} --rows {} --resume", kept.display());
+                let found = with_threads(&line, 1 + (turn + index) % 3);
+                assert_eq!(found, answer, "{question}: from {length} bytes");
+                assert!(std::fs::read(&kept).unwrap() == rows, "{question}: from {length} bytes");
+            }
+        }
+    }
+}
+
+/// Killed at several moments, and gone on with each time until it is whole.
+#[test]
+fn a_killed_run_goes_on() {
+    // Slow enough to be met on its way: a start takes some 200 turns of a chaotic motion.
+    let question = "attractors --omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 --max-periods 400 \
+                    --starts 300";
+    let (file, kept) = (place("starts-unbroken"), place("starts-killed"));
+    let answer = stdout(&format!("{question} --rows {}", file.display()));
+    let mut cut = 0;
+    for attempt in 0..4u64 {
+        let line = format!("{question} --rows {} --resume", kept.display());
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+            .args(line.split_whitespace())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(60 + 90 * attempt));
+        let signal = if attempt % 2 == 0 { "-KILL" } else { "-INT" };
+        let _ = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
+        cut += u32::from(!child.wait().unwrap().success());
+    }
+    assert!(cut > 0, "no run was cut");
+    let found = stdout(&format!("{question} --rows {} --resume", kept.display()));
+    assert_eq!(found, answer);
+    assert!(std::fs::read(&kept).unwrap() == std::fs::read(&file).unwrap());
+}
+
+/// The starts are a sequence: more of them go on with fewer.
+#[test]
+fn more_starts_go_on_with_fewer() {
+    let (few, many) = (place("starts-few"), place("starts-many"));
+    let line = |count: u32, rows: &PathBuf| {
+        format!("attractors {} --reach 12 --starts {count} --rows {}", MACHINES[0], rows.display())
+    };
+    stdout(&line(10, &few));
+    let answer = stdout(&line(30, &many));
+    assert_eq!(stdout(&format!("{} --resume", line(30, &few))), answer);
+    assert!(std::fs::read(&few).unwrap() == std::fs::read(&many).unwrap());
+}
+
+#[test]
+fn the_starts_of_another_run_are_not_gone_on_with() {
+    let file = place("starts-another");
+    let line = |machine: &str, rest: &str| {
+        format!("attractors {machine} --starts 12 {rest} --rows {} --resume", file.display())
+    };
+    let pair = MACHINES[0];
+    stdout(&line(pair, "--reach 12"));
+    let kept = std::fs::read_to_string(&file).unwrap();
+    let not_these = "row 1 is not of these starts";
+    refused(&line(MACHINES[1], "--reach 12"), &["--resume: ", not_these]);
+    refused(&line(&pair.replace("1.87", "1.88"), "--reach 12"), &[not_these]);
+    refused(&line(&pair.replace("0.005", "0.006"), "--reach 12"), &[not_these]);
+    refused(&line(pair, "--reach 12 --max-periods 1000"), &[not_these]);
+    refused(&line(pair, "--reach 13"), &["row 2 is not of these starts"]);
+    refused(&line(pair, "--reach 12").replace("--starts 12", "--starts 9"), &["12 rows, must be ≤ 9"]);
+    refused(&line(pair, "--reach 12").replace(" --resume", ""), &["must not exist yet; --resume"]);
+    refused(&format!("attractors {pair} --resume"), &["--rows"]);
+    assert_eq!(std::fs::read_to_string(&file).unwrap(), kept);
+    // Another limit in a row, and another digit of the first of a limit.
+    for (from, to) in [
+        ("periodic,2,", "periodic,4,"),
+        ("periodic,2,-2.56", "periodic,2,-2.57"),
+        ("periodic,2,", "irregular,,"),
+    ] {
+        let changed = kept.replacen(from, to, 1);
+        assert_ne!(changed, kept);
+        std::fs::write(&file, &changed).unwrap();
+        refused(&line(pair, "--reach 12"), &["is not of these starts"]);
+        assert_eq!(std::fs::read_to_string(&file).unwrap(), changed);
+    }
+}
