@@ -25,7 +25,9 @@
 //! | `confirm` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
+//! | `period_map` | m half turns with their derivative, and Newton's method for what they bring back |
 //! | [`attractors()`] | all limits that a set of starts leads to |
+//! | [`periodic_motions()`] | periodic motions that Newton's method finds, unstable ones among them |
 //! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
@@ -49,7 +51,10 @@ mod long_run;
 mod matrix;
 mod measures;
 mod motion;
+mod orbit;
 mod peaks;
+mod period_map;
+mod periodic;
 mod rest;
 mod samples;
 mod shooting;
@@ -60,6 +65,7 @@ mod steady;
 mod steady_outputs;
 mod stick;
 mod stretch;
+mod symmetry;
 mod trajectory;
 mod velocity_zero;
 mod walk;
@@ -73,9 +79,11 @@ pub use irregular::Irregular;
 pub use long_run::{DEFAULT_BUDGET, LongRun};
 pub use measures::ErrorMeasures;
 pub use peaks::Peaks;
+pub use periodic::{PeriodicMotion, PeriodicMotions, periodic_motions, periodic_motions_from};
 pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::Direction;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
+pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};
 pub use trajectory::{End, Kind, Phase, Trajectory};

@@ -5,16 +5,14 @@
 
 mod signature;
 
-use super::drive::DrivePhase;
 use super::long_run::LongRun;
-use super::shooting::Budget;
-use super::state::{Point, State};
-use super::steady::SteadyState;
-use super::walk::follow;
+use super::orbit::{Likeness, Orbit};
+use super::state::State;
 use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
 pub use signature::Signature;
+pub(crate) use signature::at_zero;
 
 /// A limit, and how many starts lead to it.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,8 +22,8 @@ pub struct Attractor<F> {
     starts: u64,
     mirror: Option<usize>,
     range: Option<(F, F)>,
-    /// The states of a periodic motion at the phases nπ, upside down at the odd ones.
-    orbit: Vec<Point<F>>,
+    /// Of a periodic motion.
+    orbit: Option<Orbit<F>>,
 }
 
 impl<F: Float> Attractor<F> {
@@ -141,11 +139,10 @@ impl<F: Float> Attractors<F> {
             return Ok(());
         }
         let place = self.found.len();
-        let likeness = |known: &Attractor<F>| known.compare(&signature);
-        let mirror = self.found.iter().rposition(|known| matches!(likeness(known), Likeness::Mirrored));
+        let mirror = self.found.iter().rposition(|known| known.compare(&signature) == Likeness::Mirrored);
         let orbit = match (&limit, signature) {
-            (LongRun::Periodic(steady), Signature::Periodic { x, v, .. }) => orbit(steady, x, v)?,
-            _ => Vec::new(),
+            (LongRun::Periodic(steady), Signature::Periodic { x, v, .. }) => Some(Orbit::of(steady, (x, v))?),
+            _ => None,
         };
         if let Some(other) = mirror.and_then(|other| self.found.get_mut(other)) {
             other.mirror = Some(place);
@@ -157,6 +154,11 @@ impl<F: Float> Attractors<F> {
         Ok(())
     }
 
+    /// The place of a limit among those found, by its signature.
+    pub fn place_of(&self, signature: &Signature<F>) -> Option<usize> {
+        self.found.iter().position(|known| known.compare(signature) == Likeness::Same)
+    }
+
     /// Counts in the next start by the signature of its limit, where that is among those found or the start had not settled; says whether it
     /// is. A signature takes the place of a limit that was found before, such as by a run that was broken off.
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
@@ -164,8 +166,7 @@ impl<F: Float> Attractors<F> {
             self.of_start.push(None);
             return true;
         }
-        let is_same = |known: &Attractor<F>| matches!(known.compare(signature), Likeness::Same);
-        let Some(place) = self.found.iter().position(is_same) else { return false };
+        let Some(place) = self.place_of(signature) else { return false };
         if let Some(known) = self.found.get_mut(place) {
             known.starts = known.starts.saturating_add(1);
             known.widen(signature);
@@ -181,31 +182,14 @@ impl<F: Float> Default for Attractors<F> {
     }
 }
 
-/// How one limit is like another.
-enum Likeness {
-    Same,
-    Mirrored,
-    Other,
-}
-
 impl<F: Float> Attractor<F> {
     /// How it is like a limit of that signature.
     fn compare(&self, signature: &Signature<F>) -> Likeness {
         match (&self.limit, signature) {
-            (LongRun::Periodic(own), &Signature::Periodic { half_turns, x, v }) => {
-                if own.half_turns != half_turns {
-                    return Likeness::Other;
-                }
-                let w = v * own.equation.omega;
-                let size = F::int(1) + x.abs() + w.abs();
-                let is_here = |p: &Point<F>| (p.x - x).hypot(p.w - w) <= F::exp2i(-20) * size;
-                match self.orbit.iter().position(is_here) {
-                    // Every second state of a motion that is not symmetric is on its mirror image.
-                    Some(place) if own.is_symmetric() || place % 2 == 0 => Likeness::Same,
-                    Some(_) => Likeness::Mirrored,
-                    None => Likeness::Other,
-                }
-            }
+            (LongRun::Periodic(_), &Signature::Periodic { half_turns, x, v }) => match &self.orbit {
+                Some(orbit) => orbit.compare(half_turns, (x, v)),
+                None => Likeness::Other,
+            },
             (LongRun::Irregular(own), &Signature::Irregular { max_displacement, min_displacement }) => {
                 alike((own.max_displacement(), own.min_displacement()), (max_displacement, min_displacement))
             }
@@ -236,20 +220,6 @@ fn alike<F: Float>(own: (F, F), other: (F, F)) -> Likeness {
     } else {
         Likeness::Other
     }
-}
-
-/// The states of a cycle at the phases nπ, upside down at the odd ones, from the one given on.
-fn orbit<F: Float>(steady: &SteadyState<F>, x: F, v: F) -> Result<Vec<Point<F>>, Error> {
-    let equation = steady.equation;
-    let mut y = Point { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w: v * equation.omega };
-    let usual = F::pi() / equation.omega;
-    let mut states = Vec::new();
-    for _ in 0..steady.half_turns {
-        states.push(y);
-        let (end, _) = follow(equation, y, 1, usual, &mut Budget::of(0), |_| Ok(()))?;
-        y = Point { phase: y.phase, x: -end.x, w: -end.w };
-    }
-    Ok(states)
 }
 
 #[cfg(test)]

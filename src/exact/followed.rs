@@ -36,13 +36,10 @@ use super::equation::Equation;
 use super::family;
 use super::long_run::{LongRun, unsettled};
 use super::matrix::Matrix;
-use super::measures::Tally;
+use super::period_map::{Trial, distance, half_turns, size, steady};
 use super::rest::Rest;
-use super::shooting::{Budget, Residual, is_known, rate_noise};
-use super::slide::Direction;
+use super::shooting::{Budget, rate_noise};
 use super::state::{Point, State};
-use super::steady::{SteadyState, Summary};
-use super::walk::{Part, follow, walk};
 use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
@@ -103,53 +100,6 @@ pub(crate) fn limit<F: Float>(
     Ok(irregular.map_or_else(|| unsettled(&equation, &here, change, budget), LongRun::Irregular))
 }
 
-/// Some half turns of a motion.
-struct Step<F> {
-    /// Where it ends, turned upside down after an odd number.
-    end: Point<F>,
-    /// Its derivative by the state at the beginning.
-    derivative: Matrix<F>,
-    /// Where the body rests for ever, if it does.
-    rest: Option<F>,
-    /// The sequence of slides and stops, as a number that tells most apart.
-    pattern: u64,
-}
-
-/// `Hᵐ` at a point, with its derivative.
-fn half_turns<F: Float>(
-    equation: Equation<F>,
-    from: &Point<F>,
-    m: u64,
-    budget: &mut Budget<'_>,
-    mut visit: impl FnMut(&Part<F>),
-) -> Result<Step<F>, Broken> {
-    let (mut rest, mut pattern) = (None, 0u64);
-    let usual = F::pi() / equation.omega;
-    let count = i64::try_from(m).unwrap_or(i64::MAX);
-    let (end, derivative) = follow(equation, *from, count, usual, budget, |part| {
-        let kind = match &part {
-            Part::Slide(slide, _) | Part::Onward(slide, ..) => match slide.direction {
-                Direction::Forward => 1,
-                Direction::Backward => 2,
-            },
-            Part::Stick(stick, _) => {
-                rest = if stick.release.is_none() { Some(stick.x) } else { None };
-                3
-            }
-        };
-        pattern = pattern.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(kind);
-        visit(&part);
-        Ok(())
-    })?;
-    budget.walked(m);
-    Ok(if m % 2 == 1 {
-        let end = Point { phase: from.phase, x: -end.x, w: -end.w };
-        Step { end, derivative: derivative.negated(), rest, pattern }
-    } else {
-        Step { end: Point { phase: from.phase, ..end }, derivative, rest, pattern }
-    })
-}
-
 /// The periodic motion of m half turns next to a point of the motion followed, where it is the limit.
 fn periodic<F: Float>(
     ratios: Ratios<F>,
@@ -158,105 +108,44 @@ fn periodic<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<Option<LongRun<F>>, Broken> {
     let equation = Equation::new(ratios);
-    let times = i32::try_from(m).unwrap_or(i32::MAX).saturating_mul(4);
-    let first = half_turns(equation, near, m, budget, |_| {})?;
-    let missed =
-        |y: &Point<F>, step: &Step<F>| Residual::new(&equation, y, (step.end.x - y.x, step.end.w - y.w));
-    let (mut y, mut step) = (*near, first);
-    let mut left = missed(&y, &step);
-    let (begin, arrived, pattern) = (*near, step.end, step.pattern);
-    if family::is_one(ratios) && !is_within(&step.derivative, -F::exp2i(-20)) {
+    let begun = Trial::at(equation, *near, m, budget)?;
+    let (begin, arrived, pattern) = (begun.y, begun.step.end, begun.step.pattern);
+    if family::is_one(ratios) && !is_within(&begun.step.derivative, -F::exp2i(-20)) {
         // One multiplier is 1: no step leads anywhere, and the motion is followed until its own change is rounding.
-        let is_settled = left.is_rounding(times) && is_within(&step.derivative, rate_noise(m));
-        return if is_settled { member(equation, &y, m, &step, &left, budget).map(Some) } else { Ok(None) };
+        let times = i32::try_from(m).unwrap_or(i32::MAX).saturating_mul(4);
+        let is_settled = begun.left.is_rounding(times) && is_within(&begun.step.derivative, rate_noise(m));
+        return if is_settled { member(equation, &begun, budget).map(Some) } else { Ok(None) };
     }
-    for _ in 0..MOST_STEPS {
-        let (dx, dw) = step.derivative.negated().inverse_of_one_plus().times((left.x, left.w));
-        let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
-        if !(dx.is_finite() && dw.is_finite()) {
-            break;
-        }
-        let tried = half_turns(equation, &trial, m, budget, |_| {})?;
-        let after = missed(&trial, &tried);
-        if after.norm() * F::int(2) > left.norm() {
-            break;
-        }
-        (y, step, left) = (trial, tried, after);
-    }
-    let inverse = step.derivative.negated().inverse_of_one_plus();
-    let is_periodic = left.is_rounding(times.saturating_mul(4)) && is_known(&y, inverse, &left);
-    if !(is_periodic && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
+    let found = begun.newton(equation, budget)?;
+    let Trial { y, step, left, .. } = &found;
+    if !(found.is_periodic(16) && step.rest.is_none() && is_within(&step.derivative, F::int(0))) {
         return Ok(None);
     }
     let (before, room) = ((begin.x - y.x, begin.w - y.w), left.bound());
     let away = before.0.hypot(before.1);
     let linear = step.derivative.times(before);
     let off = (arrived.x - y.x - linear.0).hypot(arrived.w - y.w - linear.1);
-    let is_followed = away <= F::exp2i(-12) * size(&y)
+    let is_followed = away <= F::exp2i(-12) * size(y)
         && pattern == step.pattern
         && off <= away / F::int(8) + F::int(64) * room;
     if !is_followed {
         return Ok(None);
     }
-    // It may come back earlier: of a symmetric motion that settles slowly the first half turn is not as near as the second.
-    let mut m = m;
-    for divisor in (1..m).filter(|divisor| m.is_multiple_of(*divisor)) {
-        let early = half_turns(equation, &y, divisor, budget, |_| {})?;
-        let after = missed(&y, &early);
-        if after.is_rounding(times.saturating_mul(16)) {
-            (m, step, left) = (divisor, early, after);
-            break;
-        }
-    }
-    let inverse = step.derivative.negated().inverse_of_one_plus();
-    let distance = inverse.absolute().times(left.bounds());
-    let multipliers =
-        if m % 2 == 1 { step.derivative.squared_eigenvalues() } else { step.derivative.eigenvalues() };
-    steady(equation, y, m, multipliers, distance, budget).map(|found| Some(LongRun::Periodic(found)))
+    let steady = found.earliest(equation, 64, budget)?.steady(equation, budget)?;
+    Ok(Some(LongRun::Periodic(steady)))
 }
-
-/// Steps of Newton's method, each of which at least halves what is missed.
-const MOST_STEPS: u32 = 24;
 
 /// The member of a family at Ω = 1/(2n) that a motion has settled on.
 fn member<F: Float>(
     equation: Equation<F>,
-    y: &Point<F>,
-    m: u64,
-    step: &Step<F>,
-    left: &Residual<F>,
+    settled: &Trial<F>,
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Broken> {
     let (zero, one) = (F::int(0), F::int(1));
-    let other = step.derivative.determinant().abs();
-    let off = left.bound() / (one - other);
+    let other = settled.step.derivative.determinant().abs();
+    let off = settled.left.bound() / (one - other);
     let multipliers = [(one, zero), (other, zero)];
-    steady(equation, *y, m, multipliers, (off, off), budget).map(LongRun::Family)
-}
-
-/// A periodic motion of m half turns with what a cycle of it amounts to.
-fn steady<F: Float>(
-    equation: Equation<F>,
-    start: Point<F>,
-    m: u64,
-    multipliers: [(F, F); 2],
-    distance: (F, F),
-    budget: &mut Budget<'_>,
-) -> Result<SteadyState<F>, Broken> {
-    let half_turns = u32::try_from(m).unwrap_or(u32::MAX);
-    let usual = F::pi() / equation.omega;
-    let once = walk(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
-    let tally = Tally::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
-    let tally = if m % 2 == 1 { tally.doubled() } else { tally };
-    Ok(SteadyState {
-        equation,
-        start,
-        half_turns,
-        tally: Summary::of(&tally, half_turns),
-        multipliers,
-        distance,
-        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    })
+    steady(equation, settled.y, settled.m, multipliers, (off, off), budget).map(LongRun::Family)
 }
 
 /// Whether the multipliers are within the unit circle, with that much room.
@@ -265,14 +154,6 @@ fn is_within<F: Float>(derivative: &Matrix<F>, room: F) -> bool {
     let most = F::int(1) + room;
     let (first, second) = (a.hypot(b), c.hypot(d));
     if room == F::int(0) { first < most && second < most } else { first <= most && second <= most }
-}
-
-fn distance<F: Float>(p: &Point<F>, q: &Point<F>) -> F {
-    (p.x - q.x).hypot(p.w - q.w)
-}
-
-fn size<F: Float>(p: &Point<F>) -> F {
-    F::int(1) + p.x.abs() + p.w.abs()
 }
 
 #[cfg(test)]

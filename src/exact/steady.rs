@@ -133,6 +133,12 @@ impl<F: Float> SteadyState<F> {
         self.half_turns % 2 == 1
     }
 
+    /// Whether its neighbours approach it: both multipliers are within the unit circle. So it is for every limit of a motion; a search for
+    /// periodic motions ([`super::periodic_motions()`]) finds others, too.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
+    }
+
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
     pub const fn max_displacement(&self) -> F {
         self.tally.max_x.value

@@ -22,3 +22,5 @@ mod regime;
 mod regime_exact;
 #[cfg(feature = "mp")]
 mod six_reversals;
+#[cfg(feature = "mp")]
+mod unstable;

@@ -1,5 +1,7 @@
 //! `stickslip attractors`: all limits that a set of starts leads to.
 
+mod others;
+
 use crate::args::{AttractorsArgs, Format, Header};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
@@ -12,10 +14,11 @@ use crate::sink::Sink;
 use crate::starts::Starts;
 use crate::steady::kind;
 use crate::style;
+use others::Others;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{Attractor, Attractors, LongRun, State};
+use stickslip::exact::{Attractor, Attractors, LongRun, State, SteadyState};
 
 /// Starts, at most: their limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -37,14 +40,28 @@ impl<W: Write> Task for Run<'_, W> {
         let reach = reach(args.reach.as_deref(), &point.ratios)?;
         let at = |number| start(number, reach);
         let all = Starts { ratios: point.ratios, count, at, periods }.limits(&given, &args.rows)?;
+        let others = match args.unstable {
+            Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
+            None => Others::none(),
+        };
         let rows: Vec<Record<F>> = (0..all.limits().len()).map(|place| row(&all, place, reach)).collect();
+        let more = others.rows();
         match args.format {
             Format::Text => {
                 let scale = point.machine.as_ref().map(|m| m.scales.length);
-                text(&all, reach, |x| both(x, "B", scale, given.system.length), out)
+                let length = |x| both(x, "B", scale, given.system.length);
+                text(&all, reach, length, out)?;
+                args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
             }
             Format::Json => {
-                let answer = Answer::of(&given, &point.ratios, &all, reach, &rows);
+                let answer = Answer::of(
+                    &given,
+                    &point.ratios,
+                    &all,
+                    reach,
+                    &rows,
+                    args.unstable.map(|_| more.as_slice()),
+                );
                 serde_json::to_writer_pretty(&mut *out, &answer)?;
                 Ok(out.write_all(b"\n")?)
             }
@@ -54,7 +71,7 @@ impl<W: Write> Task for Run<'_, W> {
                 } else {
                     Sink::lines(out)
                 };
-                rows.iter().try_for_each(|row| sink.write(row))?;
+                rows.iter().chain(&more).try_for_each(|row| sink.write(row))?;
                 Ok(sink.flush()?)
             }
         }
@@ -102,39 +119,67 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
 
 /// A limit as a record.
 fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
-    let mut fields = Vec::new();
-    if let Some(found) = all.limits().get(place) {
-        let steady = found.limit().steady_state();
-        let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
-        let first = start(found.first_start() as u64, reach).ok();
-        let extrema = extrema(found.limit());
-        let yes = |flag: bool| if flag { "yes" } else { "no" };
-        fields = vec![
-            ("attractor", Cell::Count(Some(place as u64 + 1))),
-            ("limit", Cell::Text(kind(found.limit()))),
-            ("share", Cell::Number(Some(F::from_f64(share(all, found))))),
-            ("starts", Cell::Count(Some(found.starts()))),
-            ("first_x", Cell::Number(first.map(|s| s.x))),
-            ("first_v", Cell::Number(first.map(|s| s.v))),
-            ("mirror", Cell::Count(found.mirror().map(|place| place as u64 + 1))),
-            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric())))),
-            ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
-            ("max_displacement", Cell::Number(extrema.map(|(_, most)| most))),
-            ("min_displacement", Cell::Number(extrema.map(|(least, _)| least))),
-            ("sticks_per_cycle", Cell::Count(steady.map(|s| u64::from(s.sticks_per_cycle())))),
-            (
-                "velocity_zeros_per_cycle",
-                Cell::Count(steady.map(|s| u64::from(s.velocity_zeros_per_cycle()))),
-            ),
-            ("stick_fraction", Cell::Number(steady.map(|s| s.stick_fraction()))),
-            ("multipliers", Cell::Pairs(steady.map(|s| s.multipliers()))),
-            ("lyapunov_exponent", Cell::Number(irregular.map(|m| m.lyapunov_exponent()))),
-            ("lyapunov_exponent_error", Cell::Number(irregular.map(|m| m.lyapunov_exponent_error()))),
-            ("rest_from", Cell::Number(found.range().map(|(low, _)| low))),
-            ("rest_to", Cell::Number(found.range().map(|(_, high)| high))),
-        ];
+    let Some(found) = all.limits().get(place) else {
+        return Record { fields: Vec::new(), physical: Physical::default() };
+    };
+    let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
+    Row {
+        number: place + 1,
+        limit: kind(found.limit()),
+        share: share(all, found),
+        starts: found.starts(),
+        first: start(found.first_start() as u64, reach).ok(),
+        mirror: found.mirror().map(|place| place + 1),
+        steady: found.limit().steady_state(),
+        extrema: extrema(found.limit()),
+        exponent: irregular.map(|m| (m.lyapunov_exponent(), m.lyapunov_exponent_error())),
+        range: found.range(),
     }
-    Record { fields, physical: Physical::default() }
+    .record()
+}
+
+/// What is told of a limit, or of a motion that no start leads to.
+pub(crate) struct Row<'a, F> {
+    pub(crate) number: usize,
+    pub(crate) limit: &'static str,
+    pub(crate) share: f64,
+    pub(crate) starts: u64,
+    pub(crate) first: Option<State<F>>,
+    pub(crate) mirror: Option<usize>,
+    pub(crate) steady: Option<&'a SteadyState<F>>,
+    pub(crate) extrema: Option<(F, F)>,
+    pub(crate) exponent: Option<(F, F)>,
+    pub(crate) range: Option<(F, F)>,
+}
+
+impl<F: Value> Row<'_, F> {
+    pub(crate) fn record(&self) -> Record<F> {
+        let steady = self.steady;
+        let yes = |flag: bool| if flag { "yes" } else { "no" };
+        let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
+        let fields = vec![
+            ("attractor", Cell::Count(Some(self.number as u64))),
+            ("limit", Cell::Text(self.limit)),
+            ("share", Cell::Number(Some(F::from_f64(self.share)))),
+            ("starts", Cell::Count(Some(self.starts))),
+            ("first_x", Cell::Number(self.first.map(|s| s.x))),
+            ("first_v", Cell::Number(self.first.map(|s| s.v))),
+            ("mirror", Cell::Count(self.mirror.map(|number| number as u64))),
+            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric())))),
+            ("turns_per_cycle", count(SteadyState::turns_per_cycle)),
+            ("max_displacement", Cell::Number(self.extrema.map(|(_, most)| most))),
+            ("min_displacement", Cell::Number(self.extrema.map(|(least, _)| least))),
+            ("sticks_per_cycle", count(SteadyState::sticks_per_cycle)),
+            ("velocity_zeros_per_cycle", count(SteadyState::velocity_zeros_per_cycle)),
+            ("stick_fraction", Cell::Number(steady.map(SteadyState::stick_fraction))),
+            ("multipliers", Cell::Pairs(steady.map(SteadyState::multipliers))),
+            ("lyapunov_exponent", Cell::Number(self.exponent.map(|(mean, _)| mean))),
+            ("lyapunov_exponent_error", Cell::Number(self.exponent.map(|(_, error)| error))),
+            ("rest_from", Cell::Number(self.range.map(|(low, _)| low))),
+            ("rest_to", Cell::Number(self.range.map(|(_, high)| high))),
+        ];
+        Record { fields, physical: Physical::default() }
+    }
 }
 
 /// The answer as JSON.
@@ -151,6 +196,8 @@ struct Answer<'a, F: Value> {
     reach: Cell<F>,
     unsettled: u64,
     attractors: &'a [Record<F>],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    other_motions: Option<&'a [Record<F>]>,
 }
 
 impl<'a, F: Value> Answer<'a, F> {
@@ -160,6 +207,7 @@ impl<'a, F: Value> Answer<'a, F> {
         all: &Attractors<F>,
         reach: F,
         rows: &'a [Record<F>],
+        other_motions: Option<&'a [Record<F>]>,
     ) -> Self {
         let number = |x: F| Cell::Number(Some(x));
         Self {
@@ -173,6 +221,7 @@ impl<'a, F: Value> Answer<'a, F> {
             reach: number(reach),
             unsettled: all.unsettled() as u64,
             attractors: rows,
+            other_motions,
         }
     }
 }
@@ -212,6 +261,15 @@ fn text<F: Value>(
     Ok(())
 }
 
+/// The symmetry and the period of a motion, in words.
+pub(crate) fn shape<F: Value>(steady: &SteadyState<F>) -> String {
+    let symmetry = if steady.is_symmetric() { "Symmetric" } else { "Not symmetric" };
+    match steady.turns_per_cycle() {
+        1 => format!("{symmetry}, a cycle of one turn of the drive"),
+        turns => format!("{symmetry}, a cycle of {turns} turns of the drive"),
+    }
+}
+
 /// What a limit is, in words.
 pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
     let mirror = match found.mirror() {
@@ -220,12 +278,7 @@ pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
     };
     match found.limit() {
         LongRun::Periodic(steady) => {
-            let symmetry = if steady.is_symmetric() { "Symmetric" } else { "Not symmetric" };
-            let turns = match steady.turns_per_cycle() {
-                1 => "a cycle of one turn of the drive".to_owned(),
-                turns => format!("a cycle of {turns} turns of the drive"),
-            };
-            format!("{symmetry}, {turns}{mirror}")
+            format!("{}{mirror}", shape(steady))
         }
         LongRun::Family(_) => "A family of motions, by their middles".to_owned(),
         LongRun::Rest(_) => "Rest".to_owned(),

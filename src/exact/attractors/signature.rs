@@ -79,7 +79,7 @@ impl<F: Float> Signature<F> {
 }
 
 /// The state of a periodic motion at the next phase nπ, x/B and x′/(Bω_d), upside down where n is odd.
-fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
+pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
     let (start, zero) = (steady.state(), F::int(0));
     let upright = |state: State<F>| {
         if state.phase.is_even() { (state.x, state.v) } else { (-state.x, -state.v) }

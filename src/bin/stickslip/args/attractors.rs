@@ -20,6 +20,7 @@ Examples:
   stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3
   stickslip attractors --omega 0.1356 --alpha 4.4107 --damping-ratio 0.0388 --static-friction-ratio 2.7673 --starts 400
   stickslip attractors --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --format json
+  stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --unstable 2
   stickslip attractors --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume
 
 The starts are at ω_d t = 0: the first at rest at x = 0, the others spread evenly over |x| ≤ R, |v| ≤ R, always the same. A limit
@@ -43,6 +44,10 @@ pub(crate) struct AttractorsArgs {
     /// Periods of the drive to follow each start for
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
+    /// Also look for periodic motions of up to N turns of the drive that no start leads to, such as unstable ones, by Newton's method
+    /// from the same starts: a search, not a proof that there are no others
+    #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) unstable: Option<u32>,
     #[command(flatten)]
     pub(crate) rows: RowsArgs,
     /// text, json, jsonl or csv

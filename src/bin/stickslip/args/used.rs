@@ -67,12 +67,12 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "attractors",
         Ratios,
-        "omega alpha damping_ratio static_friction_ratio starts reach max_periods rows resume format bits",
+        "omega alpha damping_ratio static_friction_ratio starts reach max_periods unstable rows resume format bits",
     ),
     (
         "attractors",
         Machine,
-        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods rows resume format bits units",
+        "omega alpha BODY STATIC frequency DRIVE starts reach max_periods unstable rows resume format bits units",
     ),
     (
         "basins",

@@ -1,0 +1,113 @@
+//! Periodic motions that no start leads to, such as unstable ones.
+
+use super::{Row, shape};
+use crate::bits::Value;
+use crate::failure::{Failure, Outcome};
+use crate::interrupt;
+use crate::note::digits;
+use crate::progress;
+use crate::record::Record;
+use std::io::Write;
+use std::ops::ControlFlow;
+use stickslip::Ratios;
+use stickslip::exact::{
+    Attractors, LongRun, PeriodicMotions, Signature, State, SteadyState, periodic_motions_from,
+};
+
+/// A motion that is no limit of a start, its number and that of its mirror image.
+struct Other<F> {
+    number: usize,
+    mirror: Option<usize>,
+    steady: SteadyState<F>,
+}
+
+/// All that were found.
+pub(super) struct Others<F>(Vec<Other<F>>);
+
+impl<F: Value> Others<F> {
+    pub(super) const fn none() -> Self {
+        Self(Vec::new())
+    }
+
+    /// By Newton's method from the starts, in parallel; numbered on from the limits.
+    pub(super) fn search(
+        all: &Attractors<F>,
+        ratios: Ratios<F>,
+        count: u64,
+        at: impl Fn(u64) -> Result<State<F>, Failure> + Sync,
+        turns: u32,
+    ) -> Result<Self, Failure> {
+        let mut motions = PeriodicMotions::new();
+        let from = |start| {
+            let mut keep_going =
+                || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
+            Ok(periodic_motions_from(ratios, start, turns, &mut keep_going)?)
+        };
+        progress::in_order(
+            0..count,
+            |numbers| numbers.map(|number| from(at(number)?)).collect::<Result<Vec<_>, Failure>>(),
+            |found| Ok(found.into_iter().flatten().try_for_each(|steady| motions.add(steady))?),
+        )?;
+        let mut numbers = Vec::new();
+        let mut next = all.limits().len();
+        for motion in motions.found() {
+            let signature = Signature::of(&LongRun::Periodic(*motion.steady_state()))?;
+            let place = all.place_of(&signature);
+            numbers.push((place.is_none(), 1 + place.unwrap_or(next)));
+            next += usize::from(place.is_none());
+        }
+        let number = |place: usize| numbers.get(place).map(|(_, number)| *number);
+        let others = motions.found().iter().zip(&numbers).filter(|(_, (is_other, _))| *is_other);
+        Ok(Self(
+            others
+                .map(|(motion, (_, own))| Other {
+                    number: *own,
+                    mirror: motion.mirror().and_then(number),
+                    steady: *motion.steady_state(),
+                })
+                .collect(),
+        ))
+    }
+
+    pub(super) fn rows(&self) -> Vec<Record<F>> {
+        let row = |Other { number, mirror, steady }: &Other<F>| {
+            Row {
+                number: *number,
+                limit: if steady.is_stable() { "periodic" } else { "unstable" },
+                share: 0.0,
+                starts: 0,
+                first: None,
+                mirror: *mirror,
+                steady: Some(steady),
+                extrema: Some((steady.min_displacement(), steady.max_displacement())),
+                exponent: None,
+                range: None,
+            }
+            .record()
+        };
+        self.0.iter().map(row).collect()
+    }
+
+    pub(super) fn text(&self, turns: u32, length: impl Fn(F) -> String, out: &mut impl Write) -> Outcome {
+        let of = if turns == 1 { "one turn".to_owned() } else { format!("{turns} turns or fewer") };
+        let found = match self.0.len() {
+            0 => "No periodic motion",
+            1 => "A periodic motion",
+            _ => "Periodic motions",
+        };
+        writeln!(out, "\n{found} of {of} that no start leads to, by a search from the same starts.")?;
+        for Other { number, mirror, steady } in &self.0 {
+            let stability = if steady.is_stable() { "stable" } else { "unstable" };
+            let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
+            writeln!(out, "\n{number}. {}, {stability}{mirror}", shape(steady))?;
+            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
+            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
+            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle())?;
+            let [(re, im), _] = steady.multipliers();
+            let imaginary =
+                if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };
+            writeln!(out, "  greatest multiplier      {}{imaginary} in a cycle", digits(re))?;
+        }
+        Ok(())
+    }
+}

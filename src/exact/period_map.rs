@@ -1,0 +1,196 @@
+//! The period map: Hᵐ, m half turns of the drive with the motion turned upside down after each, its derivative and its fixed points.
+
+use super::broken::Broken;
+use super::equation::Equation;
+use super::matrix::Matrix;
+use super::measures::Tally;
+use super::shooting::{Budget, Residual, is_known};
+use super::slide::Direction;
+use super::state::Point;
+use super::steady::{SteadyState, Summary};
+use super::walk::{Part, follow, walk};
+use crate::float::Float;
+
+/// Some half turns of a motion.
+pub(crate) struct Step<F> {
+    /// Where it ends, turned upside down after an odd number.
+    pub(crate) end: Point<F>,
+    /// Its derivative by the state at the beginning.
+    pub(crate) derivative: Matrix<F>,
+    /// Where the body rests for ever, if it does.
+    pub(crate) rest: Option<F>,
+    /// The sequence of slides and stops, as a number that tells most apart.
+    pub(crate) pattern: u64,
+}
+
+/// `Hᵐ` at a point, with its derivative.
+pub(crate) fn half_turns<F: Float>(
+    equation: Equation<F>,
+    from: &Point<F>,
+    m: u64,
+    budget: &mut Budget<'_>,
+    mut visit: impl FnMut(&Part<F>),
+) -> Result<Step<F>, Broken> {
+    let (mut rest, mut pattern) = (None, 0u64);
+    let usual = F::pi() / equation.omega;
+    let count = i64::try_from(m).unwrap_or(i64::MAX);
+    let (end, derivative) = follow(equation, *from, count, usual, budget, |part| {
+        let kind = match &part {
+            Part::Slide(slide, _) | Part::Onward(slide, ..) => match slide.direction {
+                Direction::Forward => 1,
+                Direction::Backward => 2,
+            },
+            Part::Stick(stick, _) => {
+                rest = if stick.release.is_none() { Some(stick.x) } else { None };
+                3
+            }
+        };
+        pattern = pattern.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(kind);
+        visit(&part);
+        Ok(())
+    })?;
+    budget.walked(m);
+    Ok(if m % 2 == 1 {
+        let end = Point { phase: from.phase, x: -end.x, w: -end.w };
+        Step { end, derivative: derivative.negated(), rest, pattern }
+    } else {
+        Step { end: Point { phase: from.phase, ..end }, derivative, rest, pattern }
+    })
+}
+
+/// A periodic motion of m half turns with what a cycle of it amounts to.
+pub(crate) fn steady<F: Float>(
+    equation: Equation<F>,
+    start: Point<F>,
+    m: u64,
+    multipliers: [(F, F); 2],
+    distance: (F, F),
+    budget: &mut Budget<'_>,
+) -> Result<SteadyState<F>, Broken> {
+    let half_turns = u32::try_from(m).unwrap_or(u32::MAX);
+    let usual = F::pi() / equation.omega;
+    let once = walk(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
+    let tally = Tally::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
+    let tally = if m % 2 == 1 { tally.doubled() } else { tally };
+    Ok(SteadyState {
+        equation,
+        start,
+        half_turns,
+        tally: Summary::of(&tally, half_turns),
+        multipliers,
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / F::int(2),
+    })
+}
+
+/// A point that Hᵐ should bring back, with where it brings it.
+pub(crate) struct Trial<F> {
+    pub(crate) y: Point<F>,
+    pub(crate) m: u64,
+    pub(crate) step: Step<F>,
+    pub(crate) left: Residual<F>,
+}
+
+impl<F: Float> Trial<F> {
+    pub(crate) fn at(
+        equation: Equation<F>,
+        y: Point<F>,
+        m: u64,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        let step = half_turns(equation, &y, m, budget, |_| {})?;
+        let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w));
+        Ok(Self { y, m, step, left })
+    }
+
+    /// `(1 − J)⁻¹`, J the derivative of Hᵐ.
+    fn inverse(&self) -> Matrix<F> {
+        self.step.derivative.negated().inverse_of_one_plus()
+    }
+
+    /// Newton's method for a fixed point of Hᵐ: whole steps as long as each halves what is missed.
+    pub(crate) fn newton(self, equation: Equation<F>, budget: &mut Budget<'_>) -> Result<Self, Broken> {
+        self.descend(equation, budget, &[1])
+    }
+
+    /// The same from far away: where a whole step does not help, a part of it, down to a sixteenth.
+    pub(crate) fn newton_from_far(
+        self,
+        equation: Equation<F>,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        self.descend(equation, budget, &[1, 2, 4, 16])
+    }
+
+    /// Newton's method with a step, or that part of it, that leaves at most 1 − 1/(2 part) of what is missed.
+    fn descend(self, equation: Equation<F>, budget: &mut Budget<'_>, parts: &[i32]) -> Result<Self, Broken> {
+        let mut best = self;
+        'steps: for _ in 0..MOST_STEPS {
+            let (dx, dw) = best.inverse().times((best.left.x, best.left.w));
+            if !(dx.is_finite() && dw.is_finite()) {
+                break;
+            }
+            for part in parts.iter().map(|part| F::int(*part)) {
+                let y = Point { x: best.y.x + dx / part, w: best.y.w + dw / part, ..best.y };
+                let tried = Self::at(equation, y, best.m, budget)?;
+                let two = F::int(2);
+                if tried.left.norm() * two * part <= best.left.norm() * (two * part - F::int(1)) {
+                    best = tried;
+                    continue 'steps;
+                }
+            }
+            break;
+        }
+        Ok(best)
+    }
+
+    /// Whether it comes back to within so many times the rounding, and how far it can be from a fixed point is known.
+    pub(crate) fn is_periodic(&self, times: i32) -> bool {
+        self.left.is_rounding(self.roundings(times)) && is_known(&self.y, self.inverse(), &self.left)
+    }
+
+    fn roundings(&self, times: i32) -> i32 {
+        i32::try_from(self.m).unwrap_or(i32::MAX).saturating_mul(times)
+    }
+
+    /// The same point as one of fewer half turns, where it comes back earlier: of a symmetric motion that settles slowly the first half
+    /// turn is not as near as the second.
+    pub(crate) fn earliest(
+        self,
+        equation: Equation<F>,
+        times: i32,
+        budget: &mut Budget<'_>,
+    ) -> Result<Self, Broken> {
+        for divisor in (1..self.m).filter(|divisor| self.m.is_multiple_of(*divisor)) {
+            let early = Self::at(equation, self.y, divisor, budget)?;
+            if early.left.is_rounding(self.roundings(times)) {
+                return Ok(early);
+            }
+        }
+        Ok(self)
+    }
+
+    /// The periodic motion.
+    pub(crate) fn steady(
+        self,
+        equation: Equation<F>,
+        budget: &mut Budget<'_>,
+    ) -> Result<SteadyState<F>, Broken> {
+        let distance = self.inverse().absolute().times(self.left.bounds());
+        let derivative = self.step.derivative;
+        let multipliers =
+            if self.m % 2 == 1 { derivative.squared_eigenvalues() } else { derivative.eigenvalues() };
+        steady(equation, self.y, self.m, multipliers, distance, budget)
+    }
+}
+
+/// Steps of Newton's method.
+const MOST_STEPS: u32 = 24;
+
+pub(crate) fn distance<F: Float>(p: &Point<F>, q: &Point<F>) -> F {
+    (p.x - q.x).hypot(p.w - q.w)
+}
+
+pub(crate) fn size<F: Float>(p: &Point<F>) -> F {
+    F::int(1) + p.x.abs() + p.w.abs()
+}

@@ -1,0 +1,168 @@
+//! Periodic motions by Newton's method on the period map, stable or not.
+
+use super::attractors::at_zero;
+use super::equation::Equation;
+use super::orbit::{Likeness, Orbit};
+use super::period_map::{Trial, distance, half_turns};
+use super::shooting::Budget;
+use super::state::{Point, State};
+use super::steady::SteadyState;
+use super::trajectory::resolved;
+use crate::error::Error;
+use crate::float::Float;
+use crate::ratios::Ratios;
+use core::ops::ControlFlow;
+
+/// A periodic motion, found by a search.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeriodicMotion<F> {
+    steady: SteadyState<F>,
+    mirror: Option<usize>,
+    orbit: Orbit<F>,
+}
+
+impl<F: Float> PeriodicMotion<F> {
+    /// The motion; [`SteadyState::is_stable`] says whether its neighbours approach it.
+    pub const fn steady_state(&self) -> &SteadyState<F> {
+        &self.steady
+    }
+
+    /// The motion that is this one turned upside down, by its place among those found; `None` where it is symmetric, and where the search
+    /// did not meet that one.
+    pub const fn mirror(&self) -> Option<usize> {
+        self.mirror
+    }
+}
+
+/// The periodic motions that a search found, each once, in the order it met them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PeriodicMotions<F> {
+    found: Vec<PeriodicMotion<F>>,
+}
+
+impl<F: Float> PeriodicMotions<F> {
+    /// None yet; [`PeriodicMotions::add`] takes them in.
+    pub const fn new() -> Self {
+        Self { found: Vec::new() }
+    }
+
+    /// The motions.
+    pub fn found(&self) -> &[PeriodicMotion<F>] {
+        &self.found
+    }
+
+    /// Takes a motion in, unless it is there: two are one where they come to the same states, to 2⁻²⁰ of their size.
+    ///
+    /// # Errors
+    /// As for [`super::Trajectory::new`].
+    pub fn add(&mut self, steady: SteadyState<F>) -> Result<(), Error> {
+        let state = at_zero(&steady)?;
+        let mut mirror = None;
+        for (place, known) in self.found.iter().enumerate() {
+            match known.orbit.compare(steady.half_turns, state) {
+                Likeness::Same => return Ok(()),
+                Likeness::Mirrored => mirror = Some(place),
+                Likeness::Other => {}
+            }
+        }
+        let place = self.found.len();
+        if let Some(other) = mirror.and_then(|other| self.found.get_mut(other)) {
+            other.mirror = Some(place);
+        }
+        let orbit = Orbit::of(&steady, state)?;
+        self.found.push(PeriodicMotion { steady, mirror, orbit });
+        Ok(())
+    }
+}
+
+impl<F: Float> Default for PeriodicMotions<F> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The periodic motions of up to `turns` turns of the drive that Newton's method finds from the starts: **found by search, not proved
+/// complete**. Unlike [`super::attractors()`] it finds unstable ones, which no start tends to.
+///
+/// ```
+/// use stickslip::Ratios;
+/// use stickslip::exact::{State, periodic_motions};
+/// let ratios = Ratios::new(0.573f64, 3.92)?.with_damping_ratio(0.005)?.with_static_friction_ratio(1.87)?;
+/// let starts = [(0.0, 0.0), (3.0, 0.0), (-5.0, 2.0)].map(|(x, v)| State::new(0.0, x, v));
+/// let starts: Vec<_> = starts.into_iter().collect::<Result<_, _>>()?;
+/// let all = periodic_motions(ratios, &starts, 1)?;
+/// assert!(all.found().iter().any(|motion| motion.steady_state().is_stable()));
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`super::Trajectory::new`].
+pub fn periodic_motions<F: Float>(
+    ratios: Ratios<F>,
+    starts: &[State<F>],
+    turns: u32,
+) -> Result<PeriodicMotions<F>, Error> {
+    let mut all = PeriodicMotions::new();
+    for start in starts {
+        let found = periodic_motions_from(ratios, *start, turns, &mut || ControlFlow::Continue(()))?;
+        found.into_iter().try_for_each(|steady| all.add(steady))?;
+    }
+    Ok(all)
+}
+
+/// The same from one start, some of them more than once, as long as `keep_going` says [`ControlFlow::Continue`].
+///
+/// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive with the motion turned upside
+/// down, begins at the start and at the state along its motion that m half turns bring back best. Steps that do not help are shortened down to a sixteenth. What is
+/// returned comes back to itself within rounding, by the exact motion over its period, with its multipliers from the exact linearised motion.
+///
+/// # Errors
+/// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
+pub fn periodic_motions_from<F: Float>(
+    ratios: Ratios<F>,
+    start: State<F>,
+    turns: u32,
+    keep_going: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Result<Vec<SteadyState<F>>, Error> {
+    let equation = Equation::new(resolved(ratios)?);
+    let mut found = Vec::new();
+    // Otherwise the body comes to rest, whatever the start.
+    if ratios.alpha() <= F::int(1) {
+        return Ok(found);
+    }
+    let budget = &mut Budget::of(0).with(keep_going);
+    let most = 2 * u64::from(turns);
+    let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
+    let mut path = vec![y];
+    for _ in 0..most.saturating_mul(4).saturating_add(FOLLOWED) {
+        let step = half_turns(equation, &y, 1, budget, |_| {})?;
+        if step.rest.is_some() {
+            break;
+        }
+        y = step.end;
+        path.push(y);
+    }
+    for m in 1..=most {
+        for seed in path.first().into_iter().chain(closest_return(&path, m)) {
+            let trial = Trial::at(equation, *seed, m, budget)?.newton_from_far(equation, budget)?;
+            if trial.step.rest.is_some() || !trial.is_periodic(64) {
+                continue;
+            }
+            found.push(trial.earliest(equation, 256, budget)?.steady(equation, budget)?);
+        }
+    }
+    Ok(found)
+}
+
+/// Half turns that a start is followed for, beside those for the longest period.
+const FOLLOWED: u64 = 32;
+
+/// The state that m half turns bring back closest.
+fn closest_return<F: Float>(path: &[Point<F>], m: u64) -> Option<&Point<F>> {
+    let later = path.iter().skip(usize::try_from(m).ok()?);
+    let missed = path.iter().zip(later).map(|(y, back)| (y, distance(y, back)));
+    missed.reduce(|best, next| if next.1 < best.1 { next } else { best }).map(|(y, _)| y)
+}
+
+#[cfg(test)]
+mod tests;

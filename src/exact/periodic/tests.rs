@@ -1,0 +1,95 @@
+//! Unstable motions where they are known to be, and stable ones where starts lead to them.
+
+use super::periodic_motions;
+use crate::Ratios;
+use crate::exact::{LongRun, Signature, State, attractors};
+
+fn starts(count: u32, reach: f64) -> Vec<State<f64>> {
+    let part = |i: u32, step: f64| reach * (2.0 * (f64::from(i) * step).fract() - 1.0);
+    (0..count).map(|i| State::new(0.0, part(i, 0.754_878), part(i, 0.569_841)).unwrap()).collect()
+}
+
+fn ratios(omega: f64, zeta: f64, eta: f64, alpha: f64) -> Ratios<f64> {
+    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+    ratios.with_static_friction_ratio(eta).unwrap()
+}
+
+/// Half turns, stops in a cycle and extrema, of an unstable motion.
+type Unstable = (u32, u32, f64, f64);
+
+/// Beside every mirror pair of the six machines stands the symmetric motion that lost its stability to it, or an unstable pair that divides the
+/// plane; beside the two symmetric ones nothing: there the plane is divided by a jump of the period map.
+#[test]
+fn unstable_motions_beside_the_limits() {
+    let symmetric = |x: f64| (1, 2, x, -x);
+    let cases: [(_, _, &[Unstable]); 6] = [
+        (ratios(0.5, 0.02, 1.3, 4.0), 2, &[symmetric(5.271_292_025)]),
+        (ratios(0.54, 0.03, 2.4, 4.2), 2, &[symmetric(6.110_469_521)]),
+        (
+            ratios(0.573, 0.005, 1.87, 3.92),
+            2,
+            &[(2, 1, 5.813_694_182, -5.741_734_934), (2, 1, 5.741_734_934, -5.813_694_182)],
+        ),
+        (ratios(0.1356, 0.0388, 2.7673, 4.4107), 1, &[]),
+        (ratios(0.428, 0.013, 2.9, 5.6), 3, &[symmetric(7.098_911_165)]),
+        (ratios(0.47, 0.023, 2.48, 7.44), 2, &[symmetric(9.509_955_005)]),
+    ];
+    for (ratios, turns, expected) in cases {
+        let starts = starts(60, 10.0);
+        let all = periodic_motions(ratios, &starts, turns).unwrap();
+        let unstable: Vec<_> = all.found().iter().filter(|m| !m.steady_state().is_stable()).collect();
+        assert_eq!(unstable.len(), expected.len(), "{ratios:?}: {unstable:#?}");
+        for motion in unstable {
+            let s = motion.steady_state();
+            let (most, least) = (s.max_displacement(), s.min_displacement());
+            let is = |(half_turns, stops, a, b): &Unstable| {
+                let close = (most - a).abs() < 1e-8 && (least - b).abs() < 1e-8;
+                close && (s.half_turns, s.sticks_per_cycle()) == (*half_turns, *stops)
+            };
+            assert!(expected.iter().any(is), "{s:?}");
+            assert_eq!(motion.mirror().is_some(), !s.is_symmetric());
+            // No motion that starts beside it stays.
+            let start = State { x: s.state().x + 1e-6, ..s.state() };
+            match LongRun::from_start(ratios, start).unwrap() {
+                LongRun::Periodic(limit) => {
+                    assert!((limit.max_displacement() - most).abs() > 1e-3, "{limit:?}")
+                }
+                LongRun::Irregular(limit) => {
+                    assert!((limit.max_displacement() - most).abs() > 0.1, "{limit:?}")
+                }
+                other => panic!("{other:?}"),
+            }
+        }
+    }
+}
+
+/// Every periodic limit that starts lead to is found by the search, and every stable motion of the search is a limit.
+#[test]
+fn the_limits_are_among_them() {
+    for (ratios, turns) in [
+        (ratios(0.5, 0.02, 1.3, 4.0), 1),
+        (ratios(0.573, 0.005, 1.87, 3.92), 1),
+        (ratios(0.1356, 0.0388, 2.7673, 4.4107), 1),
+        (ratios(0.428, 0.013, 2.9, 5.6), 3),
+        (ratios(0.8, 0.02, 1.0, 2.5), 1),
+    ] {
+        let starts = starts(60, 10.0);
+        let limits = attractors(ratios, &starts, 1000).unwrap();
+        let all = periodic_motions(ratios, &starts, turns).unwrap();
+        let signature = |s| Signature::of(&LongRun::Periodic(s)).unwrap();
+        let stable = all.found().iter().map(|m| *m.steady_state()).filter(|s| s.is_stable());
+        let mut seen: Vec<_> = stable.map(|s| limits.place_of(&signature(s))).collect();
+        seen.sort_unstable();
+        assert_eq!(seen, (0..limits.limits().len()).map(Some).collect::<Vec<_>>(), "{ratios:?}");
+    }
+}
+
+#[test]
+fn where_nothing_moves_there_is_none() {
+    let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();
+    assert!(all.found().is_empty(), "{all:?}");
+    // At rest from these starts; a motion has to be begun.
+    let resting = [State::rest(), State::new(0.0, 0.05, 0.0).unwrap()];
+    let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.5), &resting, 2).unwrap();
+    assert!(all.found().is_empty(), "{all:?}");
+}

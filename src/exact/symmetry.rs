@@ -1,0 +1,260 @@
+//! Where the symmetric motion loses its symmetry as the force changes.
+//!
+//! Let H take the state half a turn of the drive on and turn it upside down, and let J be its derivative. A symmetric motion of one turn is a
+//! fixed point of H, and its multipliers by turn are those of J², the squares λ² of those of J. At λ = +1 two symmetric motions meet. At λ = −1
+//! a pair of points that H exchanges branches off, y ≠ H(y), H²(y) = y: a motion of one turn that is not symmetric, and its mirror image. So
+//! **symmetry breaks at λ = −1**, where
+//!
+//! ```text
+//! f = det(1 + J) = (1 + λ₁)(1 + λ₂)
+//! ```
+//!
+//! changes its sign. With a stop in each half turn one multiplier is 0, and f = 1 + tr J.
+//!
+//! A symmetric motion can also end at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends there, and with it the
+//! sequence of slides and stops is another. Then no multiplier announces it.
+
+use super::DrivePhase;
+use super::equation::Equation;
+use super::matrix::Matrix;
+use super::period_map::{Trial, half_turns};
+use super::shooting::Budget;
+use super::state::Point;
+use super::steady::SteadyState;
+use super::trajectory::resolved;
+use crate::error::Error;
+use crate::float::Float;
+use crate::ratios::Ratios;
+use crate::root::enclosed;
+
+/// How a symmetric motion is lost.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Loss {
+    /// A multiplier by half turn passes −1: the symmetric motion goes on, unstable, beside a mirror pair.
+    Multiplier,
+    /// The force left over at one of its velocity zeros comes to η: the motion of these slides and stops ends.
+    Jump,
+}
+
+/// A force ratio at which a stable symmetric motion of one turn is lost.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SymmetryBreak<F> {
+    /// The force ratio α.
+    pub alpha: F,
+    /// Whether the motion is stable above that force ratio; otherwise below.
+    pub is_stable_above: bool,
+    /// How it is lost.
+    pub loss: Loss,
+    /// The motion there, on the stable side.
+    pub motion: SteadyState<F>,
+}
+
+/// A symmetric motion at a force ratio.
+#[derive(Clone, Copy)]
+struct Symmetric<F> {
+    alpha: F,
+    y: Point<F>,
+    derivative: Matrix<F>,
+    steady: SteadyState<F>,
+}
+
+impl<F: Float> Symmetric<F> {
+    fn f(&self) -> F {
+        let m = self.derivative;
+        F::int(1) + m.trace() + m.determinant()
+    }
+
+    /// Velocity zeros and stops in a cycle.
+    fn shape(&self) -> (u32, u32) {
+        (self.steady.velocity_zeros_per_cycle(), self.steady.sticks_per_cycle())
+    }
+
+    fn is_near(&self, other: &Self) -> bool {
+        let size = F::int(1) + self.y.x.abs() + self.y.w.abs();
+        (self.y.x - other.y.x).hypot(self.y.w - other.y.w) <= F::exp2i(-16) * size
+    }
+}
+
+/// The machine whose force changes.
+struct Machine<F> {
+    ratios: Ratios<F>,
+}
+
+impl<F: Float> Machine<F> {
+    fn at(&self, alpha: F) -> Result<Ratios<F>, Error> {
+        let ratios = Ratios::new(self.ratios.omega(), alpha)?;
+        ratios
+            .with_damping_ratio(self.ratios.damping_ratio())?
+            .with_static_friction_ratio(self.ratios.static_friction_ratio())
+    }
+
+    /// The symmetric motion that Newton's method comes to from a state.
+    fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
+        let equation = Equation::new(resolved(self.at(alpha)?)?);
+        let budget = &mut Budget::of(0);
+        let trial = Trial::at(equation, seed, 1, budget)?.newton_from_far(equation, budget)?;
+        if trial.step.rest.is_some() || !trial.is_periodic(64) {
+            return Ok(None);
+        }
+        let (y, derivative) = (trial.y, trial.step.derivative);
+        let steady = trial.steady(equation, budget)?;
+        Ok(Some(Symmetric { alpha, y, derivative, steady }))
+    }
+
+    /// The same motion at another force: of the same slides and stops.
+    fn continued(&self, from: &Symmetric<F>, alpha: F) -> Result<Option<Symmetric<F>>, Error> {
+        let found = self.symmetric(alpha, from.y)?;
+        Ok(found.filter(|found| found.shape() == from.shape()))
+    }
+
+    /// The symmetric motions that some starts and the states given lead to.
+    fn all(&self, alpha: F, known: &[Symmetric<F>]) -> Result<Vec<Symmetric<F>>, Error> {
+        let equation = Equation::new(resolved(self.at(alpha)?)?);
+        let origin = DrivePhase::of_half_turn(0, F::int(0));
+        let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.y).collect();
+        for part in [0, 1, -1, 3] {
+            let mut y = Point { phase: origin, x: F::ratio(part, 2) * alpha, w: F::ratio(-part, 3) * alpha };
+            for _ in 0..FOLLOWED {
+                y = half_turns(equation, &y, 1, &mut Budget::of(0), |_| {})?.end;
+            }
+            seeds.push(y);
+        }
+        let mut found: Vec<Symmetric<F>> = Vec::new();
+        for seed in seeds {
+            if let Some(motion) = self.symmetric(alpha, seed)?
+                && !found.iter().any(|known| known.is_near(&motion))
+            {
+                found.push(motion);
+            }
+        }
+        Ok(found)
+    }
+}
+
+/// Half turns that a start is followed for.
+const FOLLOWED: u32 = 24;
+
+/// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its multiplier, or because it ends.
+///
+/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method finds at each; where one of them is stable at one
+/// end of a step and not at the other, or not there, the force ratio in between is found to rounding. **Found by search**: a motion that
+/// is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it.
+///
+/// ```
+/// use stickslip::Ratios;
+/// use stickslip::exact::{Loss, symmetry_breaks};
+/// let ratios = Ratios::new(0.5f64, 1.0)?.with_damping_ratio(0.02)?.with_static_friction_ratio(1.3)?;
+/// let found = symmetry_breaks(ratios, 3.0, 5.0, 20)?;
+/// println!("{found:?}");
+/// # Ok::<(), stickslip::Error>(())
+/// ```
+///
+/// # Errors
+/// Where a force ratio is outside its domain, and as for [`super::Trajectory::new`].
+pub fn symmetry_breaks<F: Float>(
+    ratios: Ratios<F>,
+    low: F,
+    high: F,
+    steps: u32,
+) -> Result<Vec<SymmetryBreak<F>>, Error> {
+    let machine = Machine { ratios };
+    let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
+    let mut below = machine.all(low, &[])?;
+    let mut breaks = Vec::new();
+    for i in 1..=steps.max(1) {
+        let alpha = step(i);
+        let above = machine.all(alpha, &below)?;
+        for (here, there) in [(&below, alpha), (&above, step(i - 1))] {
+            for motion in here.iter().filter(|motion| motion.steady.is_stable()) {
+                breaks.extend(lost(&machine, motion, there)?);
+            }
+        }
+        below = above;
+    }
+    Ok(breaks)
+}
+
+/// Where a stable motion is lost on the way to another force ratio.
+fn lost<F: Float>(
+    machine: &Machine<F>,
+    motion: &Symmetric<F>,
+    to: F,
+) -> Result<Option<SymmetryBreak<F>>, Error> {
+    let is_stable_above = motion.alpha > to;
+    let (zero, one) = (F::int(0), F::int(1));
+    let mut failure = None;
+    // The last one that was stable, which the next begins from.
+    let mut near = *motion;
+    let (loss, sign) = match machine.continued(motion, to)? {
+        Some(there) if there.f() > zero => return Ok(None),
+        Some(_) => (Loss::Multiplier, None),
+        None => (Loss::Jump, Some(one)),
+    };
+    let (a, b) = enclosed(motion.alpha, to, |alpha| {
+        if alpha == to {
+            return -one;
+        }
+        match machine.continued(&near, alpha) {
+            Ok(Some(found)) => {
+                let f = found.f();
+                if f > zero {
+                    near = found;
+                }
+                sign.unwrap_or(f)
+            }
+            Ok(None) => -one,
+            Err(error) => {
+                failure = Some(error);
+                -one
+            }
+        }
+    });
+    if let Some(error) = failure {
+        return Err(error);
+    }
+    let _ = b;
+    Ok(Some(SymmetryBreak { alpha: a, is_stable_above, loss, motion: near.steady }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::symmetry_breaks;
+    use crate::Ratios;
+
+    #[test]
+    fn look2() {
+        let ratios = Ratios::new(0.2, 1.0).unwrap().with_damping_ratio(0.02).unwrap();
+        let ratios = ratios.with_static_friction_ratio(1.1).unwrap();
+        let machine = super::Machine { ratios };
+        for alpha in [3.16528125 - 1e-3, 3.16528125 - 1e-6, 3.16528125 - 1e-12, 3.16528125, 3.16528125 + 1e-6, 3.16528125 + 1e-3] {
+            for m in machine.all(alpha, &[]).unwrap() {
+                println!("{alpha} {:?} {:?} {:?} {}", m.shape(), m.y, m.steady.multipliers(), m.steady.max_displacement());
+            }
+        }
+    }
+
+    #[test]
+    fn look() {
+        for eta in [1.1, 1.3, 2.0, 3.0] {
+            for omega in [0.2, 0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.8, 1.1] {
+                let ratios = Ratios::new(omega, 1.0).unwrap().with_damping_ratio(0.02).unwrap();
+                let ratios = ratios.with_static_friction_ratio(eta).unwrap();
+                let begin = std::time::Instant::now();
+                let found = symmetry_breaks(ratios, 1.05 * eta, 9.0, 80).unwrap();
+                println!("{omega} {eta}: {} ms", begin.elapsed().as_millis());
+                for b in found {
+                    println!(
+                        "    α {:.15} stable above {} {:?} stops {} zeros {} μ {:?} x {:.6}",
+                        b.alpha,
+                        b.is_stable_above,
+                        b.loss,
+                        b.motion.sticks_per_cycle(),
+                        b.motion.velocity_zeros_per_cycle(),
+                        b.motion.multipliers(),
+                        b.motion.max_displacement()
+                    );
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Unstable periodic motions at 128 and 256 bits: they come back by the motion itself, and their multipliers are those of its differences.
+
+use std::ops::ControlFlow;
+use stickslip::exact::{DrivePhase, State, SteadyState, Trajectory, periodic_motions_from};
+use stickslip::float::mp::Mp;
+use stickslip::{Float, Ratios};
+
+fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
+    let ratios = Ratios::new(F::from_f64(omega), F::from_f64(alpha)).unwrap();
+    let ratios = ratios.with_damping_ratio(F::from_f64(zeta)).unwrap();
+    ratios.with_static_friction_ratio(F::from_f64(eta)).unwrap()
+}
+
+/// The unstable motion of that greatest displacement, from a start at f64.
+fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
+    let found =
+        periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();
+    let is = |s: &SteadyState<F>| !s.is_stable() && (s.max_displacement().to_f64() - most).abs() < 1e-8;
+    found.into_iter().find(is).unwrap_or_else(|| panic!("{machine:?}: none of {most}"))
+}
+
+/// Where the motion from ω_d t = 0 is after so many half turns.
+fn after<F: Float>(ratios: Ratios<F>, start: State<F>, half_turns: i64) -> State<F> {
+    let angle = if half_turns % 2 == 0 { F::int(0) } else { F::pi() };
+    let target = DrivePhase::in_cycle(half_turns / 2, angle).unwrap();
+    let is_there = |end: State<F>| target.since(end.phase) <= F::int(0);
+    let mut parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
+    parts.find(|part| part.end().is_none_or(is_there)).unwrap().at(target).state
+}
+
+fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f64) {
+    let start = State::new(F::int(0), F::from_f64(seed.x), F::from_f64(seed.v)).unwrap();
+    let motion = unstable::<F>(machine, turns, start, most);
+    let (ratios, start) = (ratios::<F>(machine), motion.state());
+    let turns = i64::from(motion.turns_per_cycle());
+    let back = after(ratios, start, 2 * turns);
+    let left = (back.x - start.x).hypot(back.v - start.v);
+    let rounding = F::int(1 << 14) * F::epsilon();
+    assert!(left < rounding, "{machine:?}: {} of {}", left.to_f64(), rounding.to_f64());
+    if motion.is_symmetric() {
+        let half = after(ratios, start, turns);
+        assert!((half.x + start.x).hypot(half.v + start.v) < rounding, "{machine:?}");
+    }
+    // Central differences over 2h, h a third of the digits: two thirds of them are right.
+    let bits = i32::try_from(F::PRECISION).unwrap();
+    let (h, zero) = (F::exp2i(-bits / 3), F::int(0));
+    let moved = |dx: F, dv: F| after(ratios, State { x: start.x + dx, v: start.v + dv, ..start }, 2 * turns);
+    let slope = |a: F, b: F| (a - b) / (F::int(2) * h);
+    let ((right, left), (up, down)) = ((moved(h, zero), moved(-h, zero)), (moved(zero, h), moved(zero, -h)));
+    let trace = slope(right.x, left.x) + slope(up.v, down.v);
+    let determinant =
+        slope(right.x, left.x) * slope(up.v, down.v) - slope(right.v, left.v) * slope(up.x, down.x);
+    let [(a, _), (b, _)] = motion.multipliers();
+    let close = |a: F, b: F| (a - b).abs() < F::exp2i(16 - 2 * bits / 3);
+    assert!(a > F::int(1) && close(trace, a + b) && close(determinant, a * b), "{machine:?}: {}", a.to_f64());
+}
+
+#[test]
+fn unstable_motions_at_any_precision() {
+    for (machine, turns, most) in [
+        // The symmetric motion beside a mirror pair.
+        ([0.5, 0.02, 1.3, 4.0], 1, 5.271_292_025),
+        ([0.54, 0.03, 2.4, 4.2], 1, 6.110_469_521),
+        // One of the pair between a symmetric motion and a stable pair.
+        ([0.573, 0.005, 1.87, 3.92], 1, 5.813_694_182),
+        // In a chaotic motion: of one turn, and of four.
+        ([0.45, 0.02, 3.0, 8.5], 1, 10.647_733_259),
+        ([0.45, 0.02, 3.0, 8.5], 4, 11.526_201_120),
+    ] {
+        let found = (0..100u32).find_map(|i| {
+            let part = |step: f64| 10.0 * (2.0 * (f64::from(i) * step).fract() - 1.0);
+            let start = State::new(0.0, part(0.754_878), part(0.569_841)).unwrap();
+            let mut go_on = || ControlFlow::Continue(());
+            let all = periodic_motions_from(ratios(machine), start, turns, &mut go_on).unwrap();
+            all.into_iter().find(|s| !s.is_stable() && (s.max_displacement() - most).abs() < 1e-8)
+        });
+        let motion = found.unwrap_or_else(|| panic!("{machine:?}: none of {most}"));
+        let seed = motion.state();
+        comes_back::<f64>(machine, turns, seed, most);
+        comes_back::<Mp<2>>(machine, turns, seed, most);
+        comes_back::<Mp<4>>(machine, turns, seed, most);
+    }
+}
