@@ -11,8 +11,8 @@
 //!
 //! changes its sign. With a stop in each half turn one multiplier is 0, and f = 1 + tr J.
 //!
-//! A symmetric motion can also end at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends there, and with it the
-//! sequence of slides and stops is another. Then no multiplier announces it.
+//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends there, and the sequence
+//! of slides and stops is another. Then no multiplier announces it.
 
 use super::DrivePhase;
 use super::equation::Equation;
@@ -32,7 +32,9 @@ use crate::root::enclosed;
 pub enum Loss {
     /// A multiplier by half turn passes −1: the symmetric motion goes on, unstable, beside a mirror pair.
     Multiplier,
-    /// The force left over at one of its velocity zeros comes to η: the motion of these slides and stops ends.
+    /// A multiplier by half turn comes to +1: two symmetric motions meet, and beyond there is neither.
+    Fold,
+    /// The force left over at one of its velocity zeros comes to η: the motion ends, or goes on with other multipliers at once.
     Jump,
 }
 
@@ -62,6 +64,12 @@ impl<F: Float> Symmetric<F> {
     fn f(&self) -> F {
         let m = self.derivative;
         F::int(1) + m.trace() + m.determinant()
+    }
+
+    /// Whether `det(1 − J)` is next to zero.
+    fn is_folding(&self) -> bool {
+        let m = self.derivative;
+        (F::int(1) - m.trace() + m.determinant()).abs() < F::exp2i(-12)
     }
 
     /// Velocity zeros and stops in a cycle.
@@ -144,8 +152,9 @@ const FOLLOWED: u32 = 24;
 /// use stickslip::Ratios;
 /// use stickslip::exact::{Loss, symmetry_breaks};
 /// let ratios = Ratios::new(0.5f64, 1.0)?.with_damping_ratio(0.02)?.with_static_friction_ratio(1.3)?;
-/// let found = symmetry_breaks(ratios, 3.0, 5.0, 20)?;
-/// println!("{found:?}");
+/// let found = symmetry_breaks(ratios, 3.0, 3.8, 10)?;
+/// assert!(found.len() == 1 && found[0].loss == Loss::Multiplier && !found[0].is_stable_above);
+/// assert!((found[0].alpha - 3.514173764105).abs() < 1e-11);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -174,87 +183,53 @@ pub fn symmetry_breaks<F: Float>(
     Ok(breaks)
 }
 
-/// Where a stable motion is lost on the way to another force ratio.
+/// Where a stable motion is lost on the way to another force ratio. Where a stop only comes or goes it is followed on.
 fn lost<F: Float>(
     machine: &Machine<F>,
     motion: &Symmetric<F>,
     to: F,
 ) -> Result<Option<SymmetryBreak<F>>, Error> {
-    let is_stable_above = motion.alpha > to;
     let (zero, one) = (F::int(0), F::int(1));
-    let mut failure = None;
-    // The last one that was stable, which the next begins from.
-    let mut near = *motion;
-    let (loss, sign) = match machine.continued(motion, to)? {
-        Some(there) if there.f() > zero => return Ok(None),
-        Some(_) => (Loss::Multiplier, None),
-        None => (Loss::Jump, Some(one)),
-    };
-    let (a, b) = enclosed(motion.alpha, to, |alpha| {
-        if alpha == to {
-            return -one;
+    let is_stable_above = motion.alpha > to;
+    let mut last = *motion;
+    for _ in 0..MOST_SHAPES {
+        if machine.continued(&last, to)?.is_some_and(|there| there.f() > zero) {
+            return Ok(None);
         }
-        match machine.continued(&near, alpha) {
-            Ok(Some(found)) => {
-                let f = found.f();
-                if f > zero {
-                    near = found;
-                }
-                sign.unwrap_or(f)
-            }
-            Ok(None) => -one,
-            Err(error) => {
+        // `last` is the last one that was stable, from which the next is sought.
+        let mut failure = None;
+        let (below, above) = enclosed(last.alpha, to, |alpha| {
+            let found = machine.continued(&last, alpha).unwrap_or_else(|error| {
                 failure = Some(error);
-                -one
-            }
+                None
+            });
+            let Some(found) = found.filter(|found| found.f() > zero) else { return -one };
+            last = found;
+            one
+        });
+        if let Some(error) = failure {
+            return Err(error);
         }
-    });
-    if let Some(error) = failure {
-        return Err(error);
+        let beyond = if is_stable_above { below } else { above };
+        let next = machine.symmetric(beyond, last.y)?;
+        let loss = match next.filter(|next| next.is_near(&last)) {
+            Some(_) if beyond == to => return Ok(None),
+            Some(next) if next.f() > F::exp2i(-20) => {
+                last = next;
+                continue;
+            }
+            Some(next) if next.shape() == last.shape() => Loss::Multiplier,
+            _ if last.is_folding() => Loss::Fold,
+            Some(_) | None => Loss::Jump,
+        };
+        return Ok(Some(SymmetryBreak { alpha: last.alpha, is_stable_above, loss, motion: last.steady }));
     }
-    let _ = b;
-    Ok(Some(SymmetryBreak { alpha: a, is_stable_above, loss, motion: near.steady }))
+    let equation = Equation::new(machine.at(last.alpha)?);
+    Err(equation.lost("the loss of a symmetric motion", last.y.phase, "64 changes of its stops").into())
 }
+
+/// Times that a stop may come or go within a step.
+const MOST_SHAPES: u32 = 64;
 
 #[cfg(test)]
-mod tests {
-    use super::symmetry_breaks;
-    use crate::Ratios;
-
-    #[test]
-    fn look2() {
-        let ratios = Ratios::new(0.2, 1.0).unwrap().with_damping_ratio(0.02).unwrap();
-        let ratios = ratios.with_static_friction_ratio(1.1).unwrap();
-        let machine = super::Machine { ratios };
-        for alpha in [3.16528125 - 1e-3, 3.16528125 - 1e-6, 3.16528125 - 1e-12, 3.16528125, 3.16528125 + 1e-6, 3.16528125 + 1e-3] {
-            for m in machine.all(alpha, &[]).unwrap() {
-                println!("{alpha} {:?} {:?} {:?} {}", m.shape(), m.y, m.steady.multipliers(), m.steady.max_displacement());
-            }
-        }
-    }
-
-    #[test]
-    fn look() {
-        for eta in [1.1, 1.3, 2.0, 3.0] {
-            for omega in [0.2, 0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.8, 1.1] {
-                let ratios = Ratios::new(omega, 1.0).unwrap().with_damping_ratio(0.02).unwrap();
-                let ratios = ratios.with_static_friction_ratio(eta).unwrap();
-                let begin = std::time::Instant::now();
-                let found = symmetry_breaks(ratios, 1.05 * eta, 9.0, 80).unwrap();
-                println!("{omega} {eta}: {} ms", begin.elapsed().as_millis());
-                for b in found {
-                    println!(
-                        "    α {:.15} stable above {} {:?} stops {} zeros {} μ {:?} x {:.6}",
-                        b.alpha,
-                        b.is_stable_above,
-                        b.loss,
-                        b.motion.sticks_per_cycle(),
-                        b.motion.velocity_zeros_per_cycle(),
-                        b.motion.multipliers(),
-                        b.motion.max_displacement()
-                    );
-                }
-            }
-        }
-    }
-}
+mod tests;
