@@ -98,6 +98,8 @@ impl<F: Float> Trial<F> {
         m: u64,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
+        // A speed next to nothing is rest, as in a start: it would end in a time that underflows.
+        let y = if y.w.abs() < F::least_ratio() { Point { w: F::int(0), ..y } } else { y };
         let step = half_turns(equation, &y, m, budget, |_| {})?;
         let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w));
         Ok(Self { y, m, step, left })

@@ -109,10 +109,23 @@ impl<F: Float> Machine<F> {
         Ok(Some(Symmetric { alpha, y, derivative, steady }))
     }
 
-    /// The same motion at another force: of the same slides and stops.
-    fn continued(&self, from: &Symmetric<F>, alpha: F) -> Result<Option<Symmetric<F>>, Error> {
-        let found = self.symmetric(alpha, from.y)?;
-        Ok(found.filter(|found| found.shape() == from.shape()))
+    /// The same motion at another force: of the same slides and stops. It is sought on the line through two that are known, then at the last.
+    fn continued(
+        &self,
+        (before, last): (&Symmetric<F>, &Symmetric<F>),
+        alpha: F,
+    ) -> Result<Option<Symmetric<F>>, Error> {
+        let share = (alpha - last.alpha) / (last.alpha - before.alpha);
+        let ahead = |a: F, b: F| b + (b - a) * share;
+        if share.is_finite() {
+            let y = Point { x: ahead(before.y.x, last.y.x), w: ahead(before.y.w, last.y.w), ..last.y };
+            let found = self.symmetric(alpha, y)?.filter(|found| found.shape() == last.shape());
+            if found.is_some() {
+                return Ok(found);
+            }
+        }
+        let found = self.symmetric(alpha, last.y)?;
+        Ok(found.filter(|found| found.shape() == last.shape()))
     }
 
     /// The symmetric motions that some starts and the states given lead to.
@@ -120,8 +133,8 @@ impl<F: Float> Machine<F> {
         let equation = Equation::new(resolved(self.at(alpha)?)?);
         let origin = DrivePhase::of_half_turn(0, F::int(0));
         let mut seeds: Vec<Point<F>> = known.iter().map(|motion| motion.y).collect();
-        for part in [0, 1, -1, 3] {
-            let mut y = Point { phase: origin, x: F::ratio(part, 2) * alpha, w: F::ratio(-part, 3) * alpha };
+        for (place, speed) in [(0, 0), (1, -1), (-1, 1), (3, -3)] {
+            let mut y = Point { phase: origin, x: F::ratio(place, 2) * alpha, w: F::ratio(speed, 3) * alpha };
             for _ in 0..FOLLOWED {
                 y = half_turns(equation, &y, 1, &mut Budget::of(0), |_| {})?.end;
             }
@@ -168,17 +181,17 @@ pub fn symmetry_breaks<F: Float>(
 ) -> Result<Vec<SymmetryBreak<F>>, Error> {
     let machine = Machine { ratios };
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
-    let mut below = machine.all(low, &[])?;
+    let (mut last, mut below) = (low, machine.all(low, &[])?);
     let mut breaks = Vec::new();
     for i in 1..=steps.max(1) {
         let alpha = step(i);
         let above = machine.all(alpha, &below)?;
-        for (here, there) in [(&below, alpha), (&above, step(i - 1))] {
+        for (here, there) in [(&below, alpha), (&above, last)] {
             for motion in here.iter().filter(|motion| motion.steady.is_stable()) {
                 breaks.extend(lost(&machine, motion, there)?);
             }
         }
-        below = above;
+        (last, below) = (alpha, above);
     }
     Ok(breaks)
 }
@@ -191,20 +204,20 @@ fn lost<F: Float>(
 ) -> Result<Option<SymmetryBreak<F>>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
     let is_stable_above = motion.alpha > to;
-    let mut last = *motion;
+    let (mut before, mut last) = (*motion, *motion);
     for _ in 0..MOST_SHAPES {
-        if machine.continued(&last, to)?.is_some_and(|there| there.f() > zero) {
+        if machine.continued((&before, &last), to)?.is_some_and(|there| there.f() > zero) {
             return Ok(None);
         }
-        // `last` is the last one that was stable, from which the next is sought.
+        // The last two that were stable, from which the next is sought.
         let mut failure = None;
         let (below, above) = enclosed(last.alpha, to, |alpha| {
-            let found = machine.continued(&last, alpha).unwrap_or_else(|error| {
+            let found = machine.continued((&before, &last), alpha).unwrap_or_else(|error| {
                 failure = Some(error);
                 None
             });
             let Some(found) = found.filter(|found| found.f() > zero) else { return -one };
-            last = found;
+            (before, last) = (last, found);
             one
         });
         if let Some(error) = failure {
@@ -215,7 +228,7 @@ fn lost<F: Float>(
         let loss = match next.filter(|next| next.is_near(&last)) {
             Some(_) if beyond == to => return Ok(None),
             Some(next) if next.f() > F::exp2i(-20) => {
-                last = next;
+                (before, last) = (last, next);
                 continue;
             }
             Some(next) if next.shape() == last.shape() => Loss::Multiplier,
@@ -225,11 +238,11 @@ fn lost<F: Float>(
         return Ok(Some(SymmetryBreak { alpha: last.alpha, is_stable_above, loss, motion: last.steady }));
     }
     let equation = Equation::new(machine.at(last.alpha)?);
-    Err(equation.lost("the loss of a symmetric motion", last.y.phase, "64 changes of its stops").into())
+    Err(equation.lost("the loss of a symmetric motion", last.y.phase, "256 changes of its stops").into())
 }
 
 /// Times that a stop may come or go within a step.
-const MOST_SHAPES: u32 = 64;
+const MOST_SHAPES: u32 = 256;
 
 #[cfg(test)]
 mod tests;

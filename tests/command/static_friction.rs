@@ -98,6 +98,37 @@ fn attractors_are_found_whatever_the_number_of_threads() {
     assert!(text.contains("2 limits from 60 starts") && text.contains("the mirror image of 1"), "{text}");
 }
 
+/// The symmetric motion beside the mirror pair is unstable: no start leads to it.
+#[test]
+fn motions_that_no_start_leads_to() {
+    let line = format!("attractors {PAIR} --starts 40 --unstable 2");
+    let answer = json(&format!("{line} --format json"));
+    assert_eq!(answer["attractors"].as_array().unwrap().len(), 2, "{answer}");
+    let others = answer["other_motions"].as_array().unwrap();
+    assert_eq!(others.len(), 1, "{answer}");
+    let other = &others[0];
+    assert_eq!((other["attractor"].as_u64(), other["starts"].as_u64()), (Some(3), Some(0)), "{answer}");
+    assert_eq!((other["limit"].as_str(), other["symmetric"].as_str()), (Some("unstable"), Some("yes")));
+    assert!((other["max_displacement"].as_f64().unwrap() - 5.271_292_025).abs() < 1e-8, "{answer}");
+    let multiplier = other["multipliers"][0][0].as_f64().unwrap();
+    assert!((multiplier - 1.192_208_330_88).abs() < 1e-9, "{answer}");
+    let rows = stdout(&format!("{line} --format csv"));
+    assert!(rows.lines().count() == 4 && rows.contains("\n3,unstable,0.0,0,,,"), "{rows}");
+    let text = stdout(&line);
+    assert!(text.contains("3. Symmetric, a cycle of one turn of the drive, unstable"), "{text}");
+    assert!(json(&format!("attractors {PAIR} --starts 40 --format json"))["other_motions"].is_null());
+    // An unstable pair, whose numbers go on from those of the limits.
+    let three = "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87";
+    let answer = json(&format!("attractors {three} --starts 60 --unstable 1 --format json"));
+    let mirrors: Vec<_> =
+        answer["other_motions"].as_array().unwrap().iter().map(|m| m["mirror"].as_u64()).collect();
+    assert_eq!(mirrors, [Some(5), Some(4)], "{answer}");
+    let one = stdout("attractors --omega 0.8 --alpha 2.5 --starts 20 --unstable 1");
+    assert!(one.contains("No periodic motion of one turn that no start leads to"), "{one}");
+    refused(&format!("attractors {PAIR} --unstable 0"), &["--unstable", "0"]);
+    refused(&format!("attractors {PAIR} --unstable 65"), &["--unstable", "65"]);
+}
+
 /// Each start of the plane has the limit that `attractors` and `steady` name, in ratios and in units.
 #[test]
 fn basins_name_the_limit_of_each_start() {
@@ -140,6 +171,19 @@ fn basins_are_drawn() {
     refused(&format!("basins {PAIR} --x0 -6:6:2000 --v0 -4:4:2000"), &["--x0, --v0: 4000000 starts"]);
     refused(&format!("basins {PAIR} --x0 1e80,2e80 --v0 0,1"), &["--x0"]);
     refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}/x.svg", folder.display()), &["ascending"]);
+}
+
+/// The picture of the limits has the line where symmetry breaks.
+#[test]
+fn a_map_of_limits_has_the_line_of_symmetry() {
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("limits-and-line.svg");
+    let _ = std::fs::remove_file(&file);
+    let grid = "--omega 0.45:0.6:4 --alpha 2.5:4.5:4 --damping-ratio 0.02 --static-friction-ratio";
+    stdout(&format!("map limits {grid} 1.3 --out {}", file.display()));
+    let line = "symmetry breaks at a multiplier of −1";
+    assert!(std::fs::read_to_string(&file).unwrap().contains(line));
+    stdout(&format!("map limits {grid} 1 --out {} --overwrite", file.display()));
+    assert!(!std::fs::read_to_string(&file).unwrap().contains(line));
 }
 
 /// The limits of a few starts in a word for each point: those of the six machines, and one limit with η = 1.
