@@ -67,3 +67,59 @@ impl<F: Float> Irregular<F> {
         self.state
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::Ratios;
+    use crate::exact::{DrivePhase, LongRun, State, Trajectory};
+
+    fn ratios(eta: f64, alpha: f64) -> Ratios<f64> {
+        let ratios = Ratios::new(0.45, alpha).unwrap().with_damping_ratio(0.02).unwrap();
+        ratios.with_static_friction_ratio(eta).unwrap()
+    }
+
+    /// The state a turn of the drive later.
+    fn turn(ratios: Ratios<f64>, start: State<f64>) -> State<f64> {
+        let target = DrivePhase::in_cycle(1, 0.0).unwrap();
+        let mut parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
+        let part = parts.find(|part| part.end().is_none_or(|end| target.since(end.phase) <= 0.0)).unwrap();
+        State { phase: start.phase, ..part.at(target).state }
+    }
+
+    /// The mean growth by turn of a distance of 1e-8 between two motions that is shortened after each.
+    fn growth(ratios: Ratios<f64>, start: State<f64>, turns: u32) -> f64 {
+        let small = 1e-8;
+        let (mut one, mut sum) = (start, 0.0);
+        for _ in 0..200 {
+            one = turn(ratios, one);
+        }
+        let mut other = State { x: one.x + small, ..one };
+        for _ in 0..turns {
+            (one, other) = (turn(ratios, one), turn(ratios, other));
+            let (dx, dv) = (other.x - one.x, other.v - one.v);
+            let distance = dx.hypot(dv);
+            sum += (distance / small).ln();
+            let shortened = small / distance;
+            other = State { x: one.x + dx * shortened, v: one.v + dv * shortened, ..one };
+        }
+        sum / f64::from(turns)
+    }
+
+    /// The exponent is the same from every start, and that of two motions that part.
+    #[test]
+    fn the_exponent_is_how_two_motions_part() {
+        for (eta, alpha, expected) in [(2.5, 7.5, 0.135), (3.0, 8.5, 0.280)] {
+            let ratios = ratios(eta, alpha);
+            for (x, v) in [(0.0, 0.0), (4.0, 1.0), (-3.0, 6.0)] {
+                let start = State::new(0.0, x, v).unwrap();
+                let limit = LongRun::within(ratios, start, 16_000).unwrap();
+                let LongRun::Irregular(motion) = limit else { panic!("{limit:?}") };
+                let (found, error) = (motion.lyapunov_exponent(), motion.lyapunov_exponent_error());
+                assert!(motion.is_chaotic() && (found - expected).abs() < 0.03 * expected, "{motion:?}");
+                assert!(error < 0.02 * expected, "{motion:?}");
+                let parting = growth(ratios, start, 3000);
+                assert!((parting - expected).abs() < 0.1 * expected, "{eta}: {parting} for {expected}");
+            }
+        }
+    }
+}

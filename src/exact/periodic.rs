@@ -3,7 +3,7 @@
 use super::attractors::at_zero;
 use super::equation::Equation;
 use super::orbit::{Likeness, Orbit};
-use super::period_map::{Trial, distance, half_turns};
+use super::period_map::{Trial, distance, half_turns, size};
 use super::shooting::Budget;
 use super::state::{Point, State};
 use super::steady::SteadyState;
@@ -110,10 +110,11 @@ pub fn periodic_motions<F: Float>(
     Ok(all)
 }
 
-/// The same from one start, some of them more than once, as long as `keep_going` says [`ControlFlow::Continue`].
+/// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going` says [`ControlFlow::Continue`].
 ///
 /// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive with the motion turned upside
-/// down, begins at the start and at the state along its motion that m half turns bring back best. Steps that do not help are shortened down to a sixteenth. What is
+/// down, begins at the start, at the states of its motion after each of the first half turns, and at that
+/// which m half turns bring back best. The mirror image of a motion that is not symmetric is returned with it. Steps that do not help are shortened down to a sixteenth. What is
 /// returned comes back to itself within rounding, by the exact motion over its period, with its multipliers from the exact linearised motion.
 ///
 /// # Errors
@@ -142,13 +143,27 @@ pub fn periodic_motions_from<F: Float>(
         y = step.end;
         path.push(y);
     }
+    let mut states: Vec<Point<F>> = Vec::new();
     for m in 1..=most {
-        for seed in path.first().into_iter().chain(closest_return(&path, m)) {
+        for seed in path.iter().take(FIRST).chain(closest_return(&path, m)) {
             let trial = Trial::at(equation, *seed, m, budget)?.newton_from_far(equation, budget)?;
             if trial.step.rest.is_some() || !trial.is_periodic(64) {
                 continue;
             }
-            found.push(trial.earliest(equation, 256, budget)?.steady(equation, budget)?);
+            let motion = trial.earliest(equation, 256, budget)?;
+            let is_known = |known: &Point<F>| distance(known, &motion.y) <= F::exp2i(-20) * size(known);
+            if states.iter().any(is_known) {
+                continue;
+            }
+            states.push(motion.y);
+            // Of a motion that is not symmetric H gives the mirror image.
+            let later = half_turns(equation, &motion.y, 1, budget, |_| {})?.end;
+            let mirror = Trial::at(equation, later, motion.m, budget)?.newton(equation, budget)?;
+            if motion.m % 2 == 0 && mirror.is_periodic(64) {
+                states.push(mirror.y);
+                found.push(mirror.steady(equation, budget)?);
+            }
+            found.push(motion.steady(equation, budget)?);
         }
     }
     Ok(found)
@@ -156,6 +171,9 @@ pub fn periodic_motions_from<F: Float>(
 
 /// Half turns that a start is followed for, beside those for the longest period.
 const FOLLOWED: u64 = 32;
+
+/// How many of the first states of its motion are begun at.
+const FIRST: usize = 8;
 
 /// The state that m half turns bring back closest.
 fn closest_return<F: Float>(path: &[Point<F>], m: u64) -> Option<&Point<F>> {

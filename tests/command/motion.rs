@@ -200,6 +200,21 @@ fn decay_comes_to_rest_where_it_is_known_to() {
     assert!((place / (0.005 * (15.0 - 205f64.sqrt())) - 1.0).abs() < 1e-12);
     assert!(stdout("decay --x0 12 --v0 6").starts_with("At rest after 8 half cycles."));
     assert_eq!(json("decay --x0 0.5 --format json")["half_cycles"], 0);
+    // k = m (2π/T)², r_y = µ m g, r_s = 1.5 r_y, c = 2 ζ √(k m): the machine above in other quantities.
+    let same =
+        "--mass 2 --period 0.3141592653589793 --friction-coefficient 0.2 --gravity 10 --x0 0.06 --v0 0.6";
+    let other = json(&format!("decay {same} --format json"));
+    let close = |a: &Value, b: &Value| (a.as_f64().unwrap() - b.as_f64().unwrap()).abs() < 1e-12;
+    for name in ["first_turn", "rest_position", "rest_time"] {
+        assert!(close(&other["physical"][name], &physical["physical"][name]), "{name}: {other}");
+    }
+    let by_force = json(&format!("decay {same} --static-friction 6 --damping 1.6 --format json"));
+    let by_ratio =
+        json(&format!("decay {same} --static-friction-ratio 1.5 --damping-ratio 0.02 --format json"));
+    for name in ["static_friction_ratio", "damping_ratio", "rest_position"] {
+        assert!(close(&by_force[name], &by_ratio[name]), "{name}: {by_force}");
+    }
+    assert_ne!(by_force["rest_position"], other["rest_position"]);
 }
 
 #[test]
@@ -219,7 +234,9 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         ("simulate --omega 0.4 --alpha 6 --cycles 2 --samples 0", vec!["--samples 0", "≥ 1"]),
         ("simulate --omega 0.4 --alpha 6 --cycles 2 --format json", vec!["--format", "jsonl or csv"]),
         ("decay --x0 nan", vec!["--x0 nan", "finite"]),
-        ("decay --x0 1 --mass 2", vec!["--stiffness", "all three"]),
+        ("decay --x0 1 --mass 2", vec!["--friction (or --friction-coefficient) is missing"]),
+        ("decay --x0 1 --mass 2 --friction 3", vec!["--stiffness (or --period", "is missing"]),
+        ("decay --x0 1 --omega 0.5", vec!["--omega 0.5: decay does not use it"]),
         ("decay --x0 1 --mass 2 --stiffness -1 --friction 1", vec!["stiffness k = -1 must be > 0"]),
     ] {
         refused(arguments, &parts);

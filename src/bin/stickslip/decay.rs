@@ -1,15 +1,16 @@
 //! `stickslip decay`.
 
-use crate::args::{DecayArgs, Format};
+use crate::args::{DecayArgs, ForceArgs, Format};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
+use crate::given::{Given, Parameter as P};
 use crate::note::both;
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
-use crate::units::{Kind, Reader, System};
+use crate::units::{Kind, System};
 use std::io::Write;
+use stickslip::Quantity;
 use stickslip::exact::FreeDecay;
-use stickslip::{Oscillator, Quantity};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);
@@ -25,11 +26,18 @@ struct Scales<F> {
     system: System,
 }
 
+/// The ratios ζ and η, each where it is given.
+struct Frictions<F> {
+    damping: Option<F>,
+    static_friction: Option<F>,
+}
+
 impl<W: Write> Task for Run<'_, W> {
     fn run<F: Value>(self) -> Outcome {
         let Self(args, out) = self;
         let reader = args.units.reader();
-        let scales = scales::<F>(args, &reader)?;
+        let given = Given::<F>::of(&args.machine, &ForceArgs::default(), &reader)?;
+        let (scales, frictions) = body(&given)?;
         let kind = |kind: Kind| if scales.is_some() { kind } else { Kind::Ratio };
         let x0: F = reader.value("--x0", &args.x0, kind(Kind::Length))?;
         let v0: F =
@@ -38,29 +46,14 @@ impl<W: Write> Task for Run<'_, W> {
             Some(s) => (x0 / s.length, v0 * s.time / s.length),
             None => (x0, v0),
         };
-        let zeta = match &args.damping_ratio {
-            Some(text) => reader.value("--damping-ratio", text, Kind::Ratio)?,
-            None => F::int(0),
-        };
-        let eta = match &args.static_friction_ratio {
-            Some(text) => reader.value("--static-friction-ratio", text, Kind::Ratio)?,
-            None => F::int(1),
-        };
-        let decay = FreeDecay::with_frictions(x, v, zeta, eta).map_err(|e| {
-            let argument = match e.quantity() {
-                Some(Quantity::DampingRatio) => {
-                    format!("--damping-ratio {}", args.damping_ratio.as_deref().unwrap_or("0"))
-                }
-                Some(Quantity::StaticFrictionRatio) => {
-                    let text = args.static_friction_ratio.as_deref().unwrap_or("1");
-                    format!("--static-friction-ratio {text}")
-                }
-                Some(Quantity::Velocity) => format!("--v0 {}", args.v0),
-                _ => format!("--x0 {}", args.x0),
-            };
-            Failure::Input(format!("{argument}: {e}"))
+        let zeta = frictions.damping.unwrap_or(F::int(0));
+        let eta = frictions.static_friction.unwrap_or(F::int(1));
+        let decay = FreeDecay::with_frictions(x, v, zeta, eta).map_err(|e| match e.quantity() {
+            Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(e),
+            Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
+            _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),
         })?;
-        let record = record(&decay, scales.as_ref()).finite()?;
+        let record = record(&decay, scales.as_ref(), &frictions).finite()?;
         match args.format {
             Format::Json => record.write_pretty(out),
             Format::Text => {
@@ -93,16 +86,18 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<F> {
-    let mut record = Record {
-        fields: vec![
-            ("half_cycles", Cell::Count(Some(decay.half_cycles()))),
-            ("first_turn", Cell::Number(Some(decay.first_turn()))),
-            ("rest_position", Cell::Number(Some(decay.rest_position()))),
-            ("rest_time", Cell::Number(Some(decay.rest_time()).filter(|time| time.is_finite()))),
-        ],
-        physical: Physical::default(),
-    };
+fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions: &Frictions<F>) -> Record<F> {
+    let number = |x: F| Cell::Number(Some(x));
+    let repeated =
+        [("damping_ratio", frictions.damping), ("static_friction_ratio", frictions.static_friction)];
+    let mut fields: Vec<_> = repeated.into_iter().filter_map(|(name, x)| Some((name, number(x?)))).collect();
+    fields.extend([
+        ("half_cycles", Cell::Count(Some(decay.half_cycles()))),
+        ("first_turn", number(decay.first_turn())),
+        ("rest_position", number(decay.rest_position())),
+        ("rest_time", Cell::Number(Some(decay.rest_time()).filter(|time| time.is_finite()))),
+    ]);
+    let mut record = Record { fields, physical: Physical::default() };
     if let Some(scales) = scales {
         record.physical = Physical::of(scales.system).with(&record.fields, |name| match name {
             "first_turn" => Some(("first_turn", Kind::Length, scales.length)),
@@ -114,19 +109,17 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>) -> Record<
     record
 }
 
-/// The scales of the machine, where there is one.
-fn scales<F: Value>(args: &DecayArgs, reader: &Reader) -> Result<Option<Scales<F>>, Failure> {
-    match (&args.mass, &args.stiffness, &args.friction) {
-        (None, None, None) => Ok(None),
-        (Some(m), Some(k), Some(r)) => {
-            let mass = reader.value("--mass", m, Kind::Mass)?;
-            let stiffness = reader.value("--stiffness", k, Kind::Stiffness)?;
-            let friction = reader.value("--friction", r, Kind::Force)?;
-            let body = Oscillator::new(mass, stiffness, friction)
-                .map_err(|e| Failure::Input(format!("--mass {m} --stiffness {k} --friction {r}: {e}")))?;
-            let time = F::int(1) / body.natural_frequency();
-            Ok(Some(Scales { length: body.friction_displacement(), time, system: reader.system }))
-        }
-        _ => Err(Failure::Input("--mass, --stiffness and --friction: give all three or none".to_owned())),
+/// The scales of the machine, where there is one, and what it has of damping and static friction.
+fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>), Failure> {
+    let (zeta, eta) = (given.get(P::DampingRatio), given.get(P::StaticFrictionRatio));
+    if !given.is_physical() {
+        return Ok((None, Frictions { damping: zeta, static_friction: eta }));
     }
+    let body = given.oscillator()?;
+    let frictions = Frictions {
+        damping: given.has_damper().then(|| zeta.unwrap_or(body.damping_ratio())),
+        static_friction: given.has_static_friction().then(|| eta.unwrap_or(body.static_friction_ratio())),
+    };
+    let time = F::int(1) / body.natural_frequency();
+    Ok((Some(Scales { length: body.friction_displacement(), time, system: given.system }), frictions))
 }

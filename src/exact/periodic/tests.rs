@@ -84,6 +84,15 @@ fn the_limits_are_among_them() {
     }
 }
 
+/// The unstable pair that divides the plane is found from ten starts, however far they reach.
+#[test]
+fn few_starts_find_them() {
+    for reach in [10.0, 18.4] {
+        let all = periodic_motions(ratios(0.573, 0.005, 1.87, 3.92), &starts(10, reach), 1).unwrap();
+        assert_eq!(all.found().len(), 5, "{reach}: {all:?}");
+    }
+}
+
 #[test]
 fn where_nothing_moves_there_is_none() {
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();

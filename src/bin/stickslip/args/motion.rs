@@ -21,7 +21,8 @@ Examples:
 pub(crate) const DECAY_EXAMPLES: &str = "\
 Examples:
   stickslip decay --x0 12 --v0 6
-  stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json";
+  stickslip decay --mass 2 --stiffness 800 --friction 4 --x0 0.3 --v0 0 --format json
+  stickslip decay --mass 800kg --period 2.2s --friction-coefficient 0.06 --static-friction 600N --x0 200mm";
 
 /// Where the motion starts, at ω_d t = 0.
 #[derive(Debug, Args)]
@@ -79,21 +80,8 @@ pub(crate) struct SimulateArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct DecayArgs {
-    /// Mass m, such as 800kg
-    #[arg(long, value_name = "M", allow_hyphen_values = true)]
-    pub(crate) mass: Option<String>,
-    /// Stiffness k, such as 12kN/mm
-    #[arg(long, value_name = "K", allow_hyphen_values = true)]
-    pub(crate) stiffness: Option<String>,
-    /// Friction bound r_y, such as 5kN
-    #[arg(long, value_name = "RY", allow_hyphen_values = true)]
-    pub(crate) friction: Option<String>,
-    /// Damping ratio ζ = c/(2√(k m)), 0 unless given
-    #[arg(long, value_name = "ZETA", allow_hyphen_values = true)]
-    pub(crate) damping_ratio: Option<String>,
-    /// Static friction ratio η = r_s/r_y, 1 unless given
-    #[arg(long, value_name = "ETA", allow_hyphen_values = true)]
-    pub(crate) static_friction_ratio: Option<String>,
+    #[command(flatten)]
+    pub(crate) machine: MachineArgs,
     /// Displacement at the start: in units of B = r_y/k, or of length where there is a machine
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: String,

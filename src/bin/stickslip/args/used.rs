@@ -109,7 +109,7 @@ const USED: &[(&str, Mode, &str)] = &[
          foot_displacement format units",
     ),
     ("decay", Ratios, "damping_ratio static_friction_ratio x0 v0 format bits"),
-    ("decay", Machine, "mass stiffness friction damping_ratio static_friction_ratio x0 v0 format bits units"),
+    ("decay", Machine, "BODY STATIC x0 v0 format bits units"),
     ("design force", Ratios, "omega damping_ratio static_friction_ratio no_stop format bits"),
     ("design force", Machine, "BODY STATIC frequency no_stop format bits units"),
     ("design friction", Ratios, "omega damping_ratio static_friction_ratio format bits"),
