@@ -77,7 +77,7 @@ pub struct Attractors<F> {
 /// ```
 ///
 /// # Errors
-/// As for [`Trajectory::new`].
+/// As for [`super::Trajectory::new`].
 pub fn attractors<F: Float>(
     ratios: Ratios<F>,
     starts: &[State<F>],
@@ -97,7 +97,7 @@ impl<F: Float> Attractors<F> {
     /// * Irregular motions are one where their extrema agree to 1/32 of their range.
     ///
     /// # Errors
-    /// As for [`Trajectory::new`].
+    /// As for [`super::Trajectory::new`].
     pub fn of_limits(limits: impl IntoIterator<Item = LongRun<F>>) -> Result<Self, Error> {
         let mut all = Self::new();
         limits.into_iter().try_for_each(|limit| all.add(limit))?;
