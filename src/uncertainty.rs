@@ -8,6 +8,11 @@
 //! | `samples` | points of a box, for what is not known to be monotone |
 //! | `random` | Monte-Carlo over distributions (feature `random`) |
 //!
+//! # From which start
+//!
+//! From every one: a box has no static friction above the kinetic one, so there is one limit. At Ω = 1/(2n) each start leads to a member of a
+//! family, none of which sticks.
+//!
 //! # What is guaranteed, and why
 //!
 //! Let the body not stick anywhere in the box. Then, with `Δ₀/B = √(α² − K²)/|1 − Ω²|` and the border α_min(Ω):

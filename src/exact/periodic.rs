@@ -114,8 +114,8 @@ pub fn periodic_motions<F: Float>(
 ///
 /// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive with the motion turned upside
 /// down, begins at the start, at the states of its motion after each of the first half turns, and at that
-/// which m half turns bring back best. The mirror image of a motion that is not symmetric is returned with it. Steps that do not help are shortened down to a sixteenth. What is
-/// returned comes back to itself within rounding, by the exact motion over its period, with its multipliers from the exact linearised motion.
+/// which m half turns bring back best. The mirror image of a motion that is not symmetric is returned with it. Steps that do not help are
+/// shortened down to a sixteenth. What is returned comes back to itself within rounding, by the exact motion over its period, with its multipliers from the exact linearised motion.
 ///
 /// # Errors
 /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].

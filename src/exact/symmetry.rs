@@ -11,8 +11,8 @@
 //!
 //! changes its sign. With a stop in each half turn one multiplier is 0, and f = 1 + tr J.
 //!
-//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends there, and the sequence
-//! of slides and stops is another. Then no multiplier announces it.
+//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends
+//! there, and the sequence of slides and stops is another. Then no multiplier announces it.
 
 use super::DrivePhase;
 use super::equation::Equation;
@@ -157,9 +157,9 @@ const FOLLOWED: u32 = 24;
 
 /// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its multiplier, or because it ends.
 ///
-/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method finds at each; where one of them is stable at one
-/// end of a step and not at the other, or not there, the force ratio in between is found to rounding. **Found by search**: a motion that
-/// is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it.
+/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method finds at each; where one of
+/// them is stable at one end of a step and not at the other, or not there, the force ratio in between is found to rounding. **Found by
+/// search**: a motion that is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it.
 ///
 /// ```
 /// use stickslip::Ratios;

@@ -128,3 +128,31 @@ fn the_starts_of_another_run_are_not_gone_on_with() {
         assert_eq!(std::fs::read_to_string(&file).unwrap(), changed);
     }
 }
+
+/// Whatever is changed in the file, a run goes on to the answer that it had, or leaves the file alone.
+#[test]
+fn rows_changed_anywhere_are_made_whole_or_left_alone() {
+    let (file, kept) = (place("starts-intact"), place("starts-changed"));
+    let question = format!("attractors {} --reach 12 --starts 9", MACHINES[1]);
+    let answer = stdout(&format!("{question} --rows {}", file.display()));
+    let rows = std::fs::read(&file).unwrap();
+    let mut refused = 0;
+    for (number, place) in (3..rows.len()).step_by(31).enumerate() {
+        let mut changed = rows[..rows.len() - number % 50].to_vec();
+        let place = place.min(changed.len() - 1);
+        changed[place] ^= 1 << (number % 7);
+        std::fs::write(&kept, &changed).unwrap();
+        let output = stickslip(&format!("{question} --rows {} --resume", kept.display())).output().unwrap();
+        let now = std::fs::read(&kept).unwrap();
+        if output.status.success() {
+            assert!(now == rows && output.stdout == answer.as_bytes(), "byte {place}");
+        } else {
+            assert!(
+                output.status.code() == Some(2) && output.stdout.is_empty() && now == changed,
+                "byte {place}"
+            );
+            refused += 1;
+        }
+    }
+    assert!(refused > 20, "{refused}");
+}

@@ -1,7 +1,12 @@
 //! Unstable periodic motions at 128 and 256 bits: they come back by the motion itself, and their multipliers are those of its differences.
 
+#![allow(clippy::print_stdout, reason = "what a campaign finds, shown with --nocapture")]
+
 use std::ops::ControlFlow;
-use stickslip::exact::{DrivePhase, State, SteadyState, Trajectory, periodic_motions_from};
+use stickslip::exact::{
+    DrivePhase, Loss, PeriodicMotion, State, SteadyState, Trajectory, attractors, periodic_motions,
+    periodic_motions_from, symmetry_breaks,
+};
 use stickslip::float::mp::Mp;
 use stickslip::{Float, Ratios};
 
@@ -50,9 +55,10 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
     let trace = slope(right.x, left.x) + slope(up.v, down.v);
     let determinant =
         slope(right.x, left.x) * slope(up.v, down.v) - slope(right.v, left.v) * slope(up.x, down.x);
-    let [(a, _), (b, _)] = motion.multipliers();
+    let [(a, p), (b, q)] = motion.multipliers();
     let close = |a: F, b: F| (a - b).abs() < F::exp2i(16 - 2 * bits / 3);
-    assert!(a > F::int(1) && close(trace, a + b) && close(determinant, a * b), "{machine:?}: {}", a.to_f64());
+    let is_right = close(trace, a + b) && close(determinant, a * b - p * q);
+    assert!(is_right, "{machine:?}: {} {}", a.to_f64(), trace.to_f64());
 }
 
 #[test]
@@ -80,4 +86,77 @@ fn unstable_motions_at_any_precision() {
         comes_back::<Mp<2>>(machine, turns, seed, most);
         comes_back::<Mp<4>>(machine, turns, seed, most);
     }
+}
+
+/// The force ratio at which symmetry breaks, at f64 and at 256 bits: there λ² = 1 to nearly all digits.
+#[test]
+fn symmetry_breaks_at_any_precision() {
+    fn found<F: Float>() -> (F, F) {
+        let ratios = ratios::<F>([0.5, 0.02, 1.3, 1.0]);
+        let all = symmetry_breaks(ratios, F::from_f64(3.5), F::from_f64(3.53), 1).unwrap();
+        assert!(
+            all.len() == 1 && all[0].loss == Loss::Multiplier && !all[0].is_stable_above,
+            "{}",
+            all.len()
+        );
+        let [(multiplier, _), _] = all[0].motion.multipliers();
+        (all[0].alpha, (multiplier - F::int(1)).abs())
+    }
+    let ((rough, off), (fine, rest)) = (found::<f64>(), found::<Mp<4>>());
+    assert!((rough - fine.to_f64()).abs() < 1e-13 && off < 1e-12, "{rough} {} {off:e}", fine.to_f64());
+    assert!(rest < F256::exp2i(-236), "{}", rest.to_f64());
+}
+
+type F256 = Mp<4>;
+
+/// Machines at random: every periodic limit of a few starts is among the motions that the search from them finds, and every unstable one of these
+/// comes back at 128 bits with its multipliers.
+fn at_random(machines: u32) -> (u32, u32, u32) {
+    let (mut limits, mut missed, mut unstable) = (0, 0, 0);
+    for i in 1..=machines {
+        let part = |step: f64| (f64::from(i) * step).fract();
+        let (omega, eta) = (0.3 + 0.4 * part(0.618_034), 1.2 + 1.8 * part(0.754_878));
+        let machine = [omega, 0.002 + 0.08 * part(0.569_841), eta, eta + 7.0 * part(0.819_173)];
+        let ratios = ratios::<f64>(machine);
+        let starts: Vec<State<f64>> = (0..10)
+            .map(|k| {
+                let place = |step: f64| 10.0 * (2.0 * (f64::from(k) * step).fract() - 1.0);
+                State::new(0.0, place(0.754_878), place(0.569_841)).unwrap()
+            })
+            .collect();
+        let all = periodic_motions(ratios, &starts, 2).unwrap();
+        let found = attractors(ratios, &starts, 600).unwrap();
+        for limit in found.limits() {
+            let Some(steady) = limit.limit().steady_state().filter(|s| s.turns_per_cycle() <= 2) else {
+                continue;
+            };
+            let is = |m: &PeriodicMotion<f64>| {
+                let s = m.steady_state();
+                (s.max_displacement() - steady.max_displacement()).abs() < 1e-6
+                    && (s.min_displacement() - steady.min_displacement()).abs() < 1e-6
+            };
+            limits += 1;
+            if !all.found().iter().any(is) {
+                missed += 1;
+                println!("missed: {machine:?} {steady:?}");
+            }
+        }
+        for motion in all.found().iter().map(PeriodicMotion::steady_state).filter(|s| !s.is_stable()) {
+            unstable += 1;
+            comes_back::<Mp<2>>(machine, motion.turns_per_cycle(), motion.state(), motion.max_displacement());
+        }
+    }
+    (limits, missed, unstable)
+}
+
+#[test]
+fn of_machines_at_random() {
+    let (limits, missed, unstable) = at_random(25);
+    assert!(limits >= 25 && missed == 0 && unstable >= 5, "{limits} {missed} {unstable}");
+}
+
+#[test]
+#[ignore = "a campaign"]
+fn of_many_machines_at_random() {
+    println!("limits, missed, unstable: {:?}", at_random(3000));
 }

@@ -59,7 +59,8 @@ Exit status:
 
 Files:
   A file that exists is not replaced without --overwrite. Pictures and Parquet files appear whole or not at all; a
-  sweep that was broken off, even by kill -9 or a full disk, goes on with --resume.
+  sweep that was broken off, even by kill -9 or a full disk, goes on with --resume, and so do the starts of attractors
+  and basins in their --rows FILE.
 
 On a terminal, work of more than a second shows its progress, and words are coloured unless NO_COLOR is set.";
 

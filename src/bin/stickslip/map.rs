@@ -2,6 +2,7 @@
 
 mod limits;
 mod picture;
+mod symmetry;
 
 use crate::args::{MapArgs, Swept};
 use crate::axes::Axes;

@@ -119,9 +119,13 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         ],
     ),
     (
-        "attractors: one limit a row",
+        "attractors: one limit a row; with --unstable also motions that no start leads to",
         &[
-            ("attractor", "", "its number, in the order of the first starts"),
+            (
+                "attractor",
+                "",
+                "its number, in the order of the first starts; limit is unstable where a multiplier is beyond 1",
+            ),
             ("share", "1", "part of the starts that lead to it"),
             ("starts", "", "how many of them"),
             ("first_x", "B", "displacement of the first of them, at ω_d t = 0"),

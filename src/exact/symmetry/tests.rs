@@ -102,7 +102,8 @@ fn nothing_is_lost_with_equal_frictions() {
     }
 }
 
-/// At ω_d t = 0 the body rests or begins to slide: a speed of 5e-324 there was followed as a slide, with other multipliers, and the search never ended.
+/// At ω_d t = 0 the body rests or begins to slide: a speed of 5e-324 there was followed as a slide, with other multipliers, and the search
+/// never ended.
 #[test]
 fn a_speed_next_to_nothing_is_rest() {
     let found = symmetry_breaks(ratios(0.164_705_882_352_941_17, 0.02, 2.0, 9.1), 3.1, 9.1, 32).unwrap();

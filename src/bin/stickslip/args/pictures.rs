@@ -23,7 +23,7 @@ Examples:
 
 pub(crate) const MAP_EXAMPLES: &str = "\
 Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (how many, from 16 starts); an output of `response`, such as
-loop_size_stiffness; or steady:NAME for one of `steady`, such as steady:max_displacement. Of a machine it is in the
+loop_size_stiffness; or steady:NAME for one of `steady`, from rest, such as steady:max_displacement. Of a machine it is in the
 machine's units where it has any.
 
 Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default: --omega

@@ -5,7 +5,7 @@ use crate::failure::Failure;
 use crate::starts::follow;
 use crate::steady::kind;
 use stickslip::Ratios;
-use stickslip::exact::{Attractors, LongRun, Loss, SteadyState, symmetry_breaks};
+use stickslip::exact::{Attractors, LongRun, SteadyState};
 
 /// Starts that are followed for each point, those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;
@@ -47,21 +47,3 @@ pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
         (None, _) => "not settled",
     })
 }
-
-/// Where a stable symmetric motion of one turn is lost on the way from a part of the force to all of it, as parts of it: at a multiplier of −1, and
-/// by a jump or a fold.
-pub(super) fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<[Vec<f64>; 2], Failure> {
-    let high = ratios.alpha();
-    let low = (from * high).max(LEAST);
-    // Nothing is lost with η = 1.
-    if !ratios.has_higher_static_friction() || low >= high {
-        return Ok([Vec::new(), Vec::new()]);
-    }
-    let found = symmetry_breaks(ratios, low, high, steps).map_err(|e| Failure::Input(e.to_string()))?;
-    let (by_multiplier, others): (Vec<_>, Vec<_>) =
-        found.into_iter().partition(|one| one.loss == Loss::Multiplier);
-    Ok([by_multiplier, others].map(|breaks| breaks.into_iter().map(|one| one.alpha / high).collect()))
-}
-
-/// A force ratio next above those where nothing moves.
-const LEAST: f64 = 1.001;

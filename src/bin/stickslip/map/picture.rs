@@ -1,14 +1,12 @@
 //! The picture of a map.
 
-use super::{Map, Quantity, limits, margin};
+use super::{Map, Quantity, limits, margin, symmetry};
 use crate::failure::{Failure, Outcome};
 use crate::given::Parameter as P;
 use crate::grid::Grid;
 use crate::input;
-use crate::interrupt;
 use crate::note::digits;
 use crate::outputs;
-use crate::progress;
 use crate::record::Cell;
 use stickslip::Response;
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
@@ -55,50 +53,6 @@ impl Map<'_> {
             points.push((x * across, upwards * if inverse { low * margin } else { low / margin }));
         }
         points
-    }
-
-    /// Where a stable symmetric motion is lost, by a multiplier of −1 and in another way, of a picture of the limits with the force upwards.
-    fn breaks(&self) -> Result<[Vec<(f64, f64)>; 2], Failure> {
-        let up = self.up.0;
-        let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
-        if !matches!(self.quantity, Quantity::Limits) || !P::DRIVES.contains(&up) || low < 0.0 {
-            return Ok([Vec::new(), Vec::new()]);
-        }
-        let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
-        let columns = (4 * self.across.1.len()).min(MOST_COLUMNS);
-        let steps = u32::try_from(2 * self.up.1.len()).unwrap_or(u32::MAX).min(MOST_STEPS);
-        let logarithmic = self.across.1.is_logarithmic();
-        let (mut by_multiplier, mut others) = (Vec::new(), Vec::new());
-        progress::in_order(
-            0..columns + 1,
-            |places| {
-                let column = |place: u64| {
-                    interrupt::check()?;
-                    let share = place as f64 / columns as f64;
-                    let x = if logarithmic {
-                        left * (right / left).powf(share)
-                    } else {
-                        left + (right - left) * share
-                    };
-                    let mut given = self.axes.at(0);
-                    given.set(self.across.0, x);
-                    given.set(up, high);
-                    let ratios = input::point(&given)?.ratios;
-                    let breaks = limits::breaks(ratios, low / high, steps)?;
-                    Ok(breaks.map(|shares| shares.into_iter().map(|share| (x, share)).collect::<Vec<_>>()))
-                };
-                places.map(column).collect::<Result<Vec<_>, Failure>>()
-            },
-            |columns| {
-                let place = |(x, share): (f64, f64)| (x * across, share * high * upwards);
-                for [multiplier, other] in columns {
-                    by_multiplier.extend(multiplier.into_iter().map(place));
-                    others.extend(other.into_iter().map(place));
-                }
-                Ok(())
-            },
-        )?;
-        Ok([by_multiplier, others])
     }
 
     /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at rest goes the
@@ -193,13 +147,17 @@ impl Map<'_> {
         if !border.is_empty() {
             series.push(Series::new("exact border of sticking", Style::Thick, 0, border));
         }
-        let [multiplier, jump] = self.breaks()?;
+        let symmetry::Breaks { by_multiplier, others, missing } = self.breaks()?;
         let lines = [
-            ("symmetry breaks at a multiplier of −1", 1, multiplier),
-            ("a symmetric motion ends by a jump or a fold", 3, jump),
+            ("symmetry breaks at a multiplier of −1", 1, by_multiplier),
+            ("a symmetric motion ends by a jump or a fold", 3, others),
         ];
         for (name, index, points) in lines.into_iter().filter(|(.., points)| !points.is_empty()) {
             series.push(Series::new(name, Style::Dots, index, points));
+        }
+        if missing > 0 {
+            let note = format!("no such points at {missing} values: the search passed its bound");
+            series.push(Series::new(note, Style::Note, 0, []));
         }
         if values.iter().any(|v| v.is_nan()) {
             series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
@@ -226,9 +184,6 @@ const MOST_ACROSS: u64 = 20_000;
 const MOST_NAMES: f64 = 7.0;
 /// Points of the border, more than a picture can show.
 const BORDER_POINTS: u32 = 1000;
-/// Values across at which the loss of symmetry is sought, and steps upwards.
-const MOST_COLUMNS: u64 = 400;
-const MOST_STEPS: u32 = 200;
 /// Shades beyond this many times the values of nearly all points are those of a pole.
 const POLE: f64 = 100.0;
 

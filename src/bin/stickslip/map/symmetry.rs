@@ -1,0 +1,94 @@
+//! The line of a picture of the limits at which the symmetric motion is lost.
+
+use super::{Map, Quantity};
+use crate::failure::Failure;
+use crate::given::Parameter as P;
+use crate::input;
+use crate::interrupt;
+use crate::progress;
+use stickslip::exact::{Loss, SymmetryBreak, symmetry_breaks};
+use stickslip::{Error, Ratios};
+
+/// Where a stable symmetric motion is lost, and at how many values across that is not known.
+#[derive(Default)]
+pub(super) struct Breaks {
+    pub(super) by_multiplier: Vec<(f64, f64)>,
+    pub(super) others: Vec<(f64, f64)>,
+    pub(super) missing: usize,
+}
+
+impl Map<'_> {
+    /// Where a stable symmetric motion is lost, by a multiplier of −1 and in another way, of a picture of the limits with the force upwards.
+    pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
+        let up = self.up.0;
+        let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
+        if !matches!(self.quantity, Quantity::Limits) || !P::DRIVES.contains(&up) || low < 0.0 {
+            return Ok(Breaks::default());
+        }
+        let (across, upwards) = (self.on_axis(self.across.0).1, self.on_axis(up).1);
+        let columns = (4 * self.across.1.len()).min(MOST_COLUMNS);
+        let steps = u32::try_from(2 * self.up.1.len()).unwrap_or(u32::MAX).min(MOST_STEPS);
+        let logarithmic = self.across.1.is_logarithmic();
+        let mut found = Breaks::default();
+        progress::in_order(
+            0..columns + 1,
+            |places| {
+                let column = |place: u64| {
+                    interrupt::check()?;
+                    let share = place as f64 / columns as f64;
+                    let x = if logarithmic {
+                        left * (right / left).powf(share)
+                    } else {
+                        left + (right - left) * share
+                    };
+                    let mut given = self.axes.at(0);
+                    given.set(self.across.0, x);
+                    given.set(up, high);
+                    let ratios = input::point(&given)?.ratios;
+                    Ok((x, breaks(ratios, low / high, steps)?))
+                };
+                places.map(column).collect::<Result<Vec<_>, Failure>>()
+            },
+            |columns| {
+                for (x, column) in columns {
+                    let Some([multiplier, other]) = column else {
+                        found.missing += 1;
+                        continue;
+                    };
+                    let place = |share: f64| (x * across, share * high * upwards);
+                    found.by_multiplier.extend(multiplier.into_iter().map(place));
+                    found.others.extend(other.into_iter().map(place));
+                }
+                Ok(())
+            },
+        )?;
+        Ok(found)
+    }
+}
+
+/// Where a stable symmetric motion of one turn is lost on the way from a part of the force to all of it, as parts of it: at a multiplier of −1, and
+/// by a jump or a fold. `None` where the search passed its bound.
+fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>; 2]>, Failure> {
+    let high = ratios.alpha();
+    let low = (from * high).max(LEAST);
+    // Nothing is lost with η = 1.
+    if !ratios.has_higher_static_friction() || low >= high {
+        return Ok(Some([Vec::new(), Vec::new()]));
+    }
+    let found = match symmetry_breaks(ratios, low, high, steps) {
+        // A long map is drawn without a point of a line, and says so.
+        Err(Error::SearchBound { .. }) => return Ok(None),
+        found => found.map_err(|e| Failure::Input(e.to_string()))?,
+    };
+    let (by_multiplier, others): (Vec<_>, Vec<_>) =
+        found.into_iter().partition(|one| one.loss == Loss::Multiplier);
+    let shares = |breaks: Vec<SymmetryBreak<f64>>| breaks.into_iter().map(|one| one.alpha / high).collect();
+    Ok(Some([by_multiplier, others].map(shares)))
+}
+
+/// A force ratio next above those where nothing moves.
+const LEAST: f64 = 1.001;
+
+/// Values across at which the loss of symmetry is sought, and steps upwards.
+const MOST_COLUMNS: u64 = 400;
+const MOST_STEPS: u32 = 200;
