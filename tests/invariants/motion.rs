@@ -4,7 +4,7 @@
 
 use core::ops::ControlFlow;
 use stickslip::design;
-use stickslip::exact::{End, Kind, LongRun, State, Trajectory};
+use stickslip::exact::{End, Kind, LongRun, State, Trajectory, periodic_motions_from, symmetry_breaks};
 use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 
 /// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound, energy is lost
@@ -38,6 +38,36 @@ pub(crate) fn static_motion(omega: f64, alpha: f64, zeta: f64, eta: f64, theta: 
     let Ok(ratios) = ratios else { return };
     trajectory_at(ratios, theta, x, v);
     long_run_at(ratios, theta, x, v);
+    searches_at(ratios, theta, x, v);
+}
+
+/// Periodic motions found from a start, and the loss of the symmetric one around a force: motions of the machine, within what was asked.
+fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
+    let (omega, alpha) = (ratios.omega(), ratios.alpha());
+    let Ok(start) = State::new(theta, x, v) else { return };
+    let mut slides = 0;
+    let found = periodic_motions_from(ratios, start, 1, &mut || {
+        slides += 1;
+        if slides < 5_000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    });
+    assert!(!matches!(found, Err(Error::SearchBound { .. })), "{found:?} of {ratios:?} from {start:?}");
+    for steady in found.into_iter().flatten() {
+        assert!(alpha > 1.0 && steady.turns_per_cycle() == 1, "{steady:?}");
+        assert!(steady.min_displacement() <= steady.max_displacement(), "{steady:?}");
+        let most = ratios.static_friction_ratio();
+        assert!(steady.is_stable() || most > 1.0 || steady.contraction() < 1.0 + 1e-6, "{steady:?}");
+    }
+    // Its work is not bounded from outside: Ω and α as machines have them.
+    if !((0.125..8.0).contains(&omega) && alpha < 100.0) {
+        return;
+    }
+    let (low, high) = (0.9 * alpha, 1.1 * alpha);
+    let breaks = symmetry_breaks(ratios, low, high, 2);
+    assert!(!matches!(breaks, Err(Error::SearchBound { .. })), "{breaks:?} of {ratios:?}");
+    for one in breaks.into_iter().flatten() {
+        assert!((low..=high).contains(&one.alpha) && one.motion.is_symmetric(), "{one:?}");
+        assert!(ratios.has_higher_static_friction(), "{one:?} of {ratios:?}");
+    }
 }
 
 /// The factor 1 + 2^e, e from −52 to 3, that `part` of 2³² is; 1 for none.
