@@ -18,6 +18,8 @@
 //! | `angle` | π/2Ω reduced, K(Ω) |
 //! | `border` | the exact border |
 //! | `cycle` | the cycle of two reversals |
+//! | `damped` | border and cycle with damping, or with static friction above the kinetic one |
+//! | `greatest` | the greatest value of a function, proved |
 //! | `motion` | the exact motion, stops included, proved to exist ([`steady`]) |
 //! | `root` | one zero in a ball, or none found |
 //! | `widen` | more bits until it is sharp |
@@ -33,7 +35,9 @@
 pub(crate) mod angle;
 pub(crate) mod border;
 pub(crate) mod cycle;
+mod damped;
 mod enclosure;
+mod greatest;
 mod known;
 mod motion;
 mod root;
@@ -45,8 +49,9 @@ pub use motion::{Steady, steady};
 
 use crate::error::{Error, Quantity};
 use crate::float::ball::Ball;
+use crate::float::mp::Mp;
 use crate::output::Output;
-use crate::ratios::within;
+use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
 use angle::Angle;
 use border::Border;
 use cycle::Cycle;
@@ -99,7 +104,6 @@ impl Response {
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
     /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0, 2π) by what the ball needs.
-    /// Without an enclosure are the maximum acceleration below Ω = 1/2 and the absolute displacement.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
         self.answers.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
@@ -117,9 +121,24 @@ impl Response {
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
 pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Error> {
-    let omega = omega.within(Quantity::FrequencyRatio, true)?;
-    let alpha = alpha.within(Quantity::ForceRatio, false)?;
-    sharpest(&At { omega, alpha: Some(alpha) }, valid(bits)?).map(|answers| Response { answers })
+    response_with(omega, alpha, &Known::rational(0.into()), &Known::rational(1.into()), bits)
+}
+
+/// [`response`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, each of which may be an interval.
+///
+/// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to other motions.
+///
+/// # Errors
+/// As of [`response`].
+pub fn response_with(
+    omega: &Known,
+    alpha: &Known,
+    damping_ratio: &Known,
+    static_friction_ratio: &Known,
+    bits: u32,
+) -> Result<Response, Error> {
+    let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
+    At::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
 /// The border at Ω, enclosed: [`Output::MinForceRatio`], [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`],
@@ -128,8 +147,20 @@ pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Err
 /// # Errors
 /// As of [`response`].
 pub fn border(omega: &Known, bits: u32) -> Result<Response, Error> {
-    let omega = omega.within(Quantity::FrequencyRatio, true)?;
-    sharpest(&At { omega, alpha: None }, valid(bits)?).map(|answers| Response { answers })
+    border_with(omega, &Known::rational(0.into()), &Known::rational(1.into()), bits)
+}
+
+/// [`border()`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one.
+///
+/// # Errors
+/// As of [`response`].
+pub fn border_with(
+    omega: &Known,
+    damping_ratio: &Known,
+    static_friction_ratio: &Known,
+    bits: u32,
+) -> Result<Response, Error> {
+    At::new(omega, None, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
 fn valid(bits: u32) -> Result<u32, Error> {
@@ -141,19 +172,56 @@ fn valid(bits: u32) -> Result<u32, Error> {
 struct At<'a> {
     omega: &'a Known,
     alpha: Option<&'a Known>,
+    zeta: &'a Known,
+    eta: &'a Known,
+}
+
+impl<'a> At<'a> {
+    /// The ratios in their domains; α is.
+    fn new(
+        omega: &'a Known,
+        alpha: Option<&'a Known>,
+        zeta: &'a Known,
+        eta: &'a Known,
+    ) -> Result<Self, Error> {
+        let omega = omega.within(Quantity::FrequencyRatio, true)?;
+        for end in [zeta.low(), zeta.high()] {
+            valid_damping_ratio(Mp::<2>::from_rational(end))?;
+        }
+        for end in [eta.low(), eta.high()] {
+            valid_static_friction_ratio(Mp::<2>::from_rational(end))?;
+        }
+        Ok(Self { omega, alpha, zeta, eta })
+    }
+
+    fn answered(&self, bits: u32) -> Result<Response, Error> {
+        sharpest(self, valid(bits)?).map(|answers| Response { answers })
+    }
+
+    /// Whether nothing but Ω and α is asked for.
+    fn is_plain(&self) -> bool {
+        *self.zeta.high() == 0 && *self.eta.high() == 1
+    }
 }
 
 impl Question for At<'_> {
     fn at_width<const W: usize>(&self) -> Answers {
         let angle = Angle::<W>::new(self.omega);
-        let border = Border::at(&angle);
+        let half = (!self.is_plain()).then(|| damped::half_period(&angle, self.zeta, self.eta));
+        let (border, best) = match &half {
+            None => (Border::at(&angle), (angle.best_force_ratio(), angle.best_loop_size())),
+            Some(half) => {
+                let (border, best) = damped::at_border(half);
+                (border, (best.0, Some(best.1).filter(|size| !size.is_entire())))
+            }
+        };
         let mut values: Vec<(Output, Option<Ball<W>>)> = vec![
             (Output::MinForceRatio, Some(border.min_force_ratio)),
             (Output::TurningPointForceRatio, Some(border.turning_point)),
             (Output::LeastDisplacement, Some(border.least_displacement)),
             (Output::TouchingPhase, border.phase),
-            (Output::BestForceRatio, Some(angle.best_force_ratio())),
-            (Output::BestLoopSize, angle.best_loop_size()),
+            (Output::BestForceRatio, Some(best.0)),
+            (Output::BestLoopSize, best.1),
         ];
         let Some(alpha) = self.alpha else {
             return Answers::new(None, values, self.is_exact(), true);
@@ -163,10 +231,15 @@ impl Question for At<'_> {
         let regime = self.regime(alpha, &ball, &border);
         let mut is_decided = regime.is_some();
         if regime == Some(Regime::NonSticking) {
-            match Cycle::at(&angle, ball) {
-                Some(cycle) => values.extend(cycle.outputs(&angle, ball)),
-                None => is_decided = false,
-            }
+            let found = match half {
+                None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball)),
+                Some(half) => damped::outputs(&angle, half, ball),
+            };
+            // With more bits each output is found; over intervals some may never be.
+            is_decided = found
+                .as_ref()
+                .is_some_and(|found| !self.is_exact() || found.iter().all(|(_, value)| value.is_some()));
+            values.extend(found.into_iter().flatten());
         }
         Answers::new(regime, values, self.is_exact(), is_decided)
     }
@@ -174,7 +247,8 @@ impl Question for At<'_> {
 
 impl At<'_> {
     fn is_exact(&self) -> bool {
-        self.omega.is_exact() && self.alpha.is_none_or(Known::is_exact)
+        let others = [self.omega, self.zeta, self.eta];
+        others.into_iter().all(Known::is_exact) && self.alpha.is_none_or(Known::is_exact)
     }
 
     /// The regime, where the balls do not overlap.
@@ -184,6 +258,9 @@ impl At<'_> {
         }
         if *alpha.low() <= 1 {
             return None;
+        }
+        if !self.is_plain() {
+            return damped::regime(self.omega, (self.zeta, self.eta), ball, border);
         }
         if ball.is_below(&border.min_force_ratio) {
             return Some(Regime::BelowBorder);

@@ -108,7 +108,15 @@ pub(crate) fn greatest<F: Float>(
             for _ in 0..F::PRECISION.ilog2() {
                 let at = f(x);
                 let next = x - at.slope / at.second;
-                if !(next > low && next < high) {
+                // A step may lead out of the piece on the way to a point beside its end.
+                let next = if next < low {
+                    low
+                } else if next > high {
+                    high
+                } else {
+                    next
+                };
+                if next == x || !next.is_finite() {
                     break;
                 }
                 x = next;

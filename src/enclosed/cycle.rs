@@ -1,6 +1,7 @@
 //! The cycle of two reversals in balls, above the border.
 
 use super::angle::Angle;
+use super::damped::undamped_peaks;
 use super::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
@@ -69,6 +70,7 @@ impl<const W: usize> Cycle<W> {
         .into_iter()
         .map(|(output, value)| (output, Some(value)))
         .chain(is_above_half.then(|| (Output::MaxAcceleration, Some(arrival_acceleration(delta, omega)))))
+        .chain(undamped_peaks(angle, delta))
         .collect()
     }
 }
@@ -120,7 +122,7 @@ fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>)
 }
 
 /// A phase in (−2π, 2π) reduced to [0, 2π), as far as it is certain.
-fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
+pub(super) fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
     if phase.is_negative() { phase + Ball::pi() * Ball::int(2) } else { phase }
 }
 
@@ -147,6 +149,6 @@ fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
 }
 
 /// The part of a ball that is not negative, where it is known that the number is not.
-fn not_negative<const W: usize>(x: Ball<W>) -> Ball<W> {
+pub(super) fn not_negative<const W: usize>(x: Ball<W>) -> Ball<W> {
     if x.is_entire() || !x.contains_zero() { x } else { Ball::between(Mp::ZERO, x.upper()) }
 }

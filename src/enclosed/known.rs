@@ -32,8 +32,12 @@ impl Known {
         Ok(Self { low: number.clone(), high: number })
     }
 
+    /// All numbers from one to another that is not below it.
+    pub(crate) fn of_ends(low: Rational, high: Rational) -> Self {
+        Self { low, high }
+    }
+
     /// A ratio that is exactly this number.
-    #[cfg(feature = "matching")]
     pub(crate) fn rational(x: Rational) -> Self {
         Self { low: x.clone(), high: x }
     }

@@ -14,7 +14,7 @@
 //! | α*, A₁max | √2 \|K\|, 4/(\|K\| \|1 − Ω²\|) | √(2Q(Q + qG)), 4/(q(Q + qG)), Q = hypot(K, qG) |
 //! | λ | λ² + (1 + s) cos(π/Ω) λ + s = 0 | λ² + (M₁₁ + sM₂₂) λ + s e^{−2ζT} = 0 |
 
-mod border;
+pub(crate) mod border;
 pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
@@ -25,7 +25,7 @@ use super::Border;
 use super::displacement::max_displacement;
 use super::phase::reduce;
 use super::stability::MultiplierPair;
-use crate::float::Float;
+use crate::float::{Field, Float};
 use crate::ratios::Ratios;
 use border::{supremum, turning_point};
 use half_period::HalfPeriod;
@@ -63,10 +63,9 @@ impl<F: Float> DampedCycle<F> {
         }
     }
 
-    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, of which the force of friction is 1.
+    /// R, the deceleration at the maximum.
     fn deceleration(&self) -> F {
-        let half = &self.rising.half;
-        half.omega.square() * self.rising.amplitude - (half.holding() - F::int(1))
+        self.rising.deceleration()
     }
 
     /// Multipliers per half cycle.
@@ -78,13 +77,8 @@ impl<F: Float> DampedCycle<F> {
     /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
     pub(crate) fn multipliers(&self) -> MultiplierPair<F> {
         let (half, one) = (&self.rising.half, F::int(1));
-        let r = self.deceleration();
-        let (inverse, zeta) = (one / r, half.free.zeta);
-        let (c, z) = (half.cosine, zeta * half.sine);
-        // All divided by R, so that an infinite R gives the limit.
-        let mean = -((c + z * inverse) / (one + inverse));
-        let discriminant = (half.decay * inverse).square() - half.free.square * half.sine.square()
-            + z * inverse * (z * inverse + F::int(2) * c);
+        let inverse = one / self.deceleration();
+        let (mean, discriminant) = half.multipliers(inverse);
         let spread = discriminant.abs().sqrt() / (one + inverse);
         if discriminant < F::int(0) {
             return MultiplierPair::Complex { re: mean, im: spread };
@@ -138,6 +132,26 @@ impl<F: Float> DampedCycle<F> {
     }
 }
 
+impl<F: Field> Rising<F> {
+    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, of which the force of friction is 1.
+    pub(crate) fn deceleration(&self) -> F {
+        let half = &self.half;
+        half.omega.square() * self.amplitude - (half.holding() - F::int(1))
+    }
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// The middle of the two multipliers of half a cycle, and the square of what they are off it, times (1 + 1/R)²; by 1/R.
+    pub(crate) fn multipliers(&self, inverse: F) -> (F, F) {
+        let (c, z) = (self.cosine, self.free.zeta * self.sine);
+        // All divided by R, so that an infinite R gives the limit.
+        let mean = -((c + z * inverse) / (F::int(1) + inverse));
+        let discriminant = (self.decay * inverse).square() - self.free.square * self.sine.square()
+            + z * inverse * (z * inverse + F::int(2) * c);
+        (mean, discriminant)
+    }
+}
+
 /// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
 pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
     let found = supremum(half);
@@ -159,7 +173,7 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
 /// The force ratio of the largest loop A₁ and that loop, both by `Q = hypot(K, qG)`.
 ///
 /// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
-pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+pub(crate) fn best<F: Field>(half: &HalfPeriod<F>) -> (F, F) {
     let shift = half.stiffness * half.shift;
     let q = half.k.hypot(shift);
     let two = F::int(2);

@@ -31,7 +31,26 @@ fn the_closed_forms_with_their_error_bounds() {
         let number = |part: &str| found[name][part].as_str().unwrap().parse::<f64>().unwrap();
         assert!((number("mid") - value).abs() < 1e-14 * value && number("rad") < 1e-18 * value, "{name}");
     }
-    assert!(found["max_absolute_displacement"].is_null());
+    let damped = json(
+        "response --omega 0.4 --alpha 9 --damping-ratio 0.02 --static-friction-ratio 1.1 --enclose --format json",
+    );
+    let plain =
+        json("response --omega 0.4 --alpha 9 --damping-ratio 0.02 --static-friction-ratio 1.1 --format json");
+    for name in [
+        "max_displacement",
+        "max_velocity",
+        "transmitted_force",
+        "max_absolute_displacement",
+        "min_force_ratio",
+    ] {
+        let number = |part: &str| damped[name][part].as_str().unwrap().parse::<f64>().unwrap();
+        let value = plain[name].as_f64().unwrap();
+        assert!((number("mid") - value).abs() < 1e-12 * value && number("rad") < 1e-18 * value, "{name}");
+    }
+    assert_eq!(
+        (damped["damping_ratio"].as_str(), damped["static_friction_ratio"].as_str()),
+        (Some("0.02"), Some("1.1"))
+    );
     let border = json("border --omega 0.4 --enclose --bits 256 --format json");
     assert!(
         border["min_force_ratio"]["mid"]
@@ -82,7 +101,10 @@ fn bad_input_is_refused() {
     refused("response --omega x --alpha 3 --enclose", &["--omega x", "must be a number"]);
     refused("response --omega -1 --alpha 3 --enclose", &["--omega -1", "must be > 0"]);
     refused("response --omega 1 --alpha 3 --enclose --format csv", &["--format"]);
-    refused("response --omega 1 --alpha 3 --enclose --damping-ratio 0.1", &["--damping-ratio 0.1"]);
+    refused(
+        "response --omega 1 --alpha 3 --enclose --damping-ratio -0.1",
+        &["--damping-ratio -0.1", "must be ≥ 0"],
+    );
     refused("response --omega 1 --alpha 3 --enclose --bits 9000", &["--bits 9000", "≤ 8192"]);
     refused("border --omega 1 --enclose --no-stop", &["--enclose", "--no-stop"]);
     refused("steady --omega 1 --alpha 3 --enclose --x0 1", &["--enclose", "--x0"]);

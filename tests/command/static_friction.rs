@@ -59,12 +59,6 @@ fn border_response_and_design_know_it() {
 #[test]
 fn what_does_not_know_it_refuses_it() {
     refused("border --omega 0.8 --static-friction-ratio 1.3 --no-stop", &["η = 1.3 must be 1 here"]);
-    for command in ["response --omega 0.8 --alpha 2", "border --omega 0.8"] {
-        refused(
-            &format!("{command} --static-friction-ratio 1.3 --enclose"),
-            &["--static-friction-ratio 1.3", "static friction as large as kinetic"],
-        );
-    }
     refused("design bands --alpha 3 --from 0.1 --to 2 --static-friction-ratio 1.3", &["does not use it"]);
     refused("steady --omega 0.8 --alpha 2 --static-friction-ratio 0.9", &["η = 0.9 must be ≥ 1"]);
     refused("steady --omega 0.8 --alpha 2 --static-friction-ratio nan", &["must be finite"]);

@@ -6,6 +6,7 @@
 mod multiple;
 #[macro_use]
 mod widths;
+
 mod enclosed;
 #[cfg(feature = "matching")]
 mod field;

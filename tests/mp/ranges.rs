@@ -113,3 +113,44 @@ fn the_velocity_has_one_stationary_point_over_a_whole_range() {
     assert!(throughout((1.2, 1.9), (0.1, 0.9), falls).is_err());
     assert!(throughout((0.5, 0.9), (0.9, 1.0), holds).is_err());
 }
+
+/// The sign of ρ below Ω = 1. With ψ = tβ, Δ = Δ₀/B and σ the sign of cos β the velocity of the half cycle is
+///
+/// ```text
+/// v = Δ cos Ωψ + o(ψ),   o = (sin ψ − sin β sin Ωψ)/cos β,   ρ = sin ψ/cos β at its maximum,
+/// ```
+///
+/// and Δ is at least both 1/Ω² and |tan β| cot(πΩ/2)/Ω, the values of the border's function at τ = 0 and πΩ. Where sin ψ does not have
+/// the sign of cos β, no Δ makes ψ the maximum: v(0) = Δ is larger, or v′ is not zero. The ends of the half cycle are included. By hand is left what is
+/// next to Ω = 1 and the poles, where cos β = 0, and ψ = 0 on the side of the maximum, where `v′(0) = (1 − Ω sin β)/cos β`.
+#[test]
+fn rho_is_positive_over_whole_ranges_below_resonance() {
+    let half_pi = || B::pi() * B::ratio(1, 2);
+    // All but for a factor |cos β|.
+    let excluded = |u: B, t: B, sigma: i32| {
+        let (beta, slow, sigma) = (half_pi() * u, half_pi() * t, B::int(sigma));
+        let psi = beta * t;
+        let ((sin_beta, cos_beta), (sine, cosine)) = (beta.sin_cos(), psi.sin_cos());
+        if (sigma * sine).is_positive() {
+            return true;
+        }
+        let (slow_sine, slow_cosine) = slow.sin_cos();
+        let least = (sigma * cos_beta * u.square()).larger(&(sin_beta.abs() * u / (half_pi() / u).tan()));
+        let odd = sigma * (sine - sin_beta * slow_sine);
+        let is_below_middle = (least * (B::int(1) - slow_cosine) - odd).is_positive();
+        let slope = sigma * (cosine - sin_beta * slow_cosine / u) - least * slow_sine / u;
+        is_below_middle || if t.mid() > Mp::ZERO { slope.is_negative() } else { slope.is_positive() }
+    };
+    // By 1/Ω: Ω in [0.335, 0.98], [0.2005, 0.332], [0.1435, 0.1995], [0.112, 0.1425], and the sign of cos β there.
+    for (low, high, sigma) in [(1.02, 2.985, -1), (3.012, 4.987, 1), (5.013, 6.968, -1), (7.018, 8.928, 1)] {
+        for t in if sigma > 0 { [(-1.0, 0.0), (0.001, 1.0)] } else { [(0.0, 1.0), (-1.0, -0.001)] } {
+            let found = throughout((low, high), t, |u, t| excluded(u, t, sigma));
+            assert!(found.is_ok_and(|count| count > 40), "{low} {t:?}: {found:?}");
+        }
+        // With the other sign it is found to be wrong.
+        assert!(
+            throughout((low, high), (0.001, 1.0), |u, t| excluded(u, t, -sigma)).is_err()
+                || throughout((low, high), (-1.0, -0.001), |u, t| excluded(u, t, -sigma)).is_err()
+        );
+    }
+}

@@ -21,14 +21,13 @@ pub(crate) fn response(
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
-    undamped(machine)?;
-    enclosed_response(typed("--omega", &machine.omega)?, typed("--alpha", alpha)?, output, out)
+    let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
+    enclosed_response(ratios, others(machine), output, out)
 }
 
 /// `border --enclose`.
 pub(crate) fn border(machine: &MachineArgs, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-    undamped(machine)?;
-    enclosed_border(typed("--omega", &machine.omega)?, output, out)
+    enclosed_border(typed("--omega", &machine.omega)?, others(machine), output, out)
 }
 
 /// `steady --enclose`.
@@ -39,19 +38,14 @@ pub(crate) fn steady(
     out: &mut impl Write,
 ) -> Outcome {
     let ratios = (typed("--omega", &machine.omega)?, typed("--alpha", alpha)?);
-    let others = (machine.damping_ratio.as_deref(), machine.static_friction_ratio.as_deref());
-    enclosed_steady(ratios, others, output, out)
+    enclosed_steady(ratios, others(machine), output, out)
 }
 
-/// The closed forms with damping or static friction have no enclosures.
-fn undamped(machine: &MachineArgs) -> Outcome {
-    if let Some(eta) = &machine.static_friction_ratio {
-        return Err(Failure::Input(format!(
-            "--static-friction-ratio {eta}: --enclose has closed forms for static friction as large as kinetic"
-        )));
-    }
-    let Some(zeta) = &machine.damping_ratio else { return Ok(()) };
-    Err(Failure::Input(format!("--damping-ratio {zeta}: --enclose is for closed forms without damping")))
+/// The damping ratio and the ratio of frictions as they were typed.
+type Others<'a> = (Option<&'a str>, Option<&'a str>);
+
+fn others(machine: &MachineArgs) -> Others<'_> {
+    (machine.damping_ratio.as_deref(), machine.static_friction_ratio.as_deref())
 }
 
 #[cfg(feature = "mp")]
@@ -62,22 +56,17 @@ use found::{border as enclosed_border, response as enclosed_response};
 use motion::steady as enclosed_steady;
 
 #[cfg(not(feature = "mp"))]
-fn enclosed_response(_: &str, _: &str, _: &OutputArgs, _: &mut impl Write) -> Outcome {
+fn enclosed_response(_: (&str, &str), _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
     Err(no_balls())
 }
 
 #[cfg(not(feature = "mp"))]
-fn enclosed_border(_: &str, _: &OutputArgs, _: &mut impl Write) -> Outcome {
+fn enclosed_border(_: &str, _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
     Err(no_balls())
 }
 
 #[cfg(not(feature = "mp"))]
-fn enclosed_steady(
-    _: (&str, &str),
-    _: (Option<&str>, Option<&str>),
-    _: &OutputArgs,
-    _: &mut impl Write,
-) -> Outcome {
+fn enclosed_steady(_: (&str, &str), _: Others<'_>, _: &OutputArgs, _: &mut impl Write) -> Outcome {
     Err(no_balls())
 }
 

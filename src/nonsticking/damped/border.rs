@@ -32,7 +32,7 @@
 
 use super::half_period::HalfPeriod;
 use super::rising::Moment;
-use crate::float::{AtPrecision, Float};
+use crate::float::{AtPrecision, Field, Float};
 use crate::root::newton_within;
 
 /// The supremum S and where it is.
@@ -54,7 +54,7 @@ pub(crate) struct Touch<F> {
 /// The end of the half cycle that a time is counted from: from the nearer one it keeps its digits, however
 /// long the half cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum End {
+pub(crate) enum End {
     First,
     Last,
 }
@@ -92,7 +92,7 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
 
 /// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of η times the kinetic one
 /// `(η + G + 2ζΩH)/Ω²`.
-pub(crate) fn turning_point<F: Float>(half: &HalfPeriod<F>) -> F {
+pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
     (half.holding() + half.static_excess) / half.omega.square()
 }
 
@@ -145,9 +145,9 @@ fn zeros<F: Float>(half: &HalfPeriod<F>, from: End) -> (F, F) {
     (angle / d, pi / d)
 }
 
-impl<F: Float> HalfPeriod<F> {
+impl<F: Field> HalfPeriod<F> {
     /// `p = (Ω² + 4ζ² − 1) h′ + 2ζh`.
-    fn weighted(&self, velocity: F, displacement: F) -> F {
+    pub(crate) fn weighted(&self, velocity: F, displacement: F) -> F {
         let zeta = self.free.zeta;
         (F::int(4) * zeta.square() - self.lag.1) * velocity + F::int(2) * zeta * displacement
     }
@@ -177,7 +177,7 @@ fn shortfall<F: Float>(half: &HalfPeriod<F>, at: &Moment<F>) -> F {
 
 /// `g/Ω = n′ sin Ωτ − Ω n cos Ωτ`, which has the sign of ρ′, and its derivative `−p sin Ωτ`: by the time from
 /// the end given.
-fn rise<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> (F, F) {
+pub(crate) fn rise<F: Field>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> (F, F) {
     let ((s, c), omega, b) = (at.drive, half.omega, half.omega * half.h);
     let (n, slope) = (b * c - at.free.v, -(b * omega * s) - at.free.a);
     let value = slope * s - omega * n * c;

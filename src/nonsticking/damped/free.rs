@@ -1,6 +1,6 @@
 //! Free vibration with viscous damping: `x″ + 2ζx′ + x = 0` in natural time.
 
-use crate::float::Float;
+use crate::float::{Field, Float};
 
 /// Free vibration at a damping ratio ζ > 0, below, at and above ζ = 1.
 ///
@@ -33,7 +33,7 @@ pub(crate) struct State<F> {
     pub(crate) snap: F,
 }
 
-impl<F: Float> State<F> {
+impl<F: Field> State<F> {
     /// No velocity later on is larger than this: `x′` is free vibration, too, whose energy `(x′² + x″²)/2`
     /// only falls.
     #[inline]
@@ -54,28 +54,43 @@ impl<F: Float> State<F> {
     }
 }
 
-impl<F: Float> Free<F> {
+impl<F: Field> Free<F> {
+    /// The same in another number type.
+    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
+        Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }
+    }
+
     pub(crate) fn new(zeta: F) -> Self {
         let one = F::int(1);
         let square = (one - zeta) * (one + zeta);
         Self { zeta, square, frequency: square.abs().sqrt() }
     }
 
-    /// The same in another number type.
-    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
-        Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }
-    }
-
-    /// Whether the body swings: ζ < 1.
-    #[inline]
-    pub(crate) fn swings(&self) -> bool {
-        self.square > F::int(0)
-    }
-
     /// `1/(ζ + |d|)`, the slower of the two rates of decay above ζ = 1: `ζ − |d|` without cancellation.
     #[inline]
     pub(crate) fn slow_rate(&self) -> F {
         F::int(1) / (self.zeta + self.frequency)
+    }
+
+    /// The motion from (x₀, v₀) after the time t whose waves are given.
+    #[inline]
+    pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> State<F> {
+        let (zeta, two) = (self.zeta, F::int(2));
+        let Waves { cosine, sine } = waves;
+        let x = x0 * cosine + (v0 + zeta * x0) * sine;
+        let v = v0 * cosine - (zeta * v0 + x0) * sine;
+        let next = |x: F, v: F| -(x + two * zeta * v);
+        let a = next(x, v);
+        let jerk = next(v, a);
+        State { x, v, a, jerk, snap: next(a, jerk) }
+    }
+}
+
+impl<F: Float> Free<F> {
+    /// Whether the body swings: ζ < 1.
+    #[inline]
+    pub(crate) fn swings(&self) -> bool {
+        self.square > F::int(0)
     }
 
     /// Both waves at t ≥ 0.
@@ -109,18 +124,5 @@ impl<F: Float> Free<F> {
         // e^{−ζt} cosh |d|t = e^{−t/(ζ+|d|)} (1 + e^{−2|d|t})/2, and so for the sine.
         let (slow, gap) = ((-(self.slow_rate() * t)).exp(), -(-(self.frequency * t * F::int(2))).exp_m1());
         Waves { cosine: slow * (F::int(1) - gap * half), sine: slow * (gap * half / self.frequency) }
-    }
-
-    /// The motion from (x₀, v₀) after the time t whose waves are given.
-    #[inline]
-    pub(crate) fn after(&self, waves: Waves<F>, x0: F, v0: F) -> State<F> {
-        let (zeta, two) = (self.zeta, F::int(2));
-        let Waves { cosine, sine } = waves;
-        let x = x0 * cosine + (v0 + zeta * x0) * sine;
-        let v = v0 * cosine - (zeta * v0 + x0) * sine;
-        let next = |x: F, v: F| -(x + two * zeta * v);
-        let a = next(x, v);
-        let jerk = next(v, a);
-        State { x, v, a, jerk, snap: next(a, jerk) }
     }
 }

@@ -1,7 +1,7 @@
 //! The linear oscillator over half a period of the drive: what of the damped cycle depends on Ω and ζ alone.
 
 use super::free::Free;
-use crate::float::Float;
+use crate::float::{Field, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
 /// Over the half period `T = π/Ω` of natural time, with `d = √(1 − ζ²)`:
@@ -72,7 +72,9 @@ impl<F: Float> HalfPeriod<F> {
             static_excess: F::int(0),
         }
     }
+}
 
+impl<F: Field> HalfPeriod<F> {
     /// The same in another number type, each part converted on its own.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfPeriod<G> {
         HalfPeriod {
@@ -90,15 +92,19 @@ impl<F: Float> HalfPeriod<F> {
             static_excess: to(self.static_excess),
         }
     }
+}
 
-    /// The same with a static friction of η times the kinetic one.
-    pub(crate) fn with_static_friction(self, eta: F) -> Self {
-        Self { static_excess: eta - F::int(1), ..self }
-    }
-
+impl<F: Real> HalfPeriod<F> {
     /// The lag δ of the linear oscillator, in (0, π).
     pub(crate) fn phase_lag(&self) -> F {
         self.lag.0.atan2(self.lag.1)
+    }
+}
+
+impl<F: Field> HalfPeriod<F> {
+    /// The same with a static friction of η times the kinetic one.
+    pub(crate) fn with_static_friction(self, eta: F) -> Self {
+        Self { static_excess: eta - F::int(1), ..self }
     }
 
     /// `1 + G + 2ζΩH`: the deceleration at the maximum of the cycle that is barely held back there, in units

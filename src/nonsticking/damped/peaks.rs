@@ -9,9 +9,31 @@
 //! Each is the sum of a driven part, a harmonic of the frequency Ω, and a free part, whose energy only falls.
 
 use super::DampedCycle;
-use super::rising::Moment;
-use crate::float::Float;
+use super::rising::{Moment, Rising};
+use crate::float::{Field, Float};
 use crate::greatest::{Bound, Jet, greatest};
+
+impl<F: Field> Rising<F> {
+    /// x″ and its first two derivatives, in natural time.
+    pub(crate) fn acceleration(&self, at: &Moment<F>) -> Jet<F> {
+        let ([_, a, jerk], driven) = (self.velocity(at), self.driven(at).1);
+        Jet { value: a, slope: jerk, second: at.free.snap - self.half.omega.square() * driven }
+    }
+
+    /// `f = x + 2ζx′ + 1` and its derivatives; x is given.
+    pub(crate) fn force(&self, at: &Moment<F>, x: F) -> Jet<F> {
+        let ([v, a, jerk], damper) = (self.velocity(at), F::int(2) * self.half.free.zeta);
+        Jet { value: x + damper * v + F::int(1), slope: v + damper * a, second: a + damper * jerk }
+    }
+
+    /// `y = x + (α/Ω²) sin θ` and its derivatives; x is given.
+    pub(crate) fn absolute(&self, at: &Moment<F>, x: F) -> Jet<F> {
+        let ([v, a, jerk], square) = (self.velocity(at), self.half.omega.square());
+        let Jet { value: force, slope: rate, .. } = self.force(at, x);
+        // α sin θ = x″ + f, and its derivative.
+        Jet { value: x + (a + force) / square, slope: v + (jerk + rate) / square, second: -force }
+    }
+}
 
 impl<F: Float> DampedCycle<F> {
     /// Greatest |x″|, in B ω_n².
@@ -28,10 +50,7 @@ impl<F: Float> DampedCycle<F> {
                 value: driven.reach((b - a) / F::int(2)) + free.acceleration_bound(),
             }
         };
-        self.greatest(bound, |at| {
-            let ([_, a, jerk], driven) = (self.rising.velocity(at), self.rising.driven(at).1);
-            Jet { value: a, slope: jerk, second: at.free.snap - square * driven }
-        })
+        self.greatest(bound, |at| self.rising.acceleration(at))
     }
 
     /// Greatest |f|, in r_y.
@@ -53,25 +72,17 @@ impl<F: Float> DampedCycle<F> {
                 value: driven.reach((b - a) / F::int(2)) + free.acceleration_bound(),
             }
         };
-        self.greatest(bound, |at| {
-            let ([v, a, jerk], x) = (self.rising.velocity(at), self.rising.displacement(at));
-            Jet { value: x + damper * v + F::int(1), slope: v + damper * a, second: a + damper * jerk }
-        })
+        self.greatest(bound, |at| self.rising.force(at, self.rising.displacement(at)))
     }
 
     /// Greatest |y|, in B.
     pub(crate) fn max_absolute_displacement(&self) -> F {
         let half = &self.rising.half;
-        let (square, damper, one) = (half.omega.square(), self.damper(), F::int(1));
+        let (damper, one) = (self.damper(), F::int(1));
         let most = self.max_displacement + damper * half.omega * self.max_velocity + one;
         self.greatest(
             |_, _| Bound { curvature: most, value: one / F::int(0) },
-            |at| {
-                let ([v, a, jerk], x) = (self.rising.velocity(at), self.rising.displacement(at));
-                let (force, rate) = (x + damper * v + one, v + damper * a);
-                // α sin θ = x″ + f, and its derivative.
-                Jet { value: x + (a + force) / square, slope: v + (jerk + rate) / square, second: -force }
-            },
+            |at| self.rising.absolute(at, self.rising.displacement(at)),
         )
     }
 

@@ -8,7 +8,7 @@
 
 use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
-use crate::float::Float;
+use crate::float::{Field, Float};
 
 /// One half cycle: the half period and the amplitude a.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,7 +81,9 @@ impl<F: Float> Vibration<F> {
         let free = self.free.after(waves, self.start.0, self.start.1);
         Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
     }
+}
 
+impl<F: Field> Vibration<F> {
     /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
     #[inline]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
@@ -103,7 +105,12 @@ impl<F: Float> Vibration<F> {
     }
 }
 
-impl<F: Float> Rising<F> {
+impl<F: Field> Rising<F> {
+    /// The same in another number type.
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
+        Rising { amplitude: to(self.amplitude), half: self.half.map(to) }
+    }
+
     /// The half cycle as a vibration.
     pub(crate) fn vibration(&self) -> Vibration<F> {
         let half = &self.half;
@@ -114,23 +121,6 @@ impl<F: Float> Rising<F> {
             start: (F::int(1) + half.shift, half.omega * half.h),
             end: half.period,
         }
-    }
-
-    /// The same in another number type.
-    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
-        Rising { amplitude: to(self.amplitude), half: self.half.map(to) }
-    }
-
-    /// x/B.
-    ///
-    /// `h − 1 = G + (1 + G)(e^{−ζτ} cos dτ − 1) + (b + ζ(1 + G)) e^{−ζτ} sin(dτ)/d`: far above Ω = 1 it is
-    /// small.
-    pub(crate) fn displacement(&self, at: &Moment<F>) -> F {
-        let ((s, c), half) = (at.drive, &self.half);
-        let start = F::int(1) + half.shift;
-        let sine = (half.omega * half.h + half.free.zeta * start) * at.waves.sine;
-        let free = half.shift + (start * half.free.cosine_less_one(at.tau) + sine);
-        free - self.amplitude * c - half.h * s
     }
 
     /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
@@ -148,5 +138,19 @@ impl<F: Float> Rising<F> {
     /// `Ω√(a² + H²) = Ωα/q`, the velocity amplitude of the drive alone.
     pub(crate) fn swing(&self) -> F {
         self.half.omega * self.amplitude.hypot(self.half.h)
+    }
+}
+
+impl<F: Float> Rising<F> {
+    /// x/B.
+    ///
+    /// `h − 1 = G + (1 + G)(e^{−ζτ} cos dτ − 1) + (b + ζ(1 + G)) e^{−ζτ} sin(dτ)/d`: far above Ω = 1 it is
+    /// small.
+    pub(crate) fn displacement(&self, at: &Moment<F>) -> F {
+        let ((s, c), half) = (at.drive, &self.half);
+        let start = F::int(1) + half.shift;
+        let sine = (half.omega * half.h + half.free.zeta * start) * at.waves.sine;
+        let free = half.shift + (start * half.free.cosine_less_one(at.tau) + sine);
+        free - self.amplitude * c - half.h * s
     }
 }

@@ -1,5 +1,6 @@
 //! `--enclose`: each output as digits that are certain, then ±.
 
+use super::Others;
 use crate::args::{Format, OutputArgs};
 use crate::failure::{Failure, Outcome};
 use crate::outputs::unit_of;
@@ -21,18 +22,46 @@ struct Answer<'a> {
     has_regime: bool,
 }
 
+/// The damping ratio and the ratio of frictions, zero and one where none were typed.
+pub(super) fn known_others((zeta, eta): Others<'_>) -> Result<(Known, Known), Failure> {
+    let zeta = known("--damping-ratio", zeta.unwrap_or("0"))?;
+    Ok((zeta, known("--static-friction-ratio", eta.unwrap_or("1"))?))
+}
+
+/// What was typed of them, with options or as keys of JSON.
+pub(super) fn typed_others<'a>((zeta, eta): Others<'a>) -> impl Iterator<Item = (&'static str, &'a str)> {
+    let zeta = zeta.map(|zeta| ("damping_ratio", zeta));
+    zeta.into_iter().chain(eta.map(|eta| ("static_friction_ratio", eta)))
+}
+
+/// The options as they were typed, for a complaint.
+pub(super) fn options(typed: &[(&'static str, &str)]) -> String {
+    let option = |(name, text): &(&str, &str)| format!("--{} {text}", name.replace('_', "-"));
+    typed.iter().map(option).collect::<Vec<_>>().join(" ")
+}
+
 /// `response --enclose`.
-pub(crate) fn response(omega: &str, alpha: &str, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-    let found = enclosed::response(&known("--omega", omega)?, &known("--alpha", alpha)?, bits(output));
-    let found = found.map_err(|e| fault(&format!("--omega {omega} --alpha {alpha}"), output, &e))?;
-    let typed = vec![("omega", omega), ("alpha", alpha)];
+pub(crate) fn response(
+    (omega, alpha): (&str, &str),
+    others: Others<'_>,
+    output: &OutputArgs,
+    out: &mut impl Write,
+) -> Outcome {
+    let ((zeta, eta), bits) = (known_others(others)?, bits(output));
+    let typed: Vec<_> =
+        [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
+    let found =
+        enclosed::response_with(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, &eta, bits);
+    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
     Answer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
 }
 
 /// `border --enclose`.
-pub(crate) fn border(omega: &str, output: &OutputArgs, out: &mut impl Write) -> Outcome {
-    let found = enclosed::border(&known("--omega", omega)?, bits(output));
-    let found = found.map_err(|e| fault(&format!("--omega {omega}"), output, &e))?;
+pub(crate) fn border(omega: &str, others: Others<'_>, output: &OutputArgs, out: &mut impl Write) -> Outcome {
+    let ((zeta, eta), bits) = (known_others(others)?, bits(output));
+    let typed: Vec<_> = [("omega", omega)].into_iter().chain(typed_others(others)).collect();
+    let found = enclosed::border_with(&known("--omega", omega)?, &zeta, &eta, bits);
+    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
     let of_border = [
         Output::MinForceRatio,
         Output::TurningPointForceRatio,
@@ -41,8 +70,7 @@ pub(crate) fn border(omega: &str, output: &OutputArgs, out: &mut impl Write) -> 
         Output::BestForceRatio,
         Output::BestLoopSize,
     ];
-    Answer { typed: vec![("omega", omega)], found, outputs: of_border.to_vec(), has_regime: false }
-        .write(output, out)
+    Answer { typed, found, outputs: of_border.to_vec(), has_regime: false }.write(output, out)
 }
 
 pub(super) fn bits(output: &OutputArgs) -> u32 {

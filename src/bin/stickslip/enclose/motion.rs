@@ -1,6 +1,7 @@
 //! `steady --enclose`: a motion that is proved to exist.
 
-use super::found::{MidRad, bits, fault, known};
+use super::Others;
+use super::found::{MidRad, bits, fault, known, known_others, options, typed_others};
 use crate::args::{Format, OutputArgs};
 use crate::failure::Outcome;
 use crate::response::single_format;
@@ -20,18 +21,17 @@ struct Answer<'a> {
 
 pub(crate) fn steady(
     (omega, alpha): (&str, &str),
-    (damping_ratio, static_friction_ratio): (Option<&str>, Option<&str>),
+    (damping_ratio, static_friction_ratio): Others<'_>,
     output: &OutputArgs,
     out: &mut impl Write,
 ) -> Outcome {
-    let zeta = known("--damping-ratio", damping_ratio.unwrap_or("0"))?;
-    let eta = known("--static-friction-ratio", static_friction_ratio.unwrap_or("1"))?;
+    let others = (damping_ratio, static_friction_ratio);
+    let (zeta, eta) = known_others(others)?;
     let ratios = (known("--omega", omega)?, known("--alpha", alpha)?);
     let found = enclosed::steady(&ratios.0, &ratios.1, &zeta, &eta, bits(output));
-    let typed = |option: &str, text: Option<&str>| text.map_or(String::new(), |t| format!(" {option} {t}"));
-    let typed =
-        typed("--damping-ratio", damping_ratio) + &typed("--static-friction-ratio", static_friction_ratio);
-    let found = found.map_err(|e| fault(&format!("--omega {omega} --alpha {alpha}{typed}"), output, &e))?;
+    let typed: Vec<_> =
+        [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
+    let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
     let answer = Answer { omega, alpha, damping_ratio, static_friction_ratio, found };
     match output.format.unwrap_or(Format::Text) {
         Format::Text => answer.text(out),

@@ -1,0 +1,159 @@
+//! The border with damping, or with static friction above the kinetic one, in balls.
+//!
+//! What is proved of the condition's function ρ(τ) in the head of `crate::nonsticking::damped::border` is used here: it has at most one maximum
+//! between two zeros of p, which are known, and none elsewhere. Where ρ′ is certainly positive at the one and negative at the other the maximum is
+//! enclosed; pairs of zeros are gone through from both ends of the half cycle inwards, until no value between is certainly as large as one that was found.
+
+use super::super::border::Border;
+use super::super::root::only_zero;
+use super::moment;
+use crate::float::ball::Ball;
+use crate::float::{Field, Real};
+use crate::nonsticking::border::border_force_ratio;
+use crate::nonsticking::damped::border::{End, rise, turning_point};
+use crate::nonsticking::damped::half_period::HalfPeriod;
+use core::cmp::Ordering;
+use rug::Integer;
+
+/// Zeros of p that are gone through.
+const MOST: i32 = 2000;
+
+/// A maximum of ρ, and where it is.
+type Touch<const W: usize> = (Ball<W>, Ball<W>);
+
+/// The border at this half period.
+pub(super) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Border<W> {
+    let at_turning_point = turning_point(half);
+    let force_ratio = |s: Ball<W>| border_force_ratio(half.k, half.stiffness * s);
+    let of = |s: Ball<W>, phase| Border {
+        min_force_ratio: force_ratio(s),
+        turning_point: force_ratio(at_turning_point),
+        least_displacement: s - half.shift,
+        phase,
+    };
+    let found = touches(half, at_turning_point);
+    let Some(found) = found else { return of(Ball::entire(), None) };
+    let s = found.iter().fold(at_turning_point, |s, (value, _)| s.larger(value));
+    // The only one that may be the largest.
+    let mut phases: Vec<Ball<W>> = found
+        .iter()
+        .filter(|(value, _)| !value.is_below(&s))
+        .map(|(_, tau)| half.omega * *tau)
+        .chain((!at_turning_point.is_below(&s)).then(|| Ball::int(0)))
+        .collect();
+    let phase = phases.pop().filter(|_| phases.is_empty());
+    of(s, phase)
+}
+
+/// All maxima of ρ that may exceed `least`; `None` where they are undecided.
+fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option<Vec<Touch<W>>> {
+    let d = half.free.frequency;
+    // Above ζ = 1, and from Ω = d/2 on, the turning point suffices.
+    match half.free.square.sign()? {
+        Ordering::Less | Ordering::Equal => return Some(Vec::new()),
+        Ordering::Greater if (half.omega * Ball::int(2) - d).sign()? != Ordering::Less => {
+            return Some(Vec::new());
+        }
+        Ordering::Greater => {}
+    }
+    let zero = |n: i32| first_zero(half).map(|first| first + Ball::int(n) * Ball::pi() / d);
+    let last = last_zero(half, zero(0)?)?;
+    let (mut best, mut found) = (least, Vec::new());
+    // Pairs of neighbours (n, n + 1), from both ends.
+    for n in 0..(last + 1) / 2 {
+        if n > MOST {
+            return None;
+        }
+        let (low, high) = (zero(n)?, zero(last - n)?);
+        if !may_exceed(half, low, high, best) {
+            break;
+        }
+        let other = last - n - 1;
+        for pair in [Some(n), (other != n).then_some(other)].into_iter().flatten() {
+            let touch = maximum_between(half, zero(pair)?, zero(pair + 1)?)?;
+            if let Some((value, tau)) = touch {
+                best = best.larger(&value);
+                found.push((value, tau));
+            }
+        }
+    }
+    Some(found)
+}
+
+/// The first zero of p at τ > 0.
+fn first_zero<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Option<Ball<W>> {
+    let (d, start) = (half.free.frequency, moment(half, Ball::int(0)).free);
+    let (p, slope) = (half.weighted(start.v, start.x), half.weighted(start.a, start.v));
+    // p = e^{−ζτ} P cos(dτ − χ)
+    let angle = ((slope + half.free.zeta * p) / d).atan2(p) + Ball::pi() / Ball::int(2);
+    let angle = match angle.sign()? {
+        Ordering::Less => angle + Ball::pi(),
+        Ordering::Equal => Ball::pi(),
+        Ordering::Greater if Ball::pi().is_below(&angle) => angle - Ball::pi(),
+        Ordering::Greater => angle,
+    };
+    angle.is_positive().then(|| angle / d)
+}
+
+/// How many zeros follow the first one before T.
+fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Option<i32> {
+    let steps = (half.period - first) * half.free.frequency / Ball::pi();
+    if steps.is_negative() {
+        return Some(0);
+    }
+    let floor = |x: crate::float::mp::Mp<W>| x.to_rational().map(|x| Integer::from(x.floor_ref()));
+    let (low, high) = (floor(steps.lower())?, floor(steps.upper())?);
+    (low == high).then(|| low.to_i32()).flatten()
+}
+
+/// Whether ρ may exceed `best` from the time `low` to `high`: as in the search of plain numbers, by the energy of free vibration.
+fn may_exceed<const W: usize>(
+    half: &HalfPeriod<Ball<W>>,
+    low: Ball<W>,
+    high: Ball<W>,
+    best: Ball<W>,
+) -> bool {
+    let (start, end, b) = (moment(half, low), moment(half, high), half.omega * half.h);
+    let driven = (b * start.drive.1).larger(&(b * end.drive.1));
+    let (first, last) = (start.drive.0, end.drive.0);
+    let sine = if first.lower() < last.lower() { first } else { last };
+    // b cos Ωτ is monotone and sin Ωτ has no minimum within.
+    !(driven + start.free.velocity_bound()).is_below(&(best * half.omega * sine))
+}
+
+/// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` where that is undecided.
+#[allow(clippy::option_option, reason = "undecided is not none")]
+fn maximum_between<const W: usize>(
+    half: &HalfPeriod<Ball<W>>,
+    low: Ball<W>,
+    high: Ball<W>,
+) -> Option<Option<Touch<W>>> {
+    let slope = |tau: Ball<W>| rise(half, End::First, &moment(half, tau));
+    let (rises, falls) = (slope(low).0, slope(high).0);
+    if rises.is_negative() || falls.is_positive() {
+        return Some(None);
+    }
+    if !(rises.is_positive() && falls.is_negative()) {
+        return None;
+    }
+    // Near enough for Newton's method.
+    let (mut left, mut right) = (low.mid(), high.mid());
+    for _ in 0..12 {
+        let middle = (left + right).scale2(-1);
+        if slope(Ball::exact(middle)).0.is_positive() {
+            left = middle;
+        } else {
+            right = middle;
+        }
+    }
+    let tau = only_zero((left + right).scale2(-1), |tau| slope(tau).0, |tau| slope(tau).1)?;
+    if !(low.is_below(&tau) && tau.is_below(&high)) {
+        return None;
+    }
+    // ρ = [b cos Ωτ − h′]/(Ω sin Ωτ), which is stationary there.
+    let value = |tau: Ball<W>| {
+        let at = moment(half, tau);
+        (half.omega * half.h * at.drive.1 - at.free.v) / (half.omega * at.drive.0)
+    };
+    Some(Some((value(tau), tau)))
+}
