@@ -134,22 +134,17 @@ impl Batch {
         Ok(())
     }
 
-    /// The same with damping, point by point.
+    /// The outputs wanted at `n` points whose ratios may have damping and static friction, each point alone; NaN where there are no ratios.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
-    pub fn run_damped(
+    /// [`LengthMismatch`] where a slice is not of `n` elements.
+    pub fn run_each(
         &self,
-        omega: &[f64],
-        alpha: &[f64],
-        damping_ratio: &[f64],
+        n: usize,
+        ratios: impl Fn(usize) -> Option<Ratios<f64>> + Sync,
         columns: Columns<'_>,
     ) -> Result<(), LengthMismatch> {
-        same_length(omega.len(), "alpha", alpha.len())?;
-        same_length(omega.len(), "damping_ratio", damping_ratio.len())?;
-        self.each(omega.len(), columns.of_length(omega.len())?, &|i| {
-            Ratios::new(*omega.get(i)?, *alpha.get(i)?).ok()?.with_damping_ratio(*damping_ratio.get(i)?).ok()
-        });
+        self.each(n, columns.of_length(n)?, &ratios);
         Ok(())
     }
 

@@ -26,7 +26,7 @@
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
 //! | `period_map` | m half turns with their derivative, and Newton's method for what they bring back |
-//! | [`attractors()`] | all limits that a set of starts leads to |
+//! | [`attractors()`], [`Starts`] | all limits that a set of starts leads to, and starts for it |
 //! | [`periodic_motions()`] | periodic motions that Newton's method finds, unstable ones among them |
 //! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
 //!
@@ -60,6 +60,7 @@ mod samples;
 mod shooting;
 mod short;
 mod slide;
+mod starts;
 mod state;
 mod steady;
 mod steady_outputs;
@@ -83,6 +84,7 @@ pub use periodic::{PeriodicMotion, PeriodicMotions, periodic_motions, periodic_m
 pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::Direction;
+pub use starts::Starts;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};

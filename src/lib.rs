@@ -184,6 +184,11 @@ mod root;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod sensitivity;
 pub mod uncertainty;
+#[cfg_attr(
+    not(test),
+    allow(clippy::arithmetic_side_effects, reason = "places within a text, which its length bounds")
+)]
+pub mod units;
 #[cfg(feature = "matching")]
 pub mod verify;
 

@@ -28,13 +28,12 @@ mod command {
     pub(crate) mod response;
     pub(crate) mod sink;
     pub(crate) mod style;
-    pub(crate) mod units;
 }
 
 use command::args::{Command, NoCommand, OutputArgs, Question};
 use command::{
     args, bits, border, decay, design, enclose, failure, given, grid, input, interrupt, machine, note,
-    outputs, physical, points, progress, record, response, sink, style, units,
+    outputs, physical, points, progress, record, response, sink, style,
 };
 use failure::Failure;
 use std::path::PathBuf;

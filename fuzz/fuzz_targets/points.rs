@@ -27,13 +27,12 @@ mod command {
     pub(crate) mod response;
     pub(crate) mod sink;
     pub(crate) mod style;
-    pub(crate) mod units;
 }
 
 use command::args::{Command, NoCommand};
 use command::{
     args, bits, border, enclose, failure, given, input, interrupt, machine, note, outputs, physical, points,
-    progress, record, response, sink, style, units,
+    progress, record, response, sink, style,
 };
 use csv::{ReaderBuilder, StringRecord, Trim};
 use failure::{Failure, Outcome};

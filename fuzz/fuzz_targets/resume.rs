@@ -30,13 +30,12 @@ mod command {
     pub(crate) mod steady;
     pub(crate) mod style;
     pub(crate) mod sweep;
-    pub(crate) mod units;
 }
 
 use command::args::{Command, NoCommand};
 use command::{
     args, axes, bits, border, enclose, failure, given, grid, input, interrupt, machine, note, output,
-    outputs, physical, points, progress, record, response, resume, sink, steady, style, sweep, units,
+    outputs, physical, points, progress, record, response, resume, sink, steady, style, sweep,
 };
 use std::path::PathBuf;
 use std::sync::LazyLock;

@@ -10,7 +10,7 @@ use crate::response::Response;
 #[error("{name} has {found} elements where {expected} are due")]
 #[non_exhaustive]
 pub struct LengthMismatch {
-    /// The name of the slice: that of an output, `alpha`, `damping_ratio` or `regime`.
+    /// The name of the slice: that of an output, `alpha` or `regime`.
     pub name: &'static str,
     /// Its length.
     pub found: usize,

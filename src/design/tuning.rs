@@ -144,7 +144,7 @@ pub fn most_dissipating_stiffness<F: Float>(
     low: F,
     high: F,
 ) -> Result<BestStiffness<F>, Error> {
-    if drive.is_base_motion() {
+    if drive.excitation().moves_foot() {
         return Err(Error::BaseMotion);
     }
     body.with_one_friction()?;

@@ -160,6 +160,50 @@ impl<F: Float> LongRun<F> {
             Self::Rest(_) | Self::Irregular(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
         }
     }
+
+    /// What kind of limit it is, as the command prints it: one of [`LongRun::NAMES`].
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Periodic(_) => Self::NAMES[0],
+            Self::Family(_) => Self::NAMES[1],
+            Self::Rest(_) => Self::NAMES[2],
+            Self::Irregular(_) => Self::NAMES[3],
+            Self::Unbounded { .. } => Self::NAMES[4],
+            Self::NotConverged { .. } => Self::NAMES[5],
+        }
+    }
+
+    /// The names of all kinds of limit.
+    pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
+
+    /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which takes none.
+    pub const fn periods(&self) -> Option<F> {
+        match self {
+            Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods()),
+            Self::Rest(rest) => Some(rest.periods),
+            Self::Irregular(motion) => Some(motion.periods()),
+            Self::Unbounded { .. } => None,
+            Self::NotConverged { periods, .. } => Some(*periods),
+        }
+    }
+
+    /// Where it comes to rest, x/B; `None` for all other limits.
+    pub const fn rest_position(&self) -> Option<F> {
+        if let Self::Rest(rest) = self { Some(rest.position) } else { None }
+    }
+
+    /// The irregular motion, where it is one.
+    pub const fn irregular(&self) -> Option<&Irregular<F>> {
+        if let Self::Irregular(motion) = self { Some(motion) } else { None }
+    }
+
+    /// The least and the greatest displacement x/B of a limit that moves: of a cycle, or of the turns of an irregular motion that were
+    /// observed.
+    pub fn extrema(&self) -> Option<(F, F)> {
+        let of_cycle = |steady: &SteadyState<F>| (steady.min_displacement(), steady.max_displacement());
+        let irregular = self.irregular().map(|motion| (motion.min_displacement(), motion.max_displacement()));
+        irregular.or_else(|| self.steady_state().map(of_cycle))
+    }
 }
 
 /// Periods of the drive that a motion is followed for unless said otherwise.

@@ -53,6 +53,32 @@ impl Excitation {
             Self::SurfaceAcceleration => "motion of the base with its surface, by acceleration",
         }
     }
+
+    /// Whether the foot of the spring moves over a surface that stays, so that the force on the body changes with its stiffness.
+    #[must_use]
+    pub const fn moves_foot(self) -> bool {
+        matches!(self, Self::FootMotion | Self::DampedFootMotion)
+    }
+
+    /// Whether the base carries the surface along, so that x is relative to it.
+    #[must_use]
+    pub const fn carries_surface(self) -> bool {
+        matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
+    }
+
+    /// The transmitted force in r_y, and the transmissibility, of a body shaken so: from the greatest `force` of spring, damper and
+    /// friction and the maximum `acceleration` in B ω_d².
+    ///
+    /// What foot and surface together feel where the foot moves is the force m x″, `Ω²` times the acceleration, because nothing else acts
+    /// on the body; and the transmissibility is the ratio of the accelerations of body and foot. Otherwise it is the force, and the same
+    /// over p₀.
+    pub fn transmitted<F: Float>(self, omega: F, alpha: F, force: F, acceleration: F) -> (F, F) {
+        if self.moves_foot() {
+            (acceleration * omega.square(), acceleration / alpha)
+        } else {
+            (force, force / alpha)
+        }
+    }
 }
 
 /// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]); with a
@@ -152,12 +178,6 @@ impl<F: Float> Drive<F> {
     /// The constant force p̄; 0 unless it was given.
     pub const fn mean_force(&self) -> F {
         self.mean_force
-    }
-
-    /// Whether it is the foot of the spring that moves, so that the force on the body changes with its
-    /// stiffness.
-    pub const fn is_base_motion(&self) -> bool {
-        matches!(self.excitation, Excitation::FootMotion | Excitation::DampedFootMotion)
     }
 
     /// Whether the force on the body is the same at every ω_d.

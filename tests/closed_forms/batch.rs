@@ -181,8 +181,7 @@ fn with_damping_each_point_is_that_alone() {
     let ratios = |i: usize| Ratios::new(omega[i], alpha[i]).ok()?.with_damping_ratio(zeta[i]).ok();
     let due = alone((0..omega.len()).map(ratios), LOOPED);
     assert!(due.regime.iter().flatten().count() > 1000);
-    let found =
-        Answer::of(omega.len(), LOOPED, |wanted| Batch::new().run_damped(&omega, &alpha, &zeta, wanted));
+    let found = Answer::of(omega.len(), LOOPED, |wanted| Batch::new().run_each(omega.len(), ratios, wanted));
     assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
 }
 
@@ -270,8 +269,9 @@ fn slices_of_different_lengths() {
     assert_eq!(error.to_string(), "min_force_ratio has 9 elements where 10 are due");
     let error = Batch::new().run(&omega, &alpha[1..], Columns::new()).unwrap_err();
     assert_eq!(error.to_string(), "alpha has 9 elements where 10 are due");
-    let error = Batch::new().run_damped(&omega, &alpha, &regime, Columns::new()).unwrap_err();
-    assert_eq!(error.to_string(), "damping_ratio has 9 elements where 10 are due");
+    let wanted = Columns::new().with(Output::Deviation, &mut regime);
+    let error = Batch::new().run_each(10, |i| Ratios::new(omega[i], alpha[i]).ok(), wanted).unwrap_err();
+    assert_eq!(error.to_string(), "deviation has 9 elements where 10 are due");
     let row = FixedOmega::new(1.5).unwrap();
     let wanted = Columns::new().with(Output::Margin, &mut regime);
     assert_eq!(Batch::new().run_at(&row, &alpha, wanted).unwrap_err().found, 9);

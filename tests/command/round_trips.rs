@@ -141,7 +141,7 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let mut due = of_machine(&response, body, drive, &scales);
     due.extend(foot(drive));
     let mut of_ratios = of_response(&response);
-    if let (true, Some(cycle)) = (drive.is_base_motion(), response.cycle()) {
+    if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle()) {
         // Foot and surface feel m x″.
         let (acceleration, omega) = (cycle.max_acceleration(), ratios.omega());
         let force = acceleration * (omega * omega);
@@ -162,7 +162,7 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
         body.mass(),
         body.stiffness(),
         body.friction_bound(),
-        if drive.is_base_motion() { "base-motion" } else { "force" },
+        if drive.excitation().moves_foot() { "base-motion" } else { "force" },
         drive.amplitude(),
         drive.angular_frequency(),
     );

@@ -12,13 +12,12 @@ use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
 use crate::starts::Starts;
-use crate::steady::kind;
 use crate::style;
 use others::Others;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{Attractor, Attractors, LongRun, State, SteadyState};
+use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyState};
 
 /// Starts, at most: their limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -49,7 +48,7 @@ impl<W: Write> Task for Run<'_, W> {
         match args.format {
             Format::Text => {
                 let scale = point.machine.as_ref().map(|m| m.scales.length);
-                let length = |x| both(x, "B", scale, given.system.length);
+                let length = |x| both(x, "B", scale, given.system.length());
                 text(&all, reach, length, out)?;
                 args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
             }
@@ -80,36 +79,17 @@ impl<W: Write> Task for Run<'_, W> {
 
 /// How far the starts reach.
 pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
-    let Some(text) = text else {
-        let (swing, most) = (ratios.forced_amplitude().abs(), F::int(20) * ratios.alpha());
-        let swing = if swing < most { swing } else { most };
-        return Ok(F::int(3) + F::int(2) * (ratios.static_friction_ratio() + swing));
-    };
-    let reach: F = input::number("--reach", text)?;
-    if reach > F::int(0) && reach <= F::exp2i(40) {
-        Ok(reach)
-    } else {
-        Err(Failure::Input(format!("--reach {text}: must be > 0 and ≤ 2⁴⁰")))
-    }
+    let Some(text) = text else { return Ok(Spread::around(ratios).reach()) };
+    spread(input::number("--reach", text)?).map(|spread| spread.reach())
 }
 
-/// The start of that number: the first at rest, the others by the multiples of two irrational numbers, which fill the square evenly.
+/// The start of that number.
 pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
-    let place = |step: f64| {
-        let part = (number as f64 * step).fract();
-        F::from_f64(if number == 0 { 0.0 } else { 2.0 * part - 1.0 }) * reach
-    };
-    // 1/g and 1/g², g³ = g + 1.
-    State::new(F::int(0), place(0.754_877_666_246_692_7), place(0.569_840_290_998_053_3))
-        .map_err(|e| Failure::Input(e.to_string()))
+    Ok(spread(reach)?.get(number))
 }
 
-/// The least and the greatest displacement of a limit that moves.
-pub(crate) fn extrema<F: Value>(limit: &LongRun<F>) -> Option<(F, F)> {
-    if let LongRun::Irregular(motion) = limit {
-        return Some((motion.min_displacement(), motion.max_displacement()));
-    }
-    limit.steady_state().map(|steady| (steady.min_displacement(), steady.max_displacement()))
+fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
+    Spread::within(reach).ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
 }
 
 /// The share of the starts that lead to a limit.
@@ -125,13 +105,13 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
     let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
     Row {
         number: place + 1,
-        limit: kind(found.limit()),
+        limit: found.limit().name(),
         share: share(all, found),
         starts: found.starts(),
         first: start(found.first_start() as u64, reach).ok(),
         mirror: found.mirror().map(|place| place + 1),
         steady: found.limit().steady_state(),
-        extrema: extrema(found.limit()),
+        extrema: found.limit().extrema(),
         exponent: irregular.map(|m| (m.lyapunov_exponent(), m.lyapunov_exponent_error())),
         range: found.range(),
     }

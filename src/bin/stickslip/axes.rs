@@ -6,7 +6,7 @@ use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter};
 use crate::grid::Grid;
 use crate::note;
-use crate::units::Reader;
+use stickslip::units::Reader;
 
 /// The points of all grids, each made from its number alone: the last grid is the fast one.
 pub(crate) struct Axes<F> {
@@ -17,7 +17,7 @@ pub(crate) struct Axes<F> {
 impl<F: Value> Axes<F> {
     /// What was typed, of the parameters that are of use.
     pub(crate) fn new(machine: &MachineArgs, force: &ForceArgs, reader: &Reader) -> Result<Self, Failure> {
-        let (mut fixed, mut grids) = (Given::empty(reader.system), Vec::new());
+        let (mut fixed, mut grids) = (Given::empty(reader.system()), Vec::new());
         for (parameter, text) in Given::<F>::typed(machine, force) {
             let grid = Grid::with_units(parameter.option(), text, reader, parameter.kind())?;
             if grid.len() == 1 {

@@ -1,7 +1,7 @@
 //! `stickslip basins`: the limit that each start in a plane of starts leads to.
 
 use crate::args::BasinsArgs;
-use crate::attractors::{described, extrema, reach};
+use crate::attractors::{described, reach};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
@@ -10,7 +10,7 @@ use crate::grid::Grid;
 use crate::input;
 use crate::note::digits;
 use crate::starts::Starts;
-use crate::units::Kind;
+use stickslip::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
@@ -152,10 +152,10 @@ impl<F: Value> Basins<F> {
     /// A limit by its number and what tells it from the others: its extrema.
     fn name(&self, place: usize) -> Option<String> {
         let limit = self.all.limits().get(place)?.limit();
-        let kind = crate::steady::kind(limit);
+        let kind = limit.name();
         // Four digits of B tell two limits apart.
         let in_units = |x: F| digits((x.to_f64() * 1e4).round() / 1e4 * self.x.scale.to_f64());
-        Some(match extrema(limit) {
+        Some(match limit.extrema() {
             Some((low, high)) => {
                 format!("{}: {kind}, x from {} to {}", place + 1, in_units(low), in_units(high))
             }

@@ -12,13 +12,13 @@ use crate::input::{self, Point};
 use crate::interrupt;
 use crate::map::margin;
 use crate::note::digits;
-use crate::units::{Reader, System};
 use amplitude::words;
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
+use stickslip::units::{Reader, System};
 
 /// Curves in a picture: with the border, the resonance and the dashes its key has eight lines.
 const MOST_CURVES: u64 = 5;
@@ -65,7 +65,7 @@ pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
 
 impl Asked {
     fn new(args: &CurveArgs, reader: &Reader) -> Result<Self, Failure> {
-        let mut given = Given::empty(reader.system);
+        let mut given = Given::empty(reader.system());
         let (mut grid, mut other) = (None, None);
         for (parameter, text) in Given::<f64>::typed(&args.machine, &args.force) {
             let name = parameter.option();
@@ -110,7 +110,7 @@ impl Asked {
                 grid.len()
             )));
         }
-        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system })
+        Ok(Self { what: args.what, axis, grid, other, given, system: reader.system() })
     }
 
     fn lines(&self) -> Result<Vec<Line>, Failure> {
@@ -141,7 +141,9 @@ impl Asked {
             input::point(&given)
         };
         let first = at(0)?;
-        if self.what == Curve::Absolute && !first.machine.as_ref().is_some_and(|m| m.is_carried()) {
+        if self.what == Curve::Absolute
+            && !first.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface())
+        {
             return Err(Failure::Input(
                 "response-curve absolute: needs --base-acceleration, --base-velocity or --base-displacement"
                     .to_owned(),

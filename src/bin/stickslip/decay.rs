@@ -7,7 +7,7 @@ use crate::given::{Given, Parameter as P};
 use crate::note::both;
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
-use crate::units::{Kind, System};
+use stickslip::units::{Kind, System};
 use std::io::Write;
 use stickslip::Quantity;
 use stickslip::exact::FreeDecay;
@@ -62,7 +62,7 @@ impl<W: Write> Task for Run<'_, W> {
                         x,
                         "B",
                         scales.as_ref().map(|s| s.length),
-                        scales.as_ref().map_or("", |s| s.system.length),
+                        scales.as_ref().map_or("", |s| s.system.length()),
                     )
                 };
                 let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");

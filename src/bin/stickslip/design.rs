@@ -11,10 +11,10 @@ use crate::input::completed;
 use crate::machine::base_motion;
 use crate::note::digits;
 use crate::record::Cell;
-use crate::units::{Kind, Reader, System};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
+use stickslip::units::{Kind, Reader, System};
 use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
 
 /// The question and where its answer goes.
@@ -254,7 +254,9 @@ impl<'a, F: Value> Asked<'a, F> {
 
     fn read(&self, name: &str, text: &Option<String>, kind: Kind) -> Result<F, Failure> {
         match text {
-            Some(text) => self.reader.value(name, text, if self.physical { kind } else { Kind::Ratio }),
+            Some(text) => {
+                Ok(self.reader.value(name, text, if self.physical { kind } else { Kind::Ratio })?)
+            }
             None => Err(Failure::Input(format!("{name} is missing"))),
         }
     }
@@ -290,7 +292,7 @@ impl<'a, F: Value> Asked<'a, F> {
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::least_force(&body, frequency).map_err(|e| self.fail(e))?;
-        let System { force: newton, length, .. } = *self.system();
+        let (newton, length) = (self.system().force(), self.system().length());
         let fields = force_and_base_motions(&body, frequency, force);
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
@@ -322,7 +324,7 @@ impl<'a, F: Value> Asked<'a, F> {
         let sentence = format!(
             "The body never sticks with a friction bound of {} {} or less.",
             digits(friction),
-            self.system().force
+            self.system().force()
         );
         let coefficient = friction / (body.mass() * self.given.gravity()?);
         let fields = vec![
@@ -401,7 +403,7 @@ impl<'a, F: Value> Asked<'a, F> {
 
     fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {
         let force = force.map_err(|e| self.fail(e))?;
-        let sentence = format!("The force needed is {} {}.", digits(force), self.system().force);
+        let sentence = format!("The force needed is {} {}.", digits(force), self.system().force());
         Ok(Answer::one(sentence, vec![("force", Kind::Force, some(force))]))
     }
 

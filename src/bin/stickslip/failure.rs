@@ -63,6 +63,13 @@ impl From<stickslip::Error> for Failure {
     }
 }
 
+/// A value or a unit that cannot be read.
+impl From<stickslip::units::UnitError> for Failure {
+    fn from(error: stickslip::units::UnitError) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
 impl From<io::Error> for Failure {
     fn from(error: io::Error) -> Self {
         if error.kind() == io::ErrorKind::BrokenPipe { Self::ClosedPipe } else { Self::System(error) }

@@ -3,7 +3,7 @@
 use crate::args::{ForceArgs, MachineArgs};
 use crate::bits::Value;
 use crate::failure::Failure;
-use crate::units::{Kind, Reader, System};
+use stickslip::units::{Kind, Reader, System};
 use stickslip::{Error, Quantity};
 
 /// One quantity that can be given.
@@ -205,7 +205,7 @@ pub(crate) struct Given<F> {
 
 impl<F: Value> Given<F> {
     pub(crate) fn of(machine: &MachineArgs, force: &ForceArgs, reader: &Reader) -> Result<Self, Failure> {
-        let mut given = Self { system: reader.system, values: Vec::new() };
+        let mut given = Self { system: reader.system(), values: Vec::new() };
         for parameter in Parameter::ALL {
             if let Some(text) = typed(machine, force, parameter) {
                 let value = reader.value(parameter.option(), text, parameter.kind())?;

@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::input;
-use crate::units::{Kind, Reader};
+use stickslip::units::{Kind, Reader};
 
 /// The values of one argument.
 #[derive(Debug, Clone)]
@@ -37,7 +37,7 @@ impl<F: Value> Grid<F> {
         }
         let about =
             |e: Failure, part: &str| if part == text { e } else { e.about(&format!("{name} {text}")) };
-        Self::read(name, text, |part| reader.value(name, part, kind).map_err(|e| about(e, part)))
+        Self::read(name, text, |part| reader.value(name, part, kind).map_err(|e| about(e.into(), part)))
     }
 
     fn read(name: &str, text: &str, number: impl Fn(&str) -> Result<F, Failure>) -> Result<Self, Failure> {

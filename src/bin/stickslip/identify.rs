@@ -4,7 +4,6 @@ use crate::args::{Format, IdentifyArgs};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
 use crate::note::digits;
-use crate::units::{Factor, Kind, Reader};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
 use std::fs::File;
@@ -12,6 +11,7 @@ use std::io::{self, Read, Write};
 use std::path::Path;
 use stickslip::Oscillator;
 use stickslip::design::{self, Estimate, Identified, Measurement};
+use stickslip::units::{Factor, Kind, Reader};
 
 pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let reader = args.units.reader();
@@ -93,7 +93,7 @@ impl Column {
         let (text, name) = (row.get(self.place).unwrap_or_default(), format!("{at}: {}", self.name));
         match self.factor {
             Some(factor) => Ok(factor.times(crate::input::number(&name, text)?)),
-            None => reader.value(&name, text, self.kind),
+            None => Ok(reader.value(&name, text, self.kind)?),
         }
     }
 }
@@ -206,7 +206,7 @@ fn text(given: &Given<f64>, answer: &Answer, curve: &[Measurement], out: &mut im
         let hertz = digits(measured.angular_frequency / std::f64::consts::TAU);
         let residual =
             residual.map_or_else(|| "left out: it sticks".to_owned(), |r| format!("{:+.3} %", 100.0 * r));
-        let length = given.system.length;
+        let length = given.system.length();
         writeln!(out, "  {hertz:>9} Hz  {:>11} {length}  {residual}", digits(measured.amplitude))?;
     }
     Ok(())

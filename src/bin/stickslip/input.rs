@@ -5,8 +5,8 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};
 use crate::machine::Machine;
-use crate::units::{Kind, Reader, System};
 use stickslip::exact::State;
+use stickslip::units::{self, Kind, Reader, System};
 use stickslip::{Drive, Quantity, Ratios, Scales};
 
 /// What `response` is asked: the ratios and, in physical units, the machine.
@@ -144,15 +144,5 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
 
 /// A number as typed.
 pub(crate) fn number<F: Value>(name: &str, text: &str) -> Result<F, Failure> {
-    number_of(name, text, text)
-}
-
-/// The number that `digits` of the text are.
-pub(crate) fn number_of<F: Value>(name: &str, text: &str, digits: &str) -> Result<F, Failure> {
-    let digits = digits.trim();
-    digits.parse().map_err(|_| {
-        let has_decimal_comma = digits.replacen(',', ".", 1).parse::<F>().is_ok();
-        let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
-        Failure::Input(format!("{name} {text}: must be a number{hint}"))
-    })
+    Ok(units::number(name, text)?)
 }

@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};
-use crate::units::System;
+use stickslip::units::System;
 use stickslip::{Drive, Error, Excitation, Oscillator, Scales};
 
 /// A machine in physical units and the scale of its answers.
@@ -20,27 +20,6 @@ pub(crate) struct Machine<F> {
     pub(crate) friction_coefficient: Option<F>,
 }
 
-impl<F: Value> Machine<F> {
-    /// Whether the base carries the surface, so that x is relative to it.
-    pub(crate) fn is_carried(&self) -> bool {
-        !matches!(
-            self.drive.excitation(),
-            Excitation::Force | Excitation::FootMotion | Excitation::DampedFootMotion
-        )
-    }
-
-    /// Whether the foot of the spring moves, over a surface that stays.
-    pub(crate) fn has_moving_foot(&self) -> bool {
-        matches!(self.drive.excitation(), Excitation::FootMotion | Excitation::DampedFootMotion)
-    }
-}
-
-/// What foot and surface together feel where the foot moves, by the maximum acceleration in B ω_d²: the force m x″ in r_y, because
-/// nothing else acts on the body, and the ratio of the accelerations of body and foot.
-pub(crate) fn moving_foot<F: Value>(omega: F, alpha: F, acceleration: F) -> (F, F) {
-    (acceleration * omega.square(), acceleration / alpha)
-}
-
 /// The transmitted force in r_y and the transmissibility of a machine, from the force of a body that is shaken otherwise.
 pub(crate) fn transmitted<F: Value>(
     machine: Option<&Machine<F>>,
@@ -48,11 +27,8 @@ pub(crate) fn transmitted<F: Value>(
     force: F,
     acceleration: F,
 ) -> (F, F) {
-    if machine.is_some_and(Machine::has_moving_foot) {
-        moving_foot(omega, alpha, acceleration)
-    } else {
-        (force, force / alpha)
-    }
+    let excitation = machine.map_or(Excitation::Force, |m| m.drive.excitation());
+    excitation.transmitted(omega, alpha, force, acceleration)
 }
 
 /// Which kind of base motion it is, and what x then is; nothing for a force.

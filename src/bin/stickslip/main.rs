@@ -49,7 +49,6 @@ mod starts;
 mod steady;
 mod style;
 mod sweep;
-mod units;
 mod verify;
 
 use args::Command;

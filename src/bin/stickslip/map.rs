@@ -16,9 +16,9 @@ use crate::outputs::plain;
 use crate::progress;
 use crate::record::{Cell, PEAKS};
 use crate::sweep::rows;
-use crate::units::{Kind, System};
 use std::f64::consts::TAU;
 use std::io::Write;
+use stickslip::units::{Kind, System};
 use stickslip::{Output, Response};
 
 pub(crate) use picture::capital;
@@ -148,7 +148,7 @@ impl<'a> Map<'a> {
             let known = "regime, margin, stops, an output of response, or steady: and an output of steady";
             return Err(Failure::Input(format!("map {}: must be one of {known}", args.quantity)));
         };
-        Ok(Self { quantity, kind, axes, across, up, system: reader.system })
+        Ok(Self { quantity, kind, axes, across, up, system: reader.system() })
     }
 
     /// The points in order, row by row.
@@ -176,9 +176,9 @@ impl<'a> Map<'a> {
         if kind == Kind::Ratio {
             (String::new(), 1.0)
         } else if kind == Kind::Frequency {
-            (Kind::Hertz.unit(&self.system), 1.0 / TAU)
+            (self.system.name(Kind::Hertz), 1.0 / TAU)
         } else {
-            (kind.unit(&self.system), 1.0)
+            (self.system.name(kind), 1.0)
         }
     }
 
@@ -188,7 +188,7 @@ impl<'a> Map<'a> {
             unit => format!("{}[{}]", parameter.column(), plain(&unit)),
         };
         let quantity = match self.kind {
-            Some(kind) => format!("{quantity}[{}]", plain(&kind.unit(&self.system))),
+            Some(kind) => format!("{quantity}[{}]", plain(&self.system.name(kind))),
             None => quantity.to_owned(),
         };
         let (x, y) = (self.across.0, self.up.0);

@@ -6,10 +6,10 @@ use crate::figure;
 use crate::given::Given;
 use crate::input;
 use crate::steady::of_motion;
-use crate::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Instant, LongRun, Trajectory};
 use stickslip::figures::{Axis, Figure, Panel, Series, Style};
+use stickslip::units::Kind;
 
 /// Samples in a cycle.
 const PER_CYCLE: u32 = 600;

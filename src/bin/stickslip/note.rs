@@ -4,9 +4,9 @@ use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::{Machine, base_motion, transmitted};
 use crate::style;
-use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::regime::{NoStop, no_stop_force_ratios};
+use stickslip::units::{Kind, System};
 use stickslip::{Cycle, PhaseFunction, Ratios, Regime, Response};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
@@ -117,7 +117,7 @@ pub(crate) fn response<F: Value>(
 /// The machine and its drive, so that a reader sees how the arguments were understood.
 pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
     let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
-    let System { force, length, .. } = *system;
+    let (force, length) = (system.force(), system.length());
     let hertz = |frequency: F| digits(frequency / (F::int(2) * F::pi()));
     let (driven, natural) = (drive.angular_frequency(), oscillator.natural_frequency());
     if let Some(base) = base_motion(drive.excitation()) {
@@ -158,7 +158,7 @@ fn motion<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = machine.map(|m| &m.scales);
-    let System { force, length, .. } = *units;
+    let (force, length) = (units.force(), units.length());
     let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
     let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = both(cycle.max_velocity(), "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
@@ -172,7 +172,7 @@ fn motion<F: Value>(
     let acceleration =
         both(cycle.max_acceleration(), "B ω_d²", acceleration, &units.name(Kind::Acceleration));
     writeln!(out, "  maximum acceleration     {acceleration}")?;
-    if machine.is_some_and(Machine::is_carried) {
+    if machine.is_some_and(|m| m.drive.excitation().carries_surface()) {
         writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
     }
     writeln!(out, "  dynamic amplification    k Δ₀/p₀ = {}", digits(cycle.dynamic_amplification()))?;
@@ -205,15 +205,18 @@ fn needed_force<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let border = response.border();
-    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force);
+    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force());
     writeln!(out, "\nForce")?;
     if let Some(cycle) = response.cycle() {
         let (ratios, acceleration) = (response.ratios(), cycle.max_acceleration());
         let at = (ratios.omega(), ratios.alpha());
         let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
-        let name =
-            if machine.is_some_and(Machine::has_moving_foot) { "per foot acceleration" } else { "per p₀" };
+        let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
+            "per foot acceleration"
+        } else {
+            "per p₀"
+        };
         writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
     let ratios = response.ratios();
@@ -295,8 +298,8 @@ pub(crate) fn border<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let (omega, border) = (answer.ratios().omega(), answer.border());
-    let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force);
-    let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length);
+    let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force());
+    let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
     match found {
         None => {

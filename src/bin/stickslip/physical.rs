@@ -5,9 +5,9 @@ use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::outputs::plain;
 use crate::record::Cell;
-use crate::units::{Kind, System};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use stickslip::Excitation;
+use stickslip::units::{Kind, System};
 
 /// Values with their units.
 #[derive(Debug, Clone)]

@@ -9,12 +9,12 @@ use crate::interrupt;
 use crate::progress;
 use crate::record::Record;
 use crate::sink::Sink;
-use crate::units::{Factor, Reader};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use std::cell::{Cell, RefCell};
 use std::fs::File;
 use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
+use stickslip::units::{Factor, Reader};
 
 /// Bytes of a row, at most: some hundred numbers of 8192 bits.
 const LONGEST_ROW: u64 = 1 << 18;
@@ -75,7 +75,7 @@ impl Column {
     fn value<F: Value>(&self, reader: &Reader, name: &str, text: &str) -> Result<F, Failure> {
         match self.factor {
             Some(factor) => Ok(factor.times(number(name, text)?)),
-            None => reader.value(name, text, self.parameter.kind()),
+            None => Ok(reader.value(name, text, self.parameter.kind())?),
         }
     }
 }

@@ -4,15 +4,15 @@ use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
-use crate::machine::{Machine, moving_foot};
+use crate::machine::Machine;
 use crate::note;
 use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
-use crate::units::Kind;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::{self, Write};
 use stickslip::Response;
 use stickslip::regime::NoStop;
+use stickslip::units::Kind;
 
 /// A value of a record.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -290,7 +290,7 @@ impl<F: Value> Record<F> {
 
     /// With what the surroundings of this machine feel: the fields are those of a force, or of a base that carries the surface.
     pub(crate) fn felt_around(mut self, machine: &Machine<F>) -> Self {
-        if !machine.has_moving_foot() {
+        if !machine.drive.excitation().moves_foot() {
             return self;
         }
         let number = |name: &str| match self.fields.iter().find(|(own, _)| *own == name) {
@@ -298,7 +298,9 @@ impl<F: Value> Record<F> {
             Some(_) | None => None,
         };
         let felt = number("omega").zip(number("alpha")).zip(number("max_acceleration"));
-        let felt = felt.map(|((omega, alpha), a)| moving_foot(omega, alpha, a));
+        let none = F::int(0);
+        let felt =
+            felt.map(|((omega, alpha), a)| machine.drive.excitation().transmitted(omega, alpha, none, a));
         let least = number("min_displacement").map_or(F::int(0), F::abs);
         let amplitude = number("max_displacement").map(|most| most.abs().or_larger(least));
         for (name, cell) in &mut self.fields {
@@ -320,7 +322,7 @@ impl<F: Value> Record<F> {
     }
 
     fn in_units(&self, machine: &Machine<F>) -> Physical<F> {
-        let (scales, carried) = (&machine.scales, machine.is_carried());
+        let (scales, carried) = (&machine.scales, machine.drive.excitation().carries_surface());
         let best = self.fields.iter().find(|(name, _)| *name == "best_force_ratio").map(|(_, cell)| *cell);
         let best_force = match best {
             Some(Cell::Number(Some(ratio))) => ratio * scales.force,

@@ -9,7 +9,7 @@ use crate::output::{Lines, named};
 use crate::physical::Physical;
 use crate::record::{Cell, Record, csv_text};
 use crate::resume::{self, not_this};
-use crate::steady::{kind, of_motion};
+use crate::steady::of_motion;
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Write};
 use std::ops::{ControlFlow, Range};
@@ -83,7 +83,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
     fn answer(&self, number: u64) -> Result<(LongRun<F>, Vec<u8>), Failure> {
         let limit = follow(self.ratios, (self.at)(number)?, self.periods)?;
         let signature = Signature::of(&limit)?;
-        let record = self.record(number, kind(&limit), &signature)?;
+        let record = self.record(number, limit.name(), &signature)?;
         Ok((limit, csv_text(|writer| record.write_row(writer))?))
     }
 

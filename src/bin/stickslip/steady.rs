@@ -13,10 +13,10 @@ use crate::points;
 use crate::record::{Cell, Record};
 use crate::response::single_format;
 use crate::style;
-use crate::units::{Kind, System};
 use std::io::{self, Write};
 use stickslip::exact::{Irregular, LongRun, Peaks, State, SteadyState};
 use stickslip::regime::{Observed, observed};
+use stickslip::units::{Kind, System};
 use stickslip::{Error, Quantity, Ratios, Regime};
 
 /// The command with its arguments and where its answer goes.
@@ -91,14 +91,14 @@ pub(crate) fn answer<F: Value>(
 fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let mut record = record.with_static_friction_ratio(ratios.static_friction_ratio());
     let steady = limit.steady_state();
-    let irregular = if let LongRun::Irregular(motion) = limit { Some(motion) } else { None };
+    let irregular = limit.irregular();
     let number = |value: fn(&Irregular<F>) -> F| Cell::Number(irregular.map(value));
     let symmetric = steady.map_or("", |s| if s.is_symmetric() { "yes" } else { "no" });
-    let (most, least) = (irregular.map(|m| m.max_displacement()), irregular.map(|m| m.min_displacement()));
+    let extrema = limit.extrema();
     for (name, cell) in &mut record.fields {
         match *name {
-            "max_displacement" if irregular.is_some() => *cell = Cell::Number(most),
-            "min_displacement" if irregular.is_some() => *cell = Cell::Number(least),
+            "max_displacement" => *cell = Cell::Number(extrema.map(|(_, most)| most)),
+            "min_displacement" => *cell = Cell::Number(extrema.map(|(least, _)| least)),
             _ => {}
         }
     }
@@ -120,18 +120,6 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     Failure::Input(format!("--omega or --frequency: {error}"))
 }
 
-/// What kind of limit it is.
-pub(crate) const fn kind<F: Value>(limit: &LongRun<F>) -> &'static str {
-    match limit {
-        LongRun::Periodic(_) => "periodic",
-        LongRun::Family(_) => "family",
-        LongRun::Rest(_) => "rest",
-        LongRun::Irregular(_) => "irregular",
-        LongRun::Unbounded { .. } => "none",
-        LongRun::NotConverged { .. } => "not-converged",
-    }
-}
-
 /// All outputs of a steady state; the peaks where they are asked for.
 fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
@@ -140,16 +128,9 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
     let errors = steady.map(SteadyState::errors).transpose()?;
     let peaks = steady.filter(|_| peaks).map(SteadyState::peaks).transpose()?;
     let seen = observed(ratios, limit);
-    let (regime, kind) = (seen.regime.name(), kind(limit));
+    let (regime, kind) = (seen.regime.name(), limit.name());
     let larger = |a: F, b: F| if a > b { a } else { b };
     let amplitude = steady.map(|s| larger(s.max_displacement().abs(), s.min_displacement().abs()));
-    let (periods, rest) = match limit {
-        LongRun::Periodic(s) | LongRun::Family(s) => (Some(s.periods()), None),
-        LongRun::Rest(rest) => (Some(rest.periods), Some(rest.position)),
-        LongRun::Unbounded { .. } => (None, None),
-        LongRun::Irregular(motion) => (Some(motion.periods()), None),
-        LongRun::NotConverged { periods, .. } => (Some(*periods), None),
-    };
     Ok(Record {
         fields: vec![
             ("omega", Cell::Number(Some(ratios.omega()))),
@@ -175,8 +156,8 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
             ("energy_out", number(|s| s.energy_out())),
             ("multipliers", Cell::Pairs(steady.map(SteadyState::multipliers))),
             ("distance", number(|s| s.distance().0)),
-            ("rest_position", Cell::Number(rest)),
-            ("periods", Cell::Number(periods)),
+            ("rest_position", Cell::Number(limit.rest_position())),
+            ("periods", Cell::Number(limit.periods())),
             ("reversals_per_cycle", Cell::Count(seen.reversals.map(u64::from))),
             ("dynamic_amplification", Cell::Number(amplitude.map(|x| x / ratios.alpha()))),
             ("max_acceleration", Cell::Number(peaks.map(|p| p.acceleration))),
@@ -205,7 +186,7 @@ fn with_machine<F: Value>(record: Record<F>, machine: &Machine<F>) -> Record<F> 
             "min_velocity_phase" => ("min_velocity_time", Kind::Time, scales.time),
             "max_acceleration" => ("max_acceleration", Kind::Acceleration, scales.velocity / scales.time),
             "transmitted_force" => ("transmitted_force", Kind::Force, scales.force),
-            "max_absolute_displacement" if machine.is_carried() => {
+            "max_absolute_displacement" if machine.drive.excitation().carries_surface() => {
                 ("max_absolute_displacement", Kind::Length, scales.length)
             }
             "energy_in" => ("energy_in", Kind::Energy, scales.force * scales.length),
@@ -228,7 +209,7 @@ fn note<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
-    let length = |x| both(x, "B", scales.map(|s| s.length), units.length);
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let seen = observed(point.ratios, limit);
     if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
@@ -331,9 +312,9 @@ fn motion<F: Value>(
     out: &mut impl Write,
 ) -> io::Result<()> {
     let scales = point.machine.as_ref().map(|m| &m.scales);
-    let speed_unit = format!("{}/s", units.length);
-    let work_unit = format!("{}·{}", units.force, units.length);
-    let length = |x| both(x, "B", scales.map(|s| s.length), units.length);
+    let speed_unit = format!("{}/s", units.length());
+    let work_unit = format!("{}·{}", units.force(), units.length());
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let phase = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = |x| both(x, "B ω_d", scales.map(|s| s.velocity), &speed_unit);
     let work = |x| both(x, "r_y B", scales.map(|s| s.force * s.length), &work_unit);
@@ -373,11 +354,15 @@ fn peaks<F: Value>(
     writeln!(out, "  maximum acceleration     {text}")?;
     let (machine, at) = (point.machine.as_ref(), (point.ratios.omega(), point.ratios.alpha()));
     let (force, ratio) = transmitted(machine, at, peaks.transmitted_force, peaks.acceleration);
-    writeln!(out, "  transmitted force        {}", both(force, "r_y", scales.map(|s| s.force), units.force))?;
-    let unit = if machine.is_some_and(Machine::has_moving_foot) { "" } else { " p₀" };
+    writeln!(
+        out,
+        "  transmitted force        {}",
+        both(force, "r_y", scales.map(|s| s.force), units.force())
+    )?;
+    let unit = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) { "" } else { " p₀" };
     writeln!(out, "  transmissibility         {}{unit}", digits(ratio))?;
-    if point.machine.as_ref().is_some_and(Machine::is_carried) {
-        let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length);
+    if point.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface()) {
+        let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length());
         writeln!(out, "  absolute displacement    {absolute}")?;
     }
     Ok(())

@@ -284,7 +284,7 @@ pub(crate) fn of_machine(
 
 /// The amplitude of a motion of the spring's foot, which a machine's answer repeats.
 pub(crate) fn foot(drive: &Drive<f64>) -> Option<(&'static str, Option<f64>)> {
-    drive.is_base_motion().then(|| ("foot_displacement", Some(drive.amplitude())))
+    drive.excitation().moves_foot().then(|| ("foot_displacement", Some(drive.amplitude())))
 }
 
 /// As cells.

@@ -1,8 +1,8 @@
 //! The arguments that several commands have.
 
-use crate::units::{Reader, System};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use stickslip::units::{Reader, System};
 
 /// The oscillator and its frequency. A value may have a unit, such as 800kg; bare numbers are in one consistent system.
 #[derive(Debug, Clone, Default, Args)]
@@ -92,13 +92,13 @@ pub(crate) struct OutputArgs {
 pub(crate) struct UnitArgs {
     /// Units of the answers, such as kN,mm, and the system of bare numbers; values with units are converted
     /// [default: N,m]
-    #[arg(long, value_name = "FORCE,LENGTH", value_parser = System::parse)]
+    #[arg(long, value_name = "FORCE,LENGTH")]
     pub(crate) units: Option<System>,
 }
 
 impl UnitArgs {
     pub(crate) fn reader(&self) -> Reader {
-        Reader::new(self.units.as_ref())
+        Reader::new(self.units.as_ref(), "--units kN,m")
     }
 }
 

@@ -5,8 +5,8 @@ use crate::args::Curve;
 use crate::failure::Failure;
 use crate::input::Point;
 use crate::machine::transmitted;
-use crate::units::Kind;
 use stickslip::exact::{LongRun, State};
+use stickslip::units::Kind;
 use stickslip::{Error, Regime, Response};
 
 impl Asked {

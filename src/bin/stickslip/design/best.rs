@@ -6,8 +6,8 @@ use crate::failure::Failure;
 use crate::given::Parameter as P;
 use crate::note::digits;
 use crate::record::Cell;
-use crate::units::{Kind, System};
 use stickslip::design::{self, Optimum};
+use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
     pub(super) fn dissipation(&self) -> Result<Answer<F>, Failure> {
@@ -89,7 +89,7 @@ impl<F: Value> Asked<'_, F> {
         let body = self.body(false, true)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_stiffness(&body, &drive, low, high).map_err(|e| self.fail(e))?;
-        let System { force, length, .. } = *self.system();
+        let (force, length) = (self.system().force(), self.system().length());
         let searched = body.damping() > F::int(0);
         let by = if searched { " (by a search that is not a proof)" } else { "" };
         let place = format!("on a stiffness of {} {force}/{length}{by}", digits(best.stiffness));
@@ -102,7 +102,7 @@ impl<F: Value> Asked<'_, F> {
     }
 
     fn friction_of(&self, friction: F) -> String {
-        format!("with a friction bound of {} {}", digits(friction), self.system().force)
+        format!("with a friction bound of {} {}", digits(friction), self.system().force())
     }
 
     /// What dissipates most in physical units: at which place, how much, and why it is the best.
@@ -115,7 +115,7 @@ impl<F: Value> Asked<'_, F> {
         bound: Option<F>,
         optimum: Optimum,
     ) -> Answer<F> {
-        let System { force, length, .. } = *self.system();
+        let (force, length) = (self.system().force(), self.system().length());
         let energy_text = digits(energy);
         let sentence = format!(
             "{most} is dissipated, {energy_text} {force}·{length} a cycle, {place}, {}.",

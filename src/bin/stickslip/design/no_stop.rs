@@ -5,9 +5,9 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::note::no_stop;
 use crate::record::{Cell, Record};
-use crate::units::Kind;
 use stickslip::design::{self, Edge};
 use stickslip::regime::no_stop_force_ratios;
+use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
     pub(super) fn forces_without_stop(&self) -> Result<Answer<F>, Failure> {
@@ -15,7 +15,7 @@ impl<F: Value> Asked<'_, F> {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
             let fields = force_and_base_motions(&body, frequency, forces.least());
-            (forces, self.system().force, fields)
+            (forces, self.system().force(), fields)
         } else {
             self.undamped()?;
             let omega = self.omega()?;

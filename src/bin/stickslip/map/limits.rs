@@ -3,7 +3,6 @@
 use crate::attractors::{reach, start};
 use crate::failure::Failure;
 use crate::starts::follow;
-use crate::steady::kind;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, SteadyState};
 
@@ -41,7 +40,7 @@ pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
             match limit.steady_state().filter(|_| is_periodic).map(SteadyState::is_symmetric) {
                 Some(true) => ONE,
                 Some(false) => PAIR,
-                None => kind(limit),
+                None => limit.name(),
             }
         }
         (None, _) => "not settled",

@@ -22,7 +22,7 @@ impl Map<'_> {
             Quantity::Output(..) => outputs::in_words(self.quantity.name()),
         };
         let unit = match self.kind {
-            Some(kind) => kind.unit(&self.system),
+            Some(kind) => self.system.name(kind),
             None => outputs::unit_of(self.quantity.name()).unwrap_or("1").to_owned(),
         };
         let label = if unit == "1" { words.clone() } else { format!("{words} ({unit})") };

@@ -151,7 +151,7 @@ fn notes(args: &SweepArgs) -> Vec<KeyValue> {
     let grids = typed.map(|(parameter, text)| KeyValue::new(parameter.column(), text.to_owned()));
     let notes = [
         note("units", Some(units.to_owned())),
-        note("system", args.units.units.map(|system| format!("{},{}", system.force, system.length))),
+        note("system", args.units.units.map(|system| system.to_string())),
         note("sweep", question),
         note("outputs", args.outputs.as_ref().map(|names| names.join(","))),
         note("shard", args.shard.clone()),

@@ -1,14 +1,19 @@
 //! A consistent system of units: a force, a length, the second.
 
+use super::UnitError;
 use super::factor::Factor;
 use super::kind::{Dimension, Kind};
 use super::table::{mass_of, symbol};
+use crate::float::Float;
+use core::fmt;
+use core::str::FromStr;
 
-/// The units of `--units FORCE,LENGTH`, with the second. Its mass is force · s²/length.
+/// A consistent system of units: one of force, one of length, and the second. Its mass is force · s²/length. SI unless it is read from a text
+/// such as `kN,mm`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct System {
-    pub(crate) force: &'static str,
-    pub(crate) length: &'static str,
+pub struct System {
+    force: &'static str,
+    length: &'static str,
     force_factor: Factor,
     length_factor: Factor,
 }
@@ -19,13 +24,16 @@ impl Default for System {
     }
 }
 
-impl System {
-    pub(crate) fn parse(text: &str) -> Result<Self, String> {
+impl FromStr for System {
+    type Err = UnitError;
+
+    fn from_str(text: &str) -> Result<Self, UnitError> {
         let expected = || "expected a unit of force and one of length separated by a comma, such as kN,mm";
-        let (force, length) = text.split_once(',').ok_or_else(|| expected().to_owned())?;
+        let (force, length) = text.split_once(',').ok_or_else(|| UnitError(expected().to_owned()))?;
         let unit = |name: &str, kind: Kind| {
-            symbol(name.trim(), kind.dimension())
-                .ok_or_else(|| format!("“{}” is not a unit of {}; {}", name.trim(), kind.name(), expected()))
+            symbol(name.trim(), kind.dimension()).ok_or_else(|| {
+                UnitError(format!("“{}” is not a unit of {}; {}", name.trim(), kind.name(), expected()))
+            })
         };
         let (force, length) = (unit(force, Kind::Force)?, unit(length, Kind::Length)?);
         Ok(Self {
@@ -34,6 +42,27 @@ impl System {
             force_factor: force.1.factor,
             length_factor: length.1.factor,
         })
+    }
+}
+
+/// Its two units, as it is read.
+impl fmt::Display for System {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{},{}", self.force, self.length)
+    }
+}
+
+impl System {
+    /// The symbol of its unit of force.
+    #[must_use]
+    pub const fn force(&self) -> &'static str {
+        self.force
+    }
+
+    /// The symbol of its unit of length.
+    #[must_use]
+    pub const fn length(&self) -> &'static str {
+        self.length
     }
 
     /// The system's own unit of a dimension, in SI: force^a · length^(b−a) · s^(c+2a).
@@ -44,12 +73,14 @@ impl System {
     }
 
     /// Whether a mass has a name of its own in this system, such as the tonne with kN and m.
-    pub(crate) fn mass(&self) -> Option<&'static str> {
+    #[must_use]
+    pub fn mass(&self) -> Option<&'static str> {
         mass_of(self.factor(Kind::Mass.dimension()))
     }
 
     /// The name of its unit for a kind of quantity.
-    pub(crate) fn name(&self, kind: Kind) -> String {
+    #[must_use]
+    pub fn name(&self, kind: Kind) -> String {
         let (force, length) = (self.force, self.length);
         match kind {
             Kind::Ratio => "1".to_owned(),
@@ -69,7 +100,8 @@ impl System {
     }
 
     /// Standard gravity, 9.80665 m/s², in this system.
-    pub(crate) fn gravity<F: crate::bits::Value>(&self) -> F {
+    #[must_use]
+    pub fn gravity<F: Float + FromStr>(&self) -> F {
         let g = Factor::new(980_665, 100_000, 0);
         g.over(self.factor(Kind::Acceleration.dimension())).times(F::int(1))
     }
@@ -79,16 +111,20 @@ impl System {
 mod tests {
     use super::{Kind, System};
 
+    fn system(text: &str) -> System {
+        text.parse().unwrap()
+    }
+
     #[test]
     fn a_system_names_all_its_units() {
-        let system = System::parse("kN,mm").unwrap();
-        assert_eq!(system.name(Kind::Stiffness), "kN/mm");
-        assert_eq!(system.name(Kind::Mass), "kN·s²/mm");
-        assert_eq!(system.name(Kind::Acceleration), "mm/s²");
-        assert_eq!(system.gravity::<f64>(), 9806.65);
-        assert_eq!(System::parse("kN,m").unwrap().name(Kind::Mass), "t");
-        assert_eq!(System::parse("N,mm").unwrap().name(Kind::Mass), "t");
-        assert_eq!(System::parse("lbf,ft").unwrap().name(Kind::Mass), "slug");
+        let own = system("kN,mm");
+        assert_eq!(own.name(Kind::Stiffness), "kN/mm");
+        assert_eq!(own.name(Kind::Mass), "kN·s²/mm");
+        assert_eq!(own.name(Kind::Acceleration), "mm/s²");
+        assert_eq!(own.gravity::<f64>(), 9806.65);
+        assert_eq!(system("kN,m").name(Kind::Mass), "t");
+        assert_eq!(system("N,mm").name(Kind::Mass), "t");
+        assert_eq!(system("lbf,ft").name(Kind::Mass), "slug");
         assert_eq!(System::default().name(Kind::Mass), "kg");
     }
 
@@ -99,7 +135,7 @@ mod tests {
             ("m,kN", "“m” is not a unit of force"),
             ("N,s", "“s” is not a unit of length"),
         ] {
-            let error = System::parse(text).unwrap_err();
+            let error = text.parse::<System>().unwrap_err().to_string();
             assert!(error.contains(part), "{error}");
         }
     }

@@ -5,7 +5,7 @@ use super::kind::Dimension;
 
 /// A unit: its dimension, and what it is in kg, m, s and rad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Unit {
+pub(super) struct Unit {
     pub(super) dimension: Dimension,
     pub(super) factor: Factor,
 }

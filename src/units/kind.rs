@@ -1,24 +1,37 @@
 //! What a value is: its dimension, and the units a user would know it by.
 
 /// Exponents of mass, length, time and angle.
-pub(crate) type Dimension = [i8; 4];
+pub(super) type Dimension = [i8; 4];
 
-/// The kind of a quantity.
+/// The kind of a quantity: which units its values can have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+#[non_exhaustive]
+pub enum Kind {
+    /// A plain number, or one in %.
     Ratio,
+    /// kg, g, t, lb.
     Mass,
+    /// m, mm, in.
     Length,
+    /// s, ms.
     Time,
+    /// rad, deg.
     Angle,
+    /// Hz, rad/s, rpm; in rad/s, whatever the system.
     Frequency,
-    /// Frequency in cycles, whatever the system.
+    /// The same in cycles per second.
     Hertz,
+    /// m/s, mm/s, in/s.
     Velocity,
+    /// g, m/s², mm/s².
     Acceleration,
+    /// N, kN, lbf.
     Force,
+    /// N/m, kN/m, kN/mm, lbf/in.
     Stiffness,
+    /// N·s/m, kN·s/m.
     Damping,
+    /// J, kJ.
     Energy,
 }
 
@@ -60,7 +73,9 @@ impl Kind {
         Self::ALL.into_iter().find(|kind| kind.dimension() == dimension)
     }
 
-    pub(crate) const fn is_dimensionless(self) -> bool {
+    /// Whether it is the same number in all systems of units.
+    #[must_use]
+    pub const fn is_dimensionless(self) -> bool {
         matches!(self, Self::Ratio | Self::Angle)
     }
 
@@ -79,11 +94,6 @@ impl Kind {
             Self::Damping => "damping constant",
             Self::Energy => "energy",
         }
-    }
-
-    /// The name of its unit in a system.
-    pub(crate) fn unit(self, system: &super::System) -> String {
-        system.name(self)
     }
 
     /// What was expected in place of another unit.

@@ -1,7 +1,17 @@
 //! Values with units, such as `800kg`, `2Hz` or `12 kN/mm`.
 //!
+//! ```
+//! use stickslip::units::{Kind, Reader};
+//! let reader = Reader::new(None, "units");
+//! let stiffness: f64 = reader.value("stiffness", "12 kN/mm", Kind::Stiffness)?;
+//! assert_eq!(stiffness, 12e6);
+//! let error = reader.value::<f64>("mass", "3 s", Kind::Mass).unwrap_err();
+//! assert_eq!(error.to_string(), "mass 3 s: “s” is a unit of time; expected a mass (kg, g, t, lb)");
+//! # Ok::<(), stickslip::units::UnitError>(())
+//! ```
+//!
 //! Every unit is a ratio of two whole numbers times a power of π, in SI base units with the radian. So the conversion adds
-//! a rounding or two at any `--bits`. The crate `uom` was tried for this: its factors are f64 constants, which would cut a
+//! a rounding or two in any number type. The crate `uom` was tried for this: its factors are f64 constants, which would cut a
 //! number of 1024 bits to 53, and its hertz and its rad/s do not differ by 2π.
 
 mod factor;
@@ -9,40 +19,57 @@ mod kind;
 mod system;
 mod table;
 
-pub(crate) use kind::Kind;
-pub(crate) use system::System;
+pub use factor::Factor;
+pub use kind::Kind;
+pub use system::System;
 
-use crate::bits::Value;
-use crate::failure::Failure;
-use crate::input::number_of;
-pub(crate) use factor::Factor;
+use crate::float::Float;
+use core::str::FromStr;
 use std::cell::RefCell;
 use table::Unit;
 
-/// Reads values in one system of units, into which those with units are converted.
+/// A value or a unit that cannot be read: the argument, what was given for it, and what was expected.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct UnitError(String);
+
+/// Reads values into one system of units.
 ///
-/// Bare numbers are in that system. Where it was not named, bare numbers do not mix with units: nobody could tell their system.
-/// A bare frequency is in rad/s in any system.
-pub(crate) struct Reader {
-    pub(crate) system: System,
+/// Those with units are converted, and bare numbers are in that system. Where it was not named, bare numbers do not mix with units: nobody
+/// could tell their system. A bare frequency is in rad/s in any system.
+#[derive(Debug)]
+pub struct Reader {
+    system: System,
     named: bool,
+    /// How a caller names a system.
+    option: &'static str,
     first_bare: RefCell<Option<String>>,
     first_with_unit: RefCell<Option<String>>,
 }
 
 impl Reader {
-    /// A reader in the system of `--units`, or in SI.
-    pub(crate) fn new(named: Option<&System>) -> Self {
+    /// A reader in a system that the user named, or in SI. `option` is how it is named, such as `--units kN,m`.
+    #[must_use]
+    pub fn new(named: Option<&System>, option: &'static str) -> Self {
         Self {
             system: named.copied().unwrap_or_default(),
             named: named.is_some(),
+            option,
             first_bare: RefCell::new(None),
             first_with_unit: RefCell::new(None),
         }
     }
 
+    /// The system that values are read into.
+    pub const fn system(&self) -> System {
+        self.system
+    }
+
     /// The value of the argument or column `name`, in the reader's system.
-    pub(crate) fn value<F: Value>(&self, name: &str, text: &str, kind: Kind) -> Result<F, Failure> {
+    ///
+    /// # Errors
+    /// Where the text is no number, its unit is unknown or not one of the kind, or bare numbers mix with units.
+    pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, UnitError> {
         let (digits, unit) = split(text);
         if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {
             let value = number_of(name, text, text)?;
@@ -55,42 +82,46 @@ impl Reader {
         Ok(factor.times(value))
     }
 
-    /// The values of a column in a unit of its header, such as `frequency[Hz]`.
-    pub(crate) fn factor_of_column(&self, name: &str, unit: &str, kind: Kind) -> Result<Factor, Failure> {
+    /// What the values of a column are multiplied by, by the unit in its header, such as `frequency[Hz]`.
+    ///
+    /// # Errors
+    /// As for [`Reader::value`].
+    pub fn factor_of_column(&self, name: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
         let factor = self.factor(name, &format!("[{unit}]"), unit, kind)?;
         self.seen(name, &format!("[{unit}]"), kind, true)?;
         Ok(factor)
     }
 
     /// Whether a text has a unit behind its number.
-    pub(crate) fn has_unit(text: &str) -> bool {
+    #[must_use]
+    pub fn has_unit(text: &str) -> bool {
         let (digits, unit) = split(text);
         !digits.is_empty() && !unit.is_empty()
     }
 
     /// Whether a value had a unit.
-    pub(crate) fn has_converted(&self) -> bool {
+    pub fn has_converted(&self) -> bool {
         self.first_with_unit.borrow().is_some()
     }
 
-    fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, Failure> {
+    fn factor(&self, name: &str, text: &str, unit: &str, kind: Kind) -> Result<Factor, UnitError> {
         let read = table::parse(unit);
         let found = read.iter().find(|read| read.dimension == kind.dimension());
         match (found, read.first()) {
             (Some(unit), _) => Ok(unit.factor.over(self.system.factor(unit.dimension))),
-            (None, None) => Err(Failure::Input(format!(
+            (None, None) => Err(UnitError(format!(
                 "{name} {text}: “{unit}” is not a known unit; expected {}",
                 kind.expected()
             ))),
             (None, Some(Unit { dimension, .. })) => {
                 let is = Kind::of(*dimension)
                     .map_or(String::new(), |kind| format!("is a unit of {}; ", kind.name()));
-                Err(Failure::Input(format!("{name} {text}: “{unit}” {is}expected {}", kind.expected())))
+                Err(UnitError(format!("{name} {text}: “{unit}” {is}expected {}", kind.expected())))
             }
         }
     }
 
-    fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), Failure> {
+    fn seen(&self, name: &str, text: &str, kind: Kind, with_unit: bool) -> Result<(), UnitError> {
         if kind.is_dimensionless() {
             return Ok(());
         }
@@ -104,10 +135,11 @@ impl Reader {
             return Ok(());
         }
         let words = |cell: &RefCell<Option<String>>| cell.borrow().clone().unwrap_or_default();
-        Err(Failure::Input(format!(
-            "{}: has no unit beside {}; give every value a unit, or name the system of bare numbers, as by --units kN,m",
+        Err(UnitError(format!(
+            "{}: has no unit beside {}; give every value a unit, or name the system of bare numbers, as by {}",
             words(&self.first_bare),
-            words(&self.first_with_unit)
+            words(&self.first_with_unit),
+            self.option
         )))
     }
 }
@@ -135,12 +167,30 @@ fn split(text: &str) -> (&str, &str) {
     (digits, unit.trim())
 }
 
+/// A number without a unit.
+///
+/// # Errors
+/// Where the text is none, with a hint where it has a decimal comma.
+pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, UnitError> {
+    number_of(name, text, text)
+}
+
+/// The number that `digits` of the text are.
+fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, UnitError> {
+    let digits = digits.trim();
+    digits.parse().map_err(|_| {
+        let has_decimal_comma = digits.replacen(',', ".", 1).parse::<F>().is_ok();
+        let hint = if has_decimal_comma { ", with a decimal point in place of the comma" } else { "" };
+        UnitError(format!("{name} {text}: must be a number{hint}"))
+    })
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Kind, Reader, System, split};
+    use super::{Kind, Reader, split};
 
     fn si(text: &str, kind: Kind) -> Result<f64, String> {
-        Reader::new(None).value("--x", text, kind).map_err(|e| e.to_string())
+        Reader::new(None, "--units kN,m").value("--x", text, kind).map_err(|e| e.to_string())
     }
 
     #[test]
@@ -213,16 +263,16 @@ mod tests {
 
     #[test]
     fn bare_numbers_are_in_the_named_system_and_do_not_mix_without_one() {
-        let reader = Reader::new(None);
+        let reader = Reader::new(None, "--units kN,m");
         assert_eq!(reader.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 800.0);
-        let bare = Reader::new(None);
+        let bare = Reader::new(None, "--units kN,m");
         assert_eq!(bare.value::<f64>("--mass", "800kg", Kind::Mass).unwrap(), 800.0);
         let error = bare.value::<f64>("--frequency", "2", Kind::Frequency).unwrap_err().to_string();
         assert!(error.starts_with("--frequency 2: has no unit beside --mass 800kg"), "{error}");
         assert_eq!(reader.value::<f64>("--omega", "2", Kind::Ratio).unwrap(), 2.0);
         let error = reader.value::<f64>("--force", "12", Kind::Force).unwrap_err().to_string();
         assert!(error.starts_with("--force 12: has no unit beside --mass 800kg"), "{error}");
-        let named = Reader::new(Some(&System::parse("kN,mm").unwrap()));
+        let named = Reader::new(Some(&"kN,mm".parse().unwrap()), "--units kN,m");
         assert_eq!(named.value::<f64>("--force", "12", Kind::Force).unwrap(), 12.0);
         assert_eq!(named.value::<f64>("--force", "12N", Kind::Force).unwrap(), 0.012);
         assert_eq!(named.value::<f64>("--stiffness", "3kN/mm", Kind::Stiffness).unwrap(), 3.0);
@@ -233,8 +283,9 @@ mod tests {
     #[cfg(feature = "mp")]
     #[test]
     fn a_unit_costs_no_digits_of_a_wide_number() {
-        type Wide = stickslip::float::mp::Mp<4>;
-        let read = |text: &str, kind| Reader::new(None).value::<Wide>("--x", text, kind).unwrap();
+        type Wide = crate::float::mp::Mp<4>;
+        let read =
+            |text: &str, kind| Reader::new(None, "--units kN,m").value::<Wide>("--x", text, kind).unwrap();
         let (g, pound) = (read("0.15g", Kind::Acceleration), read("3lb", Kind::Mass));
         let close = |a: Wide, b: Wide| ((a - b) / b).to_f64().abs() < 1e-75;
         assert!(close(g, "1.4709975".parse().unwrap()), "{g}");

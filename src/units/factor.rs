@@ -1,10 +1,11 @@
 //! What one unit is in another: a ratio of whole numbers times a power of π.
 
-use crate::bits::Value;
+use crate::float::Float;
+use core::str::FromStr;
 
-/// `numerator/denominator · πⁿ`, in lowest terms.
+/// What one unit is in another: `numerator/denominator · πⁿ`, in lowest terms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Factor {
+pub struct Factor {
     numerator: u128,
     denominator: u128,
     pi: i8,
@@ -41,7 +42,7 @@ impl Factor {
     }
 
     /// The value in the other unit: one rounding for each of the numbers that is not 1.
-    pub(crate) fn times<F: Value>(self, value: F) -> F {
+    pub fn times<F: Float + FromStr>(self, value: F) -> F {
         // Whole numbers have an exact or correctly rounded text in any type.
         let whole = |n: u128| n.to_string().parse().unwrap_or_else(|_| F::from_f64(n as f64));
         let mut value = value;
