@@ -3,69 +3,181 @@
 use crate::closed_forms;
 use crate::interrupt::{Stop, interruptible};
 use crate::motion::{self, Start};
+use crate::points::{Points, Values};
 use crate::refused;
 use crate::table::Table;
 use arrow_array::cast::AsArray;
-use arrow_array::types::Float64Type;
-use arrow_array::{Array, Float64Array, RecordBatch, RecordBatchReader};
-use arrow_cast::cast;
+use arrow_array::ffi::{FFI_ArrowArray, FFI_ArrowSchema};
+use arrow_array::ffi_stream::FFI_ArrowArrayStream;
+use arrow_array::types::*;
+use arrow_array::{Array, Float64Array, RecordBatch, RecordBatchIterator, RecordBatchReader, StructArray};
 use arrow_schema::{ArrowError, DataType, Schema};
 use pyo3::prelude::*;
+use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
-use pyo3_arrow::{PyRecordBatch, PyTable};
 use std::sync::Arc;
 
-/// The ratios of a batch. Where one is null, so is every answer: NaN is outside of the domain.
-struct Points {
+/// The ratios of a batch; ζ and η only where the batch has them. Where one is null, so is every answer: NaN is outside of the domain.
+struct Columns {
     omega: Float64Array,
     alpha: Float64Array,
     damping: Option<Float64Array>,
+    static_friction: Option<Float64Array>,
 }
 
-impl Points {
+impl Columns {
     fn of(batch: &RecordBatch) -> PyResult<Self> {
         let column = |name: &str| batch.column_by_name(name).map(|column| numbers(name, column)).transpose();
         let due = |name: &str| column(name)?.ok_or_else(|| refused(format!("column {name}: is missing")));
-        let damping = column("damping_ratio")?.filter(|d| d.values().iter().any(|&d| d != 0.0));
-        Ok(Self { omega: due("omega")?, alpha: due("alpha")?, damping })
+        // Without a damper at any point the loops of a batch do.
+        let or_none = |name: &str, none: f64| {
+            Ok::<_, PyErr>(column(name)?.filter(|values| values.values().iter().any(|&x| x != none)))
+        };
+        Ok(Self {
+            omega: due("omega")?,
+            alpha: due("alpha")?,
+            damping: or_none("damping_ratio", 0.0)?,
+            static_friction: or_none("static_friction_ratio", 1.0)?,
+        })
+    }
+
+    fn points(&self) -> Points<'_> {
+        fn or(column: Option<&Float64Array>, none: f64) -> Values<'_> {
+            column.map_or(Values::One(none, &[]), |column| Values::Many(column.values()))
+        }
+        Points {
+            omega: Values::Many(self.omega.values()),
+            alpha: Values::Many(self.alpha.values()),
+            damping: or(self.damping.as_ref(), 0.0),
+            static_friction: or(self.static_friction.as_ref(), 1.0),
+            n: self.omega.len(),
+        }
     }
 }
 
-/// A column as numbers: without a copy where it has no null and is of their type.
+/// A column as numbers, NaN for null: without a copy where it has no null and is of their type.
 fn numbers(name: &str, column: &Arc<dyn Array>) -> PyResult<Float64Array> {
-    if !column.data_type().is_numeric() && column.data_type() != &DataType::Null {
-        return Err(refused(format!("column {name}: has the type {}, must be numbers", column.data_type())));
+    /// Every integer of these types rounds as `as` does: to the nearest number.
+    macro_rules! rounded {
+        ($($kind:ident $of:ident),*) => {
+            match column.data_type() {
+                DataType::Float64 => column.as_primitive::<Float64Type>().clone(),
+                $(DataType::$kind => column.as_primitive::<$of>().unary(|x| x as f64),)*
+                // What literals of SQL are.
+                DataType::Decimal128(_, places) => {
+                    let unit = 10f64.powi(i32::from(*places));
+                    column.as_primitive::<Decimal128Type>().unary(|x| x as f64 / unit)
+                }
+                DataType::Null => Float64Array::new_null(column.len()),
+                other => return Err(refused(format!("column {name}: has the type {other}, must be numbers"))),
+            }
+        };
     }
-    let numbers = cast(column, &DataType::Float64).map_err(refused)?;
-    let numbers = numbers.as_primitive::<Float64Type>().clone();
+    let numbers: Float64Array = rounded!(
+        Float32 Float32Type, Int8 Int8Type, Int16 Int16Type, Int32 Int32Type, Int64 Int64Type,
+        UInt8 UInt8Type, UInt16 UInt16Type, UInt32 UInt32Type, UInt64 UInt64Type
+    );
     if numbers.null_count() == 0 {
         return Ok(numbers);
     }
     Ok(numbers.iter().map(|x| Some(x.unwrap_or(f64::NAN))).collect())
 }
 
+/// A batch of answers, which any library of Arrow takes over without a copy.
+#[pyclass(frozen, module = "stickslip.arrow")]
+struct Batch(RecordBatch);
+
+#[pymethods]
+impl Batch {
+    /// The interface of Arrow: schema and array. A requested schema is another library's work.
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_array__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<(Bound<'py, PyCapsule>, Bound<'py, PyCapsule>)> {
+        let _ = requested_schema;
+        let array = FFI_ArrowArray::new(&StructArray::from(self.0.clone()).to_data());
+        Ok((schema(py, self.0.schema_ref())?, PyCapsule::new_with_value(py, array, c"arrow_array")?))
+    }
+
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        schema(py, self.0.schema_ref())
+    }
+
+    fn __len__(&self) -> usize {
+        self.0.num_rows()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<stickslip.arrow.Batch of {} rows: {}>", self.0.num_rows(), names(self.0.schema_ref()))
+    }
+}
+
+/// A table of answers, likewise.
+#[pyclass(frozen, module = "stickslip.arrow", name = "Table")]
+struct Batches {
+    schema: Arc<Schema>,
+    batches: Vec<RecordBatch>,
+}
+
+#[pymethods]
+impl Batches {
+    /// The interface of Arrow: a stream of arrays.
+    #[pyo3(signature = (requested_schema = None))]
+    fn __arrow_c_stream__<'py>(
+        &self,
+        py: Python<'py>,
+        requested_schema: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyCapsule>> {
+        let _ = requested_schema;
+        let batches = self.batches.clone().into_iter().map(Ok);
+        let reader = RecordBatchIterator::new(batches, self.schema.clone());
+        PyCapsule::new_with_value(py, FFI_ArrowArrayStream::new(Box::new(reader)), c"arrow_array_stream")
+    }
+
+    fn __arrow_c_schema__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyCapsule>> {
+        schema(py, &self.schema)
+    }
+
+    fn __len__(&self) -> usize {
+        self.batches.iter().map(RecordBatch::num_rows).sum()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<stickslip.arrow.Table of {} rows: {}>", self.__len__(), names(&self.schema))
+    }
+}
+
+fn schema<'py>(py: Python<'py>, schema: &Schema) -> PyResult<Bound<'py, PyCapsule>> {
+    let schema = FFI_ArrowSchema::try_from(schema).map_err(refused)?;
+    PyCapsule::new_with_value(py, schema, c"arrow_schema")
+}
+
+fn names(schema: &Schema) -> String {
+    schema.fields().iter().map(|field| field.name().as_str()).collect::<Vec<_>>().join(", ")
+}
+
 /// Each batch by itself, in order; a batch for a batch, a table for a stream.
 fn mapped<'py>(
     py: Python<'py>,
     input: AnyRecordBatch,
-    answer: impl Fn(&Points, &Stop) -> Result<Table, String> + Sync,
+    answer: impl Fn(Points<'_>, &Stop) -> Result<Table, String> + Sync,
 ) -> PyResult<Bound<'py, PyAny>> {
     let one = |py: Python<'py>, batch: &RecordBatch| -> PyResult<RecordBatch> {
-        let points = Points::of(batch)?;
-        let table = interruptible(py, |stop| answer(&points, stop))?.map_err(refused)?;
+        let columns = Columns::of(batch)?;
+        let table = interruptible(py, |stop| answer(columns.points(), stop))?.map_err(refused)?;
         table.into_batch().map_err(refused)
     };
     match input {
-        AnyRecordBatch::RecordBatch(batch) => {
-            Ok(PyRecordBatch::new(one(py, batch.as_ref())?).into_pyobject(py)?.into_any())
-        }
+        AnyRecordBatch::RecordBatch(batch) => Ok(Batch(one(py, batch.as_ref())?).into_pyobject(py)?.into_any()),
         AnyRecordBatch::Stream(stream) => {
             let reader: Box<dyn RecordBatchReader + Send> = stream.into_reader()?;
             let empty = RecordBatch::new_empty(reader.schema());
             let schema: Arc<Schema> = one(py, &empty)?.schema();
             let found: PyResult<Vec<RecordBatch>> =
                 reader.map(|batch: Result<_, ArrowError>| one(py, &batch.map_err(refused)?)).collect();
-            Ok(PyTable::try_new(found?, schema)?.into_pyobject(py)?.into_any())
+            Ok(Batches { schema, batches: found? }.into_pyobject(py)?.into_any())
         }
     }
 }
@@ -78,8 +190,7 @@ fn arrow_response<'py>(
 ) -> PyResult<Bound<'py, PyAny>> {
     let (columns, regime) = closed_forms::columns(&outputs)?;
     mapped(py, input, |points, stop| {
-        let damping = points.damping.as_ref().map(|d| &d.values()[..]);
-        Ok(closed_forms::table(points.omega.values(), points.alpha.values(), damping, &columns, regime, stop))
+        closed_forms::table(points, &columns, regime, stop).map_err(|e| e.to_string())
     })
 }
 
@@ -91,10 +202,7 @@ fn arrow_steady<'py>(
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyAny>> {
     mapped(py, input, |points, stop| {
-        let none = if points.damping.is_none() { vec![0.0; points.omega.len()] } else { Vec::new() };
-        let damping = points.damping.as_ref().map_or(&none[..], |d| &d.values()[..]);
-        motion::table(points.omega.values(), points.alpha.values(), damping, start, max_periods, stop)
-            .map_err(|e| e.to_string())
+        motion::table(points, start, max_periods, stop).map_err(|e| e.to_string())
     })
 }
 

@@ -1,18 +1,18 @@
 //! Closed forms of the non-sticking cycle, and the border.
 
 use crate::interrupt::{Stop, interruptible};
+use crate::points::{Given, Point, Points, Values, ratios};
 use crate::refused;
 use crate::table::Table;
-use numpy::{PyReadonlyArray1, PyReadwriteArray1};
+use numpy::PyReadwriteArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use rayon::prelude::*;
-use stickslip::batch::{Batch, Columns, LengthMismatch};
+use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch};
 use stickslip::regime::no_stop_force_ratios;
-use stickslip::{Output, Ratios, Regime, Response};
+use stickslip::{Output, Regime, Response};
 
-/// Points between two looks for a signal.
-const CHUNK: usize = 1 << 16;
+/// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a task.
+const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
 pub(crate) const REGIMES: [&str; 5] = [
@@ -33,24 +33,13 @@ pub(crate) const fn code(regime: Option<Regime>) -> u8 {
     }
 }
 
-pub(crate) fn ratios(omega: f64, alpha: f64, damping_ratio: f64) -> Result<Ratios<f64>, stickslip::Error> {
-    let ratios = Ratios::new(omega, alpha)?;
-    if damping_ratio == 0.0 { Ok(ratios) } else { ratios.with_damping_ratio(damping_ratio) }
-}
-
 /// All outputs at one point, `None` for what does not exist there.
 #[pyfunction]
-fn response_at<'py>(
-    py: Python<'py>,
-    omega: f64,
-    alpha: f64,
-    damping_ratio: f64,
-) -> PyResult<Bound<'py, PyDict>> {
-    let answer = Response::new(ratios(omega, alpha, damping_ratio).map_err(refused)?);
+fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
+    let answer = Response::new(ratios(point).map_err(refused)?);
     let dict = PyDict::new(py);
     dict.set_item("regime", answer.regime().name())?;
     dict.set_item("reversals_per_cycle", answer.reversals_per_cycle())?;
-    dict.set_item("best_force_ratio_slides", answer.best_is_reached())?;
     for output in Output::ALL {
         dict.set_item(output.name(), output.of(&answer))?;
     }
@@ -79,125 +68,139 @@ pub(crate) fn columns(names: &[String]) -> PyResult<(Vec<Column>, bool)> {
     Ok((found, regime))
 }
 
-/// Columns of outputs at many points, NaN for what does not exist there.
-#[pyfunction]
-fn response_columns<'py>(
-    py: Python<'py>,
-    omega: PyReadonlyArray1<'py, f64>,
-    alpha: PyReadonlyArray1<'py, f64>,
-    damping_ratio: Option<PyReadonlyArray1<'py, f64>>,
-    outputs: Vec<String>,
-) -> PyResult<Bound<'py, PyDict>> {
-    let (columns, regime) = columns(&outputs)?;
-    let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
-    let damping = damping_ratio.as_ref().map(|d| d.as_slice()).transpose()?;
-    if omega.len() != alpha.len() || damping.is_some_and(|d| d.len() != omega.len()) {
-        return Err(refused("columns of different lengths"));
-    }
-    let work = |stop: &Stop| table(omega, alpha, damping, &columns, regime, stop);
-    let table = if omega.len() < 512 { py.detach(|| work(&Stop::never())) } else { interruptible(py, work)? };
-    table.into_dict(py)
+/// Where outputs go, all of one length.
+struct Places<'a> {
+    numbers: Vec<(Column, &'a mut [f64])>,
+    regimes: Option<&'a mut [u8]>,
 }
 
-/// Outputs at many points, written to arrays that are there.
+impl Places<'_> {
+    fn split_at(self, place: usize) -> (Self, Self) {
+        let (mut low, mut high) =
+            (Vec::with_capacity(self.numbers.len()), Vec::with_capacity(self.numbers.len()));
+        for (column, slice) in self.numbers {
+            let (first, second) = slice.split_at_mut(place);
+            low.push((column, first));
+            high.push((column, second));
+        }
+        let (first, second) = self.regimes.map(|codes| codes.split_at_mut(place)).unzip();
+        (Self { numbers: low, regimes: first }, Self { numbers: high, regimes: second })
+    }
+}
+
+/// Outputs at many points, written to arrays that are there: NaN for what does not exist. The regimes, as codes, go to an array of their own.
 #[pyfunction]
 fn response_into<'py>(
     py: Python<'py>,
-    omega: PyReadonlyArray1<'py, f64>,
-    alpha: PyReadonlyArray1<'py, f64>,
-    damping_ratio: Option<PyReadonlyArray1<'py, f64>>,
+    points: [Given<'py>; 4],
     outputs: Vec<String>,
     mut arrays: Vec<PyReadwriteArray1<'py, f64>>,
+    mut regimes: Option<PyReadwriteArray1<'py, u8>>,
 ) -> PyResult<()> {
     let (columns, _) = columns(&outputs)?;
-    let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
-    let damping = damping_ratio.as_ref().map(|d| d.as_slice()).transpose()?;
-    let mut numbers = Vec::new();
-    for (column, array) in columns.iter().zip(&mut arrays) {
-        if let Column::Output(output) = column {
-            numbers.push((*output, array.as_slice_mut()?));
-        }
+    let mut places = Places { numbers: Vec::new(), regimes: None };
+    for (column, array) in columns.into_iter().zip(&mut arrays) {
+        places.numbers.push((column, array.as_slice_mut()?));
     }
-    interruptible(py, |stop| fill(omega, alpha, damping, &mut numbers, &mut [], stop))?
-        .map_err(|mismatch| refused(mismatch.to_string()))
+    places.regimes = regimes.as_mut().map(|codes| codes.as_slice_mut()).transpose()?;
+    let lengths = places.numbers.iter().map(|(_, slice)| slice.len());
+    let n = lengths.chain(places.regimes.as_ref().map(|codes| codes.len())).next().unwrap_or(0);
+    let points = Points::of(&points, n)?;
+    // What takes less than a millisecond or so is not worth the way to other threads.
+    let worth = if points.is_plain() { TASK / 2 } else { 256 };
+    let filled = if n < worth {
+        py.detach(|| fill(points, places, &Stop::never()))
+    } else {
+        interruptible(py, |stop| fill(points, places, stop))?
+    };
+    filled.map_err(refused)
 }
 
-/// The columns at points of one length, whose damping ratios are all 0 where they are not given.
+/// The columns at some points.
 pub(crate) fn table(
-    omega: &[f64],
-    alpha: &[f64],
-    damping: Option<&[f64]>,
+    points: Points<'_>,
     columns: &[Column],
     regime: bool,
     stop: &Stop,
-) -> Table {
-    let n = omega.len();
-    let mut numbers: Vec<(Output, Vec<f64>)> = columns
-        .iter()
-        .filter_map(|column| match column {
-            Column::Output(output) => Some((*output, vec![0.0; n])),
-            Column::Reversals => None,
-        })
-        .collect();
-    let mut regimes = vec![None; if regime { n } else { 0 }];
-    let mut slices: Vec<_> = numbers.iter_mut().map(|(output, column)| (*output, &mut **column)).collect();
-    // The slices have one length by construction, so that no batch is refused.
-    let _ = fill(omega, alpha, damping, &mut slices, &mut regimes, stop);
+) -> Result<Table, LengthMismatch> {
+    let mut numbers: Vec<_> = columns.iter().map(|column| (*column, vec![0.0; points.n])).collect();
+    let mut codes = vec![0; if regime { points.n } else { 0 }];
+    let places = Places {
+        numbers: numbers.iter_mut().map(|(column, values)| (*column, &mut **values)).collect(),
+        regimes: regime.then_some(&mut codes[..]),
+    };
+    fill(points, places, stop)?;
     let mut table = Table::default();
-    for (output, column) in numbers {
-        table.number(output.name(), column);
-    }
-    if columns.contains(&Column::Reversals) {
-        table.number("reversals_per_cycle", reversals(omega, alpha, damping, stop));
+    for (column, values) in numbers {
+        let name = if let Column::Output(output) = column { output.name() } else { "reversals_per_cycle" };
+        table.number(name, values);
     }
     if regime {
-        table.code("regime", regimes.into_par_iter().map(code).collect(), &REGIMES);
+        table.code("regime", codes, &REGIMES);
     }
-    table
+    Ok(table)
 }
 
-/// Fills the slices, until it is told to stop; the regimes where there is room for them.
-fn fill(
-    omega: &[f64],
-    alpha: &[f64],
-    damping: Option<&[f64]>,
-    numbers: &mut [(Output, &mut [f64])],
-    regimes: &mut [Option<Regime>],
+/// Fills the places, until it is told to stop.
+fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), LengthMismatch> {
+    // One Ω is worked out once, where it is one of the domain.
+    let row = match points.omega {
+        Values::One(omega, _) if points.is_plain() && points.n > 1 => FixedOmega::new(omega).ok(),
+        Values::One(..) | Values::Many(_) => None,
+    };
+    let mut room = [Vec::new(), Vec::new()];
+    let points = points.with_room(&mut room, points.n.min(TASK));
+    halves(points, places, row.as_ref(), stop)
+}
+
+/// The halves of halves, on the threads that there are.
+fn halves(
+    points: Points<'_>,
+    places: Places<'_>,
+    row: Option<&FixedOmega>,
     stop: &Stop,
 ) -> Result<(), LengthMismatch> {
-    let batch = Batch::new().on_threads();
-    for start in (0..omega.len()).step_by(CHUNK) {
-        if stop.asked().is_break() {
-            break;
-        }
-        let part = start..omega.len().min(start + CHUNK);
-        let (Some(omega), Some(alpha)) = (omega.get(part.clone()), alpha.get(part.clone())) else { continue };
-        let mut wanted = Columns::new();
-        for (output, slice) in &mut *numbers {
-            wanted = wanted.with(*output, slice.get_mut(part.clone()).unwrap_or_default());
-        }
-        if let Some(slots) = regimes.get_mut(part.clone()) {
-            wanted = wanted.with_regime(slots);
-        }
-        match damping.and_then(|damping| damping.get(part)) {
-            None => batch.run(omega, alpha, wanted)?,
-            Some(damping) => batch.run_damped(omega, alpha, damping, wanted)?,
-        }
+    // Point by point takes longer.
+    let task = if points.is_plain() { TASK } else { TASK / 32 };
+    if points.n <= task {
+        return if stop.asked().is_break() { Ok(()) } else { run(points, places, row) };
     }
-    Ok(())
+    let half = (points.n / 2).next_multiple_of(task);
+    let (low, high) = (points.split_at(half), places.split_at(half));
+    let (low, high) = rayon::join(|| halves(low.0, high.0, row, stop), || halves(low.1, high.1, row, stop));
+    low.and(high)
 }
 
-/// Reversals in a cycle, point by point.
-fn reversals(omega: &[f64], alpha: &[f64], damping: Option<&[f64]>, stop: &Stop) -> Vec<f64> {
-    let at = |i: usize| {
-        let damping = damping.map_or(Some(0.0), |damping| damping.get(i).copied());
-        if stop.asked().is_break() {
-            return None;
+/// One task.
+fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> Result<(), LengthMismatch> {
+    let mut wanted = Columns::new();
+    let mut regimes = vec![None; places.regimes.as_ref().map_or(0, |codes| codes.len())];
+    let at = |i: usize| ratios(points.at(i)?).ok();
+    for (column, slice) in &mut places.numbers {
+        match column {
+            Column::Output(output) => wanted = wanted.with(*output, slice),
+            Column::Reversals => {
+                for (i, slot) in slice.iter_mut().enumerate() {
+                    let reversals = at(i).and_then(|ratios| Response::new(ratios).reversals_per_cycle());
+                    *slot = reversals.map_or(f64::NAN, f64::from);
+                }
+            }
         }
-        let ratios = ratios(*omega.get(i)?, *alpha.get(i)?, damping?).ok()?;
-        Response::new(ratios).reversals_per_cycle().map(f64::from)
-    };
-    (0..omega.len()).into_par_iter().map(|i| at(i).unwrap_or(f64::NAN)).collect()
+    }
+    if places.regimes.is_some() {
+        wanted = wanted.with_regime(&mut regimes);
+    }
+    let batch = Batch::new();
+    let (omega, alpha) = points.slices();
+    match row {
+        _ if !points.is_plain() => batch.run_each(points.n, at, wanted)?,
+        Some(row) => batch.run_at(row, alpha, wanted)?,
+        None => batch.run(omega, alpha, wanted)?,
+    }
+    for (slot, regime) in places.regimes.iter_mut().flat_map(|codes| codes.iter_mut()).zip(regimes) {
+        *slot = code(regime);
+    }
+    Ok(())
 }
 
 /// The intervals of the force ratio without any stop, (least, greatest); `None` where there is no greatest.
@@ -210,7 +213,6 @@ pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("OUTPUTS", Output::ALL.map(Output::name).to_vec())?;
     module.add("REGIMES", REGIMES.to_vec())?;
     module.add_function(wrap_pyfunction!(response_at, module)?)?;
-    module.add_function(wrap_pyfunction!(response_columns, module)?)?;
     module.add_function(wrap_pyfunction!(response_into, module)?)?;
     module.add_function(wrap_pyfunction!(no_stop, module)?)
 }

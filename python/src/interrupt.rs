@@ -1,10 +1,12 @@
-//! Long work without the interpreter's lock, which Ctrl-C still ends.
+//! Long work without the interpreter's lock, on threads of this process, which Ctrl-C still ends.
 
 use core::ops::ControlFlow;
+use core::panic::AssertUnwindSafe;
 use pyo3::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc;
-use std::thread;
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::panic::catch_unwind;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, OnceLock, mpsc};
 use std::time::Duration;
 
 /// How often the interpreter is asked for a signal.
@@ -25,25 +27,45 @@ impl Stop {
     }
 }
 
-/// Runs `work` on a thread of its own, while this one waits for it and for signals. A signal, such as that of Ctrl-C, sets the flag and
-/// is raised when the work has ended.
+/// The pools of this process and of those it was forked from, of which a fork has the memory but not the threads: work given to
+/// one of them would wait for ever.
+static POOLS: [OnceLock<Option<ThreadPool>>; 16] = [const { OnceLock::new() }; 16];
+/// How many forks this process is away from the first one.
+static FORKS: AtomicUsize = AtomicUsize::new(0);
+
+/// Told by the interpreter in the child after a fork.
+#[pyfunction]
+fn forked() {
+    FORKS.fetch_add(1, Ordering::Relaxed);
+}
+
+/// The threads of this process; `None` where the system gives none.
+fn pool() -> Option<&'static ThreadPool> {
+    let own = POOLS.get(FORKS.load(Ordering::Relaxed))?;
+    own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
+}
+
+/// Runs `work` on the threads of this process, while this one waits for it and for signals. A signal, such as that of Ctrl-C, sets the flag
+/// and is raised when the work has ended.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
-    let stop = Stop(AtomicBool::new(false));
-    thread::scope(|scope| {
-        let (done, ended) = mpsc::channel::<()>();
-        let worker = scope.spawn(|| {
-            // Dropped at the end of the work, whatever its end: that wakes the waiting thread.
-            let _done = done;
-            work(&stop)
+    let stop = Stop::never();
+    let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
+    let mut raised = None;
+    let (done, ended) = mpsc::channel();
+    let result = pool.in_place_scope(|scope| {
+        let stop = &stop;
+        scope.spawn(move |_| {
+            // Nobody but this function receives, and it waits.
+            let _ = done.send(catch_unwind(AssertUnwindSafe(|| work(stop))));
         });
-        let ended = std::sync::Mutex::new(ended);
-        let mut raised = None;
-        while !worker.is_finished() {
-            py.detach(|| {
-                if let Ok(ended) = ended.lock() {
-                    let _ = ended.recv_timeout(EVERY);
-                }
-            });
+        let ended = Mutex::new(ended);
+        loop {
+            let waited = py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY)));
+            match waited {
+                Some(Err(mpsc::RecvTimeoutError::Timeout)) => {}
+                Some(Ok(result)) => break result.ok(),
+                Some(Err(mpsc::RecvTimeoutError::Disconnected)) | None => break None,
+            }
             if raised.is_none()
                 && let Err(signal) = py.check_signals()
             {
@@ -51,13 +73,14 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
                 raised = Some(signal);
             }
         }
-        let result = py.detach(|| worker.join());
-        match (raised, result) {
-            (Some(signal), _) => Err(signal),
-            (None, Ok(value)) => Ok(value),
-            (None, Err(_)) => {
-                Err(crate::refused("the work ended without an answer: a defect of this package"))
-            }
-        }
-    })
+    });
+    match (raised, result) {
+        (Some(signal), _) => Err(signal),
+        (None, Some(value)) => Ok(value),
+        (None, None) => Err(crate::refused("the work ended without an answer: a defect of this package")),
+    }
+}
+
+pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(forked, module)?)
 }

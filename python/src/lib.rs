@@ -1,12 +1,14 @@
 //! The compiled part of the Python package: arrays in, arrays out. What users call is in `stickslip/*.py`.
 
 mod arrow;
+mod attractors;
 mod closed_forms;
 mod design;
 mod enclosed;
 mod interrupt;
 mod machine;
 mod motion;
+mod points;
 mod table;
 mod wide;
 
@@ -14,7 +16,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 pyo3::create_exception!(
-    _native,
+    stickslip,
     Error,
     PyValueError,
     "An argument is outside the domain, or a question has no answer."
@@ -30,8 +32,10 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("Error", module.py().get_type::<Error>())?;
     module.add("__version__", env!("CARGO_PKG_VERSION"))?;
     arrow::register(module)?;
+    interrupt::register(module)?;
     closed_forms::register(module)?;
     motion::register(module)?;
+    attractors::register(module)?;
     machine::register(module)?;
     enclosed::register(module)?;
     design::register(module)?;

@@ -2,18 +2,21 @@
 
 use crate::refused;
 use crate::table::Table;
-use numpy::PyReadonlyArray1;
+use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use stickslip::units::{Kind, Reader, System, UnitError};
 use stickslip::{Drive, Error, Excitation, Oscillator, Output, Scales};
 
-/// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant.
-pub(crate) type Body = (f64, f64, f64, f64, f64);
+/// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant, static friction ratio.
+pub(crate) type Body = (f64, f64, f64, f64, f64, f64);
 
-pub(crate) fn body((mass, stiffness, forward, backward, damping): Body) -> Result<Oscillator<f64>, Error> {
+pub(crate) fn body(
+    (mass, stiffness, forward, backward, damping, static_friction_ratio): Body,
+) -> Result<Oscillator<f64>, Error> {
     let body = Oscillator::new(mass, stiffness, forward)?;
     let body = if backward.is_nan() { body } else { body.with_directional_friction(forward, backward)? };
-    body.with_damping(damping)
+    body.with_damping(damping)?.with_static_friction_ratio(static_friction_ratio)
 }
 
 /// The excitation by the name of the argument that gives its amplitude.
@@ -37,6 +40,76 @@ fn damping_constant(mass: f64, stiffness: f64, friction: f64, damping_ratio: f64
     Ok(body.map_err(refused)?.damping())
 }
 
+/// The ratio of a static friction to the kinetic one of a body.
+#[pyfunction]
+fn static_friction_ratio(of: Body, static_friction: f64) -> PyResult<f64> {
+    let body = body(of).and_then(|body| body.with_static_friction(static_friction));
+    Ok(body.map_err(refused)?.static_friction_ratio())
+}
+
+/// The transmitted force in r_y and the transmissibility under an excitation, from those of a force.
+#[pyfunction]
+fn transmitted<'py>(
+    py: Python<'py>,
+    kind: &str,
+    columns: [PyReadonlyArray1<'py, f64>; 4],
+) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+    let kind = excitation(kind)?;
+    let [omega, alpha, force, acceleration] = &columns;
+    let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
+    let points = omega.iter().zip(alpha).zip(force.as_slice()?.iter().zip(acceleration.as_slice()?));
+    let (force, ratio): (Vec<_>, Vec<_>) =
+        points.map(|((&omega, &alpha), (&force, &a))| kind.transmitted(omega, alpha, force, a)).unzip();
+    Ok((force.into_pyarray(py), ratio.into_pyarray(py)))
+}
+
+/// Values with units, or bare ones, in the system named, or in SI: name, text and kind of each. And the system, where one is known.
+#[pyfunction]
+fn read_values(
+    values: Vec<(String, String, String)>,
+    units: Option<&str>,
+) -> PyResult<(Vec<f64>, Option<String>)> {
+    let of_units = |e: UnitError| refused(format!("units {}: {e}", units.unwrap_or_default()));
+    let system = units.map(|text| text.parse::<System>().map_err(of_units)).transpose()?;
+    let reader = Reader::new(system.as_ref(), "units=\"kN,m\"");
+    let mut found = Vec::new();
+    for (name, text, of) in values {
+        found.push(reader.value(&name, &text, kind(&of)?).map_err(refused)?);
+    }
+    let is_known = system.is_some() || reader.has_converted();
+    Ok((found, is_known.then(|| reader.system().to_string())))
+}
+
+/// The name of the unit of a kind of quantity in a system.
+#[pyfunction]
+fn unit_of(units: &str, of: &str) -> PyResult<String> {
+    Ok(units.parse::<System>().map_err(refused)?.name(kind(of)?))
+}
+
+/// Standard gravity in a system of units.
+#[pyfunction]
+fn gravity(units: &str) -> PyResult<f64> {
+    Ok(units.parse::<System>().map_err(refused)?.gravity())
+}
+
+/// The kind of a quantity by its name.
+fn kind(name: &str) -> PyResult<Kind> {
+    Ok(match name {
+        "ratio" => Kind::Ratio,
+        "mass" => Kind::Mass,
+        "length" => Kind::Length,
+        "time" => Kind::Time,
+        "frequency" => Kind::Frequency,
+        "velocity" => Kind::Velocity,
+        "acceleration" => Kind::Acceleration,
+        "force" => Kind::Force,
+        "stiffness" => Kind::Stiffness,
+        "damping" => Kind::Damping,
+        "energy" => Kind::Energy,
+        _ => return Err(refused(format!("kind {name}: is none"))),
+    })
+}
+
 /// Ω, α, ζ and the scales of one body under many drives.
 #[pyfunction]
 fn machine_columns<'py>(
@@ -52,6 +125,7 @@ fn machine_columns<'py>(
         "omega",
         "alpha",
         "damping_ratio",
+        "static_friction_ratio",
         "length",
         "velocity",
         "time",
@@ -61,7 +135,7 @@ fn machine_columns<'py>(
         "acceleration",
         "mean_displacement",
     ];
-    let mut columns: [Vec<f64>; 11] = Default::default();
+    let mut columns: [Vec<f64>; 12] = Default::default();
     for (&amplitude, &frequency) in amplitude.as_slice()?.iter().zip(angular_frequency.as_slice()?) {
         let row = (|| {
             let drive = Drive::new(kind, amplitude, frequency)?.with_mean_force(mean_force)?;
@@ -70,6 +144,7 @@ fn machine_columns<'py>(
                 ratios.omega(),
                 ratios.alpha(),
                 ratios.damping_ratio(),
+                ratios.static_friction_ratio(),
                 scales.length,
                 scales.velocity,
                 scales.time,
@@ -119,5 +194,10 @@ fn units() -> Vec<(&'static str, &'static str)> {
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("UNITS", units())?;
     module.add_function(wrap_pyfunction!(damping_constant, module)?)?;
+    module.add_function(wrap_pyfunction!(static_friction_ratio, module)?)?;
+    module.add_function(wrap_pyfunction!(transmitted, module)?)?;
+    module.add_function(wrap_pyfunction!(read_values, module)?)?;
+    module.add_function(wrap_pyfunction!(unit_of, module)?)?;
+    module.add_function(wrap_pyfunction!(gravity, module)?)?;
     module.add_function(wrap_pyfunction!(machine_columns, module)?)
 }

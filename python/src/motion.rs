@@ -1,11 +1,11 @@
 //! The exact motion: its limit, phases and samples, and free vibration.
 
-use crate::closed_forms::{REGIMES, code, ratios};
+use crate::closed_forms::{REGIMES, code};
 use crate::interrupt::{Stop, interruptible};
+use crate::points::{Given, Point, Points, ratios};
 use crate::refused;
 use crate::table::Table;
 use core::ops::ControlFlow;
-use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
@@ -21,9 +21,18 @@ const MOST_ROWS: usize = 1 << 28;
 /// Displacement and velocity at a phase of the drive.
 pub(crate) type Start = (f64, f64, f64);
 
+const NAMES: [&str; 6] = LongRun::<f64>::NAMES;
 /// Kinds of limit by their codes; the last is for points outside the domain.
-pub(crate) const LIMITS: [&str; 7] =
-    ["periodic", "family", "rest", "none", "not-converged", "invalid", "irregular"];
+pub(crate) const LIMITS: [&str; 7] = {
+    let [periodic, family, rest, irregular, none, not_converged] = NAMES;
+    [periodic, family, rest, irregular, none, not_converged, "invalid"]
+};
+
+/// The code of a kind of limit.
+pub(crate) fn limit_code(limit: Option<&LongRun<f64>>) -> u8 {
+    let place = limit.and_then(|limit| LIMITS.iter().position(|name| *name == limit.name()));
+    place.map_or(6, |place| place as u8)
+}
 
 /// A limit and what is seen of it.
 struct Found {
@@ -32,41 +41,36 @@ struct Found {
 }
 
 fn follow(
-    (omega, alpha, damping): (f64, f64, f64),
+    point: Point,
     (phase, x, v): Start,
     periods: u32,
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
-    let ratios = ratios(omega, alpha, damping)?;
+    let ratios = ratios(point)?;
     let limit = LongRun::within_while(ratios, State::new(phase, x, v)?, periods, keep_going)?;
     let seen = observed(ratios, &limit);
     Ok(Found { limit, seen })
 }
 
-impl Found {
-    const fn code(&self) -> u8 {
-        match &self.limit {
-            LongRun::Periodic(_) => 0,
-            LongRun::Family(_) => 1,
-            LongRun::Rest(_) => 2,
-            LongRun::Unbounded { .. } => 3,
-            LongRun::NotConverged { .. } => 4,
-            LongRun::Irregular(_) => 6,
-        }
-    }
+/// A number of a limit, where it has it.
+type Number = fn(&LongRun<f64>) -> Option<f64>;
 
-    const fn periods(&self) -> Option<f64> {
-        match &self.limit {
-            LongRun::Periodic(steady) | LongRun::Family(steady) => Some(steady.periods()),
-            LongRun::Rest(rest) => Some(rest.periods),
-            LongRun::Unbounded { .. } => None,
-            LongRun::Irregular(motion) => Some(motion.periods()),
-            LongRun::NotConverged { periods, .. } => Some(*periods),
-        }
-    }
+/// The numbers of a limit beside those of its cycle.
+const NUMBERS: [(&str, Number); 2] =
+    [("periods", |limit| limit.periods()), ("rest_position", |limit| limit.rest_position())];
 
-    const fn rest_position(&self) -> Option<f64> {
-        if let LongRun::Rest(rest) = &self.limit { Some(rest.position) } else { None }
+/// Those of a motion with a static friction above the kinetic one.
+const OF_STATIC_FRICTION: [(&str, Number); 2] = [
+    ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent())),
+    ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error())),
+];
+
+/// A number of a cycle, or the extremes of an irregular motion.
+fn number(limit: &LongRun<f64>, name: &str, of_cycle: fn(&SteadyState<f64>) -> f64) -> Option<f64> {
+    match name {
+        "max_displacement" => limit.extrema().map(|(_, most)| most),
+        "min_displacement" => limit.extrema().map(|(least, _)| least),
+        _ => limit.steady_state().map(of_cycle),
     }
 }
 
@@ -74,7 +78,7 @@ impl Found {
 #[pyfunction]
 fn steady_at<'py>(
     py: Python<'py>,
-    point: (f64, f64, f64),
+    point: Point,
     start: Start,
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -93,18 +97,35 @@ fn steady_at<'py>(
         return Err(signal);
     }
     let found = found.map_err(refused)?;
-    let steady = found.limit.steady_state();
+    let limit = &found.limit;
+    let steady = limit.steady_state();
     let dict = PyDict::new(py);
     dict.set_item("regime", found.seen.regime.name())?;
-    dict.set_item("limit", LIMITS.get(usize::from(found.code())))?;
+    dict.set_item("limit", limit.name())?;
     for (name, value) in SteadyState::OUTPUTS {
-        dict.set_item(name, steady.map(value))?;
+        dict.set_item(name, number(limit, name, value))?;
+    }
+    for (name, value) in NUMBERS.into_iter().chain(OF_STATIC_FRICTION) {
+        dict.set_item(name, value(limit))?;
     }
     dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
     dict.set_item("sticks_per_cycle", found.seen.sticks)?;
     dict.set_item("reversals_per_cycle", found.seen.reversals)?;
-    dict.set_item("periods", found.periods())?;
-    dict.set_item("rest_position", found.rest_position())?;
+    dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
+    dict.set_item("symmetric", steady.map(SteadyState::is_symmetric))?;
+    dict.set_item("turns_observed", limit.irregular().map(|m| m.turns()))?;
+    let peaks = steady.map(SteadyState::peaks).transpose().map_err(refused)?;
+    let alpha = point.1;
+    let amplitude = steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()));
+    for (name, value) in [
+        ("dynamic_amplification", amplitude.map(|x| x / alpha)),
+        ("max_acceleration", peaks.map(|p| p.acceleration)),
+        ("transmitted_force", peaks.map(|p| p.transmitted_force)),
+        ("transmissibility", peaks.map(|p| p.transmitted_force / alpha)),
+        ("max_absolute_displacement", peaks.map(|p| p.absolute_displacement)),
+    ] {
+        dict.set_item(name, value)?;
+    }
     dict.set_item("multipliers", steady.map(|s| s.multipliers().to_vec()))?;
     let errors = steady.map(SteadyState::errors).transpose().map_err(refused)?;
     let errors = errors.map(|e| [e.error_1, e.error_2, e.error_3, e.error_4]);
@@ -114,73 +135,72 @@ fn steady_at<'py>(
     Ok(dict)
 }
 
-/// Columns of the limits at many points, all from one start; NaN, or −1 for a count, for what does not exist there.
+/// Columns of the limits at `n` points, all from one start; NaN, or −1 for a count, for what does not exist there.
 #[pyfunction]
 fn steady_columns<'py>(
     py: Python<'py>,
-    omega: PyReadonlyArray1<'py, f64>,
-    alpha: PyReadonlyArray1<'py, f64>,
-    damping_ratio: PyReadonlyArray1<'py, f64>,
+    points: [Given<'py>; 4],
+    n: usize,
     start: Start,
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let (omega, alpha, damping) = (omega.as_slice()?, alpha.as_slice()?, damping_ratio.as_slice()?);
+    let points = Points::of(&points, n)?;
     // A start that no point can have is refused once and not by silence at every point.
     State::new(start.0, start.1, start.2).map_err(refused)?;
-    let work = |stop: &Stop| table(omega, alpha, damping, start, max_periods, stop);
+    let work = |stop: &Stop| table(points, start, max_periods, stop);
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
 }
 
-/// The columns at points of one length.
-pub(crate) fn table(
-    omega: &[f64],
-    alpha: &[f64],
-    damping: &[f64],
-    start: Start,
-    max_periods: u32,
-    stop: &Stop,
-) -> Result<Table, Error> {
-    let points = omega.par_iter().zip(alpha).zip(damping).with_min_len(16);
-    let limit = |((&omega, &alpha), &damping): ((&f64, &f64), &f64)| {
-        follow((omega, alpha, damping), start, max_periods, &mut || stop.asked())
-    };
-    columns(&points.map(limit).collect::<Vec<_>>())
+/// The columns at some points.
+pub(crate) fn table(points: Points<'_>, start: Start, max_periods: u32, stop: &Stop) -> Result<Table, Error> {
+    let nowhere = (f64::NAN, f64::NAN, f64::NAN, f64::NAN);
+    let limit = |i: usize| follow(points.at(i).unwrap_or(nowhere), start, max_periods, &mut || stop.asked());
+    let found: Vec<_> = (0..points.n).into_par_iter().with_min_len(16).map(limit).collect();
+    columns(&found, points.has_static_friction())
 }
 
 /// The columns. A point outside the domain is marked; any other error is one of the whole.
-fn columns(found: &[Result<Found, Error>]) -> Result<Table, Error> {
+fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result<Table, Error> {
     let is_of_domain = |error: &Error| error.quantity().is_some();
     if let Some(Err(error)) = found.iter().find(|f| f.as_ref().is_err_and(|e| !is_of_domain(e))) {
         return Err(error.clone());
     }
     let found = || found.par_iter().map(|f| f.as_ref().ok());
-    let steady = |f: Option<&Found>, value: fn(&SteadyState<f64>) -> f64| {
-        f.and_then(|f| f.limit.steady_state()).map_or(f64::NAN, value)
+    let numbers = |of: &(dyn Fn(&LongRun<f64>) -> Option<f64> + Sync)| {
+        found().map(|f| f.and_then(|f| of(&f.limit)).unwrap_or(f64::NAN)).collect()
     };
-    let count = |n: Option<u32>| n.map_or(-1, i64::from);
+    let counts = |of: &(dyn Fn(&Found) -> Option<u64> + Sync)| {
+        found().map(|f| f.and_then(of).and_then(|n| i64::try_from(n).ok()).unwrap_or(-1)).collect()
+    };
+    let of_cycle = |value: fn(&SteadyState<f64>) -> u32| {
+        counts(&move |f| f.limit.steady_state().map(|steady| u64::from(value(steady))))
+    };
     let mut table = Table::default();
     table.code("regime", found().map(|f| code(f.map(|f| f.seen.regime))).collect(), &REGIMES);
-    table.code("limit", found().map(|f| f.map_or(5, Found::code)).collect(), &LIMITS);
+    table.code("limit", found().map(|f| limit_code(f.map(|f| &f.limit))).collect(), &LIMITS);
     for (name, value) in SteadyState::OUTPUTS {
-        table.number(name, found().map(|f| steady(f, value)).collect());
+        table.number(name, numbers(&|limit| number(limit, name, value)));
     }
-    let zeros = |f: Option<&Found>| {
-        count(f.and_then(|f| f.limit.steady_state()).map(SteadyState::velocity_zeros_per_cycle))
-    };
-    table.count("velocity_zeros_per_cycle", found().map(zeros).collect());
-    table.count("sticks_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.sticks))).collect());
-    table.count("reversals_per_cycle", found().map(|f| count(f.and_then(|f| f.seen.reversals))).collect());
-    table.number("periods", found().map(|f| f.and_then(Found::periods).unwrap_or(f64::NAN)).collect());
-    table.number(
-        "rest_position",
-        found().map(|f| f.and_then(Found::rest_position).unwrap_or(f64::NAN)).collect(),
-    );
+    table.count("velocity_zeros_per_cycle", of_cycle(SteadyState::velocity_zeros_per_cycle));
+    table.count("sticks_per_cycle", counts(&|f| f.seen.sticks.map(u64::from)));
+    table.count("reversals_per_cycle", counts(&|f| f.seen.reversals.map(u64::from)));
+    for (name, value) in NUMBERS {
+        table.number(name, numbers(&value));
+    }
+    if with_static_friction {
+        for (name, value) in OF_STATIC_FRICTION {
+            table.number(name, numbers(&value));
+        }
+        table.count("turns_per_cycle", of_cycle(SteadyState::turns_per_cycle));
+        table.count("symmetric", of_cycle(|steady| u32::from(steady.is_symmetric())));
+        table.count("turns_observed", counts(&|f| f.limit.irregular().map(|m| m.turns())));
+    }
     Ok(table)
 }
 
 /// The phases of a motion up to a number of drive cycles after its start, the last one whole.
 #[pyfunction]
-fn phases(py: Python<'_>, point: (f64, f64, f64), start: Start, cycles: f64) -> PyResult<Bound<'_, PyDict>> {
+fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<Bound<'_, PyDict>> {
     let until = last_phase(start.0, cycles)?;
     let motion = trajectory(point, start)?;
     let work = |stop: &Stop| -> Result<Table, String> {
@@ -247,7 +267,7 @@ fn phases(py: Python<'_>, point: (f64, f64, f64), start: Start, cycles: f64) -> 
 #[pyfunction]
 fn samples(
     py: Python<'_>,
-    point: (f64, f64, f64),
+    point: Point,
     start: Start,
     cycles: f64,
     per_cycle: u32,
@@ -286,8 +306,8 @@ fn samples(
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
 }
 
-fn trajectory((omega, alpha, damping): (f64, f64, f64), (phase, x, v): Start) -> PyResult<Trajectory<f64>> {
-    let ratios = ratios(omega, alpha, damping).map_err(refused)?;
+fn trajectory(point: Point, (phase, x, v): Start) -> PyResult<Trajectory<f64>> {
+    let ratios = ratios(point).map_err(refused)?;
     Trajectory::new(ratios, State::new(phase, x, v).map_err(refused)?).map_err(refused)
 }
 
@@ -306,13 +326,20 @@ fn total(phase: stickslip::exact::DrivePhase<f64>) -> f64 {
 
 /// Free vibration to rest.
 #[pyfunction]
-fn decay_at(py: Python<'_>, displacement: f64, velocity: f64) -> PyResult<Bound<'_, PyDict>> {
-    let decay = FreeDecay::new(displacement, velocity).map_err(refused)?;
+fn decay_at(
+    py: Python<'_>,
+    displacement: f64,
+    velocity: f64,
+    damping_ratio: f64,
+    static_friction_ratio: f64,
+) -> PyResult<Bound<'_, PyDict>> {
+    let decay = FreeDecay::with_frictions(displacement, velocity, damping_ratio, static_friction_ratio)
+        .map_err(refused)?;
     let dict = PyDict::new(py);
     dict.set_item("half_cycles", decay.half_cycles())?;
     dict.set_item("first_turn", decay.first_turn())?;
     dict.set_item("rest_position", decay.rest_position())?;
-    dict.set_item("rest_time", decay.rest_time())?;
+    dict.set_item("rest_time", Some(decay.rest_time()).filter(|time| time.is_finite()))?;
     Ok(dict)
 }
 

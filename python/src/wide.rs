@@ -16,7 +16,7 @@ enum Cell {
     Word(&'static str),
     Digits(Option<String>),
     Count(Option<u32>),
-    Flag(bool),
+    Flag(Option<bool>),
     Pairs(Vec<(String, Option<String>)>),
 }
 
@@ -33,7 +33,7 @@ enum Question {
 }
 
 struct Task<'a> {
-    ratios: [String; 3],
+    ratios: [String; 4],
     question: Question,
     stop: &'a Stop,
 }
@@ -56,9 +56,11 @@ impl Task<'_> {
     where
         F: Float + FromStr<Err = ParseError> + Display + LowerExp + Debug + Send + Sync + 'static,
     {
-        let [omega, alpha, damping] = &self.ratios;
+        let [omega, alpha, damping, static_friction] = &self.ratios;
         let (omega, damping) = (number::<F>(omega)?, number::<F>(damping)?);
-        let ratios = Ratios::new(omega, number(alpha)?).and_then(|r| r.with_damping_ratio(damping));
+        let static_friction = number::<F>(static_friction)?;
+        let ratios = Ratios::new(omega, number(alpha)?)
+            .and_then(|r| r.with_damping_ratio(damping)?.with_static_friction_ratio(static_friction));
         let ratios = ratios.map_err(|e| e.to_string())?;
         match self.question {
             Question::Response => Ok(response(ratios)),
@@ -80,10 +82,10 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
     let mut cells = vec![
         ("regime", Cell::Word(answer.regime().name())),
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
-        ("best_force_ratio_slides", Cell::Flag(answer.best_is_reached())),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
     if !ratios.is_damped()
+        && !ratios.has_higher_static_friction()
         && let Ok(no_stop) = no_stop_force_ratios(ratios.omega())
     {
         let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
@@ -102,35 +104,39 @@ fn steady<F: Float>(
     let seen = observed(ratios, &limit);
     let steady = limit.steady_state();
     let errors = steady.map(SteadyState::errors).transpose()?;
-    let (kind, followed, rest) = match &limit {
-        LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
-        LongRun::Family(s) => ("family", Some(s.periods()), None),
-        LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
-        LongRun::Unbounded { .. } => ("none", None, None),
-        LongRun::Irregular(motion) => ("irregular", Some(motion.periods()), None),
-        LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
-    };
     let multipliers = steady.map(SteadyState::multipliers);
     let pairs = multipliers.map(|m| m.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec());
     let mut cells = vec![
         ("regime", Cell::Word(seen.regime.name())),
-        ("limit", Cell::Word(kind)),
+        ("limit", Cell::Word(limit.name())),
         ("sticks_per_cycle", Cell::Count(seen.sticks)),
         ("velocity_zeros_per_cycle", Cell::Count(steady.map(SteadyState::velocity_zeros_per_cycle))),
         ("reversals_per_cycle", Cell::Count(seen.reversals)),
         ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
-        ("rest_position", digits(rest)),
-        ("periods", digits(followed)),
+        ("rest_position", digits(limit.rest_position())),
+        ("periods", digits(limit.periods())),
         ("error_1", digits(errors.map(|e| e.error_1))),
         ("error_2", digits(errors.map(|e| e.error_2))),
         ("error_3", digits(errors.map(|e| e.error_3))),
         ("error_4", digits(errors.map(|e| e.error_4))),
     ];
     cells.extend(SteadyState::OUTPUTS.map(|(name, value)| (name, digits(steady.map(value)))));
+    if ratios.has_higher_static_friction() {
+        let irregular = limit.irregular();
+        let (least, most) = limit.extrema().unzip();
+        cells.extend([
+            ("max_displacement", digits(most)),
+            ("min_displacement", digits(least)),
+            ("turns_per_cycle", Cell::Count(steady.map(SteadyState::turns_per_cycle))),
+            ("symmetric", Cell::Flag(steady.map(SteadyState::is_symmetric))),
+            ("lyapunov_exponent", digits(irregular.map(|m| m.lyapunov_exponent()))),
+            ("lyapunov_exponent_error", digits(irregular.map(|m| m.lyapunov_exponent_error()))),
+        ]);
+    }
     Ok(cells)
 }
 
-fn answer(py: Python<'_>, bits: u32, ratios: [String; 3], question: Question) -> PyResult<Bound<'_, PyDict>> {
+fn answer(py: Python<'_>, bits: u32, ratios: [String; 4], question: Question) -> PyResult<Bound<'_, PyDict>> {
     let found = interruptible(py, |stop| Task { ratios, question, stop }.at(bits))?;
     let cells = found.map_err(refused)?;
     let dict = PyDict::new(py);
@@ -148,7 +154,7 @@ fn answer(py: Python<'_>, bits: u32, ratios: [String; 3], question: Question) ->
 
 /// All outputs of the closed forms at a point, and the force ratios without a stop, as decimal digits.
 #[pyfunction]
-fn wide_response(py: Python<'_>, bits: u32, ratios: [String; 3]) -> PyResult<Bound<'_, PyDict>> {
+fn wide_response(py: Python<'_>, bits: u32, ratios: [String; 4]) -> PyResult<Bound<'_, PyDict>> {
     answer(py, bits, ratios, Question::Response)
 }
 
@@ -157,7 +163,7 @@ fn wide_response(py: Python<'_>, bits: u32, ratios: [String; 3]) -> PyResult<Bou
 fn wide_steady(
     py: Python<'_>,
     bits: u32,
-    ratios: [String; 3],
+    ratios: [String; 4],
     start: [String; 3],
     max_periods: u32,
 ) -> PyResult<Bound<'_, PyDict>> {

@@ -23,16 +23,25 @@ array(['non-sticking', 'non-sticking'], dtype='<U12')
 2
 """
 
-from . import enclosed
+import os as _os
+
+from . import _native, enclosed
+from ._attractors import Attractor, Attractors, attractors
 from ._closed_forms import OUTPUTS, Border, Response, border, response
 from ._design import FIGURES, Band, BestFriction, Estimate, Figure, Identified, figure, identify
 from ._machine import Drive, Machine
 from ._motion import Decay, Phases, Samples, Steady, decay, simulate, steady
 from ._native import Error, __version__
 
+if hasattr(_os, "register_at_fork"):
+    # A child has the memory of the threads that work here, and not the threads.
+    _os.register_at_fork(after_in_child=_native.forked)
+
 __all__ = [
     "FIGURES",
     "OUTPUTS",
+    "Attractor",
+    "Attractors",
     "Band",
     "BestFriction",
     "Border",
@@ -48,6 +57,7 @@ __all__ = [
     "Samples",
     "Steady",
     "__version__",
+    "attractors",
     "border",
     "decay",
     "enclosed",

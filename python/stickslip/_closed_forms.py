@@ -9,13 +9,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._result import Physical, Result, Value, broadcast, decimals, digits, named, precision, shaped
+from ._result import Codes, Physical, Points, Result, Value, decimals, digits, points, precision
 
+#: The ratios that decide everything.
+RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
 _OF_POINT = ("regime", "reversals_per_cycle")
 #: Names of the outputs that `response` can be asked for.
 OUTPUTS: tuple[str, ...] = (*_OF_POINT, *_native.OUTPUTS)
 #: Those that it gives for arrays unless asked for others: what one pass of vector instructions yields.
-_OF_ARRAYS = (
+OF_ARRAYS = (
     "regime",
     "max_displacement",
     "displacement_phase",
@@ -41,7 +43,7 @@ class Response(Result):
 
     Attributes
     ----------
-    omega, alpha, damping_ratio : float or array
+    omega, alpha, damping_ratio, static_friction_ratio : float or array
         The ratios it is the answer for.
     regime : str or array of str
         ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``; ``"invalid"`` in an array for a
@@ -75,11 +77,12 @@ class Response(Result):
         The same names in the units of the machine, where there is one.
     """
 
-    _names: ClassVar[Sequence[str]] = ("omega", "alpha", "damping_ratio", *OUTPUTS, "physical")
+    _names: ClassVar[Sequence[str]] = (*RATIOS, *OUTPUTS, "physical")
 
     omega: Value
     alpha: Value
     damping_ratio: Value
+    static_friction_ratio: Value
     regime: Any
     reversals_per_cycle: Any
     max_displacement: Any
@@ -110,7 +113,7 @@ class Border(Result):
 
     Attributes
     ----------
-    omega, damping_ratio : float or array
+    omega, damping_ratio, static_friction_ratio : float or array
     min_force_ratio : float or array
         The least force ratio without sticking.
     min_force_ratio_turning_point : float or array
@@ -122,13 +125,14 @@ class Border(Result):
     best_force_ratio : float or array
         Force ratio of the largest loop.
     no_stop_force_ratios : list of (float, float or None), or None
-        The intervals of the force ratio without any stop, for a single omega without damping.
+        The intervals of the force ratio without any stop, for a single omega without damping and with one friction.
     """
 
-    _names: ClassVar[Sequence[str]] = ("omega", "damping_ratio", *_OF_BORDER, "no_stop_force_ratios")
+    _names: ClassVar[Sequence[str]] = ("omega", *RATIOS[2:], *_OF_BORDER, "no_stop_force_ratios")
 
     omega: Value
     damping_ratio: Value
+    static_friction_ratio: Value
     min_force_ratio: Any
     min_force_ratio_turning_point: Any
     border_phase: Any
@@ -141,6 +145,7 @@ def response(
     omega: ArrayLike,
     alpha: ArrayLike,
     damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
     *,
     outputs: Optional[Iterable[str]] = None,
     out: Optional[Mapping[str, NDArray[np.float64]]] = None,
@@ -156,6 +161,8 @@ def response(
         Force ratio, > 0.
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
+    static_friction_ratio : float or array
+        Static friction over the kinetic one, >= 1. It raises the border; the cycle that does not stick is the same.
     outputs : names, optional
         The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
     out : mapping of names to arrays, optional
@@ -175,7 +182,8 @@ def response(
     Raises
     ------
     Error
-        Where a single number is outside the domain. In an array such a point is ``"invalid"`` and NaN.
+        Where a single number is outside the domain. In an array such a point is ``"invalid"`` and NaN, and so is one
+        that is masked.
 
     Examples
     --------
@@ -196,32 +204,38 @@ def response(
     if out is not None and (outputs is not None or bits is not None):
         raise _native.Error("out: names the outputs itself, in floats; leave outputs and bits out")
     if bits is not None:
-        texts = (digits("omega", omega), digits("alpha", alpha), digits("damping_ratio", damping_ratio))
+        texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
         answer = decimals(_native.wide_response(precision(bits), texts))
-        names = OUTPUTS if outputs is None else _known(outputs)
-        ratios = dict(zip(("omega", "alpha", "damping_ratio"), map(Decimal, texts)))
-        return Response({**ratios, **{name: answer[name] for name in names}})
-    shape, columns = broadcast(omega, alpha, damping_ratio)
-    if shape is None and out is not None:
-        raise _native.Error("out: is for arrays; omega, alpha and damping_ratio are single numbers")
-    if shape is None:
-        point = [column.item() for column in columns]
-        chosen = OUTPUTS if outputs is None else _known(outputs)
-        found = _native.response_at(*point)
-        values = {name: found[name] for name in chosen}
-        return Response({"omega": point[0], "alpha": point[1], "damping_ratio": point[2], **values})
-    damping = columns[2] if np.any(columns[2] != 0.0) else None
+        names = OUTPUTS if outputs is None else known(outputs)
+        return Response({**dict(zip(RATIOS, map(Decimal, texts))), **{name: answer[name] for name in names}})
+    at = points(
+        omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
+    )
+    if at.shape is None:
+        if out is not None:
+            raise _native.Error("out: is for arrays; omega, alpha and the other ratios are single numbers")
+        found = _native.response_at(at.columns)
+        chosen = OUTPUTS if outputs is None else known(outputs)
+        return Response({**at.in_shape(), **{name: found[name] for name in chosen}})
     if out is not None:
-        _native.response_into(columns[0], columns[1], damping, list(out), _flat(out, shape))
-        return Response({**_ratios(shape, columns), **out})
-    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
-    table = shaped(_native.response_columns(columns[0], columns[1], damping, list(chosen)), shape)
-    if "regime" in table:
-        table["regime"] = named(table["regime"], _native.REGIMES)
-    return Response({**_ratios(shape, columns), **table})
+        _native.response_into(at.columns, list(out), _flat(out, at), None)
+        return Response({**at.in_shape(), **out})
+    chosen = OF_ARRAYS if outputs is None else known(outputs)
+    places = np.empty(at.shape, np.uint8) if "regime" in chosen else None
+    arrays = {name: np.empty(at.shape) for name in chosen if name != "regime"}
+    flat = [array.reshape(-1) for array in arrays.values()]
+    _native.response_into(at.columns, list(arrays), flat, None if places is None else places.reshape(-1))
+    regime = {} if places is None else {"regime": Codes(places, _native.REGIMES)}
+    return Response({**at.in_shape(), **arrays, **regime})
 
 
-def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0, *, bits: Optional[int] = None) -> Border:
+def border(
+    omega: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
+    *,
+    bits: Optional[int] = None,
+) -> Border:
     """The least force ratio with which the body does not stick at omega.
 
     Parameters
@@ -230,6 +244,8 @@ def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0, *, bits: Optional[i
         Frequency ratio, > 0.
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
+    static_friction_ratio : float or array
+        Static friction over the kinetic one, >= 1.
     bits : int, optional
         For a single omega: the precision, as for `response`.
 
@@ -242,25 +258,27 @@ def border(omega: ArrayLike, damping_ratio: ArrayLike = 0.0, *, bits: Optional[i
     >>> import stickslip as ss
     >>> ss.border(0.4).min_force_ratio
     6.9497...
+    >>> ss.border(0.4, static_friction_ratio=1.5).min_force_ratio
+    8.1501...
     >>> [round(low, 3) for low, high in ss.border(0.331).no_stop_force_ratios]
     [53.673, 179.876]
     """
-    if bits is not None:
-        texts = (digits("omega", omega), "1", digits("damping_ratio", damping_ratio))
-        wide = decimals(_native.wide_response(precision(bits), texts))
-        return Border({**wide, "omega": Decimal(texts[0]), "damping_ratio": Decimal(texts[2])})
-    shape, columns = broadcast(omega, damping_ratio)
     # The border is that of every force ratio.
-    if shape is not None:
-        omegas, dampings = (column.reshape(shape) for column in columns)
-        return Border(response(omegas, 1.0, dampings, outputs=_OF_BORDER).to_dict())
-    point, damping = columns[0].item(), columns[1].item()
-    single = response(point, 1.0, damping, outputs=_OF_BORDER)
-    no_stop = None if damping else _native.no_stop(point)
-    return Border({**single.to_dict(), "no_stop_force_ratios": no_stop})
+    if bits is not None:
+        texts = wide_ratios(omega, "1", damping_ratio, static_friction_ratio)
+        wide = decimals(_native.wide_response(precision(bits), texts))
+        return Border({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
+    found = response(omega, 1.0, damping_ratio, static_friction_ratio, outputs=_OF_BORDER).to_dict()
+    plain = found["damping_ratio"] == 0 and found["static_friction_ratio"] == 1 if np.ndim(found["omega"]) == 0 else False
+    return Border({**found, "no_stop_force_ratios": _native.no_stop(found["omega"]) if plain else None})
 
 
-def _known(outputs: Iterable[str]) -> tuple[str, ...]:
+def wide_ratios(*values: Any) -> tuple[str, ...]:
+    """All digits of the ratios, in their order."""
+    return tuple(digits(name, value) for name, value in zip(RATIOS, values))
+
+
+def known(outputs: Iterable[str]) -> tuple[str, ...]:
     chosen = (outputs,) if isinstance(outputs, str) else tuple(outputs)
     for name in chosen:
         if name not in OUTPUTS:
@@ -268,21 +286,19 @@ def _known(outputs: Iterable[str]) -> tuple[str, ...]:
     return chosen
 
 
-def _flat(out: Mapping[str, NDArray[np.float64]], shape: tuple[int, ...]) -> list[NDArray[np.float64]]:
+def _flat(out: Mapping[str, NDArray[np.float64]], at: Points) -> list[NDArray[np.float64]]:
     for name, array in out.items():
         if name in _OF_POINT or name not in OUTPUTS:
             numbers = (own for own in OUTPUTS if own not in _OF_POINT)
             raise _native.Error(f"out: {name!r} is none of {', '.join(numbers)}")
-        if not isinstance(array, np.ndarray) or array.dtype != np.float64 or array.shape != shape:
-            raise _native.Error(f"out[{name!r}]: must be an array of float64 of shape {shape}")
+        if not isinstance(array, np.ndarray) or array.dtype != np.float64 or array.shape != at.shape:
+            raise _native.Error(f"out[{name!r}]: must be an array of float64 of shape {at.shape}")
         if not (array.flags.c_contiguous and array.flags.writeable):
             raise _native.Error(f"out[{name!r}]: must be C-contiguous and writeable")
+        for other, given in at.given.items():
+            if np.may_share_memory(array, given):
+                raise _native.Error(f"out[{name!r}]: must not overlap {other}")
     arrays = list(out.values())
-    if any(np.shares_memory(a, b) for i, a in enumerate(arrays) for b in arrays[:i]):
+    if any(np.may_share_memory(a, b) for i, a in enumerate(arrays) for b in arrays[:i]):
         raise _native.Error("out: the arrays must not overlap")
     return [array.reshape(-1) for array in arrays]
-
-
-def _ratios(shape: tuple[int, ...], columns: Sequence[NDArray[np.float64]]) -> Mapping[str, Any]:
-    names = ("omega", "alpha", "damping_ratio")
-    return {name: column.reshape(shape) for name, column in zip(names, columns)}

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._machine import Machine
-from ._result import Floats
+from ._machine import Quantity, read
+from ._result import Floats, numbers
 
 #: Names of the figures that `figure` draws.
 FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
@@ -67,23 +68,27 @@ class Figure(NamedTuple):
 
 
 def identify(
-    mass: float,
-    stiffness: float,
-    force: float,
+    mass: Quantity,
+    stiffness: Quantity,
+    force: Quantity,
     angular_frequency: ArrayLike,
     amplitude: ArrayLike,
     phase: Optional[ArrayLike] = None,
+    *,
+    units: Optional[str] = None,
 ) -> Identified:
     """Friction bound and damping ratio from a measured response curve, by least squares.
 
     Parameters
     ----------
-    mass, stiffness, force : float
-        Of the machine, and the amplitude of the harmonic force.
+    mass, stiffness, force : float or str
+        Of the machine, and the amplitude of the harmonic force; with or without units.
     angular_frequency, amplitude : array
         Angular frequencies, and the maximum displacement measured at each.
     phase : array, optional
         Phase of the maximum displacement behind the force, in radians; NaN where it was not measured.
+    units : str, optional
+        The system of numbers without units, such as ``"kN,mm"``; it has to be named where others have units.
 
     Returns
     -------
@@ -92,21 +97,27 @@ def identify(
     Examples
     --------
     >>> import numpy as np, stickslip as ss
-    >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0).with_damping_ratio(0.05)
+    >>> machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.05)
     >>> frequency = machine.natural_frequency * np.linspace(0.7, 1.4, 20)
     >>> measured = machine.response(ss.Drive(force=9.0, angular_frequency=frequency)).physical.max_displacement
     >>> found = ss.identify(2.0, 800.0, 9.0, frequency, measured)
     >>> round(found.friction.value, 6), round(found.damping_ratio.value, 6)
     (3.0, 0.05)
     """
-    columns = [np.ascontiguousarray(column, dtype=np.float64).reshape(-1) for column in (angular_frequency, amplitude)]
-    phases = None if phase is None else np.ascontiguousarray(phase, dtype=np.float64).reshape(-1)
-    lengths = {column.size for column in (*columns, *(() if phases is None else (phases,)))}
+    given = {"angular_frequency": angular_frequency, "amplitude": amplitude, "phase": phase}
+    columns = {
+        name: np.ascontiguousarray(numbers(name, column)).reshape(-1) for name, column in given.items() if column is not None
+    }
+    lengths = {column.size for column in columns.values()}
     if len(lengths) != 1:
         raise _native.Error(f"columns of the curve have different lengths: {sorted(lengths)}")
-    # The friction bound is what is asked for: its value here plays no part.
-    body = Machine(mass, stiffness, 1.0)._body
-    found = _native.identify(body, float(force), columns[0], columns[1], phases)
+    # The friction bound is what is asked for: its value here plays no part. A length is among the columns.
+    texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
+    first = {"amplitude": (columns["amplitude"][0], "length")} if columns["amplitude"].size else {}
+    values, _ = read({**texts, **first}, units)
+    body = (values["mass"], values["stiffness"], 1.0, math.nan, 0.0, 1.0)
+    measured = (columns["angular_frequency"], columns["amplitude"], columns.get("phase"))
+    found = _native.identify(body, values["force"], *measured)
     residuals = np.array([np.nan if value is None else value for value in found["residuals"]])
     estimates = {name: Estimate(*found[name]) for name in ("friction", "damping_ratio")}
     return Identified(estimates["friction"], estimates["damping_ratio"], found["noise"], residuals)

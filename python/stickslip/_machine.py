@@ -1,17 +1,18 @@
-"""Machines in physical units: SI, or any consistent system."""
+"""Machines in physical units."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._closed_forms import Border, Response, border, response
-from ._motion import _REST, Start, Steady, steady
-from ._result import Physical, Result, broadcast
+from ._attractors import Attractors, attractors
+from ._closed_forms import RATIOS, Border, Response, border, response
+from ._motion import REST, Decay, Start, Steady, decay, one, steady
+from ._result import Physical, Result, numbers, points
 
 if TYPE_CHECKING:
     from ._design import Band, BestFriction
@@ -24,7 +25,12 @@ _EXCITATIONS = (
     "base_velocity",
     "base_acceleration",
 )
+_KINDS = dict(
+    zip(_EXCITATIONS, ("force", "length", "length", "length", "velocity", "acceleration")),
+)
 _STANDARD_GRAVITY = 9.80665
+#: A number, or text with a unit such as ``"12 kN"``.
+Quantity = Union[float, str]
 #: Names of values in physical units, where they are not those in ratios. Both loop sizes are one energy.
 _PHYSICAL = {
     "min_force_ratio": "min_force",
@@ -48,49 +54,103 @@ _OF_STEADY = {
 }
 
 
+#: What the scales of `_native.machine_columns` are, and those made of them.
+_KIND_OF_SCALE = {
+    "length": "length",
+    "velocity": "velocity",
+    "time": "time",
+    "force": "force",
+    "energy": "energy",
+    "energy_inertia": "energy",
+    "acceleration": "acceleration",
+    "work": "energy",
+    "period": "time",
+}
+
+
+def read(
+    given: Mapping[str, tuple[Any, str]], units: Optional[str]
+) -> tuple[dict[str, float], Optional[str]]:
+    """The numbers of what is given, as (value, kind) by name, and the system of units they are in, where one is known."""
+    texts = [
+        (name, value if isinstance(value, str) else repr(one(name, value)), kind) for name, (value, kind) in given.items()
+    ]
+    values, system = _native.read_values(texts, units)
+    return dict(zip(given, values)), system
+
+
+def _one_of(given: Mapping[str, Any], *names: str) -> Optional[str]:
+    """The name of the one that is given of several that say the same."""
+    found = [name for name in names if given[name] is not None]
+    if len(found) > 1:
+        raise _native.Error(f"{found[0]} and {found[1]}: give one of the two, the other follows")
+    return found[0] if found else None
+
+
+def _positive(name: str, value: float) -> float:
+    if not (np.isfinite(value) and value > 0):
+        raise _native.Error(f"{name} = {value} must be > 0 and finite")
+    return value
+
+
 @dataclass(frozen=True, init=False)
 class Drive:
-    """A harmonic drive: one amplitude and an angular frequency, numbers or arrays.
+    """A harmonic drive: one amplitude and a frequency, numbers or arrays.
 
     Parameters
     ----------
-    force : float or array
-        Amplitude of a force on the body.
-    foot_displacement : float or array
+    force : float, str or array
+        Amplitude of a force on the body; as text with its unit, such as ``"12 kN"``.
+    foot_displacement : float, str or array
         Amplitude of a motion of the spring's foot, over a surface that stays.
-    damped_foot_displacement : float or array
+    damped_foot_displacement : float, str or array
         The same with the damper standing on the moving foot.
-    base_displacement, base_velocity, base_acceleration : float or array
+    base_displacement, base_velocity, base_acceleration : float, str or array
         Amplitude of a motion of the base that carries the surface along, as under an isolator. The
         displacement of the answer is that of the body relative to the base.
+    frequency : float, str or array
+        In hertz, or as text such as ``"2 Hz"`` or ``"120 rpm"``.
     angular_frequency : float or array
-        In radians per second: ``2*pi`` times the frequency in hertz.
-    mean_force : float
+        The same in radians per second; one of the two is given.
+    mean_force : float or str
         A constant force beside the harmonic one; it shifts the motion.
+    units : str, optional
+        The system of numbers without units, such as ``"kN,mm"``; values with units are converted to it.
+
+    Attributes
+    ----------
+    excitation : str
+        Which of the amplitudes is given.
+    amplitude, angular_frequency, mean_force : float or array
+    units : str or None
+        The system of units: as given, or ``"N,m"`` where a value has a unit.
 
     Examples
     --------
     >>> import stickslip as ss
-    >>> ss.Drive(force=12.0, angular_frequency=6.28)
-    Drive(excitation='force', amplitude=12.0, angular_frequency=6.28, mean_force=0.0)
+    >>> ss.Drive(force="12 kN", frequency="2 Hz")
+    Drive(excitation='force', amplitude=12000.0, angular_frequency=12.566370614359172, mean_force=0.0, units='N,m')
     """
 
     excitation: str
     amplitude: ArrayLike
     angular_frequency: ArrayLike
     mean_force: float
+    units: Optional[str]
 
     def __init__(
         self,
         *,
-        angular_frequency: ArrayLike,
         force: Optional[ArrayLike] = None,
         foot_displacement: Optional[ArrayLike] = None,
         damped_foot_displacement: Optional[ArrayLike] = None,
         base_displacement: Optional[ArrayLike] = None,
         base_velocity: Optional[ArrayLike] = None,
         base_acceleration: Optional[ArrayLike] = None,
-        mean_force: float = 0.0,
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+        mean_force: Quantity = 0.0,
+        units: Optional[str] = None,
     ) -> None:
         given = dict(
             zip(
@@ -101,77 +161,188 @@ class Drive:
         chosen = [(name, value) for name, value in given.items() if value is not None]
         if len(chosen) != 1:
             raise _native.Error(f"give one of {', '.join(_EXCITATIONS)}; {len(chosen)} are given")
-        object.__setattr__(self, "excitation", chosen[0][0])
-        object.__setattr__(self, "amplitude", chosen[0][1])
-        object.__setattr__(self, "angular_frequency", angular_frequency)
-        object.__setattr__(self, "mean_force", float(mean_force))
+        name, amplitude = chosen[0]
+        if (frequency is None) == (angular_frequency is None):
+            raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
+        object.__setattr__(self, "excitation", name)
+        object.__setattr__(self, "angular_frequency", _angular(frequency, angular_frequency))
+        # What is no text is one number, or many; the first of them stands for all where units must not mix.
+        texts: dict[str, tuple[Any, str]] = {}
+        several = None if isinstance(amplitude, str) else numbers(name, amplitude)
+        if several is None or several.size:
+            texts[name] = (amplitude if several is None else several.flat[0], _KINDS[name])
+        if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
+            texts["mean_force"] = (mean_force, "force")
+        values, system = read(texts, units)
+        object.__setattr__(self, "amplitude", values[name] if several is None else _plain(several))
+        object.__setattr__(self, "mean_force", values.get("mean_force", 0.0))
+        object.__setattr__(self, "units", system)
+
+    def _in(self, units: Optional[str]) -> "Drive":
+        """The same drive in a machine's system of units."""
+        if units == self.units:
+            return self
+        if units is None or self.units is None:
+            bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
+            raise _native.Error(
+                f"{bare}: has no unit beside {other}; give every value a unit, or name the system of bare numbers, "
+                'as by units="kN,m"'
+            )
+        factors = {}
+        for kind in (_KINDS[self.excitation], "force"):
+            text = f"1 {_native.unit_of(self.units, kind)}"
+            factors[kind] = read({self.excitation: (text, kind)}, units)[0][self.excitation]
+        amplitude = np.asarray(self.amplitude) * factors[_KINDS[self.excitation]]
+        return Drive(
+            **{self.excitation: _plain(amplitude)},
+            angular_frequency=self.angular_frequency,
+            mean_force=self.mean_force * factors["force"],
+            units=units,
+        )
 
 
-@dataclass(frozen=True)
+def _plain(array: np.ndarray) -> ArrayLike:
+    return float(array) if array.ndim == 0 else array
+
+
+def _angular(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> ArrayLike:
+    """The angular frequency; a frequency is the same in all systems of units."""
+    for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
+        if isinstance(value, str):
+            values, system = read({name: (value, "frequency")}, None)
+            if system is None and name == "frequency":
+                # A bare number as text.
+                return values[name] * 2 * np.pi
+            return values[name]
+    if frequency is not None:
+        return _plain(numbers("frequency", frequency) * (2 * np.pi))
+    return _plain(numbers("angular_frequency", angular_frequency if angular_frequency is not None else np.nan))
+
+
+@dataclass(frozen=True, init=False)
 class Machine:
-    """A body on its spring and friction surface, in consistent units.
+    """A body on its spring and friction surface.
+
+    Values are text with a unit, such as ``"12 kN/mm"``, in any mixture of units; or numbers in one consistent system.
 
     Parameters
     ----------
-    mass, stiffness, friction : float
-        Mass, stiffness of the spring, and friction bound (the greatest force of friction).
-    friction_backward : float, optional
+    mass : float or str
+    stiffness : float or str
+        Of the spring.
+    period : float or str
+        The natural period in place of the stiffness: ``k = m (2 pi/period)**2``.
+    friction : float or str
+        Friction bound: the force of friction while it slides.
+    friction_coefficient, gravity : float or str
+        In place of the friction bound: ``friction_coefficient * mass * gravity``. Gravity is 9.80665 m/s**2 unless given, in
+        SI where no system of units is known.
+    friction_backward : float or str, optional
         Friction bound against motion backward, where it differs from that forward.
-    damping : float
+    damping : float or str
         Constant of a viscous damper, >= 0.
+    damping_ratio : float or str
+        In place of it: ``c/(2 sqrt(k m))``.
+    static_friction : float or str
+        The force at which the body at rest gives way, not below the friction bound.
+    static_friction_ratio : float
+        In place of it: static friction over the kinetic one, >= 1.
+    units : str, optional
+        A force and a length, such as ``"kN,mm"``: the system of the answers and of numbers without units.
+
+    Attributes
+    ----------
+    mass, stiffness, friction, friction_backward, damping, static_friction_ratio
+        In the system of units.
+    units : str or None
+        The system of units: as given, or ``"N,m"`` where a value has a unit.
 
     Examples
     --------
     The machine of the source paper, 50 t on 1000 kN/m, friction 5 kN, under 12 kN at 1 Hz:
 
-    >>> import math, stickslip as ss
-    >>> machine = ss.Machine(mass=50.0, stiffness=1000.0, friction=5.0)
-    >>> answer = machine.response(ss.Drive(force=12.0, angular_frequency=2 * math.pi))
-    >>> answer.regime, round(answer.physical.max_displacement, 9)
-    ('non-sticking', 0.009914465)
+    >>> import stickslip as ss
+    >>> machine = ss.Machine(mass="50 t", stiffness="1000 kN/m", friction="5 kN")
+    >>> answer = machine.response(ss.Drive(force="12 kN", frequency="1 Hz"))
+    >>> answer.regime, round(answer.physical.max_displacement, 9), answer.physical.units["max_displacement"]
+    ('non-sticking', 0.009914465, 'm')
+    >>> ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05)
+    Machine(mass=800.0, stiffness=6525.3..., friction=392.2..., friction_backward=None, damping=0.0, static_friction_ratio=1.0, units='N,m')
     """
 
     mass: float
     stiffness: float
     friction: float
-    friction_backward: Optional[float] = None
-    damping: float = 0.0
+    friction_backward: Optional[float]
+    damping: float
+    static_friction_ratio: float
+    units: Optional[str]
 
-    def __post_init__(self) -> None:
+    def __init__(
+        self,
+        mass: Quantity,
+        stiffness: Optional[Quantity] = None,
+        friction: Optional[Quantity] = None,
+        friction_backward: Optional[Quantity] = None,
+        damping: Optional[Quantity] = None,
+        *,
+        period: Optional[Quantity] = None,
+        friction_coefficient: Optional[Quantity] = None,
+        gravity: Optional[Quantity] = None,
+        damping_ratio: Optional[Quantity] = None,
+        static_friction: Optional[Quantity] = None,
+        static_friction_ratio: Optional[Quantity] = None,
+        units: Optional[str] = None,
+    ) -> None:
+        given = {
+            "mass": (mass, "mass"),
+            "stiffness": (stiffness, "stiffness"),
+            "period": (period, "time"),
+            "friction": (friction, "force"),
+            "friction_coefficient": (friction_coefficient, "ratio"),
+            "gravity": (gravity, "acceleration"),
+            "friction_backward": (friction_backward, "force"),
+            "damping": (damping, "damping"),
+            "damping_ratio": (damping_ratio, "ratio"),
+            "static_friction": (static_friction, "force"),
+            "static_friction_ratio": (static_friction_ratio, "ratio"),
+        }
+        raw = {name: value for name, (value, _) in given.items()}
+        spring = _one_of(raw, "stiffness", "period")
+        surface = _one_of(raw, "friction", "friction_coefficient")
+        damper = _one_of(raw, "damping", "damping_ratio")
+        static = _one_of(raw, "static_friction", "static_friction_ratio")
+        for found, names in ((spring, "stiffness (or period)"), (surface, "friction (or friction_coefficient)")):
+            if found is None:
+                raise _native.Error(f"{names} is missing")
+        if gravity is not None and surface == "friction":
+            raise _native.Error("gravity: counts with friction_coefficient only; leave it out")
+        values, system = read({name: pair for name, pair in given.items() if pair[0] is not None}, units)
+        own_mass = values["mass"]
+        if spring == "period":
+            natural = 2 * np.pi / _positive("period", values["period"])
+            values["stiffness"] = own_mass * (natural * natural)
+        if surface == "friction_coefficient":
+            standard = _STANDARD_GRAVITY if system is None else _native.gravity(system)
+            weight = own_mass * _positive("gravity", values.get("gravity", standard))
+            values["friction"] = _positive("friction_coefficient", values["friction_coefficient"]) * weight
+        self._set(values, system, 0.0, 1.0)
+        constant, ratio = values.get("damping", 0.0), values.get("static_friction_ratio", 1.0)
+        if damper == "damping_ratio":
+            constant = _native.damping_constant(self.mass, self.stiffness, self.friction, values["damping_ratio"])
+        if static == "static_friction":
+            ratio = _native.static_friction_ratio(self._body, values["static_friction"])
+        self._set(values, system, constant, ratio)
         # Its messages for bad values.
         _native.machine_columns(self._body, "force", np.ones(0), np.ones(0), 0.0)
 
-    @classmethod
-    def of_period(
-        cls,
-        *,
-        mass: float,
-        period: float,
-        friction: Optional[float] = None,
-        friction_coefficient: Optional[float] = None,
-        gravity: float = _STANDARD_GRAVITY,
-        damping_ratio: float = 0.0,
-    ) -> "Machine":
-        """A machine from its natural period, and from a friction coefficient instead of a friction bound.
-
-        ``k = m (2 pi/period)**2``, ``friction = friction_coefficient * mass * gravity``.
-
-        >>> import stickslip as ss
-        >>> ss.Machine.of_period(mass=800, period=2.2, friction_coefficient=0.05)
-        Machine(mass=800.0, stiffness=6525.3..., friction=392.2..., friction_backward=None, damping=0.0)
-        """
-        if (friction is None) == (friction_coefficient is None):
-            raise _native.Error("give one of friction and friction_coefficient")
-        if not (np.isfinite(period) and period > 0):
-            raise _native.Error(f"period = {period} must be > 0 and finite")
-        bound = friction if friction is not None else float(friction_coefficient or 0.0) * mass * gravity
-        stiffness = mass * (2 * np.pi / period) ** 2
-        return cls(float(mass), float(stiffness), float(bound)).with_damping_ratio(damping_ratio)
-
-    def with_damping_ratio(self, damping_ratio: float) -> "Machine":
-        """The same machine with a damper of a damping ratio: ``c = 2 damping_ratio sqrt(k m)``."""
-        constant = _native.damping_constant(self.mass, self.stiffness, self.friction, damping_ratio)
-        return Machine(self.mass, self.stiffness, self.friction, self.friction_backward, constant)
+    def _set(self, values: Mapping[str, float], system: Optional[str], damping: float, ratio: float) -> None:
+        for name in ("mass", "stiffness", "friction"):
+            object.__setattr__(self, name, values[name])
+        object.__setattr__(self, "friction_backward", values.get("friction_backward"))
+        object.__setattr__(self, "damping", damping)
+        object.__setattr__(self, "static_friction_ratio", ratio)
+        object.__setattr__(self, "units", system)
 
     @property
     def natural_frequency(self) -> float:
@@ -179,116 +350,184 @@ class Machine:
         return float(np.sqrt(self.stiffness / self.mass))
 
     @property
-    def _body(self) -> tuple[float, float, float, float, float]:
-        backward = float("nan") if self.friction_backward is None else float(self.friction_backward)
-        return (float(self.mass), float(self.stiffness), float(self.friction), backward, float(self.damping))
+    def _body(self) -> tuple[float, float, float, float, float, float]:
+        backward = float("nan") if self.friction_backward is None else self.friction_backward
+        return (self.mass, self.stiffness, self.friction, backward, self.damping, self.static_friction_ratio)
 
     def response(self, drive: Drive, *, outputs: Optional[Iterable[str]] = None) -> Response:
         """The answer in closed form, in ratios and, as ``physical``, in the units of the machine; see `response`."""
-        ratios, scales = self._ratios(drive)
-        answer = response(ratios["omega"], ratios["alpha"], ratios["damping_ratio"], outputs=outputs)
-        answer = _felt_around(answer, drive, ratios)
-        physical = _in_units(answer, drive, ratios, scales)
-        if "best_force_energy" in physical:
+        drive, ratios, scales = self._ratios(drive)
+        answer = Response(_felt_around(response(**ratios, outputs=outputs), drive, ratios))
+        physical = self._in_units(answer, drive, ratios, scales)
+        values = physical.to_dict()
+        if "best_force_energy" in values:
             # The loop at the best force, not at this one.
-            best = physical["best_force"] / physical["force_amplitude"]
-            physical["best_force_energy"] = physical["best_force_energy"] * best**2
-        return Response({**answer.to_dict(), "physical": Physical(physical)})
+            best = values["best_force"] / values["force_amplitude"]
+            values["best_force_energy"] = values["best_force_energy"] * best**2
+            physical = Physical({name: values[name] for name in physical._names}, physical.units)
+        return Response(answer._with({"physical": physical}))
 
-    def steady(self, drive: Drive, *, start: Start = _REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
+    def steady(self, drive: Drive, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
         """The motion in the long run, in ratios and, as ``physical``, in the units of the machine; see `steady`.
 
         The start is in radians, B and B w.
         """
-        ratios, scales = self._ratios(drive)
-        answer = steady(
-            ratios["omega"], ratios["alpha"], ratios["damping_ratio"], start=start, max_periods=max_periods
-        )
-        return Steady({**answer.to_dict(), "physical": Physical(_in_units(answer, drive, ratios, scales))})
+        drive, ratios, scales = self._ratios(drive)
+        answer = Steady(_felt_around(steady(**ratios, start=start, max_periods=max_periods), drive, ratios))
+        return Steady(answer._with({"physical": self._in_units(answer, drive, ratios, scales)}))
 
-    def border(self, angular_frequency: ArrayLike) -> Border:
+    def attractors(
+        self, drive: Drive, *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
+    ) -> Attractors:
+        """All limits that many starts lead to, in ratios; see `attractors`."""
+        _, ratios, _ = self._ratios(drive)
+        return attractors(**ratios, starts=starts, reach=reach, max_periods=max_periods)
+
+    def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> Decay:
+        """Free vibration from a displacement and a velocity of the machine to rest, in ratios and as ``physical``; see `decay`.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="2 kg", stiffness="800 N/m", friction="3 N")
+        >>> found = machine.decay("50 mm")
+        >>> found.half_cycles, round(found.physical.rest_position, 6), found.physical.units["rest_position"]
+        (7, 0.0025, 'm')
+        """
+        x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
+        time = 1.0 / self.natural_frequency
+        _, ratios, scales = self._ratios(Drive(force=self.friction, angular_frequency=1.0, units=self.units))
+        length = scales["length"]
+        found = decay(x / length, v * time / length, ratios["damping_ratio"], ratios["static_friction_ratio"])
+        sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "rest_time": ("time", time)}
+        values = {name: getattr(found, name) for name in sizes}
+        physical = {name: value * sizes[name][1] for name, value in values.items() if value is not None}
+        units = self._names_of({name: sizes[name][0] for name in physical})
+        return Decay({**found.to_dict(), "physical": Physical(physical, units)})
+
+    def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
         """The border at an angular frequency, in ratios; `least_force` is the same in units of force."""
-        drive = Drive(force=self.friction, angular_frequency=angular_frequency)
-        ratios, _ = self._ratios(drive)
-        return border(ratios["omega"], ratios["damping_ratio"])
+        drive = Drive(force=self.friction, angular_frequency=angular_frequency, units=self.units)
+        _, ratios, _ = self._ratios(drive)
+        return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
 
-    def least_force(self, angular_frequency: float, excitation: str = "force") -> float:
+    def least_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
         """The least amplitude with which the body does not stick, of a force or of another excitation by its name in `Drive`."""
-        return _native.least_amplitude(self._body, excitation, float(angular_frequency))
+        return _native.least_amplitude(self._body, excitation, self._frequency(angular_frequency))
 
     def greatest_friction(self, drive: Drive) -> float:
         """The greatest friction bound with which the body does not stick under a drive."""
-        return _native.greatest_friction(self._body, *_single(drive))
+        return _native.greatest_friction(self._body, *self._single(drive))
 
     def best_friction(self, drive: Drive) -> "BestFriction":
         """The friction bound with which friction dissipates most under a drive, of those that do not stick."""
         from ._design import BestFriction
 
-        friction, energy, optimum = _native.best_friction(self._body, *_single(drive))
+        friction, energy, optimum = _native.best_friction(self._body, *self._single(drive))
         return BestFriction(friction, energy, optimum)
 
-    def bands(self, low: float, high: float, *, force: Optional[float] = None, foot_displacement: Optional[float] = None) -> "list[Band]":
+    def bands(
+        self,
+        low: Quantity,
+        high: Quantity,
+        *,
+        force: Optional[Quantity] = None,
+        foot_displacement: Optional[Quantity] = None,
+    ) -> "list[Band]":
         """The bands of angular frequency between two ends in which the body does not stick, all there are."""
         from ._design import Band
 
-        drive = Drive(force=force, foot_displacement=foot_displacement, angular_frequency=1.0)
-        kind, amplitude, _ = _single(drive)
-        return [Band(*band) for band in _native.bands(self._body, kind, amplitude, float(low), float(high))]
+        units = self.units if not any(isinstance(x, str) for x in (force, foot_displacement)) else None
+        drive = Drive(force=force, foot_displacement=foot_displacement, angular_frequency=1.0, units=units)
+        kind, amplitude, _ = self._single(drive)
+        ends = self._frequency(low), self._frequency(high)
+        return [Band(*band) for band in _native.bands(self._body, kind, amplitude, *ends)]
 
-    def force_for_displacement(self, angular_frequency: float, max_displacement: float) -> float:
+    def force_for_displacement(self, angular_frequency: Quantity, max_displacement: Quantity) -> float:
         """The force amplitude with which the cycle has a maximum displacement."""
-        return _native.force_for(self._body, float(angular_frequency), float(max_displacement), False)
+        target = self._value("max_displacement", max_displacement, "length")
+        return _native.force_for(self._body, self._frequency(angular_frequency), target, False)
 
-    def force_for_velocity(self, angular_frequency: float, max_velocity: float) -> float:
+    def force_for_velocity(self, angular_frequency: Quantity, max_velocity: Quantity) -> float:
         """The force amplitude with which the cycle has a maximum velocity."""
-        return _native.force_for(self._body, float(angular_frequency), float(max_velocity), True)
+        target = self._value("max_velocity", max_velocity, "velocity")
+        return _native.force_for(self._body, self._frequency(angular_frequency), target, True)
 
-    def _ratios(self, drive: Drive) -> tuple[dict[str, Any], dict[str, Any]]:
-        shape, (amplitude, frequency) = broadcast(drive.amplitude, drive.angular_frequency)
-        columns = _native.machine_columns(self._body, drive.excitation, amplitude, frequency, drive.mean_force)
+    def _value(self, name: str, value: Quantity, kind: str) -> float:
+        """A number in the machine's system, in which a bare one is."""
+        if isinstance(value, str) and self.units is None:
+            raise _native.Error(f"{name} {value}: has a unit, and the machine's values have none")
+        return read({name: (value, kind)}, self.units)[0][name]
+
+    def _frequency(self, value: Quantity) -> float:
+        return one("angular_frequency", _angular(None, value))
+
+    def _ratios(self, drive: Drive) -> tuple[Drive, dict[str, Any], dict[str, Any]]:
+        drive = drive._in(self.units)
+        at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
+        size = (at.size,) if at.shape is not None else (1,)
+        columns = [np.ascontiguousarray(np.broadcast_to(np.asarray(column), size)) for column in at.columns]
+        found = _native.machine_columns(self._body, drive.excitation, columns[0], columns[1], drive.mean_force)
         of_shape = {
-            name: column.item() if shape is None else column.reshape(shape) for name, column in columns.items()
+            name: column.item() if at.shape is None else column.reshape(at.shape) for name, column in found.items()
         }
-        ratios = {name: of_shape.pop(name) for name in ("omega", "alpha", "damping_ratio")}
-        return ratios, of_shape
+        ratios = {name: of_shape.pop(name) for name in RATIOS}
+        if at.shape is not None:
+            # The same in all points: then the loops of a batch do.
+            ratios.update({name: float(ratios[name].flat[0]) for name in RATIOS[2:] if ratios[name].size})
+        return drive, ratios, of_shape
+
+    def _single(self, drive: Drive) -> tuple[str, float, float]:
+        drive = drive._in(self.units)
+        at = points(amplitude=drive.amplitude, angular_frequency=drive.angular_frequency)
+        if at.shape is not None:
+            raise _native.Error("a design takes a drive of one amplitude and one frequency")
+        return drive.excitation, float(at.columns[0]), float(at.columns[1])
+
+    def _names_of(self, kinds: Mapping[str, str]) -> Optional[dict[str, str]]:
+        """The name of the unit of each kind in the machine's system, where it is known."""
+        if self.units is None:
+            return None
+        return {name: _native.unit_of(self.units, kind) for name, kind in kinds.items()}
+
+    def _in_units(
+        self, answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]
+    ) -> Physical:
+        """The values of an answer that have units, by their physical names, and those of the drive."""
+        sizes = {**scales, "work": scales["force"] * scales["length"], "period": 2 * np.pi * scales["time"]}
+        units = {**dict(_native.UNITS), **_OF_STEADY, "loop_size_inertia": ""}
+        if not drive.excitation.startswith("base_"):
+            units["max_absolute_displacement"] = ""
+        physical = {
+            "angular_frequency": 1.0 / scales["time"],
+            "force_amplitude": ratios["alpha"] * scales["force"],
+            "friction_displacement": scales["length"],
+            "mean_displacement": scales["mean_displacement"],
+        }
+        kinds = dict(zip(physical, ("frequency", "force", "length", "length")))
+        for name in answer._names:
+            scale = "time" if name.endswith("_phase") else units.get(name, "")
+            value = getattr(answer, name) if scale else None
+            if value is not None:
+                named = _PHYSICAL.get(name, name.replace("_phase", "_time"))
+                physical[named] = value * sizes[scale]
+                kinds[named] = _KIND_OF_SCALE[scale]
+        return Physical(physical, self._names_of(kinds))
 
 
-def _single(drive: Drive) -> tuple[str, float, float]:
-    shape, (amplitude, frequency) = broadcast(drive.amplitude, drive.angular_frequency)
-    if shape is not None:
-        raise _native.Error("a design takes a drive of one amplitude and one frequency")
-    return drive.excitation, amplitude.item(), frequency.item()
-
-
-def _felt_around(answer: Response, drive: Drive, ratios: Mapping[str, Any]) -> Response:
-    """The answer with what foot and surface together feel where the foot moves: ``m x''`` and the ratio of accelerations."""
-    found = answer.to_dict()
-    if "foot" not in drive.excitation or found.get("max_acceleration") is None:
-        return answer
-    force = found["max_acceleration"] * ratios["omega"] ** 2
-    ratio = found["max_acceleration"] / ratios["alpha"]
-    for name, value in (("transmitted_force", force), ("transmissibility", ratio)):
-        if name in found:
-            found[name] = value
-    return Response(found)
-
-
-def _in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]) -> dict[str, Any]:
-    """The values of an answer that have units, by their physical names, and those of the drive."""
-    turn = 2 * np.pi * scales["time"]
-    sizes = {**scales, "work": scales["force"] * scales["length"], "period": turn}
-    units = {**dict(_native.UNITS), **_OF_STEADY, "loop_size_inertia": ""}
-    if not drive.excitation.startswith("base_"):
-        units["max_absolute_displacement"] = ""
-    physical = {
-        "angular_frequency": 1.0 / scales["time"],
-        "force_amplitude": ratios["alpha"] * scales["force"],
-        "friction_displacement": scales["length"],
-        "mean_displacement": scales["mean_displacement"],
-    }
-    for name, value in answer.to_dict().items():
-        unit = "time" if name.endswith("_phase") else units.get(name, "")
-        if value is None or not unit:
-            continue
-        physical[_PHYSICAL.get(name, name.replace("_phase", "_time"))] = value * sizes[unit]
-    return physical
+def _felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict[str, Any]:
+    """The values of an answer with what the surroundings feel where the spring's foot moves."""
+    values = answer._with({})
+    acceleration = values.get("max_acceleration")
+    if "foot" not in drive.excitation or acceleration is None:
+        return values
+    shape = np.shape(acceleration)
+    given = (ratios["omega"], ratios["alpha"], 0.0, acceleration)
+    columns = tuple(np.ascontiguousarray(np.broadcast_to(value, shape), np.float64).reshape(-1) for value in given)
+    force, ratio = (column.reshape(shape) for column in _native.transmitted(drive.excitation, columns))
+    # Over the surface, which stays.
+    least = values.get("min_displacement")
+    amplitude = values["max_displacement"] if least is None else max(abs(values["max_displacement"]), abs(least))
+    felt = {"transmitted_force": force, "transmissibility": ratio, "max_absolute_displacement": amplitude}
+    for name, value in felt.items():
+        if values.get(name) is not None:
+            values[name] = value if shape or value is amplitude else value.item()
+    return values

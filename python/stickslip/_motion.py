@@ -8,14 +8,14 @@ from typing import Any, ClassVar, Optional, Sequence, Union, overload
 from numpy.typing import ArrayLike, NDArray
 
 from . import _native
-from ._closed_forms import _ratios
-from ._result import Floats, Physical, Result, Value, broadcast, decimals, digits, named, precision, shaped
+from ._closed_forms import RATIOS, wide_ratios
+from ._result import Codes, Floats, Physical, Result, Value, decimals, digits, numbers, points, precision, shaped
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
 #: Displacement and velocity at a phase of the drive, as (phase, displacement, velocity).
 Start = tuple[float, float, float]
-_REST: Start = (0.0, 0.0, 0.0)
+REST: Start = (0.0, 0.0, 0.0)
 
 
 class Steady(Result):
@@ -26,9 +26,10 @@ class Steady(Result):
     regime : str or array of str
         What the motion shows: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``.
     limit : str or array of str
-        ``"periodic"``, ``"family"``, ``"rest"``, ``"none"`` or ``"not-converged"``.
+        ``"periodic"``, ``"family"``, ``"rest"``, ``"irregular"``, ``"none"`` or ``"not-converged"``.
     max_displacement, min_displacement, max_velocity, min_velocity : float or array
-        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``.
+        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. Of an irregular
+        motion the displacements of the turns observed.
     sticks_per_cycle, velocity_zeros_per_cycle, reversals_per_cycle : int or array
         Counts; -1 in an array where there is none.
     stick_fraction : float or array
@@ -49,14 +50,20 @@ class Steady(Result):
         Where a stuck body rests (B).
     error_1, error_2, error_3, error_4 : float
         Measures of asymmetry of the source paper (a single point only).
+    turns_per_cycle : int or array
+        Turns of the drive in a cycle; above 1 with a static friction above the kinetic one only.
+    symmetric : bool or array
+        Whether half a cycle later the motion is the same upside down; in an array 1, 0, or -1 where there is no cycle.
+    lyapunov_exponent, lyapunov_exponent_error, turns_observed : float, float and int, or arrays
+        Of an irregular motion, per turn of the drive.
+    dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float
+        As for `response` (a single point only).
     physical : Physical or None
         The same names in the units of the machine, where there is one.
     """
 
     _names: ClassVar[Sequence[str]] = (
-        "omega",
-        "alpha",
-        "damping_ratio",
+        *RATIOS,
         "regime",
         "limit",
         "max_displacement",
@@ -83,12 +90,23 @@ class Steady(Result):
         "error_2",
         "error_3",
         "error_4",
+        "turns_per_cycle",
+        "symmetric",
+        "lyapunov_exponent",
+        "lyapunov_exponent_error",
+        "turns_observed",
+        "dynamic_amplification",
+        "max_acceleration",
+        "transmitted_force",
+        "transmissibility",
+        "max_absolute_displacement",
         "physical",
     )
 
     omega: Value
     alpha: Value
     damping_ratio: Value
+    static_friction_ratio: Value
     regime: Any
     limit: Any
     max_displacement: Any
@@ -115,6 +133,16 @@ class Steady(Result):
     error_2: Optional[float]
     error_3: Optional[float]
     error_4: Optional[float]
+    turns_per_cycle: Any
+    symmetric: Any
+    lyapunov_exponent: Any
+    lyapunov_exponent_error: Any
+    turns_observed: Any
+    dynamic_amplification: Optional[float]
+    max_acceleration: Optional[float]
+    transmitted_force: Optional[float]
+    transmissibility: Optional[float]
+    max_absolute_displacement: Optional[float]
     physical: Optional[Physical]
 
 
@@ -164,7 +192,7 @@ class Samples(Result):
     displacement, velocity : array
         In B and B w.
     friction : array
-        Force of friction in units of the friction bound, between -1 and 1.
+        Force of friction in units of the kinetic one: -1 or 1 while it slides.
     """
 
     _names: ClassVar[Sequence[str]] = ("phase", "displacement", "velocity", "friction")
@@ -184,24 +212,28 @@ class Decay(Result):
         Half cycles after the first turn.
     first_turn, rest_position : float
         Displacements (B).
-    rest_time : float
-        Time until rest, in units of ``sqrt(m/k)``.
+    rest_time : float or None
+        Time until rest, in units of ``sqrt(m/k)``; None where it creeps there for ever.
+    physical : Physical or None
+        The same names in the units of the machine, where there is one.
     """
 
-    _names: ClassVar[Sequence[str]] = ("half_cycles", "first_turn", "rest_position", "rest_time")
+    _names: ClassVar[Sequence[str]] = ("half_cycles", "first_turn", "rest_position", "rest_time", "physical")
 
     half_cycles: int
     first_turn: float
     rest_position: float
-    rest_time: float
+    rest_time: Optional[float]
+    physical: Optional[Physical]
 
 
 def steady(
     omega: ArrayLike,
     alpha: ArrayLike,
     damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
     *,
-    start: Start = _REST,
+    start: Start = REST,
     max_periods: int = _native.MAX_PERIODS,
     bits: Optional[int] = None,
 ) -> Steady:
@@ -215,6 +247,9 @@ def steady(
         Force ratio, > 0.
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
+    static_friction_ratio : float or array
+        Static friction over the kinetic one, >= 1. Above 1 the limit is that of this start: others may lead to
+        another (`attractors`).
     start : (phase, displacement, velocity)
         In radians of the drive, B and B w; rest unless given.
     max_periods : int
@@ -235,21 +270,21 @@ def steady(
     >>> ss.steady([0.4, 0.7, 1.5], 6).sticks_per_cycle
     array([2, 0, 0])
     """
-    periods = _periods(max_periods)
+    periods, begin = periods_of(max_periods), start
     if bits is not None:
-        texts = (digits("omega", omega), digits("alpha", alpha), digits("damping_ratio", damping_ratio))
-        begin = (digits("phase", start[0]), digits("displacement", start[1]), digits("velocity", start[2]))
-        wide = decimals(_native.wide_steady(precision(bits), texts, begin, periods))
-        return Steady({**wide, **dict(zip(("omega", "alpha", "damping_ratio"), map(Decimal, texts)))})
-    shape, columns = broadcast(omega, alpha, damping_ratio)
-    if shape is None:
-        point = (columns[0].item(), columns[1].item(), columns[2].item())
-        found = _native.steady_at(point, start, periods)
-        return Steady({"omega": point[0], "alpha": point[1], "damping_ratio": point[2], **found})
-    table = shaped(_native.steady_columns(columns[0], columns[1], columns[2], start, periods), shape)
-    table["regime"] = named(table["regime"], _native.REGIMES)
-    table["limit"] = named(table["limit"], _native.LIMITS)
-    return Steady({**_ratios(shape, columns), **table})
+        texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
+        state_digits = tuple(digits(name, value) for name, value in zip(_STATE, _three(begin)))
+        wide = decimals(_native.wide_steady(precision(bits), texts, state_digits, periods))
+        return Steady({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
+    at = points(
+        omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
+    )
+    if at.shape is None:
+        return Steady({**at.in_shape(), **_native.steady_at(at.columns, state(begin), periods)})
+    table = shaped(_native.steady_columns(at.columns, at.size, state(begin), periods), at.shape)
+    table["regime"] = Codes(table["regime"], _native.REGIMES)
+    table["limit"] = Codes(table["limit"], _native.LIMITS)
+    return Steady({**at.in_shape(), **table})
 
 
 @overload
@@ -257,8 +292,9 @@ def simulate(
     omega: float,
     alpha: float,
     damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
     *,
-    start: Start = _REST,
+    start: Start = REST,
     cycles: float = 1.0,
     samples: None = None,
 ) -> Phases: ...
@@ -269,8 +305,9 @@ def simulate(
     omega: float,
     alpha: float,
     damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
     *,
-    start: Start = _REST,
+    start: Start = REST,
     cycles: float = 1.0,
     samples: int,
 ) -> Samples: ...
@@ -280,8 +317,9 @@ def simulate(
     omega: float,
     alpha: float,
     damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
     *,
-    start: Start = _REST,
+    start: Start = REST,
     cycles: float = 1.0,
     samples: Optional[int] = None,
 ) -> Union[Phases, Samples]:
@@ -289,8 +327,8 @@ def simulate(
 
     Parameters
     ----------
-    omega, alpha, damping_ratio : float
-        Frequency ratio, force ratio and damping ratio.
+    omega, alpha, damping_ratio, static_friction_ratio : float
+        Frequency ratio, force ratio, damping ratio, and static friction over the kinetic one.
     start : (phase, displacement, velocity)
         In radians of the drive, B and B w; rest unless given.
     cycles : float
@@ -312,19 +350,25 @@ def simulate(
     array([ 0.   ,  7.331,  0.348, -5.143, -3.211,  7.996,  1.502, -6.712,
            -2.082])
     """
-    point = (float(omega), float(alpha), float(damping_ratio))
+    given = (omega, alpha, damping_ratio, static_friction_ratio)
+    point = tuple(one(name, value) for name, value in zip(RATIOS, given))
     if samples is None:
-        table = _native.phases(point, start, float(cycles))
-        table["kind"] = named(table["kind"], _KINDS)
-        table["ends_by"] = named(table["ends_by"], _ENDS)
+        table: dict[str, Any] = _native.phases(point, state(start), one("cycles", cycles))
+        table["kind"] = Codes(table["kind"], _KINDS)
+        table["ends_by"] = Codes(table["ends_by"], _ENDS)
         return Phases(table)
     if samples < 1:
         raise _native.Error(f"samples = {samples} must be >= 1")
-    return Samples(_native.samples(point, start, float(cycles), int(samples)))
+    return Samples(_native.samples(point, state(start), one("cycles", cycles), int(samples)))
 
 
-def decay(displacement: float, velocity: float = 0.0) -> Decay:
-    """Free vibration to rest, without a drive and without a damper.
+def decay(
+    displacement: float,
+    velocity: float = 0.0,
+    damping_ratio: float = 0.0,
+    static_friction_ratio: float = 1.0,
+) -> Decay:
+    """Free vibration to rest, without a drive.
 
     Parameters
     ----------
@@ -332,6 +376,10 @@ def decay(displacement: float, velocity: float = 0.0) -> Decay:
         At the start, in B.
     velocity : float
         At the start, in ``B sqrt(k/m)``.
+    damping_ratio : float
+        Damping ratio of a viscous damper, >= 0.
+    static_friction_ratio : float
+        Static friction over the kinetic one, >= 1: the body stays at rest from a larger displacement.
 
     Returns
     -------
@@ -342,11 +390,44 @@ def decay(displacement: float, velocity: float = 0.0) -> Decay:
     >>> import stickslip as ss
     >>> ss.decay(12, 6).half_cycles
     8
+    >>> ss.decay(12, 6, damping_ratio=0.05).half_cycles
+    6
     """
-    return Decay(_native.decay_at(float(displacement), float(velocity)))
+    given = {
+        "displacement": displacement,
+        "velocity": velocity,
+        "damping_ratio": damping_ratio,
+        "static_friction_ratio": static_friction_ratio,
+    }
+    return Decay(_native.decay_at(*(one(name, value) for name, value in given.items())))
 
 
-def _periods(max_periods: int) -> int:
+def periods_of(max_periods: int) -> int:
     if not 1 <= max_periods < 2**32:
         raise _native.Error(f"max_periods = {max_periods} must be >= 1 and < 2**32")
     return int(max_periods)
+
+
+_STATE = ("phase", "displacement", "velocity")
+
+
+def one(name: str, value: Any) -> float:
+    """A single number."""
+    array = numbers(name, value)
+    if array.ndim != 0:
+        raise _native.Error(f"{name}: must be one number, not an array of shape {array.shape}")
+    return float(array)
+
+
+def _three(start: Any) -> tuple[Any, Any, Any]:
+    try:
+        phase, displacement, velocity = start
+    except (TypeError, ValueError):
+        raise _native.Error(f"start = {start!r}: must be (phase, displacement, velocity)") from None
+    return phase, displacement, velocity
+
+
+def state(start: Any) -> Start:
+    """A start as the compiled part takes it."""
+    phase, displacement, velocity = (one(f"start: {name}", value) for name, value in zip(_STATE, _three(start)))
+    return phase, displacement, velocity

@@ -1,9 +1,9 @@
-"""What the results have in common, and arrays on their way in and out."""
+"""What results are made of, and how numbers and arrays come in."""
 
 from __future__ import annotations
 
 from decimal import Decimal
-from typing import Any, ClassVar, Mapping, Sequence, Union
+from typing import TYPE_CHECKING, Any, ClassVar, Mapping, NamedTuple, Optional, Sequence, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,13 @@ Floats = NDArray[np.float64]
 Value = Union[float, Floats]
 
 
+class Codes(NamedTuple):
+    """Names at many points as places in a list, written out when they are asked for."""
+
+    places: NDArray[np.uint8]
+    names: Sequence[str]
+
+
 class Result:
     """Named values, read as attributes."""
 
@@ -22,8 +29,24 @@ class Result:
     _names: ClassVar[Sequence[str]] = ()
 
     def __init__(self, values: Mapping[str, Any]) -> None:
+        codes = {}
         for name in self._names:
-            object.__setattr__(self, name, values.get(name))
+            value = values.get(name)
+            if isinstance(value, Codes):
+                codes[name] = value
+            else:
+                object.__setattr__(self, name, value)
+        object.__setattr__(self, "_codes", codes)
+
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any:
+            codes = self.__dict__.get("_codes", {}).get(name)
+            if codes is None:
+                raise AttributeError(f"{type(self).__name__} has no value {name}; there are {', '.join(self._names)}")
+            words = np.asarray(codes.names)[codes.places]
+            object.__setattr__(self, name, words)
+            return words
 
     def __setattr__(self, name: str, value: Any) -> None:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
@@ -36,38 +59,111 @@ class Result:
         """All values by name: None where a single point has none, NaN in an array."""
         return {name: getattr(self, name) for name in self._names}
 
+    def _with(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """The values as they are stored, and others in place of those of the same names."""
+        own = {name: self._codes.get(name, self.__dict__.get(name)) for name in self._names}
+        return {**own, **values}
+
+    if TYPE_CHECKING:
+        _codes: Mapping[str, Codes]
+
 
 class Physical(Result):
-    """The values of a result in the machine's units."""
+    """The values of a result in the machine's units.
 
-    def __init__(self, values: Mapping[str, Any]) -> None:
+    Attributes
+    ----------
+    units : dict of str to str, or None
+        The unit of each value; None where the machine was given in numbers without units.
+    """
+
+    units: Optional[Mapping[str, str]]
+
+    def __init__(self, values: Mapping[str, Any], units: Optional[Mapping[str, str]] = None) -> None:
         object.__setattr__(self, "_names", tuple(values))
+        object.__setattr__(self, "units", units)
         super().__init__(values)
 
-    def __getattr__(self, name: str) -> Any:
-        raise AttributeError(f"no value {name}; there are {', '.join(self._names)}")
+    if TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> Any: ...
+
+    def __repr__(self) -> str:
+        units = self.units or {}
+        values = self.to_dict()
+        values.pop("units", None)
+        texts = (f"{name}={value!r} {units.get(name, '')}".rstrip() for name, value in values.items())
+        return f"Physical({', '.join(texts)})"
+
+    def to_dict(self) -> dict[str, Any]:
+        """All values by name, and under ``units`` their units where they are known."""
+        values = super().to_dict()
+        return values if self.units is None else {**values, "units": dict(self.units)}
 
 
-def broadcast(*values: ArrayLike) -> tuple[tuple[int, ...] | None, list[Floats]]:
-    """The common shape, None for single numbers, and the values as columns of one length."""
-    arrays = [np.asarray(value, dtype=np.float64) for value in values]
-    shape = np.broadcast_shapes(*(array.shape for array in arrays))
-    columns = [np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1) for array in arrays]
-    return (None if all(array.ndim == 0 for array in arrays) else shape), columns
+class Points(NamedTuple):
+    """Ratios at one point or many."""
+
+    #: The common shape; None for single numbers.
+    shape: Optional[tuple[int, ...]]
+    #: Each ratio as given.
+    given: Mapping[str, Floats]
+    #: Each as a column of one length, or as one number for all points.
+    columns: tuple[Value, ...]
+
+    @property
+    def size(self) -> int:
+        return int(np.prod(self.shape or ()))
+
+    def in_shape(self) -> dict[str, Any]:
+        """The ratios as a result has them: numbers, or read-only arrays of the common shape."""
+        if self.shape is None:
+            return dict(zip(self.given, self.columns))
+        return {name: np.broadcast_to(array, self.shape) for name, array in self.given.items()}
 
 
-def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[str, NDArray[Any]]:
+def numbers(name: str, value: ArrayLike) -> Floats:
+    """A number or an array of any type of numbers as 64-bit floats, NaN where it is masked."""
+    array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
+    if array.dtype.kind in "OUS" and array.ndim == 0 and value is not None or array.dtype.kind == "O" and array.ndim:
+        # A number as text or of another library; columns of numbers with gaps, such as those of pandas.
+        try:
+            array = np.asarray(value, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise _native.Error(f"{name}: must be numbers, not {value!r:.60}") from None
+    if array.dtype.kind not in "iuf":
+        raise _native.Error(f"{name}: must be numbers, not of type {array.dtype}")
+    floats = array.astype(np.float64, copy=False)
+    return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
+
+
+def points(**values: ArrayLike) -> Points:
+    """The points of ratios that broadcast."""
+    given = {name: numbers(name, value) for name, value in values.items()}
+    try:
+        shape = np.broadcast_shapes(*(array.shape for array in given.values()))
+    except ValueError:
+        shapes = ", ".join(f"{name} {array.shape}" for name, array in given.items() if array.ndim)
+        raise _native.Error(f"the shapes do not broadcast: {shapes}") from None
+
+    def column(array: Floats) -> Value:
+        if array.size == 1:
+            return float(array.reshape(-1)[0])
+        return np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1)
+
+    columns = tuple(column(array) for array in given.values())
+    return Points(None if all(array.ndim == 0 for array in given.values()) else shape, given, columns)
+
+
+def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[str, Any]:
     """The columns in the shape of what they were computed for."""
     return {name: column.reshape(shape) for name, column in columns.items()}
 
 
-def named(codes: NDArray[np.uint8], names: Sequence[str]) -> NDArray[np.str_]:
-    """The names that codes stand for."""
-    return np.asarray(names)[codes]
-
-
 def digits(name: str, value: Any) -> str:
     """A single number with all its digits: text, int, Decimal, float, or a number of mpmath."""
+    if isinstance(value, np.ndarray) and value.ndim == 0:
+        value = value[()]
     if isinstance(value, str):
         return value.strip()
     if isinstance(value, (int, np.integer)):

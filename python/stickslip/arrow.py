@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import Any, Iterable, Optional, Protocol, Union
 
 from . import _native
-from ._closed_forms import _OF_ARRAYS, _known
-from ._motion import _REST, Start, _periods
+from ._closed_forms import OF_ARRAYS, known
+from ._motion import REST, Start, periods_of, state
 
 __all__ = ["response", "steady"]
 
@@ -33,7 +33,7 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
     Parameters
     ----------
     table : Arrow table or record batch
-        With the columns ``omega`` and ``alpha``, and ``damping_ratio`` if there is damping.
+        With the columns ``omega`` and ``alpha``, and ``damping_ratio`` and ``static_friction_ratio`` where they count.
     outputs : names, optional
         The columns of the result, of `stickslip.OUTPUTS`.
 
@@ -42,11 +42,11 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
     Arrow table, or record batch for a record batch
         A row for each row, with null for what does not exist.
     """
-    chosen = _OF_ARRAYS if outputs is None else _known(outputs)
+    chosen = OF_ARRAYS if outputs is None else known(outputs)
     return _native.arrow_response(table, list(chosen))
 
 
-def steady(table: Table, *, start: Start = _REST, max_periods: int = _native.MAX_PERIODS) -> Any:
+def steady(table: Table, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Any:
     """The motion in the long run at every row; see `stickslip.steady`.
 
     Parameters
@@ -60,4 +60,4 @@ def steady(table: Table, *, start: Start = _REST, max_periods: int = _native.MAX
     -------
     Arrow table, or record batch for a record batch
     """
-    return _native.arrow_steady(table, start, _periods(max_periods))
+    return _native.arrow_steady(table, state(start), periods_of(max_periods))

@@ -14,7 +14,7 @@ HERTZ = 2 * math.pi
 
 
 def isolator(friction_coefficient=0.05, **options):
-    return ss.Machine.of_period(mass=800, period=2.2, friction_coefficient=friction_coefficient, **options)
+    return ss.Machine(mass=800, period=2.2, friction_coefficient=friction_coefficient, **options)
 
 
 def test_an_isolator_under_a_base_that_carries_the_surface():
@@ -103,7 +103,7 @@ def test_bands_are_where_it_does_not_stick():
 
 
 def test_friction_and_damping_are_found_again():
-    machine = isolator().with_damping_ratio(0.04)
+    machine = isolator(damping_ratio=0.04)
     frequency = machine.natural_frequency * np.linspace(0.75, 1.5, 30)
     exact = machine.response(ss.Drive(force=900.0, angular_frequency=frequency)).physical.max_displacement
     noisy = exact * (1 + 0.01 * np.random.default_rng(4).standard_normal(30))
@@ -128,8 +128,8 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
         (lambda: ss.Machine(1, 2, 3, damping=math.nan), "damping constant c = NaN"),
         (lambda: ss.Drive(angular_frequency=1), "give one of"),
         (lambda: ss.Drive(angular_frequency=1, force=1, base_velocity=2), "2 are given"),
-        (lambda: ss.Machine.of_period(mass=1, period=0, friction=1), "period = 0 must be > 0"),
-        (lambda: ss.Machine.of_period(mass=1, period=1), "give one of friction"),
+        (lambda: ss.Machine(mass=1, period=0, friction=1), "period = 0.0 must be > 0"),
+        (lambda: ss.Machine(mass=1, period=1), "friction .or friction_coefficient. is missing"),
         (lambda: isolator().response(ss.Drive(force=1, angular_frequency=-1)), "ω_d = -1 must be > 0"),
         (lambda: ss.figure("11"), "figure 11: is none"),
     ],

@@ -140,6 +140,6 @@ def test_friction_and_damper_take_what_the_drive_gives():
     assert alone.energy_in == pytest.approx(alone.energy_out + alone.damper_work, rel=1e-12)
     several = ss.steady([0.8, 0.4], 3, 0.1)
     assert several.damper_work[0] == alone.damper_work
-    machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0).with_damping_ratio(0.1)
+    machine = ss.Machine(mass=2.0, stiffness=800.0, friction=3.0, damping_ratio=0.1)
     physical = machine.steady(ss.Drive(force=9.0, angular_frequency=16.0)).physical
     assert physical.energy_in == pytest.approx(physical.energy_out + physical.damper_energy_per_cycle, rel=1e-12)

@@ -2,7 +2,7 @@
 
 use super::amplitude::{Amplitude, Domain, has_loops};
 use super::block::{AtPoint, Block, POINTS, select};
-use super::low::{LowOmega, has_low_loops};
+use super::low::LowOmega;
 use super::stages::{HighParts, LowParts};
 use super::velocity::Parts;
 use crate::error::Error;
@@ -51,10 +51,12 @@ impl FixedOmega {
             PointAt { omega, phase_function: p.wide(), one_minus_square: p.one_minus_square(), border };
         let of_omega = if has_loops(omega) {
             OfOmega::High(Box::new(Parts::new().at([omega]).map(|x| [x; POINTS])))
-        } else if has_low_loops(omega) {
-            let [k, rest, inverse, sine, cosine, _] = LowOmega.at([omega]);
+        } else if let [k, rest, inverse, sine, cosine, near] = LowOmega.at([omega])
+            && !near.is_nan()
+        {
             OfOmega::Low(Box::new([k, rest, inverse, sine, cosine, border].map(|x| [x; POINTS])))
         } else {
+            // Of any other Ω and of those that a batch would redo, each point on its own.
             OfOmega::None
         };
         Ok(Self { point, omega: [omega; POINTS], of_omega })

@@ -8,6 +8,7 @@ mod random;
 
 #[cfg(feature = "generators")]
 mod any_bits;
+mod attractors;
 #[cfg(feature = "mp")]
 mod damped;
 mod design_motion;

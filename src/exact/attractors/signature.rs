@@ -12,7 +12,7 @@ use crate::float::Float;
 /// found before ([`super::Attractors::count`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Signature<F> {
-    /// A periodic motion, by its state at a phase nπ of the drive, upside down where n is odd.
+    /// A periodic motion, by its state at a phase 2nπ of the drive.
     Periodic {
         /// After how many half turns of the drive the state is the same again, upside down after an odd number.
         half_turns: u32,
@@ -78,23 +78,22 @@ impl<F: Float> Signature<F> {
     }
 }
 
-/// The state of a periodic motion at the next phase nπ, x/B and x′/(Bω_d), upside down where n is odd.
+/// The state of a periodic motion at the next phase 2nπ, x/B and x′/(Bω_d): the same for it whatever the phase it was found at, which an
+/// odd half turn, upside down, would be for its mirror image.
 pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
     let (start, zero) = (steady.state(), F::int(0));
-    let upright = |state: State<F>| {
-        if state.phase.is_even() { (state.x, state.v) } else { (-state.x, -state.v) }
-    };
     let angle = start.phase.angle();
-    if angle == zero {
-        return Ok(upright(start));
+    if angle == zero && start.phase.is_even() {
+        return Ok((start.x, start.v));
     }
-    let later = i64::from(angle > zero);
-    let target = DrivePhase::of_half_turn(start.phase.half_turns(), zero).later_by_half_turns(later);
+    let next = DrivePhase::of_half_turn(start.phase.half_turns(), zero).later_by_half_turns(i64::from(angle >= zero));
+    let target = next.later_by_half_turns(i64::from(!next.is_even()));
     for phase in Trajectory::of(steady.equation, start) {
         let phase = phase?;
         if phase.end().is_none_or(|end| target.since(end.phase) <= zero) {
-            return Ok(upright(State { phase: target, ..phase.at(target).state }));
+            let state = phase.at(target).state;
+            return Ok((state.x, state.v));
         }
     }
-    Ok(upright(State { phase: target, x: start.x, v: zero }))
+    Ok((start.x, zero))
 }

@@ -1,0 +1,173 @@
+"""What people give: arrays of every kind, results that are copied, processes and threads."""
+
+import copy
+import multiprocessing
+import pickle
+import subprocess
+import sys
+import threading
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+OMEGA = np.array([0.4, 0.7, 1.5, 2.0])
+
+
+def plain(name="max_displacement"):
+    return getattr(ss.response(OMEGA, 2.5), name)
+
+
+def test_masked_places_have_no_answer():
+    masked = np.ma.masked_array(OMEGA, [False, True, False, False])
+    found = ss.response(masked, 2.5)
+    assert list(found.regime) == ["sticking", "invalid", "non-sticking", "non-sticking"]
+    assert list(ss.steady(masked, 2.5).limit)[1] == "invalid"
+    assert not isinstance(found.max_displacement, np.ma.MaskedArray)
+
+
+def test_numbers_of_other_types():
+    thirds = np.array([0.4, 0.75, 1.5], dtype=np.float32)
+    np.testing.assert_array_equal(
+        ss.response(thirds, 2.5).max_displacement, ss.response(thirds.astype(float), 2.5).max_displacement
+    )
+    assert ss.response(np.array(1.5), np.float32(2.5)).max_displacement == ss.response(1.5, 2.5).max_displacement
+    assert isinstance(ss.response(np.array(1.5), 2.5).max_displacement, float)
+    assert ss.response(np.array([2], dtype=np.uint8), 3).max_displacement[0] == ss.response(2, 3).max_displacement
+    assert ss.response(np.array([1.5, 2.0], dtype=object), 3).max_displacement.shape == (2,)
+    for array in (OMEGA[::-1], np.asfortranarray(np.tile(OMEGA, (3, 1))), OMEGA.astype(">f8")):
+        expected = np.broadcast_to(plain() if array.ndim == 2 else plain()[:: 1 if array is not None and array[0] == 0.4 else -1], array.shape)
+        np.testing.assert_array_equal(ss.response(array, 2.5).max_displacement, expected)
+
+
+def test_series_of_pandas():
+    pandas = pytest.importorskip("pandas")
+    frame = pandas.DataFrame({"omega": OMEGA, "alpha": 2.5})
+    np.testing.assert_array_equal(ss.response(frame.omega, frame.alpha).max_displacement, plain())
+    gaps = pandas.Series([0.7, None], dtype="Float64")
+    assert list(ss.response(gaps, 2.5).regime) == ["non-sticking", "invalid"]
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.response(np.ones(3), np.ones(4)), "do not broadcast: omega \\(3,\\), alpha \\(4,\\)"),
+        (lambda: ss.response(1 + 2j, 2), "omega: must be numbers, not of type complex128"),
+        (lambda: ss.response([1j], 2), "omega: must be numbers"),
+        (lambda: ss.response("fast", 2), "omega: must be numbers, not 'fast'"),
+        (lambda: ss.response(["fast"], 2), "omega: must be numbers"),
+        (lambda: ss.response(None, 2), "omega: must be numbers"),
+        (lambda: ss.response(np.array(["2020-01-01"], dtype="M8[D]"), 2), "omega: must be numbers"),
+        (lambda: ss.steady(0.4, 6, start=(0, 0)), "must be \\(phase, displacement, velocity\\)"),
+        (lambda: ss.steady(0.4, 6, start=3), "must be \\(phase, displacement, velocity\\)"),
+        (lambda: ss.simulate([0.4], 6), "omega: must be one number"),
+        (lambda: ss.decay("far"), "displacement"),
+    ],
+)
+def test_what_is_no_number_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
+
+
+def test_out_must_not_be_an_input():
+    omega = OMEGA.copy()
+    with pytest.raises(ss.Error, match="must not overlap omega"):
+        ss.response(omega, 2.5, out={"margin": omega})
+    closed = np.zeros(4)
+    closed.flags.writeable = False
+    with pytest.raises(ss.Error, match="writeable"):
+        ss.response(omega, 2.5, out={"margin": closed})
+    assert list(omega) == list(OMEGA)
+
+
+def test_a_result_does_not_reach_into_what_was_given():
+    omega = OMEGA.copy()
+    found = ss.response(omega, 2.5)
+    with pytest.raises(ValueError):
+        found.omega[0] = 7.0
+    assert omega[0] == 0.4
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: ss.response(OMEGA, 2.5),
+        lambda: ss.steady(0.4, 6),
+        lambda: ss.steady(OMEGA, 6),
+        lambda: ss.Machine("2 kg", "800 N/m", "3 N").response(ss.Drive(force="9 N", frequency="3 Hz")),
+        lambda: ss.attractors(0.5, 4, 0.02, 1.3, starts=5),
+        lambda: ss.Machine(1, 2, 3),
+        lambda: ss.Drive(force=[1, 2], frequency=3),
+        lambda: ss.enclosed.border("0.4"),
+        lambda: ss.simulate(0.4, 6),
+    ],
+)
+def test_results_are_copied_and_sent(make):
+    found = make()
+    for other in (pickle.loads(pickle.dumps(found)), copy.copy(found), copy.deepcopy(found)):
+        assert repr(other) == repr(found) and type(other) is type(found)
+
+
+def test_errors_are_sent():
+    with pytest.raises(ss.Error) as caught:
+        ss.response(-1, 2)
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert type(error) is ss.Error and str(error) == str(caught.value)
+
+
+def test_one_omega_and_one_alpha_are_the_same_bits():
+    random = np.random.default_rng(5)
+    alpha = np.exp(random.uniform(0, 4, 20_000))
+    for omega in (0.2, 0.4, 0.7, 1.0, 1.5, 300.0, 1e7, -1.0):
+        row, points = ss.response(omega, alpha), ss.response(np.full(alpha.size, omega), alpha)
+        for name in ("max_displacement", "velocity_phase", "min_force_ratio", "contraction"):
+            np.testing.assert_array_equal(getattr(row, name), getattr(points, name))
+        np.testing.assert_array_equal(row.regime, points.regime)
+    omega = np.exp(random.uniform(-2, 2, 20_000))
+    np.testing.assert_array_equal(ss.response(omega, 3).deviation, ss.response(omega, np.full(omega.size, 3.0)).deviation)
+
+
+def test_large_arrays_are_the_points():
+    random = np.random.default_rng(9)
+    n = 300_001
+    omega, alpha = np.exp(random.uniform(-2, 2, n)), np.exp(random.uniform(0, 4, n))
+    whole = ss.response(omega, alpha)
+    for part in (slice(0, 4000), slice(8190, 8194), slice(n - 5, n)):
+        piece = ss.response(omega[part], alpha[part])
+        np.testing.assert_array_equal(whole.max_velocity[part], piece.max_velocity)
+        np.testing.assert_array_equal(whole.regime[part], piece.regime)
+
+
+def test_threads_beside_each_other():
+    found, expected = {}, ss.steady(np.linspace(0.3, 2, 3000), 5).max_displacement
+
+    def work(number):
+        found[number] = ss.steady(np.linspace(0.3, 2, 3000), 5).max_displacement
+
+    threads = [threading.Thread(target=work, args=(number,)) for number in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert all(np.array_equal(found[number], expected) for number in range(4))
+
+
+FORKED = """
+import multiprocessing, numpy as np, stickslip as ss
+def work(n):
+    return ss.response(np.linspace(0.6, 2, n), 3.0).max_displacement.sum(), ss.steady(np.linspace(0.6, 2, 100), 3.0).periods.sum()
+if __name__ == "__main__":
+    due = work(50_000)
+    with multiprocessing.get_context("{way}").Pool(2) as pool:
+        assert pool.map(work, [50_000] * 4) == [due] * 4
+    print("done")
+"""
+
+
+@pytest.mark.parametrize("way", [way for way in ("fork", "spawn") if way in multiprocessing.get_all_start_methods()])
+def test_processes_after_threads_were_used(way, tmp_path):
+    script = tmp_path / "forked.py"
+    script.write_text(FORKED.format(way=way))
+    run = subprocess.run([sys.executable, script], capture_output=True, text=True, timeout=60)
+    assert run.stdout == "done\n", run.stderr

@@ -1,0 +1,133 @@
+"""A static friction above the kinetic one, against an independent simulation, whose values are written out."""
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+
+@pytest.mark.parametrize(
+    "point, greatest, stops, share",
+    [
+        ((0.3, 4.0, 0.1, 1.0), 3.3398818, 2, 0.408975651),
+        ((0.8, 1.5, 0.05, 1.25), 2.1458525899, 0, 0.0),
+    ],
+)
+def test_the_limit_from_rest(point, greatest, stops, share):
+    found = ss.steady(*point)
+    assert found.max_displacement == pytest.approx(greatest, abs=1e-8)
+    assert (found.sticks_per_cycle, found.static_friction_ratio) == (stops, point[3])
+    assert found.stick_fraction == pytest.approx(share, abs=1e-8)
+
+
+def test_arrays_are_points_and_broadcast():
+    omega, eta = np.linspace(0.3, 1.5, 40), np.array([[1.0], [1.3], [2.5]])
+    table = ss.steady(omega, 4.0, 0.02, eta)
+    closed = ss.response(omega, 4.0, 0.02, eta, outputs=["regime", "margin", "max_velocity", "reversals_per_cycle"])
+    assert table.max_displacement.shape == closed.margin.shape == (3, 40)
+    assert table.turns_per_cycle.max() > 1 or (table.symmetric == 0).any()
+    for i in range(3):
+        for j in range(40):
+            point = (omega[j], 4.0, 0.02, eta[i, 0])
+            alone, answer = ss.steady(*point), ss.response(*point)
+            for name in ("max_displacement", "turns_per_cycle", "limit", "lyapunov_exponent", "symmetric"):
+                value, got = getattr(alone, name), getattr(table, name)[i, j]
+                assert got == value or (value is None and (got == -1 or np.isnan(got))), (name, point)
+            for name in ("regime", "margin", "max_velocity", "reversals_per_cycle"):
+                value, got = getattr(answer, name), getattr(closed, name)[i, j]
+                assert got == value or (value is None and np.isnan(got)), (name, point)
+
+
+def test_it_raises_the_border_and_leaves_the_cycle():
+    plain, held = ss.response(1.5, 4.0), ss.response(1.5, 4.0, 0.0, 1.3)
+    assert held.min_force_ratio > plain.min_force_ratio
+    assert held.max_displacement == plain.max_displacement
+    least = ss.border(1.5, 0.05, 1.3).min_force_ratio
+    assert ss.response(1.5, least * (1 + 1e-12), 0.05, 1.3).regime == "non-sticking"
+    assert ss.response(1.5, least * (1 - 1e-12), 0.05, 1.3).regime == "sticking"
+    assert ss.border(0.331, static_friction_ratio=1.3).no_stop_force_ratios is None
+
+
+def test_several_limits():
+    found = ss.attractors(0.573, 3.92, 0.005, 1.87, starts=60, reach=10)
+    seen = sorted((a.max_displacement, a.min_displacement, a.symmetric) for a in found.attractors)
+    due = [(5.496536, -6.22143, False), (5.77082, -5.77082, True), (6.22143, -5.496536, False)]
+    assert np.allclose(seen, due, atol=1e-6)
+    assert sum(a.starts for a in found.attractors) == 60 and found.unsettled == 0
+    assert [np.sum(found.of_start == a.attractor) for a in found.attractors] == [a.starts for a in found.attractors]
+    # The limit of a start is the one that steady finds from it.
+    starts = [(0.0, 0.0, 0.0), (0.0, 6.0, -3.0), (0.7, -2.0, 5.0)]
+    few = ss.attractors(0.573, 3.92, 0.005, 1.87, starts=starts)
+    assert few.reach is None
+    for start, place in zip(starts, few.of_start):
+        alone = ss.steady(0.573, 3.92, 0.005, 1.87, start=start)
+        assert few.attractors[place].max_displacement == pytest.approx(alone.max_displacement, abs=1e-9)
+
+
+def test_an_irregular_motion():
+    found = ss.steady(0.47, 7.44, 0.023, 2.48)
+    assert (found.limit, found.turns_per_cycle, found.symmetric) == ("irregular", None, None)
+    assert 9.9 < found.max_displacement < 10.2 and -9.5 < found.min_displacement < -9.2
+    assert abs(found.lyapunov_exponent) < 0.01 and found.lyapunov_exponent_error > 0 and found.turns_observed > 1000
+
+
+def test_the_motion_itself():
+    samples = ss.simulate(0.45, 5.0, 0.02, 1.4, cycles=20, samples=2000)
+    phases = ss.simulate(0.45, 5.0, 0.02, 1.4, cycles=20)
+    assert 1.2 < np.abs(samples.friction).max() <= 1.4
+    assert "stick" in phases.kind
+    sampled, alone = samples.displacement[-2000:].max(), ss.steady(0.45, 5.0, 0.02, 1.4).max_displacement
+    assert sampled == pytest.approx(alone, abs=0.05)
+
+
+def test_free_vibration():
+    # Without a drive each half cycle takes 2 B, until it is within the static friction.
+    assert ss.decay(10.0, static_friction_ratio=3.0).rest_position == 2.0
+    assert ss.decay(9.0, static_friction_ratio=3.0).half_cycles == 3
+    assert ss.decay(3.0, damping_ratio=1.5).rest_time is None
+    machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0, static_friction=6.0)
+    found = machine.decay(5.0, 0.0)
+    assert found.physical.rest_position == pytest.approx(0.5 * ss.decay(10.0, static_friction_ratio=1.5).rest_position)
+    assert found.physical.rest_time == pytest.approx(found.rest_time / 2)
+
+
+def test_machines_and_design():
+    machine = ss.Machine(mass=2.0, stiffness=8.0, friction=4.0, damping_ratio=0.02, static_friction_ratio=1.3)
+    assert machine == ss.Machine(mass=2.0, stiffness=8.0, friction=4.0, damping_ratio=0.02, static_friction=5.2)
+    drive = ss.Drive(force=16.0, angular_frequency=[1.0, 1.2])
+    found = machine.steady(drive)
+    np.testing.assert_allclose(found.max_displacement, ss.steady(drive.angular_frequency / 2, 4, 0.02, 1.3).max_displacement, rtol=1e-12)
+    least = machine.least_force(3.0)
+    regime = lambda share: machine.response(ss.Drive(force=least * share, angular_frequency=3.0)).regime
+    assert (regime(1 + 1e-12), regime(1 - 1e-12)) == ("non-sticking", "sticking")
+    assert len(machine.attractors(ss.Drive(force=16.0, angular_frequency=1.0), starts=40).attractors) == 2
+    with pytest.raises(ss.Error, match="static friction"):
+        machine.best_friction(ss.Drive(force=16.0, angular_frequency=3.0))
+
+
+def test_any_precision():
+    wide = ss.steady("0.45", 5, "0.02", "1.4", bits=128)
+    # By small steps of the equation, 2000 turns.
+    assert float(wide.max_displacement) == pytest.approx(6.1366513, abs=1e-7)
+    assert (wide.turns_per_cycle, wide.symmetric) == (1, True)
+    assert str(ss.border("0.4", static_friction_ratio="1.5", bits=100).min_force_ratio).startswith("8.150191715536511")
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.response(1.5, 2, 0, 0.5), "η = 0.5 must be ≥ 1"),
+        (lambda: ss.steady(1.5, 2, 0, float("nan")), "η = NaN must be finite"),
+        (lambda: ss.Machine(1, 2, 3, static_friction=1), "η = 0.333"),
+        (lambda: ss.Machine(1, 2, 3, static_friction=4, static_friction_ratio=2), "give one of the two"),
+        (lambda: ss.attractors(0.5, 4, starts=0), "starts = 0 must be >= 1"),
+        (lambda: ss.attractors(0.5, 4, starts=[]), "give one or more"),
+        (lambda: ss.attractors(0.5, 4, reach=-1), "reach = -1 must be > 0"),
+        (lambda: ss.attractors(0.5, 4, starts=[(0, 0)]), "start = \\(0, 0\\): must be"),
+        (lambda: ss.attractors([0.5, 1], 4), "omega: must be one number"),
+    ],
+)
+def test_bad_input_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
+    assert list(ss.response([1.5], 2, 0, [0.5]).regime) == ["invalid"]

@@ -1,0 +1,123 @@
+"""Values with units: those of the command, by its parser."""
+
+import json
+import math
+import os
+import subprocess
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+COMMAND = os.environ.get("STICKSLIP_COMMAND")
+
+
+def test_units_are_what_they_are_defined_to_be():
+    machine = ss.Machine(mass="1 lb", stiffness="1 lbf/in", friction="1 kip", damping="2 N*s/m")
+    assert machine.mass == 0.45359237
+    assert machine.stiffness == pytest.approx(4.4482216152605 / 0.0254, rel=1e-15)
+    assert (machine.friction, machine.damping, machine.units) == (4448.2216152605, 2.0, "N,m")
+    drive = ss.Drive(base_acceleration="0.15 g", frequency="120 rpm")
+    assert drive.amplitude == pytest.approx(0.15 * 9.80665, rel=1e-15)
+    assert drive.angular_frequency == pytest.approx(4 * math.pi, rel=1e-15)
+
+
+def test_a_named_system_is_that_of_bare_numbers_and_of_the_answers():
+    of_units = ss.Machine(mass="50 t", stiffness="1000 kN/m", friction="5 kN")
+    named = ss.Machine(mass=50, stiffness=1000, friction="5000 N", units="kN,m")
+    assert (named.friction, named.units) == (5.0, "kN,m")
+    small, large = ss.Drive(force="12 kN", frequency="1 Hz"), ss.Drive(force=12.0, frequency=1.0, units="kN,m")
+    found = [machine.response(drive).physical for machine in (of_units, named) for drive in (small, large)]
+    assert [answer.units["energy_per_cycle"] for answer in found] == ["N·m"] * 2 + ["kN·m"] * 2
+    for answer, unit in zip(found, (1.0, 1.0, 1e-3, 1e-3)):
+        assert answer.energy_per_cycle == pytest.approx(found[0].energy_per_cycle * unit, rel=1e-13)
+        assert answer.max_displacement == pytest.approx(0.009914465, rel=1e-6)
+    assert "max_displacement=0.0099144" in repr(found[0]) and " m," in repr(found[0])
+    assert found[0].to_dict()["units"]["force_amplitude"] == "N"
+    bare = ss.Machine(50, 1000, 5).response(ss.Drive(force=12, frequency=1)).physical
+    assert bare.units is None and bare.max_displacement == found[2].max_displacement
+
+
+def test_arrays_are_in_the_named_system():
+    machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.05, units="kN,mm")
+    drive = ss.Drive(force=np.array([0.9, 1.2]), frequency=[1.7, 2.0], units="kN,mm")
+    strokes = machine.response(drive).physical
+    alone = machine.response(ss.Drive(force="1.2 kN", frequency="2 Hz")).physical
+    assert strokes.max_displacement[1] == pytest.approx(alone.max_displacement, rel=1e-12)
+    assert strokes.units["max_displacement"] == "mm"
+
+
+def test_questions_of_design_take_units():
+    machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient="5 %")
+    assert machine.least_force("1.7 Hz") == pytest.approx(machine.least_force(1.7 * 2 * math.pi), rel=1e-14)
+    assert machine.force_for_displacement("1.7 Hz", "10 mm") == pytest.approx(
+        machine.force_for_displacement(1.7 * 2 * math.pi, 0.01), rel=1e-12
+    )
+    assert machine.bands("0.2 Hz", "5 Hz", force="0.9 kN") == machine.bands("0.2 Hz", "5 Hz", force=900.0)
+    frequency = np.linspace(14.0, 28.0, 20)
+    tested = ss.Machine("2 kg", "0.8 kN/m", "3 N", damping_ratio=0.05)
+    curve = tested.response(ss.Drive(force="9 N", angular_frequency=frequency)).physical.max_displacement
+    found = ss.identify("2 kg", "0.8 kN/m", "9 N", frequency, curve, units="N,m")
+    assert found.friction == ss.identify(2.0, 800.0, 9.0, frequency, curve).friction
+    assert found.friction.value == pytest.approx(3.0, rel=1e-6)
+    with pytest.raises(ss.Error, match="amplitude .*: has no unit beside mass 2 kg"):
+        ss.identify("2 kg", "0.8 kN/m", "9 N", frequency, curve)
+
+
+@pytest.mark.parametrize(
+    "call, words",
+    [
+        (lambda: ss.Machine("3 s", "1 N/m", "1 N"), "mass 3 s: “s” is a unit of time; expected a mass"),
+        (lambda: ss.Machine("3 stone", "1 N/m", "1 N"), "“stone” is not a known unit; expected a mass"),
+        (lambda: ss.Machine("3 kg", 1000.0, "1 N"), 'stiffness 1000.0: has no unit beside mass 3 kg.*units="kN,m"'),
+        (lambda: ss.Machine("0,3 kg", "1 N/m", "1 N"), "mass 0,3 kg"),
+        (lambda: ss.Machine(1, 2, 3, units="kN"), "units kN: expected a unit of force and one of length"),
+        (lambda: ss.Machine(1, 2, 3, period=2), "stiffness and period: give one of the two"),
+        (lambda: ss.Machine(1, 2), "friction .or friction_coefficient. is missing"),
+        (lambda: ss.Machine(1, 2, 3, gravity=9), "gravity: counts with friction_coefficient only"),
+        (lambda: ss.Machine([1, 2], 2, 3), "mass: must be one number"),
+        (lambda: ss.Drive(force="12 kN", frequency="2 s"), "frequency 2 s: “s” is a unit of time"),
+        (lambda: ss.Drive(force="12 kN", frequency=1, angular_frequency=2), "give one of frequency"),
+        (lambda: ss.Drive(force=[1.0, 2.0], frequency=1, mean_force="2 N"), "force 1.0: has no unit beside mean_force 2 N"),
+        (lambda: ss.Machine(1, 2, 3).response(ss.Drive(force="1 N", frequency=1)), "the machine: has no unit beside the drive"),
+        (lambda: ss.Machine("1 kg", "2 N/m", "3 N").response(ss.Drive(force=1, frequency=1)), "the drive: has no unit"),
+        (lambda: ss.Machine(1, 2, 3).force_for_displacement(1.0, "3 mm"), "max_displacement 3 mm: has a unit"),
+    ],
+)
+def test_bad_input_is_refused_in_words(call, words):
+    with pytest.raises(ss.Error, match=words):
+        call()
+
+
+def test_a_moving_foot_is_felt_as_inertia():
+    machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient=0.02)
+    foot = ss.Drive(foot_displacement="80 mm", frequency="0.9 Hz")
+    closed, exact = machine.response(foot), machine.steady(foot)
+    assert closed.transmitted_force == pytest.approx(closed.omega**2 * closed.max_acceleration, rel=1e-15)
+    assert closed.transmissibility == pytest.approx(closed.max_acceleration / closed.alpha, rel=1e-15)
+    assert exact.transmitted_force == pytest.approx(closed.transmitted_force, rel=1e-9)
+    assert exact.max_absolute_displacement == pytest.approx(closed.max_displacement, rel=1e-12)
+    assert closed.physical.transmitted_force == pytest.approx(800 * closed.physical.max_acceleration, rel=1e-12)
+
+
+@pytest.mark.skipif(COMMAND is None, reason="STICKSLIP_COMMAND names the command")
+@pytest.mark.parametrize("drive", [{"base_acceleration": "0.15 g"}, {"force": "1.2kN"}, {"foot_displacement": "250 mm"}])
+@pytest.mark.parametrize("units", [None, "kN,mm"])
+@pytest.mark.parametrize("question", ["response", "steady"])
+def test_the_bits_are_those_of_the_command(question, units, drive):
+    given = {"mass": "800kg", "period": "2.2 s", "friction_coefficient": "5%", "damping_ratio": "0.02", "static_friction_ratio": "1.2"}
+    options = [f"--{name.replace('_', '-')}={text}" for name, text in {**given, **drive, "frequency": "2Hz"}.items()]
+    run = [COMMAND, question, *options, "--format", "json", *([] if units is None else ["--units", units])]
+    told = json.loads(subprocess.run(run, capture_output=True, text=True, check=True).stdout)
+    found = getattr(ss.Machine(**given, units=units), question)(ss.Drive(**drive, frequency="2Hz"))
+    physical = found.physical
+    compared = 0
+    for name, value in told["physical"].items():
+        own = getattr(physical, name, None) if name != "units" else None
+        if own is not None and value is not None:
+            assert own == pytest.approx(value, rel=1e-14), name
+            assert physical.units[name] == told["physical"]["units"][name], name
+            compared += 1
+    assert compared >= 6
+    assert found.regime == told["regime"]
