@@ -170,7 +170,9 @@ fn mapped<'py>(
         table.into_batch().map_err(refused)
     };
     match input {
-        AnyRecordBatch::RecordBatch(batch) => Ok(Batch(one(py, batch.as_ref())?).into_pyobject(py)?.into_any()),
+        AnyRecordBatch::RecordBatch(batch) => {
+            Ok(Batch(one(py, batch.as_ref())?).into_pyobject(py)?.into_any())
+        }
         AnyRecordBatch::Stream(stream) => {
             let reader: Box<dyn RecordBatchReader + Send> = stream.into_reader()?;
             let empty = RecordBatch::new_empty(reader.schema());

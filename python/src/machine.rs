@@ -53,14 +53,14 @@ fn transmitted<'py>(
     py: Python<'py>,
     kind: &str,
     columns: [PyReadonlyArray1<'py, f64>; 4],
-) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>)> {
+) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let kind = excitation(kind)?;
     let [omega, alpha, force, acceleration] = &columns;
     let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
     let points = omega.iter().zip(alpha).zip(force.as_slice()?.iter().zip(acceleration.as_slice()?));
     let (force, ratio): (Vec<_>, Vec<_>) =
         points.map(|((&omega, &alpha), (&force, &a))| kind.transmitted(omega, alpha, force, a)).unzip();
-    Ok((force.into_pyarray(py), ratio.into_pyarray(py)))
+    Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
 }
 
 /// Values with units, or bare ones, in the system named, or in SI: name, text and kind of each. And the system, where one is known.
