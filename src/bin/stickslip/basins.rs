@@ -10,10 +10,10 @@ use crate::grid::Grid;
 use crate::input;
 use crate::note::digits;
 use crate::starts::Starts;
-use stickslip::units::Kind;
 use std::io::Write;
 use stickslip::exact::{Attractors, State};
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
+use stickslip::units::Kind;
 
 /// Values of a grid that is not given.
 const COUNT: u64 = 101;

@@ -7,10 +7,10 @@ use crate::given::{Given, Parameter as P};
 use crate::note::both;
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
-use stickslip::units::{Kind, System};
 use std::io::Write;
 use stickslip::Quantity;
 use stickslip::exact::FreeDecay;
+use stickslip::units::{Kind, System};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);

@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::exact::drive::DrivePhase;
 use crate::exact::long_run::LongRun;
-use crate::exact::state::State;
 use crate::exact::steady::SteadyState;
 use crate::exact::trajectory::Trajectory;
 use crate::float::Float;
@@ -86,7 +85,8 @@ pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error
     if angle == zero && start.phase.is_even() {
         return Ok((start.x, start.v));
     }
-    let next = DrivePhase::of_half_turn(start.phase.half_turns(), zero).later_by_half_turns(i64::from(angle >= zero));
+    let next = DrivePhase::of_half_turn(start.phase.half_turns(), zero)
+        .later_by_half_turns(i64::from(angle >= zero));
     let target = next.later_by_half_turns(i64::from(!next.is_even()));
     for phase in Trajectory::of(steady.equation, start) {
         let phase = phase?;
