@@ -124,6 +124,13 @@ pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Err
     response_with(omega, alpha, &Known::rational(0.into()), &Known::rational(1.into()), bits)
 }
 
+/// [`response`] where one output is asked for: what takes long for others is left out.
+pub(crate) fn response_for(only: Output, omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Error> {
+    let (zeta, eta) = (Known::rational(0.into()), Known::rational(1.into()));
+    let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
+    At { only: Some(only), ..At::new(omega, alpha, &zeta, &eta)? }.answered(bits)
+}
+
 /// [`response`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, each of which may be an interval.
 ///
 /// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to other motions.
@@ -174,6 +181,8 @@ struct At<'a> {
     alpha: Option<&'a Known>,
     zeta: &'a Known,
     eta: &'a Known,
+    /// The output that is asked for; all of them without one.
+    only: Option<Output>,
 }
 
 impl<'a> At<'a> {
@@ -191,7 +200,7 @@ impl<'a> At<'a> {
         for end in [eta.low(), eta.high()] {
             valid_static_friction_ratio(Mp::<2>::from_rational(end))?;
         }
-        Ok(Self { omega, alpha, zeta, eta })
+        Ok(Self { omega, alpha, zeta, eta, only: None })
     }
 
     fn answered(&self, bits: u32) -> Result<Response, Error> {
@@ -232,7 +241,10 @@ impl Question for At<'_> {
         let mut is_decided = regime.is_some();
         if regime == Some(Regime::NonSticking) {
             let found = match half {
-                None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball)),
+                None => Cycle::at(&angle, ball).map(|cycle| {
+                    let wanted = |output| self.only.is_none_or(|only| only == output);
+                    cycle.outputs(&angle, ball, wanted)
+                }),
                 Some(half) => damped::outputs(&angle, half, ball),
             };
             // With more bits each output is found; over intervals some may never be.

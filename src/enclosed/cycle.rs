@@ -50,7 +50,12 @@ impl<const W: usize> Cycle<W> {
     }
 
     /// All outputs of the cycle that have an enclosure.
-    pub(crate) fn outputs(&self, angle: &Angle<W>, alpha: Ball<W>) -> Vec<(Output, Option<Ball<W>>)> {
+    pub(crate) fn outputs(
+        &self,
+        angle: &Angle<W>,
+        alpha: Ball<W>,
+        wanted: impl Fn(Output) -> bool,
+    ) -> Vec<(Output, Option<Ball<W>>)> {
         let (delta, omega) = (self.max_displacement, angle.omega);
         let a1 = loop_size_stiffness(delta, alpha);
         let is_above_half = *angle.known.low() >= rug::Rational::from((1, 2));
@@ -70,7 +75,7 @@ impl<const W: usize> Cycle<W> {
         .into_iter()
         .map(|(output, value)| (output, Some(value)))
         .chain(is_above_half.then(|| (Output::MaxAcceleration, Some(arrival_acceleration(delta, omega)))))
-        .chain(undamped_peaks(angle, delta))
+        .chain(undamped_peaks(angle, delta, wanted))
         .collect()
     }
 }

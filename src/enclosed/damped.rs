@@ -197,7 +197,11 @@ pub(super) fn regime<const W: usize>(
 /// The greatest acceleration below Ω = 1/2 and the greatest absolute displacement of the cycle without damping; `None` where they are not found.
 ///
 /// As in `crate::nonsticking::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of where the slow wave is greatest; and y′ has one zero.
-pub(super) fn undamped_peaks<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Outputs<W> {
+pub(super) fn undamped_peaks<const W: usize>(
+    angle: &Angle<W>,
+    delta: Ball<W>,
+    wanted: impl Fn(Output) -> bool,
+) -> Outputs<W> {
     let (zero, one) = (Known::rational(0.into()), Known::rational(1.into()));
     let half = half_period(angle, &zero, &one);
     let rising = Rising { half, amplitude: delta };
@@ -227,7 +231,7 @@ pub(super) fn undamped_peaks<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -
         (absolute(middle).value + absolute(tau).slope * (tau - middle)).abs()
     });
     let mut found = vec![(Output::MaxAbsoluteDisplacement, at_end.or(farthest))];
-    if *angle.known.high() < rug::Rational::from((1, 2)) {
+    if wanted(Output::MaxAcceleration) && *angle.known.high() < rug::Rational::from((1, 2)) {
         found.push((Output::MaxAcceleration, acceleration(&rising).map(|most| most / angle.omega.square())));
     }
     found

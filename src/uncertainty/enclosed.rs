@@ -18,8 +18,8 @@ impl<F: Float> RatioBox<F> {
     /// to be monotone. `None` where it is undecided whether the output exists in every part of the box.
     ///
     /// The box is cut into `pieces` parts at most, of the same share of Ω and of α, and each is enclosed as [`enclosed::response`] does it.
-    /// The range exceeds the sharp one by an amount that shrinks with the parts like 1/√pieces, and like 1/pieces where one ratio is exact. It takes some
-    /// 0.2 ms a part. A phase may leave [0, 2π) by as much.
+    /// The range exceeds the sharp one by an amount that shrinks with the parts like 1/√pieces, and like 1/pieces where one ratio is exact. A part takes
+    /// about a millisecond, and tens of them for the maximum acceleration below Ω = 1/2. A phase may leave [0, 2π) by as much.
     ///
     /// # Errors
     /// Where a ratio is outside the domain of [`crate::Ratios`].
@@ -44,7 +44,7 @@ impl<F: Float> RatioBox<F> {
         let mut range: Option<Ends> = None;
         for omega in parts(&omega, by_omega) {
             for alpha in parts(&alpha, by_alpha) {
-                let found = enclosed::response(&omega, &alpha, BITS)?;
+                let found = enclosed::response_for(output, &omega, &alpha, BITS)?;
                 let exists = !output.is_of_cycle() || found.regime() == Some(Regime::NonSticking);
                 let Some((low, high)) = found.get(output).filter(|_| exists).and_then(bounds) else {
                     return Ok(None);
