@@ -46,9 +46,9 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
         let half = after(ratios, start, turns);
         assert!((half.x + start.x).hypot(half.v + start.v) < rounding, "{machine:?}");
     }
-    // Central differences over 2h, h a third of the digits: two thirds of them are right.
+    // Central differences over 2h: at h = 2^(−2n/5) of n bits rounding leaves 3n/5 of them, and h² a derivative of the third order less.
     let bits = i32::try_from(F::PRECISION).unwrap();
-    let (h, zero) = (F::exp2i(-bits / 3), F::int(0));
+    let (h, zero) = (F::exp2i(-2 * bits / 5), F::int(0));
     let moved = |dx: F, dv: F| after(ratios, State { x: start.x + dx, v: start.v + dv, ..start }, 2 * turns);
     let slope = |a: F, b: F| (a - b) / (F::int(2) * h);
     let ((right, left), (up, down)) = ((moved(h, zero), moved(-h, zero)), (moved(zero, h), moved(zero, -h)));
@@ -56,7 +56,7 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
     let determinant =
         slope(right.x, left.x) * slope(up.v, down.v) - slope(right.v, left.v) * slope(up.x, down.x);
     let [(a, p), (b, q)] = motion.multipliers();
-    let close = |a: F, b: F| (a - b).abs() < F::exp2i(16 - 2 * bits / 3);
+    let close = |a: F, b: F| (a - b).abs() < F::exp2i(16 - 3 * bits / 5);
     let is_right = close(trace, a + b) && close(determinant, a * b - p * q);
     assert!(is_right, "{machine:?}: {} {}", a.to_f64(), trace.to_f64());
 }
@@ -158,5 +158,5 @@ fn of_machines_at_random() {
 #[test]
 #[ignore = "a campaign"]
 fn of_many_machines_at_random() {
-    println!("limits, missed, unstable: {:?}", at_random(3000));
+    println!("limits, missed, unstable: {:?}", at_random(1000));
 }

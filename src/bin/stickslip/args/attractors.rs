@@ -64,8 +64,10 @@ pub(crate) const BASINS_EXAMPLES: &str = "\
 Examples:
   stickslip basins --omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87 --out basins.svg
   stickslip basins --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --x0 -8:8:81 --v0 -8:8:81
+  stickslip basins --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume --out basins.svg
 
-The starts are at ω_d t = 0. As rows: the start, the number of its limit and what that is.";
+The starts are at ω_d t = 0. As rows: the start, the number of its limit and what that is. A run that was broken off goes on with
+--rows FILE --resume; from rows that are whole another picture is drawn at once.";
 
 #[derive(Debug, Args)]
 pub(crate) struct BasinsArgs {
