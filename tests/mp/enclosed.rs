@@ -85,7 +85,7 @@ proptest! {
     #[test]
     fn the_value_is_never_outside(omega in frequencies(), excess in excesses(), wide in any::<bool>()) {
         let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio();
-        let alpha = Exact::rounded(Mp::<2>::rounded(least * Exact::from(1.0 + excess)));
+        let alpha = Exact::rounded(Mp::<2>::rounded(least * (Exact::of_int(1) + Exact::from(excess))));
         let widest = check(omega, alpha, if wide { 256 } else { 64 });
         // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave another half.
         prop_assert!(widest <= 1.5, "{omega} {alpha}: {widest} units");
