@@ -2,6 +2,7 @@
 //!
 //! | file | equations | content |
 //! |---|---|---|
+//! | `cycle` | | all outputs of one cycle |
 //! | `matching` | 2–39, 45 | the five unknowns and the equations between them |
 //! | `den_hartog` | 50–56 | Den Hartog's own half cycle |
 //! | `displacement`, `reversal` | 40–44 | Δ₀ and ω_d t₂ |
@@ -21,6 +22,7 @@
 mod amplitude;
 mod arrival;
 pub(crate) mod border;
+mod cycle;
 pub(crate) mod damped;
 #[cfg(any(test, feature = "matching"))]
 pub(crate) mod den_hartog;
@@ -43,6 +45,7 @@ mod velocity;
 mod waves;
 
 pub use border::{Border, BorderRange, Lobe, Minimum, Shortfall, border_range};
+pub use cycle::Cycle;
 #[cfg(any(test, feature = "matching"))]
 pub use matching::Unknowns;
 #[cfg(feature = "matching")]
@@ -52,6 +55,8 @@ pub use six_reversals::SixReversals;
 pub use stability::{MultiplierPair, Multipliers};
 
 pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
+#[cfg(feature = "batch")]
+pub(crate) use border::border_near;
 pub(crate) use displacement::{max_displacement, squared_sine};
 pub(crate) use dissipation::{
     best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
@@ -65,356 +70,18 @@ pub(crate) use {
 // The paper's other forms, for the proofs and for `verify`.
 #[cfg(all(any(test, feature = "matching"), not(feature = "mp")))]
 pub(crate) use displacement::{cos_displacement_phase, sin_displacement_phase};
+#[cfg(feature = "mp")]
+pub(crate) use half_cycle::{HalfCycle, free_swing};
+#[cfg(feature = "batch")]
+pub(crate) use low::{LowCircular, LowWaves};
+pub(crate) use phase::velocity_phase;
+#[cfg(feature = "mp")]
+pub(crate) use velocity::fastest;
+#[cfg(feature = "batch")]
+pub(crate) use waves::{Circular, Waves};
 #[cfg(any(test, feature = "matching"))]
 pub(crate) use {
     displacement::{displacement_phase, max_displacement_from_amplitude},
     dissipation::loop_size,
     velocity::{deviation, max_velocity_from_phase, velocity_phase_residual},
 };
-
-use crate::error::{Error, written};
-use crate::float::{Float, Task, pair::Pair};
-use crate::phase_function::PhaseFunction;
-use crate::ratios::Ratios;
-#[cfg(feature = "batch")]
-pub(crate) use border::border_near;
-use damped::DampedCycle;
-pub(crate) use half_cycle::HalfCycle;
-#[cfg(feature = "mp")]
-pub(crate) use half_cycle::free_swing;
-#[cfg(feature = "batch")]
-pub(crate) use low::{LowCircular, LowWaves};
-use motion::Motion;
-pub(crate) use phase::velocity_phase;
-#[cfg(feature = "mp")]
-pub(crate) use velocity::fastest;
-#[cfg(feature = "batch")]
-pub(crate) use waves::{Circular, Waves};
-
-/// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
-///
-/// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it counts as on the
-/// border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or nothing
-/// (`docs/accuracy.md`).
-///
-/// ```
-/// use stickslip::{Cycle, Ratios};
-/// let cycle = Cycle::new(Ratios::new(1.5f64, 2.5)?)?;
-/// assert!((cycle.max_displacement() - 1.632993161855452).abs() < 1e-15);
-/// assert!((cycle.max_velocity() - 1.654152276482076).abs() < 1e-15);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cycle<F> {
-    ratios: Ratios<F>,
-    motion: Motion<F>,
-    max_displacement: F,
-    displacement_phase: F,
-    max_velocity: F,
-    velocity_phase: F,
-    deviation: F,
-    contraction: F,
-}
-
-impl<F: Float> Cycle<F> {
-    /// The cycle at (Ω, α).
-    ///
-    /// # Errors
-    /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above it.
-    #[inline]
-    pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
-        if ratios.is_damped() {
-            return Self::damped(ratios);
-        }
-        if ratios.has_higher_static_friction() {
-            return Self::with_static_friction(ratios);
-        }
-        F::fused(NewCycle(ratios))
-    }
-
-    /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a higher border on.
-    #[cold]
-    fn with_static_friction(ratios: Ratios<F>) -> Result<Self, Error> {
-        let least = Border::of(&ratios).min_force_ratio();
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            return Err(no_cycle(ratios, least));
-        }
-        Ok(Self::at(&PhaseFunction::of_valid(ratios.omega()), ratios))
-    }
-
-    /// The cycle with damping.
-    #[cold]
-    fn damped(ratios: Ratios<F>) -> Result<Self, Error> {
-        let half = damped::half_period(&ratios);
-        let least = damped::border(&half).min_force_ratio();
-        if ratios.alpha() < least {
-            return Err(no_cycle(ratios, least));
-        }
-        Ok(Self::of_damped(DampedCycle::at(half, ratios.alpha()), ratios))
-    }
-
-    /// The cycle with damping that was found at these ratios.
-    pub(crate) fn of_damped(found: DampedCycle<F>, ratios: Ratios<F>) -> Self {
-        Self {
-            ratios,
-            motion: Motion::Damped(found),
-            max_displacement: found.max_displacement,
-            displacement_phase: found.displacement_phase,
-            max_velocity: found.max_velocity,
-            velocity_phase: found.velocity_phase,
-            deviation: found.deviation,
-            contraction: found.contraction(),
-        }
-    }
-
-    /// The cycle at (Ω, α) known to be on or above the border, Ω ≠ 1, ζ = 0; `p` is the phase function at Ω.
-    #[inline(always)]
-    pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
-        let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        let reversal = Reversal::new(p, alpha).of_sliding(omega);
-        let Pair { hi: max_displacement, lo: rest } = reversal.max_displacement_pair();
-        let half = HalfCycle::new(p, max_displacement).with_rest(rest);
-        let displacement_phase = reversal.displacement_phase();
-        let sin_cos_beta = p.sin_cos_of_cycle();
-        let given = velocity::Given { reversal, alpha, displacement_phase, sin_cos_beta };
-        let (fastest, deviation) = velocity::fastest_and_deviation(&half, &given);
-        let velocity_phase = velocity_phase(displacement_phase, omega, fastest.psi);
-        Self {
-            ratios,
-            motion: Motion::Undamped { half, reversal },
-            max_displacement,
-            displacement_phase,
-            max_velocity: fastest.velocity,
-            velocity_phase,
-            deviation,
-            contraction: stability::contraction(omega, max_displacement, sin_cos_beta),
-        }
-    }
-
-    /// The same cycle in another number type.
-    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Cycle<G> {
-        Cycle {
-            ratios: self.ratios.map(&to),
-            motion: self.motion.map(&to),
-            max_displacement: to(self.max_displacement),
-            displacement_phase: to(self.displacement_phase),
-            max_velocity: to(self.max_velocity),
-            velocity_phase: to(self.velocity_phase),
-            deviation: to(self.deviation),
-            contraction: to(self.contraction),
-        }
-    }
-
-    /// `(sin β, cos β)`, β = π/2Ω.
-    #[inline]
-    pub(crate) fn sin_cos_beta(&self) -> (F, F) {
-        match &self.motion {
-            Motion::Undamped { half, .. } => half.sin_cos_beta(),
-            Motion::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
-        }
-    }
-
-    /// The ratios (Ω, α).
-    pub const fn ratios(&self) -> Ratios<F> {
-        self.ratios
-    }
-
-    /// Maximum displacement `Δ₀/B` ([`Reversal`], eq. 44). Accuracy at f64: 2 ulp.
-    pub const fn max_displacement(&self) -> F {
-        self.max_displacement
-    }
-
-    /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
-    /// max(phase, 1).
-    pub const fn displacement_phase(&self) -> F {
-        self.displacement_phase
-    }
-
-    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the greatest of the half cycle, whatever the number
-    /// of its stationary points. Accuracy at f64: 4 ulp.
-    pub const fn max_velocity(&self) -> F {
-        self.max_velocity
-    }
-
-    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at f64: 4 ulp of
-    /// max(phase, 1).
-    pub const fn velocity_phase(&self) -> F {
-        self.velocity_phase
-    }
-
-    /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
-    /// max(|Δ₁/B|, V₀/(Bω_d)).
-    pub const fn deviation(&self) -> F {
-        self.deviation
-    }
-
-    /// Contraction per half cycle, max |λ|: what is left of a small disturbance.
-    pub const fn contraction(&self) -> F {
-        self.contraction
-    }
-
-    /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
-    pub fn loop_size_stiffness(&self) -> F {
-        self.motion.loop_sizes(&self.ratios).0
-    }
-
-    /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
-    pub fn loop_size_inertia(&self) -> F {
-        self.motion.loop_sizes(&self.ratios).1
-    }
-
-    /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.
-    ///
-    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of `docs/theory/damping.md`.
-    /// The terms cancel where the forced motion α/q is far larger than Δ₀/B, that is near Ω = 1 with little damping and next to the
-    /// border: the error there is the rounding of `2ζT Ω²(α/q)²`. [`crate::exact::SteadyState::damper_work`] keeps its digits.
-    pub fn damper_work(&self) -> F {
-        match &self.motion {
-            Motion::Undamped { .. } => F::int(0),
-            Motion::Damped(cycle) => cycle.damper_work(),
-        }
-    }
-
-    /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is NaN with it.
-    #[cfg(any(test, feature = "matching"))]
-    pub(crate) fn given(&self) -> matching::Given<F> {
-        matching::Given {
-            amplitude: self.undamped_amplitude(),
-            friction_displacement: F::int(1),
-            omega: self.ratios.omega(),
-        }
-    }
-
-    /// The solution of the matching problem (eq. 21–25), lengths in units of B, with ω_d t₁ taken so that
-    /// t₂ − π/ω_d < t₁ < t₂.
-    #[cfg(test)]
-    pub(crate) fn unknowns(&self) -> matching::Unknowns<F> {
-        let early = self.velocity_phase > self.displacement_phase;
-        let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
-        matching::Unknowns {
-            velocity_phase: self.velocity_phase - turn,
-            displacement_phase: self.displacement_phase,
-            max_velocity: self.max_velocity * self.ratios.omega(),
-            max_displacement: self.max_displacement,
-            deviation: self.deviation,
-        }
-    }
-
-    /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. Without damping: NaN with it.
-    #[cfg(test)]
-    pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
-        let one = F::int(1);
-        den_hartog::FallingHalf {
-            amplitude: self.undamped_amplitude(),
-            friction_displacement: one,
-            omega: self.ratios.omega(),
-            phase_lag: den_hartog::phase_lag(self.displacement_phase),
-            c1: den_hartog::sine_coefficient(one, PhaseFunction::of_valid(self.ratios.omega()).tangent()),
-            c2: den_hartog::cosine_coefficient(one),
-        }
-    }
-
-    /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
-    ///
-    /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite. A
-    /// large phase is reduced exactly as it is given.
-    pub fn displacement_at(&self, phase: F) -> F {
-        self.motion.at(self.ratios.omega(), phase - self.displacement_phase).0
-    }
-
-    /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
-    pub fn velocity_at(&self, phase: F) -> F {
-        self.motion.at(self.ratios.omega(), phase - self.displacement_phase).1
-    }
-
-    /// A/B of the equations that know no damping, NaN with it.
-    #[cfg(any(test, feature = "matching"))]
-    fn undamped_amplitude(&self) -> F {
-        if self.ratios.is_damped() { F::int(0) / F::int(0) } else { self.ratios.forced_amplitude() }
-    }
-}
-
-/// [`Cycle::new`].
-struct NewCycle<F>(Ratios<F>);
-
-impl<F: Float> Task for NewCycle<F> {
-    type Output = Result<Cycle<F>, Error>;
-
-    #[inline(always)]
-    fn run(self) -> Self::Output {
-        let ratios = self.0;
-        let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::least_force_ratio(&p);
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            Err(no_cycle(ratios, least))
-        } else {
-            Ok(Cycle::at(&p, ratios))
-        }
-    }
-}
-
-/// Why there is no cycle where the least force ratio without sticking is `least`.
-#[cold]
-fn no_cycle<F: Float>(ratios: Ratios<F>, least: F) -> Error {
-    let alpha = written(ratios.alpha());
-    if ratios.alpha() < least {
-        Error::Sticks { omega: written(ratios.omega()), alpha, least: written(least) }
-    } else {
-        Error::Unbounded { alpha }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Cycle;
-    use crate::{Error, Ratios};
-    use std::f64::consts::TAU;
-
-    fn cycle(omega: f64, alpha: f64) -> Result<Cycle<f64>, Error> {
-        Ratios::new(omega, alpha).and_then(Cycle::new)
-    }
-
-    #[test]
-    fn the_equations_that_know_no_damping_have_no_number_for_it() {
-        let damped = Ratios::new(0.7, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
-        let amplitude: f64 = Cycle::new(damped).unwrap().given().amplitude;
-        assert!(amplitude.is_nan());
-    }
-
-    #[test]
-    fn below_the_border_there_is_no_cycle() {
-        assert!(matches!(cycle(0.4, 6.0), Err(Error::Sticks { .. })));
-        assert!(cycle(0.4, 7.0).is_ok());
-        assert!(matches!(cycle(1.0, 1.2), Err(Error::Sticks { .. })));
-        assert!(matches!(cycle(1.0, 1.3), Err(Error::Unbounded { .. })));
-    }
-
-    #[test]
-    fn the_waveform_passes_through_its_named_points() {
-        for (omega, alpha) in [(0.3, 14.0), (0.4, 9.0), (0.7, 2.0), (1.0 + 1e-9, 1.5), (1.5, 2.5), (3.0, 4.0)]
-        {
-            let c = cycle(omega, alpha).unwrap();
-            let scale = 1e-13 * c.max_displacement();
-            let close = |a: f64, b: f64| assert!((a - b).abs() < scale, "{omega} {alpha}: {a} {b}");
-            for turn in [-TAU, 0.0, TAU] {
-                close(c.displacement_at(c.displacement_phase() + turn), c.max_displacement());
-                close(c.displacement_at(c.velocity_phase() + turn), c.deviation());
-                close(c.velocity_at(c.velocity_phase() + turn), c.max_velocity());
-                close(c.velocity_at(c.displacement_phase() + turn), 0.0);
-            }
-            // x(t + π/ω_d) = −x(t)
-            for i in 0..40 {
-                let phase = f64::from(i) * TAU / 40.0;
-                close(c.displacement_at(phase + TAU / 2.0), -c.displacement_at(phase));
-                close(c.velocity_at(phase + TAU / 2.0), -c.velocity_at(phase));
-            }
-        }
-    }
-
-    #[test]
-    fn single_precision_runs_the_same_code() {
-        let c = Ratios::new(0.7f32, 2.0).and_then(Cycle::new).unwrap();
-        assert!((c.max_displacement() - 3.488_508).abs() < 2e-6);
-        assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
-    }
-}

@@ -132,6 +132,14 @@ impl<F: Float, const S: usize, const C: usize> SinCos<F, S, C> {
         ((polynomial(&self.sin, z) * z).mul_add(x, x), self.cos(z))
     }
 
+    /// `(sin x, cos x − 1)`.
+    #[inline(always)]
+    pub(crate) fn sin_fall(&self, x: F) -> (F, F) {
+        let z = x * x;
+        let bend = polynomial(&self.cos, z).mul_add(z, -F::ratio(1, 2));
+        ((polynomial(&self.sin, z) * z).mul_add(x, x), bend * z)
+    }
+
     /// `(sin x, cos x)`, of which the roundings of all but the leading terms are left.
     #[inline(always)]
     pub(crate) fn wide(&self, x: Pair<F>) -> (Pair<F>, Pair<F>) {

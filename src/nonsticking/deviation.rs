@@ -22,13 +22,13 @@ use crate::float::{Field, Float, pair::Pair};
 #[inline(always)]
 pub(crate) fn of_fastest<F: Float>(
     omega: F,
-    (sin_beta, cos_beta): (F, F),
+    (sin_beta, cos_beta): (Pair<F>, F),
     phase_function: Pair<F>,
     (s, c): (F, F),
 ) -> F {
     let one = F::int(1);
     let fall = s * s / (one + c);
-    let r = -(phase_function / (omega.wide() * sin_beta));
+    let r = -(phase_function / (sin_beta * omega));
     let beside_one = (r.hi - one) + (r.lo - r.value() * fall);
     let v = one / (omega * omega);
     let r = (one - v) / cos_beta;

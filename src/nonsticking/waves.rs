@@ -40,13 +40,11 @@ impl<F: Float> Circular<F> {
     #[inline(always)]
     pub(crate) fn deviation(&self, omega: F, beta: (F, F), phase_function: Pair<F>, psi: F) -> F {
         // sin β = cos w, w = (π/2)(1 − Ω)/Ω, where |w| ≤ π/4: its error counts most there.
-        let one = F::int(1);
-        let w = Pair::exact(one - omega) / omega * (Pair::pi() * F::ratio(1, 2));
-        let (sine, cosine) = self.psi.sin_cos(w.hi);
-        let cosine = (-sine).mul_add(w.lo, cosine);
+        let w = Pair::exact(F::int(1) - omega) / omega * (Pair::pi() * F::ratio(1, 2));
+        let (_, cosine) = self.psi.wide(w);
         let is_beside_one = (omega < F::int(2)) & (F::int(3) * omega >= F::int(2));
-        let beta = (if is_beside_one { cosine } else { beta.0 }, beta.1);
-        of_fastest(omega, beta, phase_function, self.psi.sin_cos(psi))
+        let sin_beta = if is_beside_one { cosine } else { Pair::exact(beta.0) };
+        of_fastest(omega, (sin_beta, beta.1), phase_function, self.psi.sin_cos(psi))
     }
 }
 
@@ -84,19 +82,23 @@ impl<F: Float> Waves<F> {
         tangent * z.mul_add(tail, one) * inverse
     }
 
-    /// The greatest velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B times a cosine, without the roundings of Ω.
+    /// The greatest velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the roundings of Ω and of cos Ωψ.
     #[inline(always)]
     pub(crate) fn arrive(&self, circular: &Circular<F>, psi: F) -> (Arrived<F>, F) {
         let Frequency { omega, inverse, kappa, .. } = self.at;
         let (one, half) = (F::int(1), F::ratio(1, 2));
         let (delta, offset) = (self.max_displacement, self.at.offset());
         let half_difference = half * (one - omega) * psi;
-        let (s, c) = circular.psi.sin_cos(psi);
+        let (s, fall) = circular.psi.sin_fall(psi);
+        let c = one + fall;
         let (sinc, cm) = circular.half_difference.sinc_cos(half_difference);
         let sm = half_difference * sinc;
         let e = kappa * psi * sinc;
         let (sp, cp) = (s.mul_add(cm, -(c * sm)), c.mul_add(cm, s * sm));
-        let (so, co) = (sp.mul_add(cm, -(cp * sm)), cp.mul_add(cm, sp * sm));
+        // Ωψ = p − m = ψ − 2m: sin Ωψ = sin ψ − 2 sin m cos p, cos Ωψ − 1 = cos ψ − 1 + 2 sin m sin p.
+        let twice = sm + sm;
+        let (so, fall) = ((-twice).mul_add(cp, s), twice.mul_add(sp, fall));
+        let co = one + fall;
         let g = omega * delta;
         let (offset_c, e_sp, forcing) = (offset * c, e * sp, self.at.forcing());
 
@@ -123,7 +125,7 @@ impl<F: Float> Waves<F> {
         let (greatest_psi, greatest_half_difference) = (F::ratio(17, 16), F::ratio(9, 32));
         let in_range = (psi.abs() <= greatest_psi) & (half_difference.abs() <= greatest_half_difference);
         let smaller = self.rest.mul_add(co, inverse * swing);
-        let velocity = inverse.mul_add(found.gain, delta.mul_add(co, smaller));
-        (Arrived { is_found: found.is_found & in_range, ..found }, velocity)
+        let less = inverse.mul_add(found.gain, delta.mul_add(fall, smaller));
+        (Arrived { is_found: found.is_found & in_range, ..found }, delta + less)
     }
 }

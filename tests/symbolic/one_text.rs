@@ -50,6 +50,7 @@ fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
         "nonsticking/damped/border.rs",
         "nonsticking/damped/fastest.rs",
         "nonsticking/velocity.rs",
+        "nonsticking/velocity/iteration.rs",
     ];
     assert_eq!(asking, starts);
 }

@@ -5,7 +5,8 @@
 //! polynomial of v′ with eight derivatives, come within 4e-5 of the root (in the angle of the faster wave, which is below
 //! 1.05), so that one evaluation and one more step are enough.
 
-use super::{Fastest, arrive, householder, is_final};
+use super::Fastest;
+use super::iteration::{arrive, householder, is_final};
 use crate::float::Float;
 use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 

@@ -1,6 +1,7 @@
 //! Nothing in the half cycle is faster, and each start leads to the same place.
 
-use super::{fastest, from_bracket, from_centre};
+use super::fastest;
+use super::{centre::from_centre, iteration::from_bracket};
 use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;

@@ -1,0 +1,50 @@
+use super::Cycle;
+use crate::{Error, Ratios};
+use std::f64::consts::TAU;
+
+fn cycle(omega: f64, alpha: f64) -> Result<Cycle<f64>, Error> {
+    Ratios::new(omega, alpha).and_then(Cycle::new)
+}
+
+#[test]
+fn the_equations_that_know_no_damping_have_no_number_for_it() {
+    let damped = Ratios::new(0.7, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
+    let amplitude: f64 = Cycle::new(damped).unwrap().given().amplitude;
+    assert!(amplitude.is_nan());
+}
+
+#[test]
+fn below_the_border_there_is_no_cycle() {
+    assert!(matches!(cycle(0.4, 6.0), Err(Error::Sticks { .. })));
+    assert!(cycle(0.4, 7.0).is_ok());
+    assert!(matches!(cycle(1.0, 1.2), Err(Error::Sticks { .. })));
+    assert!(matches!(cycle(1.0, 1.3), Err(Error::Unbounded { .. })));
+}
+
+#[test]
+fn the_waveform_passes_through_its_named_points() {
+    for (omega, alpha) in [(0.3, 14.0), (0.4, 9.0), (0.7, 2.0), (1.0 + 1e-9, 1.5), (1.5, 2.5), (3.0, 4.0)] {
+        let c = cycle(omega, alpha).unwrap();
+        let scale = 1e-13 * c.max_displacement();
+        let close = |a: f64, b: f64| assert!((a - b).abs() < scale, "{omega} {alpha}: {a} {b}");
+        for turn in [-TAU, 0.0, TAU] {
+            close(c.displacement_at(c.displacement_phase() + turn), c.max_displacement());
+            close(c.displacement_at(c.velocity_phase() + turn), c.deviation());
+            close(c.velocity_at(c.velocity_phase() + turn), c.max_velocity());
+            close(c.velocity_at(c.displacement_phase() + turn), 0.0);
+        }
+        // x(t + π/ω_d) = −x(t)
+        for i in 0..40 {
+            let phase = f64::from(i) * TAU / 40.0;
+            close(c.displacement_at(phase + TAU / 2.0), -c.displacement_at(phase));
+            close(c.velocity_at(phase + TAU / 2.0), -c.velocity_at(phase));
+        }
+    }
+}
+
+#[test]
+fn single_precision_runs_the_same_code() {
+    let c = Ratios::new(0.7f32, 2.0).and_then(Cycle::new).unwrap();
+    assert!((c.max_displacement() - 3.488_508).abs() < 2e-6);
+    assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
+}

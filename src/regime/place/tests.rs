@@ -1,0 +1,130 @@
+use super::Place;
+use crate::{Border, Drive, Oscillator, Ratios, Regime, Verdict};
+
+const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
+
+fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
+    Place::new(Ratios::new(omega, alpha).unwrap()).verdict()
+}
+
+#[test]
+fn each_verdict_has_its_place() {
+    assert_eq!(verdict(0.7, 1.0), Verdict::AtRest);
+    assert_eq!(verdict(0.7, 1f64.next_up()), Verdict::Sticking);
+    assert_eq!(verdict(0.7, 1.4), Verdict::NonSticking);
+    assert_eq!(verdict(1.0, 1.2), Verdict::Sticking);
+    assert_eq!(verdict(1.0, 1.3), Verdict::Unbounded);
+    let unsure = Verdict::Undecided(Regime::Sticking, Regime::Unbounded);
+    assert_eq!(verdict(1.0, 4.0 / std::f64::consts::PI), unsure);
+}
+
+#[test]
+fn one_over_2n_is_decided_to_the_last_float() {
+    for omega in [0.5, 0.25, 2f64.powi(-10), 2f64.powi(-26), 2f64.powi(-27), 2f64.powi(-40)] {
+        let least = 1.0 / (omega * omega) - 1.0;
+        match verdict(omega, least) {
+            Verdict::Degenerate(family) => assert_eq!(family.greatest_shift(), 0.0),
+            other => panic!("{omega}: {other:?}"),
+        }
+        assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
+        assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
+    }
+    // Beside it, too, there is one limit only.
+    for omega in [0.5 * (1.0 - 1e-14), 0.5f64.next_down(), 0.5f64.next_up(), 1.0 / 6.0] {
+        assert_eq!(verdict(omega, 1.5 / (omega * omega)), Verdict::NonSticking, "{omega}");
+    }
+}
+
+#[test]
+fn undecided_within_the_error_bound_only() {
+    for omega in [0.052, 0.22, 0.3, 0.4, 0.45, 0.7, 0.99, 1.5, 20.0, 1.0 / 3.0] {
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        for over in [0.0, 4.0, -4.0] {
+            assert_eq!(verdict(omega, least * (1.0 + over * f64::EPSILON)), EITHER, "{omega}");
+        }
+        assert_eq!(verdict(omega, least * (1.0 + 1e-14)), Verdict::NonSticking, "{omega}");
+        // At the float beside the pole the gap between six reversals and the border is below rounding.
+        let below = if omega == 1.0 / 3.0 { EITHER } else { Verdict::Sticking };
+        assert_eq!(verdict(omega, least * (1.0 - 1e-14)), below, "{omega}");
+    }
+}
+
+#[test]
+fn beside_a_pole_it_may_reverse_six_times() {
+    let (low, high) = crate::regime::no_stop_force_ratios(0.331).unwrap().six_reversals().unwrap();
+    for (alpha, expected) in [
+        (low * 0.999, Verdict::Sticking),
+        (low * (1.0 - 1e-15), EITHER),
+        (low, EITHER),
+        (low * 1.001, Verdict::SixReversals),
+        (high * 0.999, Verdict::SixReversals),
+        (high, EITHER),
+        (high * 1.001, Verdict::Sticking),
+    ] {
+        assert_eq!(verdict(0.331, alpha), expected, "{alpha}");
+    }
+    let within = |omega, alpha| Place::<f64>::within(omega, alpha).unwrap().verdict();
+    for (omega, alpha, expected) in [
+        ((0.3305, 0.3325), (80.0, 100.0), Verdict::SixReversals),
+        ((0.332, 0.334), (80.0, 100.0), Verdict::SixReversals),
+        ((0.3305, 0.3306), (40.0, 50.0), Verdict::Sticking),
+        ((0.332, 0.334), (50.0, 100.0), EITHER),
+        ((0.336, 0.337), (50.0, 100.0), Verdict::Sticking),
+        ((0.326, 0.337), (50.0, 51.0), EITHER),
+        ((0.21, 0.32), (10.4, 10.5), Verdict::Sticking),
+    ] {
+        assert_eq!(within(omega, alpha), expected, "{omega:?} {alpha:?}");
+    }
+}
+
+#[test]
+fn a_wider_type_decides() {
+    for omega in [0.22f32, 0.3, 0.4, 0.7, 1.5, 20.0] {
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        for alpha in [least, least.next_up(), least.next_down()] {
+            let narrow = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
+            assert_eq!(narrow, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
+            assert!(verdict(omega.into(), alpha.into()).regime().is_some(), "{omega} {alpha}");
+        }
+    }
+}
+
+#[test]
+fn the_error_bound_holds_at_single_precision() {
+    for i in 1..4000u16 {
+        let omega = f32::from(i) / 1000.0 + 0.02;
+        let narrow = f64::from(Border::new(omega).unwrap().min_force_ratio());
+        let wide = Border::new(f64::from(omega)).unwrap().min_force_ratio();
+        let error = (narrow / wide - 1.0).abs() / f64::from(f32::EPSILON);
+        assert!(error < f64::from(Place::<f32>::BORDER_ERROR), "{omega}: {error}");
+    }
+}
+
+#[test]
+fn intervals_say_what_holds_for_all() {
+    let within = |omega, alpha| Place::<f64>::within(omega, alpha).unwrap().verdict();
+    // The border dips to 1.20999 between 0.8 and 0.9, whose ends are at 1.2234 and 1.2184.
+    assert_eq!(within((0.8, 0.9), (1.205, 1.2099)), Verdict::Sticking);
+    assert_eq!(within((0.8, 0.9), (1.215, 1.216)), EITHER);
+    assert_eq!(within((0.8, 0.9), (1.23, 1.3)), Verdict::NonSticking);
+    assert_eq!(within((0.32, 0.34), (1e3, 1e4)), EITHER);
+    assert_eq!(within((0.9, 1.1), (2.0, 3.0)), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
+    assert_eq!(within((0.7, 0.8), (0.5, 1.1)), Verdict::Undecided(Regime::Stuck, Regime::Sticking));
+    assert_eq!(within((0.7, 0.8), (0.5, 3.0)), Verdict::Undecided(Regime::Stuck, Regime::NonSticking));
+    assert_eq!(within((0.7, 0.8), (0.5, 1.0)), Verdict::AtRest);
+    assert!(Place::within((0.7, 0.8), (2.0, 1.0)).is_err());
+    assert!(Place::within((0.8, 0.7), (1.0, 2.0)).is_err());
+}
+
+#[test]
+fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
+    let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
+    let place = |p0: f64| Place::of(&body, &Drive::force(p0, 1.0).unwrap()).unwrap();
+    assert_eq!(place(2.0).verdict(), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
+    assert_eq!(place(1.2).verdict(), Verdict::Sticking);
+    assert_eq!(place(2.0).margin(), 2.0 / place(2.0).border().min_force_ratio());
+    // A third as written is beside a pole: the force it takes is anyone's guess.
+    let drive = Drive::force(1e16, 1.0 / 3.0).unwrap();
+    assert_eq!(Place::of(&body, &drive).unwrap().verdict(), EITHER);
+    assert!(Place::new(drive.ratios(&body).unwrap()).verdict().regime().is_some());
+}
