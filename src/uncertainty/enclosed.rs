@@ -60,11 +60,11 @@ impl<F: Float> RatioBox<F> {
     }
 }
 
-/// The ends as rational numbers; a unit in the last place of f64 farther out for a type that has more digits.
+/// The ends as rational numbers; a unit in the last place of f64 farther out where an end is no f64.
 fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
     let (low, high) = (interval.low().to_f64(), interval.high().to_f64());
-    let is_exact = F::PRECISION <= f64::MANTISSA_DIGITS;
-    let (low, high) = if is_exact { (low, high) } else { (low.next_down(), high.next_up()) };
+    let low = if F::from_f64(low) == interval.low() { low } else { low.next_down() };
+    let high = if F::from_f64(high) == interval.high() { high } else { high.next_up() };
     Some((Rational::from_f64(low)?, Rational::from_f64(high)?))
 }
 
@@ -84,10 +84,9 @@ fn bounds(found: &Enclosure) -> Option<Ends> {
 /// The nearest number of the type below (−1) or above (1), or one that is a little farther.
 fn rounded<F: Float>(x: &Rational, side: i32) -> F {
     let round = if side < 0 { Round::Down } else { Round::Up };
-    let found = F::from_f64(rug::Float::with_val_round(53, x, round).0.to_f64());
-    if F::PRECISION < f64::MANTISSA_DIGITS {
-        // The conversion has rounded once more.
-        return found + F::int(side) * F::epsilon() * found.abs();
-    }
-    found
+    let bound = rug::Float::with_val_round(53, x, round).0.to_f64();
+    let found = F::from_f64(bound);
+    // A type with fewer digits has rounded once more.
+    let is_inside = if side < 0 { found.to_f64() > bound } else { found.to_f64() < bound };
+    if is_inside { found + F::int(side) * F::epsilon() * found.abs() } else { found }
 }
