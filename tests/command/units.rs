@@ -253,6 +253,8 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
         ("response --mass 1kg --period 2s --friction 1N --gravity 3m/s2 --frequency 2Hz --force 1N".to_owned(), vec!["--gravity", "--friction-coefficient"]),
         (format!("response {machine} --frequency 2Hz --base-acceleration -0.15g"), vec!["--base-acceleration -0.15g", "> 0"]),
         (format!("response {machine} --frequency 2Hz --force 1N --units furlong,m"), vec!["--units", "“furlong” is not a unit of force"]),
+        ("steady --omega 0.5 --alpha 3.3 --static-friction 1.3".to_owned(), vec!["--static-friction 1.3: the static friction r_s", "--mass is missing", "give --static-friction-ratio"]),
+        ("steady --omega 0.5 --alpha 3.3 --damping 0.05".to_owned(), vec!["--damping 0.05: the damping constant c", "give --damping-ratio"]),
         ("response --omega 2Hz --alpha 3".to_owned(), vec!["--omega 2Hz", "a plain number"]),
         ("steady --omega 2 --alpha 3 --x0 3mm".to_owned(), vec!["--x0 3mm", "a plain number"]),
         ("design bands --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz".to_owned(), vec!["changes with the frequency"]),

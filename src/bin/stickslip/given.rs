@@ -267,6 +267,23 @@ impl<F: Value> Given<F> {
         self.values.iter().any(|(p, ..)| p.is_physical())
     }
 
+    /// Why a damper or a static friction in units does not do where all else are ratios.
+    pub(crate) fn in_units_beside_ratios(&self) -> Option<Failure> {
+        let mut physical = self.values.iter().map(|&(p, ..)| p).filter(|p| p.is_physical());
+        let (found, others) = (physical.next()?, physical.next());
+        let ratio = match (found, others) {
+            (P::Damping, None) => P::DampingRatio,
+            (P::StaticFriction, None) => P::StaticFrictionRatio,
+            _ => return None,
+        };
+        Some(Failure::Input(format!(
+            "{}: the {} needs a machine in units, and --mass is missing; with ratios give {}",
+            self.label(found),
+            found.symbol(),
+            ratio.option()
+        )))
+    }
+
     /// The one that is given of several that say the same, if any.
     pub(crate) fn one_of(&self, several: &[Parameter]) -> Result<Option<(Parameter, F)>, Failure> {
         let mut found = several.iter().filter_map(|&p| Some((p, self.get(p)?)));

@@ -47,7 +47,7 @@ pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> 
 
 impl<F: Value> Given<F> {
     pub(crate) fn mass(&self) -> Result<F, Failure> {
-        self.required(P::Mass)
+        self.required(P::Mass).map_err(|missing| self.in_units_beside_ratios().unwrap_or(missing))
     }
 
     /// k, by itself or by the natural period; `None` where neither is given.
