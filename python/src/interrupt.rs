@@ -81,6 +81,28 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
     }
 }
 
+/// Runs work that nothing can break off on a thread of its own, which a signal leaves behind.
+pub(crate) fn left_behind<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    let (done, ended) = mpsc::channel();
+    std::thread::spawn(move || {
+        // Nobody waits for it after a signal.
+        let _ = done.send(work());
+    });
+    let ended = Mutex::new(ended);
+    loop {
+        match py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY))) {
+            Some(Ok(result)) => return Ok(result),
+            Some(Err(mpsc::RecvTimeoutError::Timeout)) => py.check_signals()?,
+            Some(Err(mpsc::RecvTimeoutError::Disconnected)) | None => {
+                return Err(crate::refused("the work ended without an answer: a defect of this package"));
+            }
+        }
+    }
+}
+
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(forked, module)?)
 }

@@ -1,7 +1,7 @@
 //! The exact motion: its limit, phases and samples, and free vibration.
 
 use crate::closed_forms::{REGIMES, code};
-use crate::interrupt::{Stop, interruptible};
+use crate::interrupt::{Stop, interruptible, left_behind};
 use crate::points::{Given, Point, Points, ratios};
 use crate::refused;
 use crate::table::Table;
@@ -74,6 +74,9 @@ fn number(limit: &LongRun<f64>, name: &str, of_cycle: fn(&SteadyState<f64>) -> f
     }
 }
 
+/// Frequency ratios below this are of a slow drive.
+const SLOW: f64 = 1e-3;
+
 /// All of the limit from one start.
 #[pyfunction]
 fn steady_at<'py>(
@@ -114,7 +117,12 @@ fn steady_at<'py>(
     dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
     dict.set_item("symmetric", steady.map(SteadyState::is_symmetric))?;
     dict.set_item("turns_observed", limit.irregular().map(|m| m.turns()))?;
-    let peaks = steady.map(SteadyState::peaks).transpose().map_err(refused)?;
+    // The waves of a cycle under a slow drive are so many that their peaks take seconds.
+    let peaks = match steady.copied() {
+        Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
+        steady => steady.map(|steady| steady.peaks()),
+    };
+    let peaks = peaks.transpose().map_err(refused)?;
     let alpha = point.1;
     let amplitude = steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()));
     for (name, value) in [

@@ -16,7 +16,7 @@ def test_the_closed_forms_contain_what_more_bits_say():
         enclosure = getattr(found, name)
         assert getattr(wide, name) in enclosure, name
         assert 0 < enclosure.rad < Decimal("1e-17"), name
-    assert found.max_absolute_displacement is None
+    assert wide.max_absolute_displacement in found.max_absolute_displacement
     # A third is a third, and a float is the number that it is.
     assert enclosed.border("2/3").min_force_ratio.mid != enclosed.border(2 / 3).min_force_ratio.mid
 
