@@ -45,8 +45,9 @@ pub(crate) struct DampedCycle<F> {
 impl<F: Float> DampedCycle<F> {
     /// The cycle at ratios on or above the border.
     pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
-        // a = √(α² − K²)/q, Δ₀/B = a − G
-        let amplitude = max_displacement(half.k, alpha, half.stiffness);
+        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
+        // turning points, which beside Ω = 1 is all that is left of the difference.
+        let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
         let rising = Rising { half, amplitude };
         // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
         let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));

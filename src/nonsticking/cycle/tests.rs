@@ -48,3 +48,15 @@ fn single_precision_runs_the_same_code() {
     assert!((c.max_displacement() - 3.488_508).abs() < 2e-6);
     assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
 }
+
+/// Beside Ω = 1, where no digit of √(α² − K²) is left on the border, with damping as without.
+#[test]
+fn on_the_border_a_cycle_is_no_smaller_than_its_turning_points_ask_for() {
+    for zeta in [0.0, 8.67e-19, 1e-15, 1e-12] {
+        let at =
+            |alpha| Ratios::new(1.000_000_000_116_415_3, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+        let cycle = Cycle::new(at(crate::nonsticking::Border::of(&at(2.0)).min_force_ratio())).unwrap();
+        let (far, fast) = (cycle.max_displacement(), cycle.max_velocity());
+        assert!(far > 0.99 && fast > 0.99, "{zeta}: {far} {fast}");
+    }
+}
