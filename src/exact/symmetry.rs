@@ -183,6 +183,10 @@ pub fn symmetry_breaks<F: Float>(
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
     let (mut last, mut below) = (low, machine.all(low, &[])?);
     let mut breaks = Vec::new();
+    if !ratios.has_higher_static_friction() {
+        // Friction is monotone: one limit, which is symmetric (docs/theory/stability.md).
+        return Ok(breaks);
+    }
     for i in 1..=steps.max(1) {
         let alpha = step(i);
         let above = machine.all(alpha, &below)?;
