@@ -159,7 +159,8 @@ const FOLLOWED: u32 = 24;
 ///
 /// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method finds at each; where one of
 /// them is stable at one end of a step and not at the other, or not there, the force ratio in between is found to rounding. **Found by
-/// search**: a motion that is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it.
+/// search**: a motion that is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it. With a static
+/// friction equal to the kinetic one there are none: friction is monotone, and the one limit symmetric (docs/theory/stability.md).
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -181,12 +182,14 @@ pub fn symmetry_breaks<F: Float>(
 ) -> Result<Vec<SymmetryBreak<F>>, Error> {
     let machine = Machine { ratios };
     let step = |i: u32| low + (high - low) * F::from_f64(f64::from(i)) / F::from_f64(f64::from(steps.max(1)));
-    let (mut last, mut below) = (low, machine.all(low, &[])?);
     let mut breaks = Vec::new();
     if !ratios.has_higher_static_friction() {
-        // Friction is monotone: one limit, which is symmetric (docs/theory/stability.md).
+        for alpha in [low, high] {
+            resolved(machine.at(alpha)?)?;
+        }
         return Ok(breaks);
     }
+    let (mut last, mut below) = (low, machine.all(low, &[])?);
     for i in 1..=steps.max(1) {
         let alpha = step(i);
         let above = machine.all(alpha, &below)?;
