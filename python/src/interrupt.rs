@@ -6,7 +6,8 @@ use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::panic::catch_unwind;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
-use std::sync::{Mutex, OnceLock, mpsc};
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
 /// How often the interpreter is asked for a signal.
@@ -45,6 +46,27 @@ fn pool() -> Option<&'static ThreadPool> {
     own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
 }
 
+/// Waits for an answer, and for signals, with which `signalled` is called; an error where it returns one, or where the work ended without
+/// an answer.
+fn awaited<T: Send>(
+    py: Python<'_>,
+    ended: Receiver<T>,
+    mut signalled: impl FnMut(Python<'_>) -> PyResult<()>,
+) -> PyResult<T> {
+    let ended = Mutex::new(ended);
+    loop {
+        match py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY))) {
+            Some(Ok(answer)) => return Ok(answer),
+            Some(Err(RecvTimeoutError::Timeout)) => signalled(py)?,
+            Some(Err(RecvTimeoutError::Disconnected)) | None => return Err(no_answer()),
+        }
+    }
+}
+
+fn no_answer() -> PyErr {
+    crate::refused("the work ended without an answer: a defect of this package")
+}
+
 /// Runs `work` on the threads of this process, while this one waits for it and for signals. A signal, such as that of Ctrl-C, sets the flag
 /// and is raised when the work has ended.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
@@ -58,26 +80,19 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
             // Nobody but this function receives, and it waits.
             let _ = done.send(catch_unwind(AssertUnwindSafe(|| work(stop))));
         });
-        let ended = Mutex::new(ended);
-        loop {
-            let waited = py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY)));
-            match waited {
-                Some(Err(mpsc::RecvTimeoutError::Timeout)) => {}
-                Some(Ok(result)) => break result.ok(),
-                Some(Err(mpsc::RecvTimeoutError::Disconnected)) | None => break None,
-            }
+        awaited(py, ended, |py| {
             if raised.is_none()
                 && let Err(signal) = py.check_signals()
             {
                 stop.0.store(true, Ordering::Relaxed);
                 raised = Some(signal);
             }
-        }
+            Ok(())
+        })
     });
-    match (raised, result) {
-        (Some(signal), _) => Err(signal),
-        (None, Some(value)) => Ok(value),
-        (None, None) => Err(crate::refused("the work ended without an answer: a defect of this package")),
+    match raised {
+        Some(signal) => Err(signal),
+        None => result?.map_err(|_| no_answer()),
     }
 }
 
@@ -91,16 +106,7 @@ pub(crate) fn left_behind<T: Send + 'static>(
         // Nobody waits for it after a signal.
         let _ = done.send(work());
     });
-    let ended = Mutex::new(ended);
-    loop {
-        match py.detach(|| ended.lock().ok().map(|ended| ended.recv_timeout(EVERY))) {
-            Some(Ok(result)) => return Ok(result),
-            Some(Err(mpsc::RecvTimeoutError::Timeout)) => py.check_signals()?,
-            Some(Err(mpsc::RecvTimeoutError::Disconnected)) | None => {
-                return Err(crate::refused("the work ended without an answer: a defect of this package"));
-            }
-        }
-    }
+    awaited(py, ended, |py| py.check_signals())
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
