@@ -27,7 +27,7 @@ pub(crate) mod damped;
 #[cfg(any(test, feature = "matching"))]
 pub(crate) mod den_hartog;
 mod deviation;
-mod displacement;
+pub(crate) mod displacement;
 mod dissipation;
 mod half_cycle;
 mod low;

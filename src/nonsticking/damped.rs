@@ -48,6 +48,11 @@ impl<F: Float> DampedCycle<F> {
         // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
         // turning points, which beside Ω = 1 is all that is left of the difference.
         let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
+        Self::of_amplitude(half, amplitude)
+    }
+
+    /// The cycle of equations 21–25 whose displacement from its mean reaches a = `amplitude`, stops or none.
+    pub(crate) fn of_amplitude(half: HalfPeriod<F>, amplitude: F) -> Self {
         let rising = Rising { half, amplitude };
         // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
         let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));

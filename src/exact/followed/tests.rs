@@ -1,7 +1,7 @@
 //! The limits of docs/theory/static-friction.md, found from starts, and the motion itself against what is said of it.
 
 use crate::exact::{LongRun, State, SteadyState, Trajectory};
-use crate::nonsticking::damped;
+use crate::nonsticking::{damped, displacement::max_displacement};
 use crate::phase_function::PhaseFunction;
 use crate::{Border, Cycle, Ratios};
 use std::f64::consts::TAU;
@@ -224,7 +224,9 @@ fn beside_the_border(points: u32) {
             let ratios = at(border.min_force_ratio() * (1.0 + side * 1e-9));
             let (amplitude, phase) = if zeta > 0.0 {
                 let half = damped::half_period(&ratios);
-                let cycle = damped::DampedCycle::at(half, ratios.alpha());
+                // Not `DampedCycle::at`, which below the border takes the cycle on it.
+                let amplitude = max_displacement(half.k, ratios.alpha(), half.stiffness);
+                let cycle = damped::DampedCycle::of_amplitude(half, amplitude);
                 (cycle.max_displacement, cycle.displacement_phase)
             } else {
                 let cycle = Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios);
