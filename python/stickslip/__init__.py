@@ -29,9 +29,11 @@ from . import _native, enclosed
 from ._attractors import Attractor, Attractors, attractors
 from ._closed_forms import OUTPUTS, Border, Response, border, response
 from ._design import FIGURES, Band, BestFriction, Estimate, Figure, Identified, figure, identify
-from ._machine import Drive, Machine
-from ._motion import Decay, Phases, Samples, Steady, decay, simulate, steady
+from ._drive import Drive
+from ._machine import Machine
+from ._motion import Decay, Phases, Samples, decay, simulate
 from ._native import Error, __version__
+from ._steady import Steady, steady
 
 if hasattr(_os, "register_at_fork"):
     # A child has the memory of the threads that work here, and not the threads.

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from . import _native
 from ._closed_forms import RATIOS
-from ._motion import Start, one, periods_of, state
-from ._result import Result
+from ._result import Result, one
+from ._start import Start, periods_of, state
 
 
 class Attractor(Result):

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._machine import Quantity, read
+from ._drive import Quantity, read
 from ._result import Floats, numbers
 
 #: Names of the figures that `figure` draws.

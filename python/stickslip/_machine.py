@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union
+from typing import TYPE_CHECKING, Any, Iterable, Mapping, Optional, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,72 +11,17 @@ from numpy.typing import ArrayLike
 from . import _native
 from ._attractors import Attractors, attractors
 from ._closed_forms import RATIOS, Border, Response, border, response
-from ._motion import REST, Decay, Start, Steady, decay, one, steady
-from ._result import Physical, Result, numbers, points
+from ._drive import Drive, Quantity, angular_of, read
+from ._motion import Decay, Phases, Samples, decay, simulate
+from ._physical import felt_around, in_units, names_of
+from ._result import Physical, one, points
+from ._start import REST, Start
+from ._steady import Steady, steady
 
 if TYPE_CHECKING:
     from ._design import Band, BestFriction
 
-_EXCITATIONS = (
-    "force",
-    "foot_displacement",
-    "damped_foot_displacement",
-    "base_displacement",
-    "base_velocity",
-    "base_acceleration",
-)
-_KINDS = dict(
-    zip(_EXCITATIONS, ("force", "length", "length", "length", "velocity", "acceleration")),
-)
 _STANDARD_GRAVITY = 9.80665
-#: A number, or text with a unit such as ``"12 kN"``.
-Quantity = Union[float, str]
-#: Names of values in physical units, where they are not those in ratios. Both loop sizes are one energy.
-_PHYSICAL = {
-    "min_force_ratio": "min_force",
-    "min_force_ratio_turning_point": "min_force_turning_point",
-    "loop_size_stiffness": "energy_per_cycle",
-    "best_force_ratio": "best_force",
-    "best_loop_size": "best_force_energy",
-    "damper_work": "damper_energy_per_cycle",
-    "periods": "followed_for",
-}
-#: Scales of what `steady` gives, beside those of `response`.
-_OF_STEADY = {
-    "min_displacement": "length",
-    "rest_position": "length",
-    "distance": "length",
-    "min_velocity": "velocity",
-    "energy_in": "work",
-    "energy_out": "work",
-    "damper_work": "work",
-    "periods": "period",
-}
-
-
-#: What the scales of `_native.machine_columns` are, and those made of them.
-_KIND_OF_SCALE = {
-    "length": "length",
-    "velocity": "velocity",
-    "time": "time",
-    "force": "force",
-    "energy": "energy",
-    "energy_inertia": "energy",
-    "acceleration": "acceleration",
-    "work": "energy",
-    "period": "time",
-}
-
-
-def read(
-    given: Mapping[str, tuple[Any, str]], units: Optional[str]
-) -> tuple[dict[str, float], Optional[str]]:
-    """The numbers of what is given, as (value, kind) by name, and the system of units they are in, where one is known."""
-    texts = [
-        (name, value if isinstance(value, str) else repr(one(name, value)), kind) for name, (value, kind) in given.items()
-    ]
-    values, system = _native.read_values(texts, units)
-    return dict(zip(given, values)), system
 
 
 def _one_of(given: Mapping[str, Any], *names: str) -> Optional[str]:
@@ -91,132 +36,6 @@ def _positive(name: str, value: float) -> float:
     if not (np.isfinite(value) and value > 0):
         raise _native.Error(f"{name} = {value} must be > 0 and finite")
     return value
-
-
-@dataclass(frozen=True, init=False)
-class Drive:
-    """A harmonic drive: one amplitude and a frequency, numbers or arrays.
-
-    Parameters
-    ----------
-    force : float, str or array
-        Amplitude of a force on the body; as text with its unit, such as ``"12 kN"``.
-    foot_displacement : float, str or array
-        Amplitude of a motion of the spring's foot, over a surface that stays.
-    damped_foot_displacement : float, str or array
-        The same with the damper standing on the moving foot.
-    base_displacement, base_velocity, base_acceleration : float, str or array
-        Amplitude of a motion of the base that carries the surface along, as under an isolator. The
-        displacement of the answer is that of the body relative to the base.
-    frequency : float, str or array
-        In hertz, or as text such as ``"2 Hz"`` or ``"120 rpm"``.
-    angular_frequency : float or array
-        The same in radians per second; one of the two is given.
-    mean_force : float or str
-        A constant force beside the harmonic one; it shifts the motion.
-    units : str, optional
-        The system of numbers without units, such as ``"kN,mm"``; values with units are converted to it.
-
-    Attributes
-    ----------
-    excitation : str
-        Which of the amplitudes is given.
-    amplitude, angular_frequency, mean_force : float or array
-    units : str or None
-        The system of units: as given, or ``"N,m"`` where a value has a unit.
-
-    Examples
-    --------
-    >>> import stickslip as ss
-    >>> ss.Drive(force="12 kN", frequency="2 Hz")
-    Drive(excitation='force', amplitude=12000.0, angular_frequency=12.566370614359172, mean_force=0.0, units='N,m')
-    """
-
-    excitation: str
-    amplitude: ArrayLike
-    angular_frequency: ArrayLike
-    mean_force: float
-    units: Optional[str]
-
-    def __init__(
-        self,
-        *,
-        force: Optional[ArrayLike] = None,
-        foot_displacement: Optional[ArrayLike] = None,
-        damped_foot_displacement: Optional[ArrayLike] = None,
-        base_displacement: Optional[ArrayLike] = None,
-        base_velocity: Optional[ArrayLike] = None,
-        base_acceleration: Optional[ArrayLike] = None,
-        frequency: Optional[ArrayLike] = None,
-        angular_frequency: Optional[ArrayLike] = None,
-        mean_force: Quantity = 0.0,
-        units: Optional[str] = None,
-    ) -> None:
-        given = dict(
-            zip(
-                _EXCITATIONS,
-                (force, foot_displacement, damped_foot_displacement, base_displacement, base_velocity, base_acceleration),
-            )
-        )
-        chosen = [(name, value) for name, value in given.items() if value is not None]
-        if len(chosen) != 1:
-            raise _native.Error(f"give one of {', '.join(_EXCITATIONS)}; {len(chosen)} are given")
-        name, amplitude = chosen[0]
-        if (frequency is None) == (angular_frequency is None):
-            raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
-        object.__setattr__(self, "excitation", name)
-        object.__setattr__(self, "angular_frequency", _angular(frequency, angular_frequency))
-        # What is no text is one number, or many; the first of them stands for all where units must not mix.
-        texts: dict[str, tuple[Any, str]] = {}
-        several = None if isinstance(amplitude, str) else numbers(name, amplitude)
-        if several is None or several.size:
-            texts[name] = (amplitude if several is None else several.flat[0], _KINDS[name])
-        if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
-            texts["mean_force"] = (mean_force, "force")
-        values, system = read(texts, units)
-        object.__setattr__(self, "amplitude", values[name] if several is None else _plain(several))
-        object.__setattr__(self, "mean_force", values.get("mean_force", 0.0))
-        object.__setattr__(self, "units", system)
-
-    def _in(self, units: Optional[str]) -> "Drive":
-        """The same drive in a machine's system of units."""
-        if units == self.units:
-            return self
-        if units is None or self.units is None:
-            bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
-            raise _native.Error(
-                f"{bare}: has no unit beside {other}; give every value a unit, or name the system of bare numbers, "
-                'as by units="kN,m"'
-            )
-        factors = {}
-        for kind in (_KINDS[self.excitation], "force"):
-            text = f"1 {_native.unit_of(self.units, kind)}"
-            factors[kind] = read({self.excitation: (text, kind)}, units)[0][self.excitation]
-        amplitude = np.asarray(self.amplitude) * factors[_KINDS[self.excitation]]
-        return Drive(
-            **{self.excitation: _plain(amplitude)},
-            angular_frequency=self.angular_frequency,
-            mean_force=self.mean_force * factors["force"],
-            units=units,
-        )
-
-
-def _plain(array: np.ndarray) -> ArrayLike:
-    return float(array) if array.ndim == 0 else array
-
-
-def _angular(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> ArrayLike:
-    """The angular frequency; a frequency is the same in all systems of units."""
-    for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
-        if isinstance(value, str):
-            values, system = read({name: (value, "frequency")}, None)
-            if system is None and name == "frequency":
-                # A bare number as text.
-                return values[name] * 2 * np.pi
-            return values[name]
-    if frequency is not None:
-        return _plain(numbers("frequency", frequency) * (2 * np.pi))
-    return _plain(numbers("angular_frequency", angular_frequency if angular_frequency is not None else np.nan))
 
 
 @dataclass(frozen=True, init=False)
@@ -357,8 +176,8 @@ class Machine:
     def response(self, drive: Drive, *, outputs: Optional[Iterable[str]] = None) -> Response:
         """The answer in closed form, in ratios and, as ``physical``, in the units of the machine; see `response`."""
         drive, ratios, scales = self._ratios(drive)
-        answer = Response(_felt_around(response(**ratios, outputs=outputs), drive, ratios))
-        physical = self._in_units(answer, drive, ratios, scales)
+        answer = Response(felt_around(response(**ratios, outputs=outputs), drive, ratios))
+        physical = in_units(answer, drive, ratios, scales)
         values = physical.to_dict()
         if "best_force_energy" in values:
             # The loop at the best force, not at this one.
@@ -373,8 +192,64 @@ class Machine:
         The start is in radians, B and B w.
         """
         drive, ratios, scales = self._ratios(drive)
-        answer = Steady(_felt_around(steady(**ratios, start=start, max_periods=max_periods), drive, ratios))
-        return Steady(answer._with({"physical": self._in_units(answer, drive, ratios, scales)}))
+        answer = Steady(felt_around(steady(**ratios, start=start, max_periods=max_periods), drive, ratios))
+        return Steady(answer._with({"physical": in_units(answer, drive, ratios, scales)}))
+
+    @overload
+    def simulate(
+        self,
+        drive: Drive,
+        *,
+        phase: float = 0.0,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        cycles: float = 1.0,
+        samples: None = None,
+    ) -> Phases: ...
+
+    @overload
+    def simulate(
+        self,
+        drive: Drive,
+        *,
+        phase: float = 0.0,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        cycles: float = 1.0,
+        samples: int,
+    ) -> Samples: ...
+
+    def simulate(
+        self,
+        drive: Drive,
+        *,
+        phase: float = 0.0,
+        displacement: Quantity = 0.0,
+        velocity: Quantity = 0.0,
+        cycles: float = 1.0,
+        samples: Optional[int] = None,
+    ) -> Union[Phases, Samples]:
+        """The exact motion from a phase of the drive (rad), a displacement and a velocity, in ratios and as ``physical``; see `simulate`.
+
+        Displacements are measured from ``physical.mean_displacement``, which a mean force or friction by direction makes.
+
+        >>> import stickslip as ss
+        >>> machine = ss.Machine(mass="50 kg", stiffness="1 kN/mm", friction="5 kN")
+        >>> drive = ss.Drive(force="12 kN", angular_frequency="20 Hz")
+        >>> found = machine.simulate(drive, displacement="1 mm", samples=2)
+        >>> found.physical.displacement.round(6), found.physical.units["displacement"]
+        (array([ 0.001   ,  0.008907, -0.018173]), 'm')
+        """
+        drive, ratios, scales = self._ratios(drive)
+        if np.ndim(ratios["omega"]) or np.ndim(ratios["alpha"]):
+            raise _native.Error("a motion takes a drive of one amplitude and one frequency")
+        x, v = self._value("displacement", displacement, "length"), self._value("velocity", velocity, "velocity")
+        start = (one("phase", phase), x / scales["length"], v / scales["velocity"])
+        if samples is None:
+            phases = simulate(**ratios, start=start, cycles=cycles)
+            return Phases(phases._with({"physical": in_units(phases, drive, ratios, scales)}))
+        found = simulate(**ratios, start=start, cycles=cycles, samples=samples)
+        return Samples(found._with({"physical": in_units(found, drive, ratios, scales)}))
 
     def attractors(
         self, drive: Drive, *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
@@ -400,7 +275,7 @@ class Machine:
         sizes = {"first_turn": ("length", length), "rest_position": ("length", length), "rest_time": ("time", time)}
         values = {name: getattr(found, name) for name in sizes}
         physical = {name: value * sizes[name][1] for name, value in values.items() if value is not None}
-        units = self._names_of({name: sizes[name][0] for name in physical})
+        units = names_of(self.units, {name: sizes[name][0] for name in physical})
         return Decay({**found.to_dict(), "physical": Physical(physical, units)})
 
     def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
@@ -458,7 +333,7 @@ class Machine:
         return read({name: (value, kind)}, self.units)[0][name]
 
     def _frequency(self, value: Quantity) -> float:
-        return one("angular_frequency", _angular(None, value))
+        return one("angular_frequency", angular_of(None, value))
 
     def _ratios(self, drive: Drive) -> tuple[Drive, dict[str, Any], dict[str, Any]]:
         drive = drive._in(self.units)
@@ -482,52 +357,3 @@ class Machine:
             raise _native.Error("a design takes a drive of one amplitude and one frequency")
         return drive.excitation, float(at.columns[0]), float(at.columns[1])
 
-    def _names_of(self, kinds: Mapping[str, str]) -> Optional[dict[str, str]]:
-        """The name of the unit of each kind in the machine's system, where it is known."""
-        if self.units is None:
-            return None
-        return {name: _native.unit_of(self.units, kind) for name, kind in kinds.items()}
-
-    def _in_units(
-        self, answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Mapping[str, Any]
-    ) -> Physical:
-        """The values of an answer that have units, by their physical names, and those of the drive."""
-        sizes = {**scales, "work": scales["force"] * scales["length"], "period": 2 * np.pi * scales["time"]}
-        units = {**dict(_native.UNITS), **_OF_STEADY, "loop_size_inertia": ""}
-        if not drive.excitation.startswith("base_"):
-            units["max_absolute_displacement"] = ""
-        physical = {
-            "angular_frequency": 1.0 / scales["time"],
-            "force_amplitude": ratios["alpha"] * scales["force"],
-            "friction_displacement": scales["length"],
-            "mean_displacement": scales["mean_displacement"],
-        }
-        kinds = dict(zip(physical, ("frequency", "force", "length", "length")))
-        for name in answer._names:
-            scale = "time" if name.endswith("_phase") else units.get(name, "")
-            value = getattr(answer, name) if scale else None
-            if value is not None:
-                named = _PHYSICAL.get(name, name.replace("_phase", "_time"))
-                physical[named] = value * sizes[scale]
-                kinds[named] = _KIND_OF_SCALE[scale]
-        return Physical(physical, self._names_of(kinds))
-
-
-def _felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict[str, Any]:
-    """The values of an answer with what the surroundings feel where the spring's foot moves."""
-    values = answer._with({})
-    acceleration = values.get("max_acceleration")
-    if "foot" not in drive.excitation or acceleration is None:
-        return values
-    shape = np.shape(acceleration)
-    given = (ratios["omega"], ratios["alpha"], 0.0, acceleration)
-    columns = tuple(np.ascontiguousarray(np.broadcast_to(value, shape), np.float64).reshape(-1) for value in given)
-    force, ratio = (column.reshape(shape) for column in _native.transmitted(drive.excitation, columns))
-    # Over the surface, which stays.
-    least = values.get("min_displacement")
-    amplitude = values["max_displacement"] if least is None else max(abs(values["max_displacement"]), abs(least))
-    felt = {"transmitted_force": force, "transmissibility": ratio, "max_absolute_displacement": amplitude}
-    for name, value in felt.items():
-        if values.get(name) is not None:
-            values[name] = value if shape or value is amplitude else value.item()
-    return values

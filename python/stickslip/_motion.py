@@ -1,149 +1,18 @@
-"""The exact motion: its limit, the motion itself, and free vibration."""
+"""The exact motion from a start, and free vibration."""
 
 from __future__ import annotations
 
-from decimal import Decimal
 from typing import Any, ClassVar, Optional, Sequence, Union, overload
 
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from . import _native
-from ._closed_forms import RATIOS, wide_ratios
-from ._result import Codes, Floats, Physical, Result, Value, decimals, digits, numbers, points, precision, shaped
+from ._closed_forms import RATIOS
+from ._result import Codes, Floats, Physical, Result, one
+from ._start import REST, Start, state
 
 _KINDS = ("slide-forward", "slide-backward", "stick")
 _ENDS = ("reversal", "stop", "grazing", "release", "never")
-#: Displacement and velocity at a phase of the drive, as (phase, displacement, velocity).
-Start = tuple[float, float, float]
-REST: Start = (0.0, 0.0, 0.0)
-
-
-class Steady(Result):
-    """The long run of the motion from a start; see `steady`.
-
-    Attributes
-    ----------
-    regime : str or array of str
-        What the motion shows: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``.
-    limit : str or array of str
-        ``"periodic"``, ``"family"``, ``"rest"``, ``"irregular"``, ``"none"`` or ``"not-converged"``.
-    max_displacement, min_displacement, max_velocity, min_velocity : float or array
-        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. Of an irregular
-        motion the displacements of the turns observed.
-    sticks_per_cycle, velocity_zeros_per_cycle, reversals_per_cycle : int or array
-        Counts; -1 in an array where there is none.
-    stick_fraction : float or array
-        Share of the cycle at rest.
-    energy_in, energy_out : float or array
-        Work of the drive, and work against friction in a cycle (r B).
-    damper_work : float or array
-        Work against the damper in a cycle (r B): the rest of ``energy_in``.
-    multipliers : list of (float, float)
-        Multipliers of a whole cycle, real and imaginary parts (a single point only).
-    contraction : float or array
-        Share of a disturbance that a cycle leaves.
-    distance : float or array
-        Bound of the displacement's distance from the limit (B).
-    periods : float or array
-        Periods of the drive that were followed.
-    rest_position : float or array
-        Where a stuck body rests (B).
-    error_1, error_2, error_3, error_4 : float
-        Measures of asymmetry of the source paper (a single point only).
-    turns_per_cycle : int or array
-        Turns of the drive in a cycle; above 1 with a static friction above the kinetic one only.
-    symmetric : bool or array
-        Whether half a cycle later the motion is the same upside down; in an array 1, 0, or -1 where there is no cycle.
-    lyapunov_exponent, lyapunov_exponent_error, turns_observed : float, float and int, or arrays
-        Of an irregular motion, per turn of the drive.
-    dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float
-        As for `response` (a single point only).
-    physical : Physical or None
-        The same names in the units of the machine, where there is one.
-    """
-
-    _names: ClassVar[Sequence[str]] = (
-        *RATIOS,
-        "regime",
-        "limit",
-        "max_displacement",
-        "max_displacement_phase",
-        "min_displacement",
-        "min_displacement_phase",
-        "max_velocity",
-        "max_velocity_phase",
-        "min_velocity",
-        "min_velocity_phase",
-        "sticks_per_cycle",
-        "velocity_zeros_per_cycle",
-        "reversals_per_cycle",
-        "stick_fraction",
-        "energy_in",
-        "energy_out",
-        "damper_work",
-        "contraction",
-        "multipliers",
-        "distance",
-        "rest_position",
-        "periods",
-        "error_1",
-        "error_2",
-        "error_3",
-        "error_4",
-        "turns_per_cycle",
-        "symmetric",
-        "lyapunov_exponent",
-        "lyapunov_exponent_error",
-        "turns_observed",
-        "dynamic_amplification",
-        "max_acceleration",
-        "transmitted_force",
-        "transmissibility",
-        "max_absolute_displacement",
-        "physical",
-    )
-
-    omega: Value
-    alpha: Value
-    damping_ratio: Value
-    static_friction_ratio: Value
-    regime: Any
-    limit: Any
-    max_displacement: Any
-    max_displacement_phase: Any
-    min_displacement: Any
-    min_displacement_phase: Any
-    max_velocity: Any
-    max_velocity_phase: Any
-    min_velocity: Any
-    min_velocity_phase: Any
-    sticks_per_cycle: Any
-    velocity_zeros_per_cycle: Any
-    reversals_per_cycle: Any
-    stick_fraction: Any
-    energy_in: Any
-    energy_out: Any
-    damper_work: Any
-    contraction: Any
-    multipliers: Any
-    distance: Any
-    rest_position: Any
-    periods: Any
-    error_1: Optional[float]
-    error_2: Optional[float]
-    error_3: Optional[float]
-    error_4: Optional[float]
-    turns_per_cycle: Any
-    symmetric: Any
-    lyapunov_exponent: Any
-    lyapunov_exponent_error: Any
-    turns_observed: Any
-    dynamic_amplification: Optional[float]
-    max_acceleration: Optional[float]
-    transmitted_force: Optional[float]
-    transmissibility: Optional[float]
-    max_absolute_displacement: Optional[float]
-    physical: Optional[Physical]
 
 
 class Phases(Result):
@@ -159,6 +28,8 @@ class Phases(Result):
         Radians of the drive; NaN where it never ends.
     start_displacement, start_velocity, end_displacement : array
         In B and B w.
+    physical : Physical or None
+        The times, displacements and velocities in the units of the machine, where there is one.
     """
 
     _names: ClassVar[Sequence[str]] = (
@@ -170,6 +41,7 @@ class Phases(Result):
         "start_displacement",
         "start_velocity",
         "end_displacement",
+        "physical",
     )
 
     kind: NDArray[Any]
@@ -180,6 +52,7 @@ class Phases(Result):
     start_displacement: Floats
     start_velocity: Floats
     end_displacement: Floats
+    physical: Optional[Physical]
 
 
 class Samples(Result):
@@ -193,14 +66,17 @@ class Samples(Result):
         In B and B w.
     friction : array
         Force of friction in units of the kinetic one: -1 or 1 while it slides.
+    physical : Physical or None
+        Time, displacement, velocity and force of friction in the units of the machine, where there is one.
     """
 
-    _names: ClassVar[Sequence[str]] = ("phase", "displacement", "velocity", "friction")
+    _names: ClassVar[Sequence[str]] = ("phase", "displacement", "velocity", "friction", "physical")
 
     phase: Floats
     displacement: Floats
     velocity: Floats
     friction: Floats
+    physical: Optional[Physical]
 
 
 class Decay(Result):
@@ -225,66 +101,6 @@ class Decay(Result):
     rest_position: float
     rest_time: Optional[float]
     physical: Optional[Physical]
-
-
-def steady(
-    omega: ArrayLike,
-    alpha: ArrayLike,
-    damping_ratio: ArrayLike = 0.0,
-    static_friction_ratio: ArrayLike = 1.0,
-    *,
-    start: Start = REST,
-    max_periods: int = _native.MAX_PERIODS,
-    bits: Optional[int] = None,
-) -> Steady:
-    """The motion in the long run, by the exact motion from a start, stops included.
-
-    Parameters
-    ----------
-    omega : float or array
-        Frequency ratio, from 2**-20 to 2**20.
-    alpha : float or array
-        Force ratio, > 0.
-    damping_ratio : float or array
-        Damping ratio of a viscous damper, >= 0.
-    static_friction_ratio : float or array
-        Static friction over the kinetic one, >= 1. Above 1 the limit is that of this start: others may lead to
-        another (`attractors`).
-    start : (phase, displacement, velocity)
-        In radians of the drive, B and B w; rest unless given.
-    max_periods : int
-        Periods of the drive after which a motion that has not settled is ``"not-converged"``.
-    bits : int, optional
-        For a single point: the precision, as for `response`.
-
-    Returns
-    -------
-    Steady
-
-    Examples
-    --------
-    >>> import stickslip as ss
-    >>> found = ss.steady(0.4, 6)
-    >>> found.regime, found.sticks_per_cycle, round(found.max_displacement, 6)
-    ('sticking', 2, 6.793822)
-    >>> ss.steady([0.4, 0.7, 1.5], 6).sticks_per_cycle
-    array([2, 0, 0])
-    """
-    periods, begin = periods_of(max_periods), start
-    if bits is not None:
-        texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
-        state_digits = tuple(digits(name, value) for name, value in zip(_STATE, _three(begin)))
-        wide = decimals(_native.wide_steady(precision(bits), texts, state_digits, periods))
-        return Steady({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
-    at = points(
-        omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
-    )
-    if at.shape is None:
-        return Steady({**at.in_shape(), **_native.steady_at(at.columns, state(begin), periods)})
-    table = shaped(_native.steady_columns(at.columns, at.size, state(begin), periods), at.shape)
-    table["regime"] = Codes(table["regime"], _native.REGIMES)
-    table["limit"] = Codes(table["limit"], _native.LIMITS)
-    return Steady({**at.in_shape(), **table})
 
 
 @overload
@@ -400,34 +216,3 @@ def decay(
         "static_friction_ratio": static_friction_ratio,
     }
     return Decay(_native.decay_at(*(one(name, value) for name, value in given.items())))
-
-
-def periods_of(max_periods: int) -> int:
-    if not 1 <= max_periods < 2**32:
-        raise _native.Error(f"max_periods = {max_periods} must be >= 1 and < 2**32")
-    return int(max_periods)
-
-
-_STATE = ("phase", "displacement", "velocity")
-
-
-def one(name: str, value: Any) -> float:
-    """A single number."""
-    array = numbers(name, value)
-    if array.ndim != 0:
-        raise _native.Error(f"{name}: must be one number, not an array of shape {array.shape}")
-    return float(array)
-
-
-def _three(start: Any) -> tuple[Any, Any, Any]:
-    try:
-        phase, displacement, velocity = start
-    except (TypeError, ValueError):
-        raise _native.Error(f"start = {start!r}: must be (phase, displacement, velocity)") from None
-    return phase, displacement, velocity
-
-
-def state(start: Any) -> Start:
-    """A start as the compiled part takes it."""
-    phase, displacement, velocity = (one(f"start: {name}", value) for name, value in zip(_STATE, _three(start)))
-    return phase, displacement, velocity

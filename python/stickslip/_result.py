@@ -137,6 +137,14 @@ def numbers(name: str, value: ArrayLike) -> Floats:
     return np.ma.filled(floats, np.nan) if isinstance(floats, np.ma.MaskedArray) else floats
 
 
+def one(name: str, value: Any) -> float:
+    """A single number."""
+    array = numbers(name, value)
+    if array.ndim != 0:
+        raise _native.Error(f"{name}: must be one number, not an array of shape {array.shape}")
+    return float(array)
+
+
 def points(**values: ArrayLike) -> Points:
     """The points of ratios that broadcast."""
     given = {name: numbers(name, value) for name, value in values.items()}

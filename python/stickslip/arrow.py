@@ -11,7 +11,7 @@ from typing import Any, Iterable, Optional, Protocol, Union
 
 from . import _native
 from ._closed_forms import OF_ARRAYS, known
-from ._motion import REST, Start, periods_of, state
+from ._start import REST, Start, periods_of, state
 
 __all__ = ["response", "steady"]
 

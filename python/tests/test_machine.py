@@ -139,6 +139,34 @@ def test_bad_input_is_refused_in_words(call, words):
         call()
 
 
+def test_a_motion_in_units_is_that_in_ratios_times_its_scales():
+    machine = ss.Machine(mass="50 kg", stiffness="1 kN/mm", friction="5 kN", damping_ratio=0.02, static_friction="6 kN")
+    drive = ss.Drive(force="12 kN", frequency="20 Hz", mean_force="2 kN")
+    at = machine.response(drive)
+    # B = 5 mm, and B w.
+    rate = 2 * math.pi * 20
+    start = (0.3, -1.6, 0.25)
+    begin = {"phase": 0.3, "displacement": "-8 mm", "velocity": f"{0.25 * 0.005 * rate!r} m/s"}
+    ratios = (at.omega, at.alpha, at.damping_ratio, at.static_friction_ratio)
+    for samples in (None, 7):
+        bare = ss.simulate(*ratios, start=start, cycles=2, samples=samples)
+        found = machine.simulate(drive, **begin, cycles=2, samples=samples)
+        scales = {"phase": 1 / rate, "duration": 1 / rate, "displacement": 0.005, "velocity": 0.005 * rate, "friction": 5e3}
+        names = {"phase": "time", "friction": "friction_force"}
+        assert bare.physical is None and found.physical.mean_displacement == pytest.approx(0.002)
+        for name in bare._names[:-1]:
+            values, kind = getattr(bare, name), name.removeprefix("start_").removeprefix("end_")
+            if kind not in scales:
+                assert (getattr(found, name) == values).all()
+                continue
+            np.testing.assert_allclose(getattr(found, name), values, rtol=1e-12, atol=1e-12)
+            physical = getattr(found.physical, names.get(name, name.replace("_phase", "_time")))
+            np.testing.assert_allclose(physical, values * scales[kind], rtol=1e-12, atol=1e-15)
+        assert found.physical.units["velocity" if samples else "start_velocity"] == "m/s"
+    with pytest.raises(ss.Error, match="one amplitude and one frequency"):
+        machine.simulate(ss.Drive(force=np.array([1.0, 2.0]), angular_frequency=1.0, units="N,m"))
+
+
 def test_every_figure_is_drawn():
     assert "8" in ss.FIGURES
     drawn = ss.figure("8")

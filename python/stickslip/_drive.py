@@ -1,0 +1,163 @@
+"""Drives in physical units, and values with units."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Mapping, Optional, Union
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._result import numbers, one
+
+EXCITATIONS = (
+    "force",
+    "foot_displacement",
+    "damped_foot_displacement",
+    "base_displacement",
+    "base_velocity",
+    "base_acceleration",
+)
+_KINDS = dict(
+    zip(EXCITATIONS, ("force", "length", "length", "length", "velocity", "acceleration")),
+)
+#: A number, or text with a unit such as ``"12 kN"``.
+Quantity = Union[float, str]
+
+
+def read(
+    given: Mapping[str, tuple[Any, str]], units: Optional[str]
+) -> tuple[dict[str, float], Optional[str]]:
+    """The numbers of what is given, as (value, kind) by name, and the system of units they are in, where one is known."""
+    texts = [
+        (name, value if isinstance(value, str) else repr(one(name, value)), kind) for name, (value, kind) in given.items()
+    ]
+    values, system = _native.read_values(texts, units)
+    return dict(zip(given, values)), system
+
+
+@dataclass(frozen=True, init=False)
+class Drive:
+    """A harmonic drive: one amplitude and a frequency, numbers or arrays.
+
+    Parameters
+    ----------
+    force : float, str or array
+        Amplitude of a force on the body; as text with its unit, such as ``"12 kN"``.
+    foot_displacement : float, str or array
+        Amplitude of a motion of the spring's foot, over a surface that stays.
+    damped_foot_displacement : float, str or array
+        The same with the damper standing on the moving foot.
+    base_displacement, base_velocity, base_acceleration : float, str or array
+        Amplitude of a motion of the base that carries the surface along, as under an isolator. The
+        displacement of the answer is that of the body relative to the base.
+    frequency : float, str or array
+        In hertz, or as text such as ``"2 Hz"`` or ``"120 rpm"``.
+    angular_frequency : float or array
+        The same in radians per second; one of the two is given.
+    mean_force : float or str
+        A constant force beside the harmonic one; it shifts the motion.
+    units : str, optional
+        The system of numbers without units, such as ``"kN,mm"``; values with units are converted to it.
+
+    Attributes
+    ----------
+    excitation : str
+        Which of the amplitudes is given.
+    amplitude, angular_frequency, mean_force : float or array
+    units : str or None
+        The system of units: as given, or ``"N,m"`` where a value has a unit.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> ss.Drive(force="12 kN", frequency="2 Hz")
+    Drive(excitation='force', amplitude=12000.0, angular_frequency=12.566370614359172, mean_force=0.0, units='N,m')
+    """
+
+    excitation: str
+    amplitude: ArrayLike
+    angular_frequency: ArrayLike
+    mean_force: float
+    units: Optional[str]
+
+    def __init__(
+        self,
+        *,
+        force: Optional[ArrayLike] = None,
+        foot_displacement: Optional[ArrayLike] = None,
+        damped_foot_displacement: Optional[ArrayLike] = None,
+        base_displacement: Optional[ArrayLike] = None,
+        base_velocity: Optional[ArrayLike] = None,
+        base_acceleration: Optional[ArrayLike] = None,
+        frequency: Optional[ArrayLike] = None,
+        angular_frequency: Optional[ArrayLike] = None,
+        mean_force: Quantity = 0.0,
+        units: Optional[str] = None,
+    ) -> None:
+        given = dict(
+            zip(
+                EXCITATIONS,
+                (force, foot_displacement, damped_foot_displacement, base_displacement, base_velocity, base_acceleration),
+            )
+        )
+        chosen = [(name, value) for name, value in given.items() if value is not None]
+        if len(chosen) != 1:
+            raise _native.Error(f"give one of {', '.join(EXCITATIONS)}; {len(chosen)} are given")
+        name, amplitude = chosen[0]
+        if (frequency is None) == (angular_frequency is None):
+            raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
+        object.__setattr__(self, "excitation", name)
+        object.__setattr__(self, "angular_frequency", angular_of(frequency, angular_frequency))
+        # What is no text is one number, or many; the first of them stands for all where units must not mix.
+        texts: dict[str, tuple[Any, str]] = {}
+        several = None if isinstance(amplitude, str) else numbers(name, amplitude)
+        if several is None or several.size:
+            texts[name] = (amplitude if several is None else several.flat[0], _KINDS[name])
+        if isinstance(mean_force, str) or one("mean_force", mean_force) != 0.0:
+            texts["mean_force"] = (mean_force, "force")
+        values, system = read(texts, units)
+        object.__setattr__(self, "amplitude", values[name] if several is None else _plain(several))
+        object.__setattr__(self, "mean_force", values.get("mean_force", 0.0))
+        object.__setattr__(self, "units", system)
+
+    def _in(self, units: Optional[str]) -> "Drive":
+        """The same drive in a machine's system of units."""
+        if units == self.units:
+            return self
+        if units is None or self.units is None:
+            bare, other = ("the machine", "the drive") if units is None else ("the drive", "the machine")
+            raise _native.Error(
+                f"{bare}: has no unit beside {other}; give every value a unit, or name the system of bare numbers, "
+                'as by units="kN,m"'
+            )
+        factors = {}
+        for kind in (_KINDS[self.excitation], "force"):
+            text = f"1 {_native.unit_of(self.units, kind)}"
+            factors[kind] = read({self.excitation: (text, kind)}, units)[0][self.excitation]
+        amplitude = np.asarray(self.amplitude) * factors[_KINDS[self.excitation]]
+        return Drive(
+            **{self.excitation: _plain(amplitude)},
+            angular_frequency=self.angular_frequency,
+            mean_force=self.mean_force * factors["force"],
+            units=units,
+        )
+
+
+def _plain(array: np.ndarray) -> ArrayLike:
+    return float(array) if array.ndim == 0 else array
+
+
+def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> ArrayLike:
+    """The angular frequency; a frequency is the same in all systems of units."""
+    for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
+        if isinstance(value, str):
+            values, system = read({name: (value, "frequency")}, None)
+            if system is None and name == "frequency":
+                # A bare number as text.
+                return values[name] * 2 * np.pi
+            return values[name]
+    if frequency is not None:
+        return _plain(numbers("frequency", frequency) * (2 * np.pi))
+    return _plain(numbers("angular_frequency", angular_frequency if angular_frequency is not None else np.nan))

@@ -1,0 +1,201 @@
+"""The long run of the exact motion."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from typing import Any, ClassVar, Optional, Sequence
+
+from numpy.typing import ArrayLike
+
+from . import _native
+from ._closed_forms import RATIOS, wide_ratios
+from ._result import Codes, Physical, Result, Value, decimals, digits, points, precision, shaped
+from ._start import REST, STATE, Start, periods_of, state, three
+
+
+class Steady(Result):
+    """The long run of the motion from a start; see `steady`.
+
+    Attributes
+    ----------
+    regime : str or array of str
+        What the motion shows: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``.
+    limit : str or array of str
+        ``"periodic"``, ``"family"``, ``"rest"``, ``"irregular"``, ``"none"`` or ``"not-converged"``.
+    max_displacement, min_displacement, max_velocity, min_velocity : float or array
+        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. Of an irregular
+        motion the displacements of the turns observed.
+    sticks_per_cycle, velocity_zeros_per_cycle, reversals_per_cycle : int or array
+        Counts; -1 in an array where there is none.
+    stick_fraction : float or array
+        Share of the cycle at rest.
+    energy_in, energy_out : float or array
+        Work of the drive, and work against friction in a cycle (r B).
+    damper_work : float or array
+        Work against the damper in a cycle (r B): the rest of ``energy_in``.
+    multipliers : list of (float, float)
+        Multipliers of a whole cycle, real and imaginary parts (a single point only).
+    contraction : float or array
+        Share of a disturbance that a cycle leaves.
+    distance : float or array
+        Bound of the displacement's distance from the limit (B).
+    periods : float or array
+        Periods of the drive that were followed.
+    rest_position : float or array
+        Where a stuck body rests (B).
+    error_1, error_2, error_3, error_4 : float
+        Measures of asymmetry of the source paper (a single point only).
+    turns_per_cycle : int or array
+        Turns of the drive in a cycle; above 1 with a static friction above the kinetic one only.
+    symmetric : bool or array
+        Whether half a cycle later the motion is the same upside down; in an array 1, 0, or -1 where there is no cycle.
+    lyapunov_exponent, lyapunov_exponent_error, turns_observed : float, float and int, or arrays
+        Of an irregular motion, per turn of the drive.
+    dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float
+        As for `response` (a single point only).
+    physical : Physical or None
+        The same names in the units of the machine, where there is one.
+    """
+
+    _names: ClassVar[Sequence[str]] = (
+        *RATIOS,
+        "regime",
+        "limit",
+        "max_displacement",
+        "max_displacement_phase",
+        "min_displacement",
+        "min_displacement_phase",
+        "max_velocity",
+        "max_velocity_phase",
+        "min_velocity",
+        "min_velocity_phase",
+        "sticks_per_cycle",
+        "velocity_zeros_per_cycle",
+        "reversals_per_cycle",
+        "stick_fraction",
+        "energy_in",
+        "energy_out",
+        "damper_work",
+        "contraction",
+        "multipliers",
+        "distance",
+        "rest_position",
+        "periods",
+        "error_1",
+        "error_2",
+        "error_3",
+        "error_4",
+        "turns_per_cycle",
+        "symmetric",
+        "lyapunov_exponent",
+        "lyapunov_exponent_error",
+        "turns_observed",
+        "dynamic_amplification",
+        "max_acceleration",
+        "transmitted_force",
+        "transmissibility",
+        "max_absolute_displacement",
+        "physical",
+    )
+
+    omega: Value
+    alpha: Value
+    damping_ratio: Value
+    static_friction_ratio: Value
+    regime: Any
+    limit: Any
+    max_displacement: Any
+    max_displacement_phase: Any
+    min_displacement: Any
+    min_displacement_phase: Any
+    max_velocity: Any
+    max_velocity_phase: Any
+    min_velocity: Any
+    min_velocity_phase: Any
+    sticks_per_cycle: Any
+    velocity_zeros_per_cycle: Any
+    reversals_per_cycle: Any
+    stick_fraction: Any
+    energy_in: Any
+    energy_out: Any
+    damper_work: Any
+    contraction: Any
+    multipliers: Any
+    distance: Any
+    rest_position: Any
+    periods: Any
+    error_1: Optional[float]
+    error_2: Optional[float]
+    error_3: Optional[float]
+    error_4: Optional[float]
+    turns_per_cycle: Any
+    symmetric: Any
+    lyapunov_exponent: Any
+    lyapunov_exponent_error: Any
+    turns_observed: Any
+    dynamic_amplification: Optional[float]
+    max_acceleration: Optional[float]
+    transmitted_force: Optional[float]
+    transmissibility: Optional[float]
+    max_absolute_displacement: Optional[float]
+    physical: Optional[Physical]
+
+
+def steady(
+    omega: ArrayLike,
+    alpha: ArrayLike,
+    damping_ratio: ArrayLike = 0.0,
+    static_friction_ratio: ArrayLike = 1.0,
+    *,
+    start: Start = REST,
+    max_periods: int = _native.MAX_PERIODS,
+    bits: Optional[int] = None,
+) -> Steady:
+    """The motion in the long run, by the exact motion from a start, stops included.
+
+    Parameters
+    ----------
+    omega : float or array
+        Frequency ratio, from 2**-20 to 2**20.
+    alpha : float or array
+        Force ratio, > 0.
+    damping_ratio : float or array
+        Damping ratio of a viscous damper, >= 0.
+    static_friction_ratio : float or array
+        Static friction over the kinetic one, >= 1. Above 1 the limit is that of this start: others may lead to
+        another (`attractors`).
+    start : (phase, displacement, velocity)
+        In radians of the drive, B and B w; rest unless given.
+    max_periods : int
+        Periods of the drive after which a motion that has not settled is ``"not-converged"``.
+    bits : int, optional
+        For a single point: the precision, as for `response`.
+
+    Returns
+    -------
+    Steady
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> found = ss.steady(0.4, 6)
+    >>> found.regime, found.sticks_per_cycle, round(found.max_displacement, 6)
+    ('sticking', 2, 6.793822)
+    >>> ss.steady([0.4, 0.7, 1.5], 6).sticks_per_cycle
+    array([2, 0, 0])
+    """
+    periods, begin = periods_of(max_periods), start
+    if bits is not None:
+        texts = wide_ratios(omega, alpha, damping_ratio, static_friction_ratio)
+        state_digits = tuple(digits(name, value) for name, value in zip(STATE, three(begin)))
+        wide = decimals(_native.wide_steady(precision(bits), texts, state_digits, periods))
+        return Steady({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
+    at = points(
+        omega=omega, alpha=alpha, damping_ratio=damping_ratio, static_friction_ratio=static_friction_ratio
+    )
+    if at.shape is None:
+        return Steady({**at.in_shape(), **_native.steady_at(at.columns, state(begin), periods)})
+    table = shaped(_native.steady_columns(at.columns, at.size, state(begin), periods), at.shape)
+    table["regime"] = Codes(table["regime"], _native.REGIMES)
+    table["limit"] = Codes(table["limit"], _native.LIMITS)
+    return Steady({**at.in_shape(), **table})
