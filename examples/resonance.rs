@@ -9,7 +9,7 @@
 
 use std::io::Write;
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Cycle, Field, Ratios};
+use stickslip::{Border, Cycle, Field, Float as _, Ratios, Real as _};
 
 /// 231 digits.
 type Number = Mp<12>;

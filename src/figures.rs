@@ -39,6 +39,7 @@ mod response;
 mod stops;
 mod symmetry;
 
+#[doc(hidden)]
 pub use plane::{Plane, Scale};
 
 use std::io::{self, Write};
@@ -101,11 +102,13 @@ pub struct Figure {
     /// What to see in it, with the parameters.
     pub caption: String,
     /// The panels, row by row.
+    #[doc(hidden)]
     pub panels: Vec<Panel>,
 }
 
 /// One pair of axes and what is drawn in them.
 #[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
 pub struct Panel {
     /// What tells it from the other panels; empty for a single one.
     pub title: String,
@@ -121,6 +124,7 @@ pub struct Panel {
 
 /// An axis: name with unit, and range.
 #[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
 pub struct Axis {
     /// Quantity and unit; empty for an axis that is not shown.
     pub label: String,
@@ -153,6 +157,7 @@ impl Axis {
 
 /// Points of one kind, with a name.
 #[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
 pub struct Series {
     /// The name in the data.
     pub name: String,
@@ -168,6 +173,7 @@ pub struct Series {
 
 /// How a series is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[doc(hidden)]
 pub enum Style {
     /// A full line.
     Line,

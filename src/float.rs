@@ -31,7 +31,7 @@ use pair::Pair;
         reason = "operators of balls; exponents of radii, which are bounded"
     )
 )]
-pub mod ball;
+pub(crate) mod ball;
 pub(crate) mod circular;
 #[cfg_attr(
     not(test),
@@ -53,6 +53,7 @@ mod foreign;
 )]
 pub mod mp;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of pairs"))]
+#[doc(hidden)]
 pub mod pair;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "digits of 24 bits in integers of 64"))]
 mod pi_digits;
@@ -136,6 +137,7 @@ pub trait Real: Field {
 /// Work to be compiled for the processor's fused operation ([`Float::fused`]).
 ///
 /// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what it calls often.
+#[doc(hidden)]
 pub trait Task {
     /// What it comes to.
     type Output;
@@ -144,6 +146,7 @@ pub trait Task {
 }
 
 /// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`], [`Float::guarded`]).
+#[doc(hidden)]
 pub trait AtPrecision<F> {
     /// What it comes to.
     type Output;
@@ -185,6 +188,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// `2ᵉ`, for `|e|` up to [`Float::RATIO_EXPONENT`].
     fn exp2i(e: i32) -> Self;
     /// `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`]: the least frequency ratio.
+    #[doc(hidden)]
     #[inline]
     fn least_ratio() -> Self {
         Self::exp2i(Self::RATIO_EXPONENT.saturating_neg())
@@ -201,6 +205,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     fn is_finite(self) -> bool;
 
     /// The same number in the wide arithmetic, exactly.
+    #[doc(hidden)]
     #[inline(always)]
     fn wide(self) -> Pair<Self> {
         Pair::exact(self)
@@ -209,12 +214,14 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Runs `task` with the processor's own fused multiply-add, where it has one that the program was not compiled for.
     ///
     /// The results are the same; what is not inlined into `task` is not faster either.
+    #[doc(hidden)]
     #[inline(always)]
     fn fused<T: Task>(task: T) -> T::Output {
         task.run()
     }
 
     /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster way that needs a point on the unit circle.
+    #[doc(hidden)]
     #[inline(always)]
     fn angle_of(sine: Self, cosine: Self) -> Self {
         sine.atan2(cosine)
@@ -222,6 +229,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
 
     /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has: the error is below a third of a unit in the last place
     /// up to π/3, less than that for smaller angles.
+    #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
         if Self::PRECISION <= f64::MANTISSA_DIGITS {
@@ -233,12 +241,14 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
 
     /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
     /// on, one step that quadruples them is left to do. At `f64` unless the type knows better.
+    #[doc(hidden)]
     #[inline]
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<f64>(Self::to_f64, Self::from_f64)
     }
 
     /// Runs a task with guard bits, where the type has a wider one at hand; at the type itself otherwise.
+    #[doc(hidden)]
     #[inline]
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<Self>(|x| x, |x| x)
@@ -254,6 +264,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     }
 
     /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself otherwise.
+    #[doc(hidden)]
     #[inline]
     fn constant(self) -> Self {
         self
@@ -264,6 +275,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     ///
     /// For values whose own computation is a worse way to their derivatives: a quotient of two small numbers, a point found
     /// by iteration.
+    #[doc(hidden)]
     #[inline]
     fn differentiated_as(self, like: impl FnOnce() -> Self) -> Self {
         let _ = like;
@@ -275,6 +287,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// `residual` gives (g, g′) at a constant x, so that g carries its explicit dependence on the parameters alone: one step
     /// of Newton's method in the derivatives. What the iteration itself carried along is dropped: it lags behind by a step, and
     /// a bracket at f64 carries nothing at all.
+    #[doc(hidden)]
     #[inline]
     fn implicit_root(self, residual: impl FnOnce(Self) -> (Self, Self)) -> Self {
         self.differentiated_as(|| {
@@ -284,16 +297,19 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     }
 
     /// The larger of two numbers; `self` where they are unordered.
+    #[doc(hidden)]
     #[inline]
     fn or_larger(self, other: Self) -> Self {
         if other > self { other } else { self }
     }
     /// `self` where `sign` ≥ 0, its negative where `sign` < 0; a zero `sign` may count as either.
+    #[doc(hidden)]
     #[inline(always)]
     fn times_sign_of(self, sign: Self) -> Self {
         if sign < Self::int(0) { -self } else { self }
     }
     /// `|self|` with the sign of `sign`; a zero of either sign counts as positive.
+    #[doc(hidden)]
     #[inline]
     fn with_sign_of(self, sign: Self) -> Self {
         if sign < Self::int(0) { -self.abs() } else { self.abs() }

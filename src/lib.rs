@@ -157,6 +157,7 @@ pub mod exact;
 pub mod figures;
 pub mod float;
 #[cfg(feature = "generators")]
+#[doc(hidden)]
 pub mod generators;
 mod greatest;
 #[cfg_attr(
@@ -188,6 +189,7 @@ pub mod uncertainty;
     not(test),
     allow(clippy::arithmetic_side_effects, reason = "places within a text, which its length bounds")
 )]
+#[doc(hidden)]
 pub mod units;
 #[cfg(feature = "matching")]
 pub mod verify;

@@ -50,6 +50,8 @@ pub use cycle::Cycle;
 pub use matching::Unknowns;
 #[cfg(feature = "matching")]
 pub use matching::newton::{BorderSolution, MatchingError, Solution, Solvable};
+// For the benchmark of a kernel.
+#[doc(hidden)]
 pub use reversal::Reversal;
 pub use six_reversals::SixReversals;
 pub use stability::{MultiplierPair, Multipliers};

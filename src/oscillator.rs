@@ -128,7 +128,7 @@ impl<F: Float> Oscillator<F> {
     }
 
     /// Half the difference of friction by direction, `(r₊ − r₋)/2`: 0 unless it was given by direction.
-    pub const fn friction_offset(&self) -> F {
+    pub(crate) const fn friction_offset(&self) -> F {
         self.friction_offset
     }
 
@@ -188,8 +188,7 @@ mod tests {
     fn ratios_and_physical_units_are_two_views() {
         let oscillator = paper(0.8);
         close(oscillator.natural_frequency(), std::f64::consts::TAU / 0.8);
-        let ratios = Ratios::new(0.8, 2.5).unwrap();
-        let drive = Drive::from_ratios(&oscillator, &ratios).unwrap();
+        let drive = Drive::with_force_ratio(&oscillator, 2.5, 0.8 * oscillator.natural_frequency()).unwrap();
         close(drive.force_amplitude(&oscillator), 12.5);
         close(drive.angular_frequency(), std::f64::consts::TAU);
         let back = drive.ratios(&oscillator).unwrap();

@@ -107,7 +107,7 @@ impl Output {
 
     /// Whether it belongs to the non-sticking cycle, and exists where that does.
     #[must_use]
-    pub const fn is_of_cycle(self) -> bool {
+    pub(crate) const fn is_of_cycle(self) -> bool {
         matches!(
             self,
             Self::MaxDisplacement

@@ -56,7 +56,7 @@ impl Known {
 
     /// Whether it is one number.
     #[must_use]
-    pub fn is_exact(&self) -> bool {
+    pub(crate) fn is_exact(&self) -> bool {
         self.low == self.high
     }
 

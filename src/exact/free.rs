@@ -174,11 +174,6 @@ impl<F: Float> FreeDecay<F> {
         (self.turns.to_f64() as u64).saturating_add(first)
     }
 
-    /// The damping ratio ζ.
-    pub const fn damping_ratio(&self) -> F {
-        self.zeta
-    }
-
     /// Where it turns first, x₁/B; where it creeps without a turn, the limit of that.
     pub const fn first_turn(&self) -> F {
         self.first_turn

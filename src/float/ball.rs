@@ -15,17 +15,6 @@
 //! | `circular` | π, sine, cosine, tangent, angle, exponential |
 //! | `text` | certain digits, then ± |
 //! | `faults` | in tests: one bound after another made too small, each of which the tests have to notice |
-//!
-//! ```
-//! use stickslip::float::ball::Ball;
-//! use stickslip::float::mp::Mp;
-//! use stickslip::{Field, Real};
-//! let third = Ball::<4>::int(1) / Ball::int(3);
-//! let one = (third * Real::pi()).sin().square() + (third * Real::pi()).cos().square();
-//! assert!(one.contains(Mp::of_int(1)) && one.upper() - one.lower() < Mp::of_f64(1e-70));
-//! // Nothing is known of a quotient whose divisor may be zero.
-//! assert!((Ball::<4>::int(1) / (one - one)).is_entire());
-//! ```
 
 mod circular;
 #[cfg(test)]
@@ -43,7 +32,7 @@ pub(crate) use text::{Written, written};
 
 /// All real numbers within a radius of a midpoint; or the whole line.
 #[derive(Debug, Clone, Copy)]
-pub struct Ball<const LIMBS: usize> {
+pub(crate) struct Ball<const LIMBS: usize> {
     mid: Mp<LIMBS>,
     rad: Radius,
 }
@@ -54,13 +43,13 @@ const UNDERFLOW: Radius = Radius::power_of_two(1 - (1 << 30));
 impl<const LIMBS: usize> Ball<LIMBS> {
     /// The whole line.
     #[must_use]
-    pub const fn entire() -> Self {
+    pub(crate) const fn entire() -> Self {
         Self { mid: Mp::ZERO, rad: Radius::INFINITE }
     }
 
     /// One number; the whole line where it is infinite or NaN.
     #[must_use]
-    pub fn exact(x: Mp<LIMBS>) -> Self {
+    pub(crate) fn exact(x: Mp<LIMBS>) -> Self {
         Self::new(x, Radius::ZERO)
     }
 
@@ -68,7 +57,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     ///
     /// The whole line where `low ≤ high` does not hold.
     #[must_use]
-    pub fn between(low: Mp<LIMBS>, high: Mp<LIMBS>) -> Self {
+    pub(crate) fn between(low: Mp<LIMBS>, high: Mp<LIMBS>) -> Self {
         if !(low <= high && low.is_finite() && high.is_finite()) {
             return Self::entire();
         }
@@ -85,7 +74,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// The midpoint.
     #[must_use]
-    pub const fn mid(&self) -> Mp<LIMBS> {
+    pub(crate) const fn mid(&self) -> Mp<LIMBS> {
         self.mid
     }
 
@@ -96,68 +85,69 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// A number that no number of the ball is below.
     #[must_use]
-    pub fn lower(&self) -> Mp<LIMBS> {
+    pub(crate) fn lower(&self) -> Mp<LIMBS> {
         if self.is_entire() { -Mp::INFINITY } else { self.mid.minus_down(self.rad.value()) }
     }
 
     /// A number that no number of the ball is above.
     #[must_use]
-    pub fn upper(&self) -> Mp<LIMBS> {
+    pub(crate) fn upper(&self) -> Mp<LIMBS> {
         if self.is_entire() { Mp::INFINITY } else { self.mid.plus_up(self.rad.value()) }
     }
 
     /// Whether nothing is known: the whole line.
     #[must_use]
-    pub const fn is_entire(&self) -> bool {
+    pub(crate) const fn is_entire(&self) -> bool {
         self.rad.is_infinite()
     }
 
+    #[cfg(test)]
     /// Whether x lies between [`Ball::lower`] and [`Ball::upper`].
     #[must_use]
-    pub fn contains(&self, x: Mp<LIMBS>) -> bool {
+    pub(crate) fn contains(&self, x: Mp<LIMBS>) -> bool {
         self.lower() <= x && x <= self.upper()
     }
 
     /// Whether 0 may be in the ball: exactly, without the rounding of [`Ball::lower`].
     #[must_use]
-    pub fn contains_zero(&self) -> bool {
+    pub(crate) fn contains_zero(&self) -> bool {
         Radius::below(self.mid) <= self.rad
     }
 
     /// The sign, where it is certain: `Equal` of the number 0 alone.
     #[must_use]
-    pub fn sign(&self) -> Option<Ordering> {
+    pub(crate) fn sign(&self) -> Option<Ordering> {
         let zero = Mp::ZERO;
         if self.rad.is_zero() || !self.contains_zero() { self.mid.partial_cmp(&zero) } else { None }
     }
 
     /// Whether every number of the ball is above 0.
     #[must_use]
-    pub fn is_positive(&self) -> bool {
+    pub(crate) fn is_positive(&self) -> bool {
         self.sign() == Some(Ordering::Greater)
     }
 
     /// Whether every number of the ball is below 0.
     #[must_use]
-    pub fn is_negative(&self) -> bool {
+    pub(crate) fn is_negative(&self) -> bool {
         self.sign() == Some(Ordering::Less)
     }
 
     /// Whether every number of `self` is below every number of `other`.
     #[must_use]
-    pub fn is_below(&self, other: &Self) -> bool {
+    pub(crate) fn is_below(&self, other: &Self) -> bool {
         self.upper() < other.lower()
     }
 
     /// Whether every number of `self` is a number of `other`, and none at its ends.
     #[must_use]
-    pub fn is_inside(&self, other: &Self) -> bool {
+    pub(crate) fn is_inside(&self, other: &Self) -> bool {
         other.lower() < self.lower() && self.upper() < other.upper()
     }
 
     /// A ball with the numbers of both.
     #[must_use]
-    pub fn hull(&self, other: &Self) -> Self {
+    pub(crate) fn hull(&self, other: &Self) -> Self {
         let low = if other.lower() < self.lower() { other.lower() } else { self.lower() };
         let high = if other.upper() > self.upper() { other.upper() } else { self.upper() };
         Self::between(low, high)
@@ -165,7 +155,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// A ball with the numbers that both have; `None` where they have none in common.
     #[must_use]
-    pub fn intersection(&self, other: &Self) -> Option<Self> {
+    pub(crate) fn intersection(&self, other: &Self) -> Option<Self> {
         // Balls that are alike are not made larger by the rounding of a middle.
         if self.is_entire() || other.is_inside(self) {
             return Some(*other);
@@ -180,7 +170,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// The larger of two numbers: every number that is the larger one of a pair of numbers.
     #[must_use]
-    pub fn larger(&self, other: &Self) -> Self {
+    pub(crate) fn larger(&self, other: &Self) -> Self {
         if self.is_below(other) {
             return *other;
         }
@@ -192,9 +182,10 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         Self::between(low, high)
     }
 
+    #[cfg(test)]
     /// The same ball at another width, wider by the rounding of its midpoint where that is shorter.
     #[must_use]
-    pub fn at_width<const OTHER: usize>(&self) -> Ball<OTHER> {
+    pub(crate) fn at_width<const OTHER: usize>(&self) -> Ball<OTHER> {
         let mid = Mp::<OTHER>::rounded(self.mid);
         let rounding = if OTHER < LIMBS { half_unit(mid) } else { Radius::ZERO };
         Ball::new(mid, self.rad.plus(rounding))

@@ -52,7 +52,7 @@ impl<const N: usize> Dual<N> {
 
     /// A number that does not depend on the parameters.
     #[must_use]
-    pub fn of(value: f64) -> Self {
+    pub(crate) fn of(value: f64) -> Self {
         Self(DualSVec64::from_re(value))
     }
 

@@ -6,7 +6,7 @@
 //! | `ops` | operators, comparison, sums |
 //! | `real` | [`Real`](super::Real) and [`Float`](super::Float): what the formulae run on |
 //! | `convert`, `text` | to and from `rug`, primitive numbers, decimal text |
-//! | `traits` | the traits of num-traits |
+//! | `traits`, `functions` | the traits of num-traits; all functions are those of its `Real` |
 //! | `serde`, `nalgebra` | with those features: decimal strings, `RealField` |
 //! | `ladder` | a precision chosen at run time |
 //!
@@ -28,6 +28,7 @@
 //! ```
 
 mod convert;
+mod functions;
 mod ladder;
 #[cfg(feature = "matching")]
 mod nalgebra;

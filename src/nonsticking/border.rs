@@ -237,6 +237,7 @@ impl<F: Float> Border<F> {
         }
     }
 
+    #[doc(hidden)]
     /// The border at the turning point (eq. 61), `α = hypot(K, 1/Ω² − 1)`, at the frequency ratio of `p`.
     ///
     /// Dimensionless; in compensated pairs. Accuracy at f64: 2 ulp.

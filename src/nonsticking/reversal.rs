@@ -105,7 +105,7 @@ impl<F: Float> Reversal<F> {
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67) at the frequency ratio Ω of this reversal. Accuracy at f64: 2 ulp.
     #[inline(always)]
-    pub fn loop_size_inertia(&self, omega: F) -> F {
+    pub(crate) fn loop_size_inertia(&self, omega: F) -> F {
         loop_size_inertia(self.wide_loop_size(), omega.wide()).value()
     }
 

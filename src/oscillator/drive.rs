@@ -138,18 +138,7 @@ impl<F: Float> Drive<F> {
         Self::force(alpha * oscillator.friction_bound(), angular_frequency)
     }
 
-    /// The force that gives `oscillator` the ratios (Ω, α): `p₀ = α r_y`, `ω_d = Ω ω_n`.
-    ///
-    /// Damping is the oscillator's own: ζ of `ratios` plays no part.
-    ///
-    /// # Errors
-    /// Where p₀ or ω_d over- or underflows.
-    pub fn from_ratios(oscillator: &Oscillator<F>, ratios: &Ratios<F>) -> Result<Self, Error> {
-        let angular_frequency = ratios.omega() * oscillator.natural_frequency();
-        Self::with_force_ratio(oscillator, ratios.alpha(), angular_frequency)
-    }
-
-    /// The same with a constant force p̄ on the body, such as its weight along an inclined surface or a
+    /// The same drive with a constant force p̄ on the body, such as its weight along an inclined surface or a
     /// preload.
     ///
     /// It shifts the motion by p̄/k and changes nothing else ([`super::Scales::mean_displacement`]).
@@ -176,7 +165,7 @@ impl<F: Float> Drive<F> {
     }
 
     /// The constant force p̄; 0 unless it was given.
-    pub const fn mean_force(&self) -> F {
+    pub(crate) const fn mean_force(&self) -> F {
         self.mean_force
     }
 

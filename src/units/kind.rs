@@ -75,7 +75,7 @@ impl Kind {
 
     /// Whether it is the same number in all systems of units.
     #[must_use]
-    pub const fn is_dimensionless(self) -> bool {
+    pub(crate) const fn is_dimensionless(self) -> bool {
         matches!(self, Self::Ratio | Self::Angle)
     }
 

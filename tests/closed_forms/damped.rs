@@ -5,7 +5,7 @@ use super::random::Random;
 use std::f64::consts::{PI, TAU};
 use stickslip::float::mp::Mp;
 use stickslip::{
-    Border, Cycle, Drive, Error, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design,
+    Border, Cycle, Drive, Error, Field, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design,
 };
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {

@@ -47,7 +47,7 @@ fn forty_digits<const L: usize>() {
                 assert_eq!(answer.is_some(), expected.is_some_and(|x| x.is_finite()), "{name} at {line}");
                 continue;
             };
-            let scale = if expected.is_zero() { Mp::of_int(1) } else { expected.abs() };
+            let scale = if expected == Mp::ZERO { Mp::from(1) } else { expected.abs() };
             let error = (answer - expected).abs() / scale;
             assert!(error.to_f64() <= 1e-38, "{name} at ({omega}, {alpha}): {answer} for {expected}");
         }
@@ -112,7 +112,7 @@ fn errors<const N: usize, const D: usize>(
         .map(|((name, narrow), (_, wide))| {
             let (Some(narrow), Some(wide)) = (narrow, wide) else { panic!("{name} at ({omega}, {alpha})") };
             let least = match name {
-                "displacement_phase" | "velocity_phase" | "border_phase" => Mp::of_int(1),
+                "displacement_phase" | "velocity_phase" | "border_phase" => Mp::from(1),
                 "deviation" => speed,
                 _ => Mp::ZERO,
             };
@@ -155,7 +155,7 @@ fn beside<const N: usize>(n: &[i32], k: &[i32]) -> Vec<(Mp<N>, Mp<N>)> {
     for &n in n {
         for &k in k {
             for sign in [-1, 1] {
-                let omega = Mp::ratio(1, n) + Mp::of_int(sign).scale2(-k);
+                let omega = Mp::ratio(1, n) + Mp::from(sign).scale2(-k);
                 let border = Border::new(omega).unwrap().min_force_ratio();
                 places.extend([20_002, 21_000, 60_000].map(|over| (omega, border * Mp::ratio(over, 20_000))));
             }
@@ -178,7 +178,7 @@ fn beside_the_natural_frequency_and_its_fractions() {
 fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samples: i32) {
     for &(omega, alpha) in places {
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
-        let greatest = cycle.max_velocity() * (Mp::of_int(1) + Mp::epsilon().scale2(slack));
+        let greatest = cycle.max_velocity() * (Mp::from(1) + Mp::epsilon().scale2(slack));
         for i in 0..samples {
             let phase = Mp::pi() * Mp::ratio(2 * i, samples);
             let velocity = cycle.velocity_at(phase);
@@ -192,8 +192,8 @@ fn the_maximum_velocity_is_the_greatest() {
     nothing_is_faster::<4>(&beside(&[1, 2, 3, 4, 5, 6], &[20, 45, 58, 61, 64, 100, 150]), 20, 200);
     // Closer to 1 than f64 has exponents for, and so close to the border that Δ₀/B is an ordinary number.
     let places = [-1, 1].map(|sign| {
-        let omega = Mp::<64>::of_int(1) + Mp::of_int(sign).scale2(-1100);
-        let width = Mp::of_int(3) * (Mp::of_int(1) - omega);
+        let omega = Mp::<64>::from(1) + Mp::from(sign).scale2(-1100);
+        let width = Mp::from(3) * (Mp::from(1) - omega);
         (omega, PhaseFunction::new(omega).unwrap().value().hypot(width))
     });
     nothing_is_faster(&places, 40, 20);

@@ -3,6 +3,8 @@
 use crate::command_line::{refused, stdout, stickslip};
 use serde_json::Value;
 use std::path::PathBuf;
+#[cfg(feature = "mp")]
+use stickslip::Float as _;
 
 /// A path for the file of one test.
 fn place(name: &str) -> PathBuf {
@@ -174,14 +176,14 @@ fn equal_ratios_have_as_many_bits_as_asked_for() {
         let rows = stdout(&format!("sweep border --omega {grid}:log --bits 256 --outputs omega --no-header"));
         rows.lines().map(|row| row.parse().unwrap()).collect()
     };
-    let powers: Vec<Mp<5>> = [1, 2, 4, 8, 16].map(Mp::of_int).to_vec();
+    let powers: Vec<Mp<5>> = [1, 2, 4, 8, 16].map(Mp::from).to_vec();
     assert_eq!(values("1:16:5"), powers);
     let grid = values("0.01:3:8");
     let seventh = grid[7] / grid[0];
     for (n, value) in (0..).zip(&grid) {
-        let due = (0..n).fold(Mp::of_int(1), |power, _| power * seventh);
-        let found = (0..7).fold(Mp::of_int(1), |power, _| power * (*value / grid[0]));
-        assert!((found / due - Mp::of_int(1)).to_f64().abs() < 1e-74, "{n}: {value}");
+        let due = (0..n).fold(Mp::from(1), |power, _| power * seventh);
+        let found = (0..7).fold(Mp::from(1), |power, _| power * (*value / grid[0]));
+        assert!((found / due - Mp::from(1)).to_f64().abs() < 1e-74, "{n}: {value}");
     }
 }
 

@@ -5,3 +5,5 @@ mod errata;
 mod identities;
 #[cfg(feature = "generators")]
 mod ordinary_inputs;
+#[cfg(feature = "mp")]
+mod ranges;

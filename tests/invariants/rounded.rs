@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
 use stickslip::float::mp::Mp;
-use stickslip::{Border, PhaseFunction};
+use stickslip::{Border, Field as _, Float as _, PhaseFunction, Real as _};
 
 /// 512 bits.
 type Exact = Mp<8>;
@@ -13,7 +13,7 @@ const ACCURACY: f64 = 1e-14;
 
 /// The distance of `ours` from `exact`, relative to the latter.
 fn error(ours: f64, exact: Exact) -> f64 {
-    if exact.is_zero() { ours.abs() } else { ((Exact::from(ours) - exact) / exact).abs().to_f64() }
+    if exact == Exact::ZERO { ours.abs() } else { ((Exact::from(ours) - exact) / exact).abs().to_f64() }
 }
 
 /// What depends on Ω alone.

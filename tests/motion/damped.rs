@@ -6,7 +6,7 @@ use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::float::mp::Mp;
-use stickslip::float::{Field, Float};
+use stickslip::float::{Field, Float, Real};
 use stickslip::{Border, Cycle, Ratios};
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {

@@ -116,7 +116,7 @@ fn the_edges_are_sharp_at_any_precision() {
             worst = f64::max(worst, error);
         }
         if i < 4 {
-            let (one, off) = (Mp::<8>::of_int(1), Mp::<8>::exp2i(-200));
+            let (one, off) = (Mp::<8>::from(1), Mp::<8>::exp2i(-200));
             for (edge, inward) in [(wide_low, one + off), (wide_high, one - off)] {
                 let (inside, beyond) = (edge * inward, edge * (one + one - inward));
                 let motion = long_run(Mp::from(omega), inside);

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use stickslip::enclosed::{self, Enclosure, Known, Regime};
 use stickslip::float::mp::Mp;
-use stickslip::{Border, Output, Ratios, Response};
+use stickslip::{Border, Field as _, Float as _, Output, Ratios, Response};
 
 /// A number with no rounding to speak of.
 type Exact = Mp<16>;
@@ -54,11 +54,11 @@ fn check(omega: f64, alpha: Exact, bits: u32) -> f64 {
 
 fn expected(exact: &Response<Exact>) -> Regime {
     let (omega, alpha) = (exact.ratios().omega(), exact.ratios().alpha());
-    if alpha <= Exact::of_int(1) {
+    if alpha <= Exact::from(1) {
         Regime::Stuck
     } else if alpha < exact.border().min_force_ratio() {
         Regime::BelowBorder
-    } else if omega == Exact::of_int(1) {
+    } else if omega == Exact::from(1) {
         Regime::Unbounded
     } else {
         Regime::NonSticking
@@ -85,7 +85,7 @@ proptest! {
     #[test]
     fn the_value_is_never_outside(omega in frequencies(), excess in excesses(), wide in any::<bool>()) {
         let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio();
-        let alpha = Exact::rounded(Mp::<2>::rounded(least * (Exact::of_int(1) + Exact::from(excess))));
+        let alpha = Exact::rounded(Mp::<2>::rounded(least * (Exact::from(1) + Exact::from(excess))));
         let widest = check(omega, alpha, if wide { 256 } else { 64 });
         // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave another half.
         prop_assert!(widest <= 1.5, "{omega} {alpha}: {widest} units");

@@ -28,7 +28,7 @@ pub(crate) const NUMBERS: [f64; 17] = [
 pub(crate) fn same_rows<const L: usize>(of_f64: &[(&str, f64)], of_mp: &[(&str, Mp<L>)], at: &str) {
     assert_eq!(of_f64.len(), of_mp.len());
     for ((name, double), (_, wide)) in of_f64.iter().zip(of_mp) {
-        let near = (*wide).to_f64();
+        let near = stickslip::Float::to_f64(*wide);
         let is_same = near == *double
             || (near.is_nan() && double.is_nan())
             || (near - double).abs() <= 4.0 * f64::EPSILON * double.abs()
@@ -38,7 +38,7 @@ pub(crate) fn same_rows<const L: usize>(of_f64: &[(&str, f64)], of_mp: &[(&str, 
         assert!(is_same, "{name} of {at}: {wide:e} for {double:e}");
         let sign_counts = *double == 0.0 && wide.is_zero();
         assert!(
-            !sign_counts || double.is_sign_negative() == wide.is_sign_negative(),
+            !sign_counts || double.is_sign_negative() == wide.is_negative(),
             "{name} of {at}: {wide:?} {double:?}"
         );
     }
@@ -87,7 +87,7 @@ fn every_function_is_that_of_f64() {
             same_rows(&functions(x, y), &functions(Mp::<1>::from(x), Mp::<1>::from(y)), &format!("{x} {y}"));
         }
     }
-    assert_eq!((Mp::<2>::zero(), Mp::<2>::one()), (Mp::of_int(0), Mp::of_int(1)));
+    assert_eq!((Mp::<2>::zero(), Mp::<2>::one()), (Mp::from(0), Mp::from(1)));
 }
 
 #[test]

@@ -116,7 +116,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
 
     /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤ r/(1 − r).
     #[must_use]
-    pub fn exp(self) -> Self {
+    pub(crate) fn exp(self) -> Self {
         let mid = self.mid.exp();
         let moved =
             Radius::above(mid).plus(half_unit(mid)).times(self.rad.over(Radius::ONE.minus_down(self.rad)));

@@ -296,3 +296,11 @@ fn bounds_are_rounded_in_their_direction() {
         Radius::INFINITE.times(Radius::ZERO).is_zero() && Radius::INFINITE.plus(Radius::ONE).is_infinite()
     );
 }
+
+#[test]
+fn an_identity_and_a_divisor_that_may_be_zero() {
+    let third = Ball::<4>::int(1) / Ball::int(3);
+    let one = (third * Real::pi()).sin().square() + (third * Real::pi()).cos().square();
+    assert!(one.contains(Mp::of_int(1)) && one.upper() - one.lower() < Mp::of_f64(1e-70));
+    assert!((Ball::<4>::int(1) / (one - one)).is_entire());
+}

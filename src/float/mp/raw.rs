@@ -76,7 +76,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// The largest finite number.
     #[must_use]
-    pub fn largest() -> Self {
+    pub(crate) fn largest() -> Self {
         // SAFETY: the result is a valid place, first written, then replaced by its neighbour.
         Self::output(|r| unsafe {
             mpfr::set_inf(r, 1);
@@ -111,7 +111,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// `(sin self, cos self)`.
     #[inline]
     #[must_use]
-    pub fn sin_cos(self) -> (Self, Self) {
+    pub(crate) fn sin_cos(self) -> (Self, Self) {
         let x = self.input();
         let mut sine = Self::NAN;
         let cosine = Self::output(|cosine| {
@@ -126,7 +126,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// `self · a + b`, rounded once.
     #[inline]
     #[must_use]
-    pub fn mul_add(self, a: Self, b: Self) -> Self {
+    pub(crate) fn mul_add(self, a: Self, b: Self) -> Self {
         let (x, a, b) = (self.input(), a.input(), b.input());
         // SAFETY: the arguments are valid and only read.
         Self::output(|r| unsafe {
@@ -137,7 +137,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The nearest `f64`, ties to even, subnormal numbers included.
     #[inline]
     #[must_use]
-    pub fn to_f64(self) -> f64 {
+    pub(crate) fn to_f64(self) -> f64 {
         let x = self.input();
         // SAFETY: the argument is valid and only read.
         unsafe { mpfr::get_d(&x, rnd_t::RNDN) }
@@ -146,7 +146,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The nearest `f32`, ties to even, rounded once.
     #[inline]
     #[must_use]
-    pub fn to_f32(self) -> f32 {
+    pub(crate) fn to_f32(self) -> f32 {
         let x = self.input();
         // SAFETY: the argument is valid and only read.
         unsafe { mpfr::get_flt(&x, rnd_t::RNDN) }
@@ -174,7 +174,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
 
     /// The same number as a `rug::Float` of [`Mp::BITS`] bits.
     #[must_use]
-    pub fn to_rug(self) -> rug::Float {
+    pub(crate) fn to_rug(self) -> rug::Float {
         let mut result = rug::Float::new(Self::BITS);
         let x = self.input();
         // SAFETY: `result` is a valid number of the same precision; `x` is only read.
@@ -202,59 +202,59 @@ macro_rules! functions {
 
 functions! {
     /// `√self`; NaN below zero.
-    pub sqrt(self;) = sqrt(RNDN);
+    pub(crate) sqrt(self;) = sqrt(RNDN);
     /// The real cube root.
-    pub cbrt(self;) = cbrt(RNDN);
+    pub(crate) cbrt(self;) = cbrt(RNDN);
     /// `self²`.
-    pub square(self;) = sqr(RNDN);
+    pub(crate) square(self;) = sqr(RNDN);
     /// `sin self`.
-    pub sin(self;) = sin(RNDN);
+    pub(crate) sin(self;) = sin(RNDN);
     /// `cos self`.
-    pub cos(self;) = cos(RNDN);
+    pub(crate) cos(self;) = cos(RNDN);
     /// `tan self`.
-    pub tan(self;) = tan(RNDN);
+    pub(crate) tan(self;) = tan(RNDN);
     /// The angle in `[−π/2, π/2]` whose sine is `self`.
-    pub asin(self;) = asin(RNDN);
+    pub(crate) asin(self;) = asin(RNDN);
     /// The angle in `[0, π]` whose cosine is `self`.
-    pub acos(self;) = acos(RNDN);
+    pub(crate) acos(self;) = acos(RNDN);
     /// The angle in `[−π/2, π/2]` whose tangent is `self`.
-    pub atan(self;) = atan(RNDN);
+    pub(crate) atan(self;) = atan(RNDN);
     /// `sinh self`.
-    pub sinh(self;) = sinh(RNDN);
+    pub(crate) sinh(self;) = sinh(RNDN);
     /// `cosh self`.
-    pub cosh(self;) = cosh(RNDN);
+    pub(crate) cosh(self;) = cosh(RNDN);
     /// `tanh self`.
-    pub tanh(self;) = tanh(RNDN);
+    pub(crate) tanh(self;) = tanh(RNDN);
     /// The inverse of `sinh`.
-    pub asinh(self;) = asinh(RNDN);
+    pub(crate) asinh(self;) = asinh(RNDN);
     /// The inverse of `cosh`, ≥ 0; NaN below 1.
-    pub acosh(self;) = acosh(RNDN);
+    pub(crate) acosh(self;) = acosh(RNDN);
     /// The inverse of `tanh`; NaN outside `[−1, 1]`.
-    pub atanh(self;) = atanh(RNDN);
+    pub(crate) atanh(self;) = atanh(RNDN);
     /// `e^self`.
-    pub exp(self;) = exp(RNDN);
+    pub(crate) exp(self;) = exp(RNDN);
     /// `2^self`.
-    pub exp2(self;) = exp2(RNDN);
+    pub(crate) exp2(self;) = exp2(RNDN);
     /// `e^self − 1`, accurate beside 0.
-    pub exp_m1(self;) = expm1(RNDN);
+    pub(crate) exp_m1(self;) = expm1(RNDN);
     /// The natural logarithm; NaN below zero.
-    pub ln(self;) = log(RNDN);
+    pub(crate) ln(self;) = log(RNDN);
     /// The logarithm to base 2.
-    pub log2(self;) = log2(RNDN);
+    pub(crate) log2(self;) = log2(RNDN);
     /// The logarithm to base 10.
-    pub log10(self;) = log10(RNDN);
+    pub(crate) log10(self;) = log10(RNDN);
     /// `ln(1 + self)`, accurate beside 0.
-    pub ln_1p(self;) = log1p(RNDN);
+    pub(crate) ln_1p(self;) = log1p(RNDN);
     /// The largest integer not above `self`.
-    pub floor(self;) = rint_floor(RNDN);
+    pub(crate) floor(self;) = rint_floor(RNDN);
     /// The least integer not below `self`.
-    pub ceil(self;) = rint_ceil(RNDN);
+    pub(crate) ceil(self;) = rint_ceil(RNDN);
     /// The nearest integer, halves away from zero.
-    pub round(self;) = rint_round(RNDN);
+    pub(crate) round(self;) = rint_round(RNDN);
     /// `self` without its fraction.
-    pub trunc(self;) = rint_trunc(RNDN);
+    pub(crate) trunc(self;) = rint_trunc(RNDN);
     /// `self − trunc self`.
-    pub fract(self;) = frac(RNDN);
+    pub(crate) fract(self;) = frac(RNDN);
     /// `self + other`.
     pub(super) plus(self, other;) = add(RNDN);
     /// `self − other`.
@@ -274,21 +274,21 @@ functions! {
     /// What is left of `self` after division by `other` with the quotient truncated; the sign of `self`.
     pub(super) remainder(self, other;) = fmod(RNDN);
     /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
-    pub atan2(self, x;) = atan2(RNDN);
+    pub(crate) atan2(self, x;) = atan2(RNDN);
     /// `√(self² + other²)` without needless overflow or underflow.
-    pub hypot(self, other;) = hypot(RNDN);
+    pub(crate) hypot(self, other;) = hypot(RNDN);
     /// `self^exponent`.
-    pub powf(self, exponent;) = pow(RNDN);
+    pub(crate) powf(self, exponent;) = pow(RNDN);
     /// `selfⁿ`.
-    pub powi(self; n: i32) = pow_si(RNDN);
+    pub(crate) powi(self; n: i32) = pow_si(RNDN);
     /// `self · 2ᵉ`: exact within the range.
     pub scale2(self; e: i32) = mul_2si(RNDN);
     /// π.
-    pub pi(;) = const_pi(RNDN);
+    pub(crate) pi(;) = const_pi(RNDN);
     /// ln 2.
-    pub ln_2(;) = const_log2(RNDN);
+    pub(crate) ln_2(;) = const_log2(RNDN);
     /// The number nearest to `x`, which is `x` itself.
-    pub of_f64(; x: f64) = set_d(RNDN);
+    pub(crate) of_f64(; x: f64) = set_d(RNDN);
     /// The integer n, exactly.
-    pub of_int(; n: i32) = set_si(RNDN);
+    pub(crate) of_int(; n: i32) = set_si(RNDN);
 }

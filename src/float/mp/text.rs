@@ -20,7 +20,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     ///
     /// # Errors
     /// [`ParseError`] with the text, where it is no number or the radix is none of those.
-    pub fn parse_radix(text: &str, radix: u32) -> Result<Self, ParseError> {
+    pub(crate) fn parse_radix(text: &str, radix: u32) -> Result<Self, ParseError> {
         let error = || ParseError { text: text.to_owned() };
         let radix = i32::try_from(radix).ok().filter(|r| (2..=36).contains(r)).ok_or_else(error)?;
         let parsed = Float::parse_radix(text, radix).map_err(|_| error())?;

@@ -12,14 +12,14 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// `|self|`.
     #[inline]
     #[must_use]
-    pub fn abs(self) -> Self {
+    pub(crate) fn abs(self) -> Self {
         Self { kind: self.kind.abs(), ..self }
     }
 
     /// Whether the sign is negative: of −0 and −∞ too, never of NaN.
     #[inline]
     #[must_use]
-    pub fn is_sign_negative(self) -> bool {
+    pub(crate) fn is_sign_negative(self) -> bool {
         self.kind < 0
     }
 
@@ -33,21 +33,21 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// Whether this is a zero of either sign.
     #[inline]
     #[must_use]
-    pub fn is_zero(self) -> bool {
+    pub(crate) fn is_zero(self) -> bool {
         self.kind.abs() == mpfr::ZERO_KIND
     }
 
     /// Neither infinite nor NaN.
     #[inline]
     #[must_use]
-    pub fn is_finite(self) -> bool {
+    pub(crate) fn is_finite(self) -> bool {
         self.kind.abs() >= mpfr::ZERO_KIND
     }
 
     /// The e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` of zeros, infinities and NaN.
     #[inline]
     #[must_use]
-    pub fn exponent(self) -> Option<i64> {
+    pub(crate) fn exponent(self) -> Option<i64> {
         (self.kind.abs() == mpfr::REGULAR_KIND).then_some(self.exponent)
     }
 

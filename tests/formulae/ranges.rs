@@ -1,6 +1,6 @@
 //! Claims of `docs/proof.md` over whole ranges: boxes are halved until ball arithmetic shows the sign in each.
 
-use stickslip::float::ball::Ball;
+use crate::float::ball::Ball;
 use stickslip::float::mp::Mp;
 use stickslip::{Field, Real};
 

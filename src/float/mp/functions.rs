@@ -1,0 +1,72 @@
+//! `num_traits::real::Real`: the functions of a real number, each rounded once but for the three that say otherwise.
+
+use super::Mp;
+use num_traits::real::Real;
+
+macro_rules! same_name {
+    ($($name:ident($($argument:ident),*);)*) => {$(
+        fn $name(self $(, $argument: Self)*) -> Self {
+            self.$name($($argument),*)
+        }
+    )*};
+}
+
+impl<const LIMBS: usize> Real for Mp<LIMBS> {
+    same_name! {
+        floor(); ceil(); round(); trunc(); fract(); abs(); sqrt(); cbrt();
+        sin(); cos(); tan(); asin(); acos(); atan(); sinh(); cosh(); tanh(); asinh(); acosh(); atanh();
+        exp(); exp2(); exp_m1(); ln(); log2(); log10(); ln_1p();
+        mul_add(a, b); hypot(other); powf(n); atan2(other);
+    }
+    fn min_value() -> Self {
+        -Self::largest()
+    }
+    fn max_value() -> Self {
+        Self::largest()
+    }
+    fn min_positive_value() -> Self {
+        Self::ZERO.ulp()
+    }
+    fn epsilon() -> Self {
+        Self::of_int(1).ulp()
+    }
+    fn signum(self) -> Self {
+        num_traits::Signed::signum(&self)
+    }
+    fn is_sign_positive(self) -> bool {
+        !self.is_nan() && !self.is_sign_negative()
+    }
+    fn is_sign_negative(self) -> bool {
+        self.is_sign_negative()
+    }
+    fn recip(self) -> Self {
+        Self::of_int(1) / self
+    }
+    fn powi(self, n: i32) -> Self {
+        self.powi(n)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        self.sin_cos()
+    }
+    /// Rounded three times.
+    fn log(self, base: Self) -> Self {
+        self.ln() / base.ln()
+    }
+    /// Rounded three times.
+    fn to_degrees(self) -> Self {
+        self * (Self::of_int(180) / Self::pi())
+    }
+    /// Rounded three times.
+    fn to_radians(self) -> Self {
+        self * (Self::pi() / Self::of_int(180))
+    }
+    fn max(self, other: Self) -> Self {
+        if self >= other || other.is_nan() { self } else { other }
+    }
+    fn min(self, other: Self) -> Self {
+        if self <= other || other.is_nan() { self } else { other }
+    }
+    fn abs_sub(self, other: Self) -> Self {
+        num_traits::Signed::abs_sub(&self, &other)
+    }
+}
