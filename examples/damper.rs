@@ -22,13 +22,13 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     writeln!(
         out,
         "best slip load {:.2} kN: {:?} optimum, {:.1} J a cycle",
-        best.friction_bound / 1e3,
-        best.optimum,
-        best.energy
+        best.at / 1e3,
+        best.kind,
+        best.value
     )?;
     writeln!(out, "slip load   floor moves by   energy a cycle   power")?;
     for share in [0.5, 0.9, 1.0, 1.1, 1.25] {
-        let slip_load = share * best.friction_bound;
+        let slip_load = share * best.at;
         let floor = floor(slip_load)?;
         let cycle = Cycle::new(drive.ratios(&floor)?)?;
         let stroke = cycle.max_displacement() * Scales::new(&floor, &drive)?.length;

@@ -32,29 +32,25 @@ mod friction;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 mod identify;
 mod no_stop;
+mod optimum;
 mod sticking;
 mod target;
 mod tuning;
 
 pub use bands::{Band, Bands, Edge, bands, bands_with_damping, frequency_bands};
 pub use dissipation::{
-    BestForceRatio, BestFriction, Optimum, most_dissipating_force_ratio,
-    most_dissipating_force_ratio_with_damping, most_dissipating_friction,
+    most_dissipating_force_ratio, most_dissipating_force_ratio_with_damping, most_dissipating_friction,
 };
 pub use force::{least_amplitude, least_base_amplitude, least_force};
 pub use friction::greatest_friction;
 #[cfg(feature = "dual")]
 pub use identify::{Estimate, Identified, Measurement, identify};
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
-pub use sticking::{
-    BestOfAllForceRatio, BestOfAllFriction, most_dissipating_force_ratio_of_all,
-    most_dissipating_friction_of_all,
-};
+pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
+pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
 pub use target::{
     force_for_displacement, force_for_velocity, force_ratio_for_displacement,
     force_ratio_for_displacement_with_damping, force_ratio_for_velocity,
     force_ratio_for_velocity_with_damping,
 };
-pub use tuning::{
-    BestFrequencyRatio, BestStiffness, most_dissipating_frequency_ratio, most_dissipating_stiffness,
-};
+pub use tuning::{most_dissipating_frequency_ratio, most_dissipating_stiffness};

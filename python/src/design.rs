@@ -5,7 +5,7 @@ use crate::refused;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::design::{self, Edge, Measurement, Optimum};
+use stickslip::design::{self, Edge, Measurement, OptimumKind};
 use stickslip::{Drive, Error, figures};
 
 /// The least amplitude of an excitation with which the body does not stick at a frequency.
@@ -50,8 +50,8 @@ fn best_friction(
 ) -> PyResult<(f64, f64, &'static str)> {
     let drive = drive(kind, amplitude, angular_frequency)?;
     let best = body(of).and_then(|body| design::most_dissipating_friction(&body, &drive)).map_err(refused)?;
-    let why = if best.optimum == Optimum::Interior { "interior" } else { "border" };
-    Ok((best.friction_bound, best.energy, why))
+    let why = if best.kind == OptimumKind::Interior { "interior" } else { "border" };
+    Ok((best.at, best.value, why))
 }
 
 /// The bands of angular frequency without sticking: ends, and whether each is one of the range that was asked about.

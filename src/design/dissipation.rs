@@ -11,37 +11,13 @@
 //! all of α ≥ α_min: the larger of the two, and nothing else can be better.
 
 use super::force::ratios_of;
+use super::optimum::{Optimum, OptimumKind};
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::nonsticking::{Border, best_force_ratio, best_loop_size, damped, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
-
-/// What makes a best value the best.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Optimum {
-    /// The derivative is zero there, inside the region where the body does not stick.
-    Interior,
-    /// The border: on the one side the body sticks, on the other it dissipates less.
-    Border,
-    /// An end of the range that was asked about.
-    RangeEnd,
-    /// Inside the region where the body sticks in every cycle, by the exact motion.
-    Sticking,
-}
-
-/// The force ratio of the largest loop among the cycles that do not stick.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestForceRatio<F> {
-    /// The force ratio α.
-    pub force_ratio: F,
-    /// The loop size A₁ there.
-    pub loop_size: F,
-    /// [`Optimum::Interior`]: eq. 65 and 66 as they stand; [`Optimum::Border`]: they do not count, α is α_min.
-    pub optimum: Optimum,
-}
 
 /// The force ratio that makes A₁ largest at the frequency ratio Ω, of those that do not stick: `max(√2 |K|, α_min)`.
 ///
@@ -51,7 +27,7 @@ pub struct BestForceRatio<F> {
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1, where the loop grows without bound, and where Ω is outside the domain of
 /// [`crate::Ratios`].
-pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<BestForceRatio<F>, Error> {
+pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
     let p = PhaseFunction::new(omega)?;
     if omega == F::int(1) {
         return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
@@ -59,16 +35,16 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<BestForceRatio
     let (k, border) = (p.value(), Border::at(&p));
     let (interior, least) = (best_force_ratio(k), border.min_force_ratio());
     Ok(if interior >= least {
-        BestForceRatio {
-            force_ratio: interior,
-            loop_size: best_loop_size(k, one_minus_square(omega)),
-            optimum: Optimum::Interior,
+        Optimum {
+            at: interior,
+            value: best_loop_size(k, one_minus_square(omega)),
+            kind: OptimumKind::Interior,
         }
     } else {
-        BestForceRatio {
-            force_ratio: least,
-            loop_size: loop_size_stiffness(border.least_displacement(), least),
-            optimum: Optimum::Border,
+        Optimum {
+            at: least,
+            value: loop_size_stiffness(border.least_displacement(), least),
+            kind: OptimumKind::Border,
         }
     })
 }
@@ -80,7 +56,7 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<BestForceRatio
 pub fn most_dissipating_force_ratio_with_damping<F: Float>(
     omega: F,
     damping_ratio: F,
-) -> Result<BestForceRatio<F>, Error> {
+) -> Result<Optimum<F>, Error> {
     let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
     if ratios.is_damped() {
         Ok(most_dissipating_with_damping(&ratios))
@@ -93,29 +69,18 @@ pub fn most_dissipating_force_ratio_with_damping<F: Float>(
 ///
 /// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one change of sign for
 /// y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there on, as without damping.
-fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> BestForceRatio<F> {
+fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
     let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
     let least = border.min_force_ratio();
     if force_ratio >= least {
-        return BestForceRatio { force_ratio, loop_size, optimum: Optimum::Interior };
+        return Optimum { at: force_ratio, value: loop_size, kind: OptimumKind::Interior };
     }
-    BestForceRatio {
-        force_ratio: least,
-        loop_size: loop_size_stiffness(border.least_displacement(), least),
-        optimum: Optimum::Border,
+    Optimum {
+        at: least,
+        value: loop_size_stiffness(border.least_displacement(), least),
+        kind: OptimumKind::Border,
     }
-}
-
-/// The friction bound that dissipates most.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestFriction<F> {
-    /// The friction bound r_y (unit of force).
-    pub friction_bound: F,
-    /// The energy dissipated in a cycle, `4 r_y Δ₀`.
-    pub energy: F,
-    /// What makes it the best.
-    pub optimum: Optimum,
 }
 
 /// The friction bound with which `drive` dissipates most in a cycle, of those with which the body does not stick.
@@ -129,7 +94,7 @@ pub struct BestFriction<F> {
 pub fn most_dissipating_friction<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
-) -> Result<BestFriction<F>, Error> {
+) -> Result<Optimum<F>, Error> {
     let ratios = ratios_of(body, drive.angular_frequency())?;
     let best = if ratios.is_damped() {
         most_dissipating_with_damping(&ratios)
@@ -137,17 +102,18 @@ pub fn most_dissipating_friction<F: Float>(
         most_dissipating_force_ratio(ratios.omega())?
     };
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
-    let energy = best.loop_size * (p0 / F::int(2) * (p0 / body.stiffness()));
-    Ok(BestFriction {
-        friction_bound: positive(Quantity::FrictionBound, p0 / best.force_ratio)?,
-        energy: positive(Quantity::StaticEnergy, energy)?,
-        optimum: best.optimum,
+    let energy = best.value * (p0 / F::int(2) * (p0 / body.stiffness()));
+    Ok(Optimum {
+        at: positive(Quantity::FrictionBound, p0 / best.at)?,
+        value: positive(Quantity::StaticEnergy, energy)?,
+        kind: best.kind,
     })
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Optimum, most_dissipating_force_ratio, most_dissipating_friction};
+    use super::{most_dissipating_force_ratio, most_dissipating_friction};
+    use crate::design::OptimumKind;
     use crate::{Cycle, Drive, Error, Oscillator, Ratios, Scales};
 
     fn loop_size(omega: f64, alpha: f64) -> f64 {
@@ -159,25 +125,25 @@ mod tests {
         for i in 1..400 {
             let omega = 0.01 * f64::from(i) + 0.003;
             let best = most_dissipating_force_ratio(omega).unwrap();
-            let found = loop_size(omega, best.force_ratio * (1.0 + 1e-15));
-            assert!((found / best.loop_size - 1.0).abs() < 1e-12, "{omega}");
+            let found = loop_size(omega, best.at * (1.0 + 1e-15));
+            assert!((found / best.value - 1.0).abs() < 1e-12, "{omega}");
             let least = crate::Border::new(omega).unwrap().min_force_ratio();
             for j in 0..300 {
                 let alpha = least * (1.0 + 0.01 * f64::from(j).powi(2));
-                assert!(loop_size(omega, alpha) <= best.loop_size * (1.0 + 1e-13), "{omega} {alpha}");
+                assert!(loop_size(omega, alpha) <= best.value * (1.0 + 1e-13), "{omega} {alpha}");
             }
         }
     }
 
     #[test]
     fn which_one_it_is() {
-        let optimum = |omega| most_dissipating_force_ratio::<f64>(omega).unwrap().optimum;
+        let optimum = |omega| most_dissipating_force_ratio::<f64>(omega).unwrap().kind;
         // Ω|T| ≥ 1 at 1.5, not at 0.6, and K = 0 at 0.5.
-        assert_eq!(optimum(1.5), Optimum::Interior);
-        assert_eq!(optimum(0.6), Optimum::Border);
-        assert_eq!(optimum(0.5), Optimum::Border);
+        assert_eq!(optimum(1.5), OptimumKind::Interior);
+        assert_eq!(optimum(0.6), OptimumKind::Border);
+        assert_eq!(optimum(0.5), OptimumKind::Border);
         let at_half = most_dissipating_force_ratio(0.5f64).unwrap();
-        assert_eq!((at_half.force_ratio, at_half.loop_size), (3.0, 8.0 * 4.0 / 9.0));
+        assert_eq!((at_half.at, at_half.value), (3.0, 8.0 * 4.0 / 9.0));
         assert!(matches!(most_dissipating_force_ratio(1.0), Err(Error::AtResonance { .. })));
     }
 
@@ -192,11 +158,11 @@ mod tests {
                 let cycle = Cycle::new(drive.ratios(&body).unwrap()).ok()?;
                 Some(4.0 * friction * cycle.max_displacement() * friction / 8.0)
             };
-            let at_best: f64 = energy(best.friction_bound * (1.0 - 1e-13)).unwrap();
-            assert!((at_best / best.energy - 1.0).abs() < 1e-11, "{omega} {zeta}");
+            let at_best: f64 = energy(best.at * (1.0 - 1e-13)).unwrap();
+            assert!((at_best / best.value - 1.0).abs() < 1e-11, "{omega} {zeta}");
             for i in 1..300 {
-                let other = energy(best.friction_bound * 0.01 * f64::from(i));
-                assert!(other.is_none_or(|e| e <= best.energy * (1.0 + 1e-13)), "{omega} {zeta} {i}");
+                let other = energy(best.at * 0.01 * f64::from(i));
+                assert!(other.is_none_or(|e| e <= best.value * (1.0 + 1e-13)), "{omega} {zeta} {i}");
             }
         }
     }
@@ -207,11 +173,11 @@ mod tests {
         for frequency in [0.9, 1.2, 3.0] {
             let drive = Drive::force(12.0, frequency).unwrap();
             let best = most_dissipating_friction(&body, &drive).unwrap();
-            let body = Oscillator::new(2.0, 8.0, best.friction_bound * (1.0 - 1e-15)).unwrap();
+            let body = Oscillator::new(2.0, 8.0, best.at * (1.0 - 1e-15)).unwrap();
             let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
             let length = Scales::new(&body, &drive).unwrap().length;
             let energy: f64 = 4.0 * body.friction_bound() * cycle.max_displacement() * length;
-            assert!((best.energy / energy - 1.0).abs() < 1e-12, "{frequency}");
+            assert!((best.value / energy - 1.0).abs() < 1e-12, "{frequency}");
         }
     }
 }

@@ -32,8 +32,9 @@
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
 
-use super::dissipation::{BestForceRatio, Optimum, most_dissipating_force_ratio};
+use super::dissipation::most_dissipating_force_ratio;
 use super::force::frequency_ratio_of;
+use super::optimum::{BoundedOptimum, Optimum, OptimumKind};
 use crate::error::{Error, Quantity, written};
 use crate::exact::{LongRun, State, SteadyState};
 use crate::float::Float;
@@ -41,24 +42,6 @@ use crate::nonsticking::{Border, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::{Ratios, positive, within};
-
-/// The force ratio of the largest loop of all.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestOfAllForceRatio<F> {
-    /// The force ratio α.
-    pub force_ratio: F,
-    /// The loop size A₁ there.
-    pub loop_size: F,
-    /// [`Optimum::Sticking`], or what it is among the motions that do not stick.
-    pub optimum: Optimum,
-    /// No force ratio at this Ω has a loop larger than this: proven, as far as each exact motion is within its
-    /// [`crate::exact::SteadyState::distance`] of the limit. What that and rounding may hide is part of it.
-    pub bound: F,
-    /// The best of those that do not stick.
-    pub non_sticking: BestForceRatio<F>,
-    /// Exact motions that were computed.
-    pub motions: u32,
-}
 
 /// A loop size as found, and what it may be at most.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -213,10 +196,10 @@ const COARSE: i32 = 32;
 /// [`most_dissipating_force_ratio`].
 ///
 /// ```
-/// use stickslip::design::{Optimum, most_dissipating_force_ratio_of_all};
+/// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
 /// let best = most_dissipating_force_ratio_of_all(0.3_f64, 1e-4)?;
-/// assert_eq!(best.optimum, Optimum::Sticking);
-/// assert!(best.loop_size > 2.0 * best.non_sticking.loop_size && best.bound < best.loop_size * 1.0001);
+/// assert_eq!(best.kind, OptimumKind::Sticking);
+/// assert!(best.value > 2.0 * best.non_sticking.value && best.bound < best.value * 1.0001);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -226,7 +209,7 @@ const COARSE: i32 = 32;
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     tolerance: F,
-) -> Result<BestOfAllForceRatio<F>, Error> {
+) -> Result<BoundedOptimum<F>, Error> {
     let one = F::int(1);
     let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
     let non_sticking = most_dissipating_force_ratio(omega)?;
@@ -234,39 +217,19 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let least = border.min_force_ratio();
     let share = one / least;
     let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement(), least)).most;
-    let most = LoopSize::closed(non_sticking.loop_size).most;
+    let most = LoopSize::closed(non_sticking.value).most;
     // What does not stick is a value to beat; both are one where the border is the best of it.
     let mut sticking =
-        Search { omega, share, loop_size: non_sticking.loop_size, bound: most, tolerance, motions: 0 };
+        Search { omega, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
     sticking.exhaust(share, one, at_border)?;
-    let inside = sticking.share > share && sticking.loop_size > non_sticking.loop_size;
-    let (force_ratio, loop_size, optimum) = if inside {
-        (one / sticking.share, sticking.loop_size, Optimum::Sticking)
+    let inside = sticking.share > share && sticking.loop_size > non_sticking.value;
+    let (at, value, kind) = if inside {
+        (one / sticking.share, sticking.loop_size, OptimumKind::Sticking)
     } else {
-        (non_sticking.force_ratio, non_sticking.loop_size, non_sticking.optimum)
+        (non_sticking.at, non_sticking.value, non_sticking.kind)
     };
-    let bound = sticking.bound.or_larger(loop_size);
-    Ok(BestOfAllForceRatio {
-        force_ratio,
-        loop_size,
-        optimum,
-        bound,
-        non_sticking,
-        motions: sticking.motions,
-    })
-}
-
-/// The friction bound that dissipates most, sticking allowed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestOfAllFriction<F> {
-    /// The friction bound r_y (unit of force).
-    pub friction_bound: F,
-    /// The energy dissipated in a cycle.
-    pub energy: F,
-    /// No friction dissipates more than this in a cycle.
-    pub bound: F,
-    /// [`Optimum::Sticking`], or what it is among the motions that do not stick.
-    pub optimum: Optimum,
+    let bound = sticking.bound.or_larger(value);
+    Ok(BoundedOptimum { at, value, kind, bound, non_sticking, motions: sticking.motions })
 }
 
 /// The friction bound with which `drive` dissipates most in a cycle, sticking allowed: [`most_dissipating_force_ratio_of_all`] in
@@ -280,16 +243,18 @@ pub fn most_dissipating_friction_of_all<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
     tolerance: F,
-) -> Result<BestOfAllFriction<F>, Error> {
+) -> Result<BoundedOptimum<F>, Error> {
     let omega = frequency_ratio_of(body, drive.angular_frequency())?;
     let best = most_dissipating_force_ratio_of_all(omega, tolerance)?;
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let unit = p0 / F::int(2) * (p0 / body.stiffness());
-    Ok(BestOfAllFriction {
-        friction_bound: positive(Quantity::FrictionBound, p0 / best.force_ratio)?,
-        energy: positive(Quantity::StaticEnergy, best.loop_size * unit)?,
+    let (sliding, friction) = (best.non_sticking, |alpha| positive(Quantity::FrictionBound, p0 / alpha));
+    Ok(BoundedOptimum {
+        at: friction(best.at)?,
+        value: positive(Quantity::StaticEnergy, best.value * unit)?,
         bound: best.bound * unit,
-        optimum: best.optimum,
+        non_sticking: Optimum { at: friction(sliding.at)?, value: sliding.value * unit, ..sliding },
+        ..best
     })
 }
 

@@ -22,7 +22,7 @@
 
 use super::bands::{Band, Edge, band_in, bands};
 use super::damped::{Damper, best_frequency_ratio};
-use super::dissipation::Optimum;
+use super::optimum::{Optimum, OptimumKind};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::border::{Lobe, border_range, ordered_lobes};
@@ -32,17 +32,6 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 use crate::root;
 
-/// The frequency ratio of the largest loop A₂ among the cycles that do not stick.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestFrequencyRatio<F> {
-    /// The frequency ratio Ω.
-    pub omega: F,
-    /// The loop size A₂ there.
-    pub loop_size: F,
-    /// What makes it the best.
-    pub optimum: Optimum,
-}
-
 /// The Ω in `[low, high]` that makes A₂ largest at the force ratio α, of those at which the body does not stick.
 ///
 /// The global one: each band of the range has one candidate, by the module's head. Accuracy at f64: 16 ulp in A₂; in Ω, where
@@ -51,28 +40,23 @@ pub struct BestFrequencyRatio<F> {
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range contains Ω = 1,
 /// at which A₂ is infinite, and as [`bands`].
-pub fn most_dissipating_frequency_ratio<F: Float>(
-    alpha: F,
-    low: F,
-    high: F,
-) -> Result<BestFrequencyRatio<F>, Error> {
+pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     bands(alpha, low, high)?;
     let lowest = low.or_larger(Lobe::new(u16::MAX).low_pole());
     let (first, last) = ordered_lobes(lowest, high)?;
-    let mut best: Option<BestFrequencyRatio<F>> = None;
+    let mut best: Option<Optimum<F>> = None;
     let mut next = Some(last);
     while let Some(lobe) = next {
         let n = F::int(i32::from(lobe.index()));
-        let is_beaten = |found: BestFrequencyRatio<F>| {
-            n > F::int(0) && found.loop_size * alpha * n * (n + F::int(1)) > F::int(2)
-        };
+        let is_beaten =
+            |found: Optimum<F>| n > F::int(0) && found.value * alpha * n * (n + F::int(1)) > F::int(2);
         // No band below the pole of a lobe that is out of reach.
         if best.is_some_and(is_beaten) || alpha < F::int(4) * n * (n + F::int(1)) {
             break;
         }
         if let Some(band) = band_in(lobe, alpha, low, high)? {
             let found = best_of_band(alpha, &band)?;
-            if best.is_none_or(|best| found.loop_size > best.loop_size) {
+            if best.is_none_or(|best| found.value > best.value) {
                 best = Some(found);
             }
         }
@@ -90,24 +74,24 @@ pub fn most_dissipating_frequency_ratio<F: Float>(
 }
 
 /// The largest A₂ of one band.
-fn best_of_band<F: Float>(alpha: F, band: &Band<F>) -> Result<BestFrequencyRatio<F>, Error> {
+fn best_of_band<F: Float>(alpha: F, band: &Band<F>) -> Result<Optimum<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
     if band.low <= one && band.high >= one {
         return Err(Error::AtResonance { quantity: Quantity::LoopSizeInertia });
     }
     let rises = |omega| growth(alpha, omega);
-    let at_end = |edge| if edge == Edge::Border { Optimum::Border } else { Optimum::RangeEnd };
+    let at_end = |edge| if edge == Edge::Border { OptimumKind::Border } else { OptimumKind::RangeEnd };
     let (omega, optimum) = if band.low > one || rises(band.low) <= zero {
         (band.low, at_end(band.low_edge))
     } else if rises(band.high) >= zero {
         (band.high, at_end(band.high_edge))
     } else {
-        (root::enclosed(band.low, band.high, rises).0, Optimum::Interior)
+        (root::enclosed(band.low, band.high, rises).0, OptimumKind::Interior)
     };
     let p = PhaseFunction::of_valid(omega);
     let displacement = max_displacement(p.value(), alpha, one_minus_square(omega));
     let loop_size = loop_size_inertia(loop_size_stiffness(displacement, alpha), omega);
-    Ok(BestFrequencyRatio { omega, loop_size, optimum })
+    Ok(Optimum { at: omega, value: loop_size, kind: optimum })
 }
 
 /// `2(α² − K²) − Ω(1 − Ω²) K K′`, which below Ω = 1 has the sign of dA₂/dΩ.
@@ -115,17 +99,6 @@ fn growth<F: Float>(alpha: F, omega: F) -> F {
     let p = PhaseFunction::of_valid(omega);
     let k = p.value();
     F::int(2) * squared_sine(k, alpha) - omega * one_minus_square(omega) * (k * p.slope())
-}
-
-/// The stiffness that dissipates most.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BestStiffness<F> {
-    /// The stiffness k.
-    pub stiffness: F,
-    /// The energy dissipated in a cycle, `4 r_y Δ₀`.
-    pub energy: F,
-    /// What makes it the best.
-    pub optimum: Optimum,
 }
 
 /// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle, of those with which the
@@ -143,7 +116,7 @@ pub fn most_dissipating_stiffness<F: Float>(
     drive: &Drive<F>,
     low: F,
     high: F,
-) -> Result<BestStiffness<F>, Error> {
+) -> Result<Optimum<F>, Error> {
     if drive.excitation().moves_foot() {
         return Err(Error::BaseMotion);
     }
@@ -168,18 +141,18 @@ pub fn most_dissipating_stiffness<F: Float>(
     } else {
         most_dissipating_frequency_ratio(alpha, omega(hard), omega(soft))?
     };
-    let stiffness = if best.omega == omega(hard) {
+    let stiffness = if best.at == omega(hard) {
         hard
-    } else if best.omega == omega(soft) {
+    } else if best.at == omega(soft) {
         soft
     } else {
-        inertia / best.omega.square()
+        inertia / best.at.square()
     };
-    let energy = best.loop_size * (p0 / F::int(2) * (p0 / inertia));
-    Ok(BestStiffness {
-        stiffness: positive(Quantity::Stiffness, stiffness)?,
-        energy: positive(Quantity::PseudoStaticEnergy, energy)?,
-        optimum: best.optimum,
+    let energy = best.value * (p0 / F::int(2) * (p0 / inertia));
+    Ok(Optimum {
+        at: positive(Quantity::Stiffness, stiffness)?,
+        value: positive(Quantity::PseudoStaticEnergy, energy)?,
+        kind: best.kind,
     })
 }
 

@@ -1,7 +1,7 @@
 //! The inverse problems with a damper: velocity and displacement, bands, friction and stiffness.
 
 use stickslip::design::{
-    Band, Edge, Optimum, bands, bands_with_damping, force_for_velocity,
+    Band, Edge, OptimumKind, bands, bands_with_damping, force_for_velocity,
     force_ratio_for_displacement_with_damping, force_ratio_for_velocity_with_damping, frequency_bands,
     most_dissipating_force_ratio_with_damping, most_dissipating_frequency_ratio, most_dissipating_stiffness,
 };
@@ -101,20 +101,20 @@ fn no_stiffness_of_a_grid_is_better() {
         let body = Oscillator::new(2.0, 1.0, friction).unwrap().with_damping(damping).unwrap();
         let drive = Drive::force(9.0, 2.0).unwrap();
         let best = most_dissipating_stiffness(&body, &drive, low, high).unwrap();
-        let at_best = energy(2.0, best.stiffness, friction, damping, &drive);
-        assert!((at_best / best.energy - 1.0).abs() < 1e-9, "{best:?} {at_best}");
+        let at_best = energy(2.0, best.at, friction, damping, &drive);
+        assert!((at_best / best.value - 1.0).abs() < 1e-9, "{best:?} {at_best}");
         let better = (0..=20_000)
             .map(|i| low + (high - low) * f64::from(i) / 20_000.0)
-            .find(|&k| energy(2.0, k, friction, damping, &drive) > best.energy * (1.0 + 1e-12));
+            .find(|&k| energy(2.0, k, friction, damping, &drive) > best.value * (1.0 + 1e-12));
         assert_eq!(better, None, "{friction} {damping}: {best:?}");
-        inside += u32::from(best.optimum == Optimum::Interior);
+        inside += u32::from(best.kind == OptimumKind::Interior);
     }
     assert!((2..5).contains(&inside), "{inside}");
     // Without a damper the best is Ω = 1, and infinite; a weak one makes it finite, next to Ω = 1.
     assert!(matches!(most_dissipating_frequency_ratio(3.0, 0.5, 2.0), Err(Error::AtResonance { .. })));
     let body = Oscillator::new(2.0, 1.0, 3.0).unwrap().with_damping(0.01).unwrap();
     let best = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 4.0, 20.0).unwrap();
-    assert!((best.stiffness / 8.0f64 - 1.0).abs() < 1e-2, "{best:?}");
+    assert!((best.at / 8.0f64 - 1.0).abs() < 1e-2, "{best:?}");
 }
 
 #[test]
@@ -195,9 +195,9 @@ fn the_best_friction_is_the_best() {
             let best = most_dissipating_force_ratio_with_damping(omega, zeta).unwrap();
             let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
             let at = |alpha: f64| cycle(omega, zeta, alpha).loop_size_stiffness();
-            assert!((at(best.force_ratio) / best.loop_size - 1.0).abs() < 1e-12, "{omega} {zeta}: {best:?}");
+            assert!((at(best.at) / best.value - 1.0).abs() < 1e-12, "{omega} {zeta}: {best:?}");
             assert!(
-                (0..2000).all(|i| at(least * (1.0 + 0.003 * f64::from(i))) <= best.loop_size * (1.0 + 1e-12))
+                (0..2000).all(|i| at(least * (1.0 + 0.003 * f64::from(i))) <= best.value * (1.0 + 1e-12))
             );
         }
     }

@@ -109,5 +109,5 @@ fn the_inverse_questions_at_256_bits() {
         assert!(((again - force) / force).abs() < Wide::epsilon() * Wide::int(64), "{omega}: {again}");
     }
     let best = most_dissipating_frequency_ratio(number("1.25"), number("0.1"), number("9")).unwrap();
-    assert!((best.omega.to_f64() / 0.934_679_833_045_693_5 - 1.0).abs() < 1e-15);
+    assert!((best.at.to_f64() / 0.934_679_833_045_693_5 - 1.0).abs() < 1e-15);
 }

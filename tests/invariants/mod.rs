@@ -148,7 +148,7 @@ fn inverse_questions(omega: f64, target: f64) {
         }
     }
     if let Ok(best) = design::most_dissipating_force_ratio(omega) {
-        assert!(best.force_ratio >= least && best.loop_size >= 0.0, "{best:?}");
+        assert!(best.at >= least && best.value >= 0.0, "{best:?}");
     }
     let (low, high) = (omega * 0.9, omega * 1.1);
     if let Ok(mut bands) = design::bands(target, low, high)

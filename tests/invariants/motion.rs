@@ -216,7 +216,7 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
     }
     if let Ok(best) = design::most_dissipating_force_ratio(omega) {
         let least = Border::new(omega).map_or(f64::NAN, |b| b.min_force_ratio());
-        assert!(best.force_ratio >= least && best.loop_size > 0.0);
+        assert!(best.at >= least && best.value > 0.0);
     }
     if let Ok(bands) = design::bands(alpha, low, high) {
         let mut last = low;
@@ -267,7 +267,7 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
         assert!(error.to_string().contains(" must be "), "{error}");
     }
     let best = design::most_dissipating_force_ratio_with_damping(omega, zeta).unwrap();
-    assert!(best.force_ratio >= least && best.loop_size.is_finite(), "{best:?}");
+    assert!(best.at >= least && best.value.is_finite(), "{best:?}");
     // Bounded work: bands as many as √α/2, and a mesh of some hundred points for each.
     if alpha < 1e3
         && high < 1e3

@@ -72,10 +72,10 @@ proptest! {
     fn no_friction_dissipates_more(omega in 0.2f64..3.0, other in prop::collection::vec(1.01f64..20.0, 20)) {
         prop_assume!(settles(omega, 0.02));
         let best = design::most_dissipating_force_ratio(omega).unwrap();
-        prop_assert!((loop_size(omega, best.force_ratio * (1.0 + 1e-9)) / best.loop_size - 1.0).abs() < 1e-6);
+        prop_assert!((loop_size(omega, best.at * (1.0 + 1e-9)) / best.value - 1.0).abs() < 1e-6);
         let of_all = design::most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap();
-        prop_assert!(of_all.loop_size >= best.loop_size * (1.0 - 1e-12));
-        prop_assert!((loop_size(omega, of_all.force_ratio * (1.0 + 1e-9)) / of_all.loop_size - 1.0).abs() < 1e-4);
+        prop_assert!(of_all.value >= best.value * (1.0 - 1e-12));
+        prop_assert!((loop_size(omega, of_all.at * (1.0 + 1e-9)) / of_all.value - 1.0).abs() < 1e-4);
         for alpha in other {
             prop_assert!(loop_size(omega, alpha) <= of_all.bound * (1.0 + 1e-9), "{} at {}", alpha, omega);
         }

@@ -142,12 +142,10 @@ fn close_is_what_approx_says() {
     // A distance, or a share of the larger.
     let share = |a: Number, b: Number, share: f64| a.relative_eq(&b, zero, Number::from(share));
     assert!(
-        share(Number::from(-80), Number::from(-100), 0.2)
-            && share(Number::from(100), Number::from(81), 0.2)
+        share(Number::from(-80), Number::from(-100), 0.2) && share(Number::from(100), Number::from(81), 0.2)
     );
     assert!(
-        !share(Number::from(-79), Number::from(-100), 0.2)
-            && !share(Number::from(2), Number::from(-2), 0.2)
+        !share(Number::from(-79), Number::from(-100), 0.2) && !share(Number::from(2), Number::from(-2), 0.2)
     );
     assert!(Number::from(1).relative_eq(&Number::from(2), Number::from(1), zero));
     // Units of the larger, on one side of zero.

@@ -5,8 +5,7 @@
 //! it is finite.
 
 use super::super::bands::{Band, Edge};
-use super::super::dissipation::Optimum;
-use super::super::tuning::BestFrequencyRatio;
+use super::super::optimum::{Optimum, OptimumKind};
 use super::{Damper, Search, highest};
 use crate::error::{Error, written};
 use crate::float::Float;
@@ -22,12 +21,12 @@ pub(in crate::design) fn best_frequency_ratio<F: Float>(
     damper: Damper<F>,
     low: F,
     high: F,
-) -> Result<BestFrequencyRatio<F>, Error> {
+) -> Result<Optimum<F>, Error> {
     let mut search = Search::new(alpha, damper, low, high);
-    let mut best: Option<BestFrequencyRatio<F>> = None;
+    let mut best: Option<Optimum<F>> = None;
     for band in search.by_ref() {
         let found = best_of_band(alpha, damper, &band);
-        if best.is_none_or(|best| found.loop_size > best.loop_size) {
+        if best.is_none_or(|best| found.value > best.value) {
             best = Some(found);
         }
     }
@@ -47,24 +46,24 @@ fn loop_size<F: Float>(alpha: F, damper: Damper<F>, omega: F) -> F {
 }
 
 /// The largest A₂ of one band: at an end, or at a maximum between points of the mesh.
-fn best_of_band<F: Float>(alpha: F, damper: Damper<F>, band: &Band<F>) -> BestFrequencyRatio<F> {
+fn best_of_band<F: Float>(alpha: F, damper: Damper<F>, band: &Band<F>) -> Optimum<F> {
     let size = |omega: F| loop_size(alpha, damper, omega);
-    let at_end = |omega: F, edge: Edge| BestFrequencyRatio {
-        omega,
-        loop_size: size(omega),
-        optimum: if edge == Edge::Border { Optimum::Border } else { Optimum::RangeEnd },
+    let at_end = |omega: F, edge: Edge| Optimum {
+        at: omega,
+        value: size(omega),
+        kind: if edge == Edge::Border { OptimumKind::Border } else { OptimumKind::RangeEnd },
     };
     let (first, last) = (at_end(band.low, band.low_edge), at_end(band.high, band.high_edge));
-    let mut best = if last.loop_size > first.loop_size { last } else { first };
-    let (mut before, mut middle) = ((band.low, first.loop_size), (band.low, first.loop_size));
+    let mut best = if last.value > first.value { last } else { first };
+    let (mut before, mut middle) = ((band.low, first.value), (band.low, first.value));
     while middle.0 < band.high {
         let next = damper.next(middle.0);
         let next = if next < band.high { next } else { band.high };
         let here = (next, size(next));
         if middle.1 >= before.1 && middle.1 >= here.1 && middle.0 > band.low {
             let omega = highest(before.0, next, size, |_| false);
-            let found = BestFrequencyRatio { omega, loop_size: size(omega), optimum: Optimum::Interior };
-            if found.loop_size > best.loop_size {
+            let found = Optimum { at: omega, value: size(omega), kind: OptimumKind::Interior };
+            if found.value > best.value {
                 best = found;
             }
         }

@@ -4,7 +4,7 @@ use super::{
     LoopSize, bound_between, doubt_of_way, loop_size_of_motion, most_dissipating_force_ratio_of_all,
     most_dissipating_friction_of_all,
 };
-use crate::design::Optimum;
+use crate::design::OptimumKind;
 use crate::exact::{LongRun, State, Trajectory};
 use crate::{Drive, Error, Oscillator, Ratios, Response};
 
@@ -55,7 +55,7 @@ fn the_way_of_a_motion_known_within_d() {
     assert!(worst > 1.0, "{worst}");
     // Found with its own doubt, at the tolerance that leaves least room for it.
     let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
-    let again = loop_size_of_motion(0.3, best.force_ratio).unwrap();
+    let again = loop_size_of_motion(0.3, best.at).unwrap();
     assert!(best.bound >= again.most && again.most > again.found);
 }
 
@@ -105,16 +105,16 @@ fn no_loop_between_two_frictions_exceeds_the_bound() {
 fn none_of_all_is_better() {
     for omega in [0.05, 0.13, 0.22, 0.3, 0.4, 0.6, 0.7, 0.9, 1.3, 4.0] {
         let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
-        assert!(best.bound >= best.loop_size && best.bound <= best.loop_size * 1.0001, "{best:?}");
-        assert!(best.loop_size >= best.non_sticking.loop_size && best.motions < 3000, "{omega} {best:?}");
-        let again = loop_size_of_motion(omega, best.force_ratio * (1.0 + 1e-14)).unwrap().found;
-        assert!((again / best.loop_size - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
+        assert!(best.bound >= best.value && best.bound <= best.value * 1.0001, "{best:?}");
+        assert!(best.value >= best.non_sticking.value && best.motions < 3000, "{omega} {best:?}");
+        let again = loop_size_of_motion(omega, best.at * (1.0 + 1e-14)).unwrap().found;
+        assert!((again / best.value - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
         for i in 1..300 {
             let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap().found;
             assert!(other <= best.bound, "{omega} {i} {other} {best:?}");
         }
-        let answer = Response::new(Ratios::new(omega, best.force_ratio * (1.0 + 1e-14)).unwrap());
-        assert_eq!(answer.cycle().is_none(), best.optimum == Optimum::Sticking, "{omega} {best:?}");
+        let answer = Response::new(Ratios::new(omega, best.at * (1.0 + 1e-14)).unwrap());
+        assert_eq!(answer.cycle().is_none(), best.kind == OptimumKind::Sticking, "{omega} {best:?}");
     }
 }
 
@@ -124,18 +124,18 @@ fn a_coarse_search_ends_at_the_same_place() {
     for omega in [0.13, 0.22, 0.3] {
         let at = |tolerance: f64| most_dissipating_force_ratio_of_all(omega, tolerance).unwrap();
         let (coarse, fine) = (at(1e-2), at(1e-5));
-        assert_eq!(fine.optimum, Optimum::Sticking);
-        assert!((coarse.force_ratio / fine.force_ratio - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
+        assert_eq!(fine.kind, OptimumKind::Sticking);
+        assert!((coarse.at / fine.at - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
     }
 }
 
 #[test]
 fn the_slow_limit_and_which_one_it_is() {
     let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 1e-3).unwrap();
-    assert!((slow.force_ratio - 2.0).abs() < 0.05 && (slow.loop_size - 2.0).abs() < 0.01, "{slow:?}");
-    let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap().optimum;
-    assert_eq!(optimum(0.3), Optimum::Sticking);
-    assert_eq!(optimum(1.5), Optimum::Interior);
+    assert!((slow.at - 2.0).abs() < 0.05 && (slow.value - 2.0).abs() < 0.01, "{slow:?}");
+    let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap().kind;
+    assert_eq!(optimum(0.3), OptimumKind::Sticking);
+    assert_eq!(optimum(1.5), OptimumKind::Interior);
     assert!(matches!(most_dissipating_force_ratio_of_all(1.0, 1e-3), Err(Error::AtResonance { .. })));
     assert!(matches!(most_dissipating_force_ratio_of_all(0.7, 1e-30), Err(Error::OutOfRange { .. })));
 }
@@ -146,6 +146,6 @@ fn in_physical_units() {
     let drive = Drive::force(12.0, 0.6).unwrap();
     let best = most_dissipating_friction_of_all::<f64>(&body, &drive, 1e-3).unwrap();
     let ratios = most_dissipating_force_ratio_of_all(0.3, 1e-3).unwrap();
-    assert!((best.friction_bound * ratios.force_ratio / 12.0 - 1.0).abs() < 1e-6);
-    assert!((best.energy / (ratios.loop_size * 9.0) - 1.0).abs() < 1e-9 && best.optimum == Optimum::Sticking);
+    assert!((best.at * ratios.at / 12.0 - 1.0).abs() < 1e-6);
+    assert!((best.value / (ratios.value * 9.0) - 1.0).abs() < 1e-9 && best.kind == OptimumKind::Sticking);
 }

@@ -1,7 +1,7 @@
 //! Tests of `tuning.rs`.
 
 use super::{most_dissipating_frequency_ratio, most_dissipating_stiffness};
-use crate::design::{Optimum, bands};
+use crate::design::{OptimumKind, bands};
 use crate::error::Quantity;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
 
@@ -24,10 +24,10 @@ fn none_of_the_range_is_better() {
         (1e4, 0.005, 0.02),
     ] {
         let best = most_dissipating_frequency_ratio(alpha, low, high).unwrap();
-        assert!((loop_size(best.omega, alpha) / best.loop_size - 1.0).abs() < 1e-12);
+        assert!((loop_size(best.at, alpha) / best.value - 1.0).abs() < 1e-12);
         for i in 0..=50_000 {
             let omega = low + (high - low) * f64::from(i) / 50_000.0;
-            assert!(loop_size(omega, alpha) <= best.loop_size * (1.0 + 1e-12), "{alpha} {omega} {best:?}");
+            assert!(loop_size(omega, alpha) <= best.value * (1.0 + 1e-12), "{alpha} {omega} {best:?}");
         }
     }
 }
@@ -44,8 +44,8 @@ fn the_best_need_not_be_in_the_highest_band() {
                 let high = low * (1.0 + share);
                 let best = most_dissipating_frequency_ratio(alpha, 0.03, high).unwrap();
                 let of_last = most_dissipating_frequency_ratio(alpha, low, high).unwrap();
-                assert!(best.loop_size >= of_last.loop_size, "{alpha} {high}: {best:?} {of_last:?}");
-                lower += u32::from(best.omega < low && best.loop_size > of_last.loop_size);
+                assert!(best.value >= of_last.value, "{alpha} {high}: {best:?} {of_last:?}");
+                lower += u32::from(best.at < low && best.value > of_last.value);
             }
         }
     }
@@ -62,19 +62,19 @@ fn inside_to_fifteen_digits() {
     ] {
         let high = if alpha > 2.0 { 0.34 } else { 9.0 };
         let best = most_dissipating_frequency_ratio::<f64>(alpha, 0.1, high).unwrap();
-        assert_eq!(best.optimum, Optimum::Interior);
-        assert!((best.omega / omega - 1.0).abs() < 2e-15, "{alpha}: {best:?}");
-        assert!((best.loop_size / loop_size - 1.0).abs() < 1e-14, "{alpha}: {best:?}");
+        assert_eq!(best.kind, OptimumKind::Interior);
+        assert!((best.at / omega - 1.0).abs() < 2e-15, "{alpha}: {best:?}");
+        assert!((best.value / loop_size - 1.0).abs() < 1e-14, "{alpha}: {best:?}");
     }
 }
 
 #[test]
 fn which_one_it_is() {
     let optimum =
-        |alpha, low, high| most_dissipating_frequency_ratio::<f64>(alpha, low, high).map(|b| b.optimum);
-    assert_eq!(optimum(1.5, 0.7, 0.9), Ok(Optimum::RangeEnd));
-    assert_eq!(optimum(1.5, 1.1, 1.2), Ok(Optimum::RangeEnd));
-    assert_eq!(optimum(31.0, 0.05, 0.2), Ok(Optimum::Border));
+        |alpha, low, high| most_dissipating_frequency_ratio::<f64>(alpha, low, high).map(|b| b.kind);
+    assert_eq!(optimum(1.5, 0.7, 0.9), Ok(OptimumKind::RangeEnd));
+    assert_eq!(optimum(1.5, 1.1, 1.2), Ok(OptimumKind::RangeEnd));
+    assert_eq!(optimum(31.0, 0.05, 0.2), Ok(OptimumKind::Border));
     assert!(matches!(optimum(1.5, 0.5, 2.0), Err(Error::AtResonance { .. })));
     assert!(matches!(optimum(1.2, 0.01, 100.0), Err(Error::SticksThroughout { .. })));
     assert!(matches!(optimum(1.22, 0.95, 2.0), Err(Error::SticksThroughout { .. })));
@@ -104,12 +104,12 @@ fn in_physical_units() {
     // m ω_d² = 8: k = 8/Ω².
     let ratios = most_dissipating_frequency_ratio::<f64>(1.25, 0.5, 2.0).unwrap();
     let best = most_dissipating_stiffness(&body, &drive, 2.0, 32.0).unwrap();
-    assert!((best.stiffness * ratios.omega.powi(2) / 8.0 - 1.0).abs() < 1e-14);
-    assert!((best.energy / (ratios.loop_size * 3.75 * 3.75 / 16.0) - 1.0).abs() < 1e-14);
-    let body = Oscillator::new(2.0, best.stiffness, 3.0).unwrap();
+    assert!((best.at * ratios.at.powi(2) / 8.0 - 1.0).abs() < 1e-14);
+    assert!((best.value / (ratios.value * 3.75 * 3.75 / 16.0) - 1.0).abs() < 1e-14);
+    let body = Oscillator::new(2.0, best.at, 3.0).unwrap();
     let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
     let energy = 4.0 * 3.0 * cycle.max_displacement() * body.friction_displacement();
-    assert!((best.energy / energy - 1.0).abs() < 1e-10, "{energy} {best:?}");
+    assert!((best.value / energy - 1.0).abs() < 1e-10, "{energy} {best:?}");
     let base = Drive::base_motion(1.0, 2.0).unwrap();
     assert_eq!(most_dissipating_stiffness(&body, &base, 2.0, 32.0), Err(Error::BaseMotion));
     let empty = most_dissipating_stiffness(&body, &drive, 3.0, 2.0).unwrap_err();

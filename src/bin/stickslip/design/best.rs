@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::given::Parameter as P;
 use crate::note::digits;
 use crate::record::Cell;
-use stickslip::design::{self, Optimum};
+use stickslip::design::{self, OptimumKind};
 use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {
@@ -18,28 +18,14 @@ impl<F: Value> Asked<'_, F> {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
             let best =
                 design::most_dissipating_force_ratio_with_damping(omega, zeta).map_err(|e| self.fail(e))?;
-            let size = ("loop_size_stiffness", Kind::Ratio, best.loop_size);
-            return Ok(best_ratio(
-                "Most",
-                'α',
-                ("force_ratio", Kind::Ratio, best.force_ratio),
-                size,
-                None,
-                best.optimum,
-            ));
+            let size = ("loop_size_stiffness", Kind::Ratio, best.value);
+            return Ok(best_ratio("Most", 'α', ("force_ratio", Kind::Ratio, best.at), size, None, best.kind));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_friction(&body, &drive).map_err(|e| self.fail(e))?;
-        let place = self.friction_of(best.friction_bound);
-        Ok(self.best(
-            "Most",
-            &place,
-            ("friction", Kind::Force, best.friction_bound),
-            best.energy,
-            None,
-            best.optimum,
-        ))
+        let place = self.friction_of(best.at);
+        Ok(self.best("Most", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
     }
 
     /// The same with sticking allowed: by exact motions, with a bound on what any friction dissipates.
@@ -49,23 +35,23 @@ impl<F: Value> Asked<'_, F> {
             self.undamped()?;
             let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
             let best = best.map_err(|e| self.fail(e))?;
-            let (at, bound) = (("force_ratio", Kind::Ratio, best.force_ratio), Some(best.bound));
+            let (at, bound) = (("force_ratio", Kind::Ratio, best.at), Some(best.bound));
             return Ok(best_ratio(
                 "Most of all",
                 'α',
                 at,
-                ("loop_size_stiffness", Kind::Ratio, best.loop_size),
+                ("loop_size_stiffness", Kind::Ratio, best.value),
                 bound,
-                best.optimum,
+                best.kind,
             ));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let best = design::most_dissipating_friction_of_all(&body, &drive, tolerance);
         let best = best.map_err(|e| self.fail(e))?;
-        let place = self.friction_of(best.friction_bound);
-        let at = ("friction", Kind::Force, best.friction_bound);
-        Ok(self.best("Most of all", &place, at, best.energy, Some(best.bound), best.optimum))
+        let place = self.friction_of(best.at);
+        let at = ("friction", Kind::Force, best.at);
+        Ok(self.best("Most of all", &place, at, best.value, Some(best.bound), best.kind))
     }
 
     pub(super) fn stiffness(&self) -> Result<Answer<F>, Failure> {
@@ -76,10 +62,10 @@ impl<F: Value> Asked<'_, F> {
             return Ok(best_ratio(
                 "Most",
                 'Ω',
-                ("omega", Kind::Ratio, best.omega),
-                ("loop_size_inertia", Kind::Ratio, best.loop_size),
+                ("omega", Kind::Ratio, best.at),
+                ("loop_size_inertia", Kind::Ratio, best.value),
                 None,
-                best.optimum,
+                best.kind,
             ));
         }
         if self.given.has(P::DampingRatio) {
@@ -92,9 +78,9 @@ impl<F: Value> Asked<'_, F> {
         let (force, length) = (self.system().force(), self.system().length());
         let searched = body.damping() > F::int(0);
         let by = if searched { " (by a search that is not a proof)" } else { "" };
-        let place = format!("on a stiffness of {} {force}/{length}{by}", digits(best.stiffness));
-        let at = ("stiffness", Kind::Stiffness, best.stiffness);
-        let mut answer = self.best("Most", &place, at, best.energy, None, best.optimum);
+        let place = format!("on a stiffness of {} {force}/{length}{by}", digits(best.at));
+        let at = ("stiffness", Kind::Stiffness, best.at);
+        let mut answer = self.best("Most", &place, at, best.value, None, best.kind);
         if searched {
             answer.rows.iter_mut().for_each(|row| row.push(searched_field()));
         }
@@ -113,7 +99,7 @@ impl<F: Value> Asked<'_, F> {
         at: (&'static str, Kind, F),
         energy: F,
         bound: Option<F>,
-        optimum: Optimum,
+        optimum: OptimumKind,
     ) -> Answer<F> {
         let (force, length) = (self.system().force(), self.system().length());
         let energy_text = digits(energy);
@@ -132,7 +118,7 @@ fn best_ratio<F: Value>(
     at: (&'static str, Kind, F),
     size: (&'static str, Kind, F),
     bound: Option<F>,
-    optimum: Optimum,
+    optimum: OptimumKind,
 ) -> Answer<F> {
     let sentence = format!("{most} is dissipated at {symbol} = {}, {}.", digits(at.2), why(optimum));
     Answer::one(sentence, best_fields(at, size, bound, optimum))
@@ -142,7 +128,7 @@ fn best_fields<F: Value>(
     at: (&'static str, Kind, F),
     size: (&'static str, Kind, F),
     bound: Option<F>,
-    optimum: Optimum,
+    optimum: OptimumKind,
 ) -> Row<F> {
     let mut fields = vec![(at.0, at.1, some(at.2)), (size.0, size.1, some(size.2))];
     fields.extend(bound.map(|bound| ("bound", size.1, some(bound))));
@@ -150,23 +136,23 @@ fn best_fields<F: Value>(
     fields
 }
 
-fn name(optimum: Optimum) -> &'static str {
+fn name(optimum: OptimumKind) -> &'static str {
     match optimum {
-        Optimum::Interior => "interior",
-        Optimum::Border => "border",
-        Optimum::RangeEnd => "end-of-range",
-        Optimum::Sticking => "sticking",
+        OptimumKind::Interior => "interior",
+        OptimumKind::Border => "border",
+        OptimumKind::RangeEnd => "end-of-range",
+        OptimumKind::Sticking => "sticking",
         // The library may come to know more kinds.
         _ => "other",
     }
 }
 
-fn why(optimum: Optimum) -> &'static str {
+fn why(optimum: OptimumKind) -> &'static str {
     match optimum {
-        Optimum::Interior => "where more and less are both worse",
-        Optimum::Border => "on the border of sticking",
-        Optimum::RangeEnd => "at the end of the range",
-        Optimum::Sticking => "where it sticks, by the exact motion",
+        OptimumKind::Interior => "where more and less are both worse",
+        OptimumKind::Border => "on the border of sticking",
+        OptimumKind::RangeEnd => "at the end of the range",
+        OptimumKind::Sticking => "where it sticks, by the exact motion",
         _ => "by the motion itself",
     }
 }

@@ -1,0 +1,48 @@
+//! An optimum: where it is, what it is worth, and what makes it one.
+
+/// What makes a value the best one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum OptimumKind {
+    /// The derivative is zero there, inside the region where the body does not stick.
+    Interior,
+    /// The border: on the one side the body sticks, on the other it dissipates less.
+    Border,
+    /// An end of the range that was asked about.
+    RangeEnd,
+    /// Inside the region where the body sticks in every cycle, by the exact motion.
+    Sticking,
+}
+
+/// An optimum among the cycles that do not stick.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
+pub struct Optimum<F> {
+    /// The argument: a force ratio, frequency ratio, friction bound or stiffness, as the function says.
+    pub at: F,
+    /// The largest value: the loop size A₁ or A₂ of a ratio, the energy of a cycle in physical units.
+    pub value: F,
+    /// What makes it the best.
+    pub kind: OptimumKind,
+}
+
+/// An optimum among all motions, with a bound on every other value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+#[non_exhaustive]
+pub struct BoundedOptimum<F> {
+    /// The argument, as of [`Optimum`].
+    pub at: F,
+    /// The largest value that was found.
+    pub value: F,
+    /// [`OptimumKind::Sticking`], or what it is among the motions that do not stick.
+    pub kind: OptimumKind,
+    /// No argument has a larger value than this: proven, as far as each exact motion is within its
+    /// [`crate::exact::SteadyState::distance`] of the limit. What that and rounding may hide is part of it.
+    pub bound: F,
+    /// The optimum of those that do not stick.
+    pub non_sticking: Optimum<F>,
+    /// Exact motions that were computed.
+    pub motions: u32,
+}
