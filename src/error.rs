@@ -1,8 +1,10 @@
 //! What can be wrong with an input: which quantity, its value, the inequality it breaks.
 
+mod number;
 mod quantity;
 
-use crate::float::Float;
+pub use number::Number;
+pub(crate) use number::written;
 pub use quantity::Quantity;
 
 /// Why there is no answer. Values are printed with all the digits that tell them apart.
@@ -15,7 +17,7 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// Its value.
-        value: String,
+        value: Number,
     },
     /// Zero or negative where only a positive number makes sense.
     #[error("{quantity} = {value} must be > 0")]
@@ -23,7 +25,7 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// Its value.
-        value: String,
+        value: Number,
     },
     /// Negative where only zero or a positive number makes sense.
     #[error("{quantity} = {value} must be ≥ 0")]
@@ -31,7 +33,7 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// Its value.
-        value: String,
+        value: Number,
     },
     /// A damper in a question whose answer is known without one only.
     #[error(
@@ -39,7 +41,7 @@ pub enum Error {
     )]
     Damped {
         /// Damping ratio ζ.
-        damping_ratio: String,
+        damping_ratio: Number,
     },
     /// A static friction below the kinetic one.
     #[error(
@@ -47,7 +49,7 @@ pub enum Error {
     )]
     BelowKineticFriction {
         /// Static friction ratio η = r_s/r_y.
-        static_friction_ratio: String,
+        static_friction_ratio: Number,
     },
     /// A static friction above the kinetic one in a question whose answer is known for equal ones only.
     #[error(
@@ -55,7 +57,7 @@ pub enum Error {
     )]
     StaticFriction {
         /// Static friction ratio η = r_s/r_y.
-        static_friction_ratio: String,
+        static_friction_ratio: Number,
     },
     /// So small or so large that a result could under- or overflow.
     #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
@@ -63,11 +65,11 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// Its value.
-        value: String,
+        value: Number,
         /// Least admissible value.
-        least: String,
+        least: Number,
         /// Greatest admissible value.
-        greatest: String,
+        greatest: Number,
     },
     /// A range whose lower end is above its upper one.
     #[error("range of {quantity}: {low} must be ≤ {high}")]
@@ -75,27 +77,27 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// Its lower end.
-        low: String,
+        low: Number,
         /// Its upper end.
-        high: String,
+        high: Number,
     },
     /// An interval of a parameter whose lower end is not below its upper one.
     #[error("interval: {low} must be ≤ {high}")]
     EmptyInterval {
         /// Its lower end.
-        low: String,
+        low: Number,
         /// Its upper end.
-        high: String,
+        high: Number,
     },
     /// No non-sticking cycle: the force ratio is below the border.
     #[error("force ratio α = {alpha} must be ≥ {least}, the border at Ω = {omega}: below it the body sticks")]
     Sticks {
         /// Frequency ratio Ω.
-        omega: String,
+        omega: Number,
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
         /// Least force ratio without sticking, α_min(Ω).
-        least: String,
+        least: Number,
     },
     /// No non-sticking cycle anywhere in a range of frequency ratios.
     #[error(
@@ -103,13 +105,13 @@ pub enum Error {
     )]
     SticksThroughout {
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
         /// The least force ratio without sticking in the range.
-        least: String,
+        least: Number,
         /// Lower end of the range of Ω.
-        low: String,
+        low: Number,
         /// Upper end of the range of Ω.
-        high: String,
+        high: Number,
     },
     /// A target so small that the body would stick in a motion of that size.
     #[error("{quantity} = {value} must be ≥ {least} at Ω = {omega}: in a smaller motion the body sticks")]
@@ -117,11 +119,11 @@ pub enum Error {
         /// What it is.
         quantity: Quantity,
         /// The value asked for.
-        value: String,
+        value: Number,
         /// The least value without sticking.
-        least: String,
+        least: Number,
         /// Frequency ratio Ω.
-        omega: String,
+        omega: Number,
     },
     /// A force ratio closer to the least of the border than the arithmetic can tell.
     #[error(
@@ -129,11 +131,11 @@ pub enum Error {
     )]
     Undecided {
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
         /// The least of the border.
-        least: String,
+        least: Number,
         /// Where that is.
-        omega: String,
+        omega: Number,
     },
     /// A question without a finite answer at Ω = 1, where the body either sticks or moves ever more.
     #[error(
@@ -173,9 +175,9 @@ pub enum Error {
     )]
     NotSettled {
         /// Frequency ratio Ω.
-        omega: String,
+        omega: Number,
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
     },
     /// A search that passed its proved bound without an answer. No input is known that leads here.
     #[error(
@@ -185,11 +187,11 @@ pub enum Error {
         /// What was searched for.
         search: &'static str,
         /// Frequency ratio Ω.
-        omega: String,
+        omega: Number,
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
         /// Phase ω_d t (radians) that the search began at.
-        phase: String,
+        phase: Number,
         /// The bound.
         bound: &'static str,
     },
@@ -202,7 +204,7 @@ pub enum Error {
     )]
     Unbounded {
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
     },
 }
 
@@ -238,16 +240,6 @@ impl Error {
     }
 }
 
-/// `x` with all its digits, and with a power of ten where it would take many zeros.
-pub(crate) fn written<F: Float>(x: F) -> String {
-    let size = x.to_f64().abs();
-    if (1e-5..1e16).contains(&size) || size == 0.0 || !size.is_finite() {
-        x.to_string()
-    } else {
-        format!("{x:e}")
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::written;
@@ -262,7 +254,15 @@ mod tests {
             (f64::NAN, "NaN"),
             (-f64::INFINITY, "-inf"),
         ] {
-            assert_eq!(written(x), text);
+            assert_eq!((written(x).to_string(), written(x)), (text.to_owned(), written(x)));
+            assert!(written(x).to_f64() == x || x.is_nan());
         }
+        // Another type's own digits, and the f64 next to it.
+        assert_eq!(
+            (written(0.1f32).to_string().as_str(), written(0.1f32).to_f64()),
+            ("0.1", f64::from(0.1f32))
+        );
+        assert_eq!(written(1e-9f32).to_string(), "1e-9");
+        assert_ne!(written(0.1f32), written(0.1f64));
     }
 }

@@ -207,7 +207,7 @@ pub mod dependencies {
     pub use rug;
 }
 
-pub use error::{Error, Quantity};
+pub use error::{Error, Number, Quantity};
 pub use float::{Field, Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Excitation, Oscillator, Scales};

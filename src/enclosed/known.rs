@@ -1,6 +1,6 @@
 //! A ratio as it is known: a rational number, or all numbers between two.
 
-use crate::error::{Error, Quantity, written};
+use crate::error::{Error, Number, Quantity, written};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::{Mp, ParseError};
 use crate::float::{Field, Float};
@@ -50,7 +50,8 @@ impl Known {
         if low.low <= high.high {
             Ok(Self { low: low.low.clone(), high: high.high.clone() })
         } else {
-            Err(Error::EmptyInterval { low: low.low.to_string(), high: high.high.to_string() })
+            let end = |x: &Rational| Number::spelled(x.to_f64(), &x.to_string());
+            Err(Error::EmptyInterval { low: end(&low.low), high: end(&high.high) })
         }
     }
 

@@ -1,7 +1,7 @@
 //! More bits until the answers are sharp, or there are no more.
 
 use super::{Enclosure, Regime};
-use crate::error::Error;
+use crate::error::{Error, written};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::output::Output;
@@ -86,9 +86,9 @@ pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, E
     // `valid` has seen to it that there is a width.
     let nothing = Error::OutOfRange {
         quantity: crate::Quantity::Precision,
-        value: bits.to_string(),
-        least: 1.to_string(),
-        greatest: (GREATEST - 64).to_string(),
+        value: written(f64::from(bits)),
+        least: written(1.0),
+        greatest: written(f64::from(GREATEST - 64)),
     };
     last.map(|found| found.rounded(bits)).ok_or(nothing)
 }

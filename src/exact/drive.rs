@@ -8,7 +8,7 @@
 //! A phase given is within 2⁵³ half turns, and a motion of 2⁶⁰ more ends in no program: the counter does not overflow, and if it
 //! did, it would stay where it is.
 
-use crate::error::{Error, Quantity, written};
+use crate::error::{Error, Number, Quantity, written};
 use crate::float::Float;
 use crate::ratios::finite;
 
@@ -31,7 +31,7 @@ impl<F: Float> DrivePhase<F> {
             return Err(Error::OutOfRange {
                 quantity: Quantity::DrivePhase,
                 value: written(theta),
-                least: (-most).to_string(),
+                least: written(-most),
                 greatest: written(most),
             });
         }
@@ -47,9 +47,9 @@ impl<F: Float> DrivePhase<F> {
         if half_turns.unsigned_abs() > MOST_HALF_TURNS as u64 {
             return Err(Error::OutOfRange {
                 quantity: Quantity::DriveCycles,
-                value: cycles.to_string(),
-                least: (-MOST_HALF_TURNS / 2.0).to_string(),
-                greatest: (MOST_HALF_TURNS / 2.0).to_string(),
+                value: Number::spelled(cycles as f64, &cycles.to_string()),
+                least: written(-MOST_HALF_TURNS / 2.0),
+                greatest: written(MOST_HALF_TURNS / 2.0),
             });
         }
         Self::new(theta).map(|p| p.later_by_half_turns(half_turns))

@@ -3,7 +3,7 @@
 use super::drive::DrivePhase;
 use super::state::Instant;
 use super::trajectory::{Phase, Trajectory};
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use core::ops::ControlFlow;
 
@@ -27,7 +27,7 @@ impl<F: Float> Trajectory<F> {
     /// Where `per_cycle` is zero, and as for the first item of the trajectory.
     pub fn samples(mut self, per_cycle: u32) -> Result<Samples<F>, Error> {
         if per_cycle == 0 {
-            let value = per_cycle.to_string();
+            let value = written(f64::from(per_cycle));
             return Err(Error::NotPositive { quantity: Quantity::SamplesPerCycle, value });
         }
         let current = self.next().transpose()?;

@@ -39,8 +39,8 @@ impl<F: Float> State<F> {
             Err(Error::OutOfRange {
                 quantity,
                 value: written(value),
-                least: (-most).to_string(),
-                greatest: most.to_string(),
+                least: written(-most),
+                greatest: written(most),
             })
         };
         Ok(Self {

@@ -26,7 +26,7 @@
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::oscillator::{Drive, Oscillator, Scales};
 use crate::output::Output;
 use crate::regime::Regime;
@@ -147,7 +147,7 @@ impl MonteCarlo {
         drive: impl Fn(f64, f64) -> Result<Drive<f64>, Error>,
     ) -> Result<Self, Error> {
         if draws == 0 {
-            return Err(Error::NotPositive { quantity: Quantity::Draws, value: draws.to_string() });
+            return Err(Error::NotPositive { quantity: Quantity::Draws, value: written(f64::from(draws)) });
         }
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut regimes =

@@ -220,11 +220,11 @@ impl<'a, F: Value> Asked<'a, F> {
     /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they do.
     fn undamped(&self) -> Result<(), Failure> {
         if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
-            return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.to_string() }));
+            return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));
         }
         let zeta = self.damping_ratio();
         if zeta > F::int(0) {
-            return Err(self.fail(Error::Damped { damping_ratio: zeta.to_string() }));
+            return Err(self.fail(Error::Damped { damping_ratio: zeta.into() }));
         }
         Ok(())
     }

@@ -7,7 +7,7 @@
 use super::super::bands::{Band, Edge};
 use super::super::optimum::{Optimum, OptimumKind};
 use super::{Damper, Search, highest};
-use crate::error::{Error, written};
+use crate::error::{Error, Number, written};
 use crate::float::Float;
 use crate::nonsticking::damped::half_period_at;
 use crate::nonsticking::{loop_size_inertia, loop_size_stiffness, max_displacement};
@@ -32,7 +32,7 @@ pub(in crate::design) fn best_frequency_ratio<F: Float>(
     }
     best.ok_or_else(|| Error::SticksThroughout {
         alpha: written(alpha),
-        least: search.least().map_or_else(|| "1/Ω² − 1".to_owned(), written),
+        least: search.least().map_or_else(|| Number::spelled(f64::NAN, "1/Ω² − 1"), written),
         low: written(low),
         high: written(high),
     })

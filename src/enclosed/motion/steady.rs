@@ -5,7 +5,7 @@ use super::super::{Enclosure, Known, valid};
 use super::half_turn::{HalfTurn, Map, Start};
 use super::outline::outline;
 use super::slide::{Machine, Slide};
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Number, Quantity, written};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -58,16 +58,16 @@ pub fn steady(
     if *damping_ratio.high() >= 1 {
         return Err(Error::OutOfRange {
             quantity: Quantity::DampingRatio,
-            value: damping_ratio.high().to_f64().to_string(),
-            least: "0".to_owned(),
-            greatest: "0.999…".to_owned(),
+            value: written(damping_ratio.high().to_f64()),
+            least: written(0.0),
+            greatest: Number::spelled(1f64.next_down(), "0.999…"),
         });
     }
     let ratios = Ratios::new(omega.middle().to_f64(), alpha.middle().to_f64())?;
     let ratios = ratios.with_damping_ratio(damping_ratio.middle().to_f64())?;
     let eta = static_friction_ratio;
     if *eta.low() < 1 {
-        let static_friction_ratio = Mp::<2>::from_rational(eta.low()).to_f64().to_string();
+        let static_friction_ratio = written(Mp::<2>::from_rational(eta.low()).to_f64());
         return Err(Error::BelowKineticFriction { static_friction_ratio });
     }
     let ratios = ratios.with_static_friction_ratio(eta.middle().to_f64())?;

@@ -25,7 +25,7 @@
 use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
 use super::{Given, Unknowns, fastest, start};
-use crate::error::{Error, written};
+use crate::error::{Error, Number, written};
 use crate::float::{Field, Float, Real};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
@@ -46,9 +46,9 @@ pub enum MatchingError {
     #[error("friction = {part:.6} of r_y must reach 1: no cycle found at Ω = {omega}, α = {alpha} beyond it")]
     NoCycle {
         /// Frequency ratio Ω.
-        omega: String,
+        omega: Number,
         /// Force ratio α.
-        alpha: String,
+        alpha: Number,
         /// Part of the friction that was reached.
         part: f64,
     },
@@ -58,7 +58,7 @@ pub enum MatchingError {
         /// Δ₀/B or α.
         what: &'static str,
         /// Its value.
-        value: String,
+        value: Number,
     },
     /// Newton's method does not settle.
     #[error(
@@ -331,7 +331,10 @@ mod tests {
         assert!(positive("Δ₀/B", f64::MIN_POSITIVE).is_ok());
         for value in [0.0, -0.25, f64::NAN] {
             let error = positive("Δ₀/B", value).unwrap_err().to_string();
-            assert!(error.contains("Δ₀/B") && error.contains(&crate::error::written(value)), "{error}");
+            assert!(
+                error.contains("Δ₀/B") && error.contains(&crate::error::written(value).to_string()),
+                "{error}"
+            );
         }
     }
 }
