@@ -48,6 +48,8 @@ mod followed;
 mod free;
 mod irregular;
 mod long_run;
+#[cfg(test)]
+mod machines;
 mod matrix;
 mod measures;
 mod motion;
@@ -73,14 +75,14 @@ mod walk;
 mod window;
 mod work;
 
-pub use attractors::{Attractor, Attractors, Signature, attractors};
+pub use attractors::{Attractor, Attractors, attractors};
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
 pub use irregular::Irregular;
 pub use long_run::{DEFAULT_BUDGET, LongRun};
 pub use measures::ErrorMeasures;
 pub use peaks::Peaks;
-pub use periodic::{PeriodicMotion, PeriodicMotions, periodic_motions, periodic_motions_from};
+pub use periodic::{PeriodicMotion, periodic_motions};
 pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::Direction;
@@ -89,3 +91,10 @@ pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};
 pub use trajectory::{End, Kind, Phase, Trajectory};
+
+// For the command and the Python package, which follow many starts on several threads and go on with runs that were broken off.
+#[doc(hidden)]
+pub use {
+    attractors::Signature,
+    periodic::{PeriodicMotions, periodic_motions_from},
+};

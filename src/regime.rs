@@ -11,6 +11,8 @@ mod stops;
 mod verdict;
 
 pub use no_stop::{NoStop, no_stop_force_ratios};
+// The regime of an exact motion, as the command and the Python package report it.
+#[doc(hidden)]
 pub use observed::{Observed, observed};
 pub use place::Place;
 pub use stops::{Stops, stops_per_cycle};

@@ -44,7 +44,7 @@
 //! The 2 and the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` (feature `mp`): the range of any output, computed in balls.
 //!
 //! ```
-//! use stickslip::uncertainty::{Interval, MachineBox, Sticking};
+//! use stickslip::uncertainty::{Interval, MachineBox};
 //! use stickslip::Output;
 //! // Friction known to ±20 %, the stiffness to ±2 %.
 //! let machine = MachineBox::force(
@@ -54,7 +54,7 @@
 //!     Interval::exactly(12.0),
 //!     Interval::exactly(6.0),
 //! )?;
-//! assert_eq!(machine.sticks()?, Sticking::Never);
+//! assert_eq!(machine.verdict()?.sticks(), Some(false));
 //! let stroke = machine.range(Output::MaxDisplacement, 1000)?.unwrap();
 //! assert!(stroke.is_guaranteed() && 0.0102 < stroke.low && stroke.high < 0.0138);
 //! # Ok::<(), stickslip::Error>(())
@@ -76,7 +76,6 @@ pub use ratios::RatioBox;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::within;
-use crate::regime::{Regime, Verdict};
 
 /// What is known of a parameter: it lies between two numbers, which belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -176,37 +175,9 @@ impl<F: Float> Range<F> {
     }
 }
 
-/// Whether the body sticks, over a whole box.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Sticking {
-    /// For all parameters of the box: the body ends at rest, or stops in every cycle.
-    Always,
-    /// It is not, for any.
-    Never,
-    /// It is for some and not for others, or the box is so close to the border that the arithmetic cannot tell.
-    Undecided,
-}
-
-impl Sticking {
-    /// From the verdict over the box.
-    fn of<F: Float>(verdict: &Verdict<F>) -> Self {
-        match verdict {
-            Verdict::AtRest | Verdict::Sticking | Verdict::Undecided(Regime::Stuck, Regime::Sticking) => {
-                Self::Always
-            }
-            Verdict::NonSticking
-            | Verdict::SixReversals
-            | Verdict::Degenerate(_)
-            | Verdict::Unbounded
-            | Verdict::Undecided(Regime::NonSticking, Regime::Unbounded) => Self::Never,
-            Verdict::DependsOnStart(_) | Verdict::Undecided(..) => Self::Undecided,
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Interval, Known, Range, Sticking};
+    use super::{Interval, Known, Range};
     use crate::{Error, Place, Ratios};
 
     #[test]
@@ -231,14 +202,14 @@ mod tests {
         assert!(range(Known::Guaranteed { sharp: false }).is_guaranteed());
         assert!(!range(Known::Sampled { points: 3, existing: 3 }).is_guaranteed());
         for (omega, alpha, sticking) in [
-            (0.7, 0.9, Sticking::Always),
-            (0.7, 1.2, Sticking::Always),
-            (0.7, 2.0, Sticking::Never),
-            (0.5, 9.0, Sticking::Never),
-            (1.0, 2.0, Sticking::Never),
+            (0.7, 0.9, Some(true)),
+            (0.7, 1.2, Some(true)),
+            (0.7, 2.0, Some(false)),
+            (0.5, 9.0, Some(false)),
+            (1.0, 2.0, Some(false)),
         ] {
             let place = Place::new(Ratios::new(omega, alpha).unwrap());
-            assert_eq!(Sticking::of(&place.verdict()), sticking, "{omega} {alpha}");
+            assert_eq!(place.verdict().sticks(), sticking, "{omega} {alpha}");
         }
     }
 }

@@ -125,6 +125,7 @@ impl<F: Float> Attractors<F> {
     }
 
     /// None yet; [`Attractors::add`] counts them in.
+    #[doc(hidden)]
     pub const fn new() -> Self {
         Self { found: Vec::new(), of_start: Vec::new() }
     }
@@ -133,6 +134,7 @@ impl<F: Float> Attractors<F> {
     ///
     /// # Errors
     /// As for [`Signature::of`].
+    #[doc(hidden)]
     pub fn add(&mut self, limit: LongRun<F>) -> Result<(), Error> {
         let signature = Signature::of(&limit)?;
         if self.count(&signature) {
@@ -155,12 +157,14 @@ impl<F: Float> Attractors<F> {
     }
 
     /// The place of a limit among those found, by its signature.
+    #[doc(hidden)]
     pub fn place_of(&self, signature: &Signature<F>) -> Option<usize> {
         self.found.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
     /// Counts in the next start by the signature of its limit, where that is among those found or the start had not settled; says whether it
     /// is. A signature takes the place of a limit that was found before, such as by a run that was broken off.
+    #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {
             self.of_start.push(None);

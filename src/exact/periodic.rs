@@ -36,6 +36,7 @@ impl<F: Float> PeriodicMotion<F> {
 
 /// The periodic motions that a search found, each once, in the order it met them.
 #[derive(Debug, Clone, PartialEq)]
+#[doc(hidden)]
 pub struct PeriodicMotions<F> {
     found: Vec<PeriodicMotion<F>>,
 }
@@ -91,7 +92,7 @@ impl<F: Float> Default for PeriodicMotions<F> {
 /// let starts = [(0.0, 0.0), (3.0, 0.0), (-5.0, 2.0)].map(|(x, v)| State::new(0.0, x, v));
 /// let starts: Vec<_> = starts.into_iter().collect::<Result<_, _>>()?;
 /// let all = periodic_motions(ratios, &starts, 1)?;
-/// assert!(all.found().iter().any(|motion| motion.steady_state().is_stable()));
+/// assert!(all.iter().any(|motion| motion.steady_state().is_stable()));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -101,13 +102,13 @@ pub fn periodic_motions<F: Float>(
     ratios: Ratios<F>,
     starts: &[State<F>],
     turns: u32,
-) -> Result<PeriodicMotions<F>, Error> {
+) -> Result<Vec<PeriodicMotion<F>>, Error> {
     let mut all = PeriodicMotions::new();
     for start in starts {
         let found = periodic_motions_from(ratios, *start, turns, &mut || ControlFlow::Continue(()))?;
         found.into_iter().try_for_each(|steady| all.add(steady))?;
     }
-    Ok(all)
+    Ok(all.found)
 }
 
 /// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going` says [`ControlFlow::Continue`].
@@ -119,6 +120,7 @@ pub fn periodic_motions<F: Float>(
 ///
 /// # Errors
 /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
+#[doc(hidden)]
 pub fn periodic_motions_from<F: Float>(
     ratios: Ratios<F>,
     start: State<F>,

@@ -70,6 +70,7 @@ impl<F: Float> Samples<F> {
     /// there are some 4 + 4/Ω in a cycle. Broken off, the next call goes on from there.
     ///
     /// An error is [`Error::Interrupted`] or that of the trajectory.
+    #[doc(hidden)]
     pub fn next_while(
         &mut self,
         mut keep_going: impl FnMut() -> ControlFlow<()>,

@@ -45,6 +45,21 @@ impl<F: Float> Verdict<F> {
         }
     }
 
+    /// Whether the body sticks, for all that the verdict speaks of: it ends at rest or stops in every cycle; or never does. `None` where it
+    /// does for some and not for others, or where that is undecided.
+    #[must_use]
+    pub const fn sticks(&self) -> Option<bool> {
+        match self {
+            Self::AtRest | Self::Sticking | Self::Undecided(Regime::Stuck, Regime::Sticking) => Some(true),
+            Self::NonSticking
+            | Self::SixReversals
+            | Self::Degenerate(_)
+            | Self::Unbounded
+            | Self::Undecided(Regime::NonSticking, Regime::Unbounded) => Some(false),
+            Self::DependsOnStart(_) | Self::Undecided(..) => None,
+        }
+    }
+
     /// A name of one or two words.
     #[must_use]
     pub const fn name(&self) -> &'static str {

@@ -1,7 +1,7 @@
 //! The parameters of a machine in intervals.
 
 use super::enclosure::{Piece, hull, pieces};
-use super::{Interval, Known, Range, RatioBox, Sticking, samples};
+use super::{Interval, Known, Range, RatioBox, samples};
 use crate::error::Error;
 use crate::float::Float;
 use crate::oscillator::{Drive, Oscillator, Scales};
@@ -93,14 +93,14 @@ impl<F: Float> MachineBox<F> {
         RatioBox::new(wider(omega), wider(alpha))
     }
 
-    /// Whether the body sticks: for sure, never, or undecided over the box.
+    /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under base motion undecided may be said of a box that is just decided ([`MachineBox::ratios`]).
+    /// Under base motion a box that is just decided may be called undecided ([`MachineBox::ratios`]).
     ///
     /// # Errors
     /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].
-    pub fn sticks(&self) -> Result<Sticking, Error> {
-        self.ratios()?.sticks()
+    pub fn verdict(&self) -> Result<Verdict<F>, Error> {
+        self.ratios()?.verdict()
     }
 
     /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at no point that was looked

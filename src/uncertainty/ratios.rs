@@ -1,7 +1,7 @@
 //! Ω and α in intervals.
 
 use super::enclosure::{Piece, hull, pieces};
-use super::{Interval, Known, Range, Sticking, samples};
+use super::{Interval, Known, Range, samples};
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::border::border_range;
@@ -45,14 +45,6 @@ impl<F: Float> RatioBox<F> {
     pub fn verdict(&self) -> Result<Verdict<F>, Error> {
         let ends = |interval: Interval<F>| (interval.low, interval.high);
         Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())
-    }
-
-    /// Whether the body sticks: for sure, never, or undecided over the box.
-    ///
-    /// # Errors
-    /// As [`RatioBox::verdict`].
-    pub fn sticks(&self) -> Result<Sticking, Error> {
-        Ok(Sticking::of(&self.verdict()?))
     }
 
     /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked at.

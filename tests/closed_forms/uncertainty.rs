@@ -1,7 +1,7 @@
 //! Ranges over boxes of parameters against many points of the boxes.
 
 use crate::random::Random;
-use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox, Sticking};
+use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox};
 use stickslip::{Border, Drive, Error, Oscillator, Output, Ratios, Regime, Response, Scales};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
@@ -34,17 +34,17 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
         let alpha = Border::new(omega).unwrap().min_force_ratio() * random.scale(0.5, 8.0);
         let (omega, alpha) = (interval(&mut random, omega, width), interval(&mut random, alpha, 0.3));
         let whole = RatioBox::new(omega, alpha).unwrap();
-        let sticks = whole.sticks().unwrap();
+        let sticks = whole.verdict().unwrap().sticks();
         let ranges: Vec<_> = Output::ALL.iter().map(|o| whole.range(*o, 40).unwrap()).collect();
         for _ in 0..60 {
             let (omega, alpha) = (within(&mut random, omega), within(&mut random, alpha));
             let response = Response::new(Ratios::new(omega, alpha).unwrap());
             match sticks {
-                Sticking::Always => assert!(matches!(response.regime(), Regime::Sticking | Regime::Stuck)),
-                Sticking::Never => {
+                Some(true) => assert!(matches!(response.regime(), Regime::Sticking | Regime::Stuck)),
+                Some(false) => {
                     assert!(matches!(response.regime(), Regime::NonSticking | Regime::Unbounded));
                 }
-                Sticking::Undecided => {}
+                None => {}
             }
             for (output, range) in Output::ALL.iter().zip(&ranges) {
                 if let (Some(range), Some(value)) = (range, output.of(&response))
@@ -112,7 +112,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
         let omega = Interval::relative(omega, 0.002).unwrap();
         let width = random.scale(0.005, 0.1);
         let whole = RatioBox::new(omega, Interval::relative(alpha, width).unwrap()).unwrap();
-        if whole.sticks().unwrap() != Sticking::Never {
+        if whole.verdict().unwrap().sticks() != Some(false) {
             continue;
         }
         for output in [
@@ -168,9 +168,9 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
         let machine =
             if is_base { MachineBox::base_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
         let machine = machine.unwrap();
-        let sticks = machine.sticks().unwrap();
+        let sticks = machine.verdict().unwrap().sticks();
         (never, always) =
-            (never + i32::from(sticks == Sticking::Never), always + i32::from(sticks == Sticking::Always));
+            (never + i32::from(sticks == Some(false)), always + i32::from(sticks == Some(true)));
         let ranges: Vec<_> = Output::ALL.iter().map(|o| machine.range(*o, 20).unwrap()).collect();
         for _ in 0..40 {
             let [m, k, r, a, w] = [m, k, r, a, w].map(|i| within(&mut random, i));
@@ -179,11 +179,11 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
             let scales = Scales::new(&body, &drive).unwrap();
             let response = Response::new(drive.ratios(&body).unwrap());
             match sticks {
-                Sticking::Always => assert!(response.cycle().is_none()),
-                Sticking::Never => {
+                Some(true) => assert!(response.cycle().is_none()),
+                Some(false) => {
                     assert!(response.cycle().is_some() || response.regime() == Regime::Unbounded)
                 }
-                Sticking::Undecided => {}
+                None => {}
             }
             for (output, range) in Output::ALL.iter().zip(&ranges) {
                 let value = output.of(&response).map(|y| y * output.unit(&scales));

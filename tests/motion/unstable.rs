@@ -136,12 +136,12 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
                     && (s.min_displacement() - steady.min_displacement()).abs() < 1e-6
             };
             limits += 1;
-            if !all.found().iter().any(is) {
+            if !all.iter().any(is) {
                 missed += 1;
                 println!("missed: {machine:?} {steady:?}");
             }
         }
-        for motion in all.found().iter().map(PeriodicMotion::steady_state).filter(|s| !s.is_stable()) {
+        for motion in all.iter().map(PeriodicMotion::steady_state).filter(|s| !s.is_stable()) {
             unstable += 1;
             comes_back::<Mp<2>>(machine, motion.turns_per_cycle(), motion.state(), motion.max_displacement());
         }

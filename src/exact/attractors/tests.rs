@@ -2,17 +2,8 @@
 
 use super::attractors;
 use crate::Ratios;
+use crate::exact::machines::{ratios, starts};
 use crate::exact::{LongRun, State};
-
-fn starts(count: u32, reach: f64) -> Vec<State<f64>> {
-    let part = |i: u32, step: f64| reach * (2.0 * (f64::from(i) * step).fract() - 1.0);
-    (0..count).map(|i| State::new(0.0, part(i, 0.754_878), part(i, 0.569_841)).unwrap()).collect()
-}
-
-fn ratios(omega: f64, zeta: f64, eta: f64, alpha: f64) -> Ratios<f64> {
-    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-    ratios.with_static_friction_ratio(eta).unwrap()
-}
 
 /// Greatest and least displacement, stops, turns, symmetry and mirror image of each limit, by the greatest displacement.
 type Found = (f64, f64, u32, u32, bool, bool);

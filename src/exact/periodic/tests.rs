@@ -1,18 +1,8 @@
 //! Unstable motions where they are known to be, and stable ones where starts lead to them.
 
 use super::periodic_motions;
-use crate::Ratios;
+use crate::exact::machines::{ratios, starts};
 use crate::exact::{LongRun, Signature, State, attractors};
-
-fn starts(count: u32, reach: f64) -> Vec<State<f64>> {
-    let part = |i: u32, step: f64| reach * (2.0 * (f64::from(i) * step).fract() - 1.0);
-    (0..count).map(|i| State::new(0.0, part(i, 0.754_878), part(i, 0.569_841)).unwrap()).collect()
-}
-
-fn ratios(omega: f64, zeta: f64, eta: f64, alpha: f64) -> Ratios<f64> {
-    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-    ratios.with_static_friction_ratio(eta).unwrap()
-}
 
 /// Half turns, stops in a cycle and extrema, of an unstable motion.
 type Unstable = (u32, u32, f64, f64);
@@ -37,7 +27,7 @@ fn unstable_motions_beside_the_limits() {
     for (ratios, turns, expected) in cases {
         let starts = starts(60, 10.0);
         let all = periodic_motions(ratios, &starts, turns).unwrap();
-        let unstable: Vec<_> = all.found().iter().filter(|m| !m.steady_state().is_stable()).collect();
+        let unstable: Vec<_> = all.iter().filter(|m| !m.steady_state().is_stable()).collect();
         assert_eq!(unstable.len(), expected.len(), "{ratios:?}: {unstable:#?}");
         for motion in unstable {
             let s = motion.steady_state();
@@ -77,7 +67,7 @@ fn the_limits_are_among_them() {
         let limits = attractors(ratios, &starts, 1000).unwrap();
         let all = periodic_motions(ratios, &starts, turns).unwrap();
         let signature = |s| Signature::of(&LongRun::Periodic(s)).unwrap();
-        let stable = all.found().iter().map(|m| *m.steady_state()).filter(|s| s.is_stable());
+        let stable = all.iter().map(|m| *m.steady_state()).filter(|s| s.is_stable());
         let mut seen: Vec<_> = stable.map(|s| limits.place_of(&signature(s))).collect();
         seen.sort_unstable();
         assert_eq!(seen, (0..limits.limits().len()).map(Some).collect::<Vec<_>>(), "{ratios:?}");
@@ -89,16 +79,16 @@ fn the_limits_are_among_them() {
 fn few_starts_find_them() {
     for reach in [10.0, 18.4] {
         let all = periodic_motions(ratios(0.573, 0.005, 1.87, 3.92), &starts(10, reach), 1).unwrap();
-        assert_eq!(all.found().len(), 5, "{reach}: {all:?}");
+        assert_eq!(all.len(), 5, "{reach}: {all:?}");
     }
 }
 
 #[test]
 fn where_nothing_moves_there_is_none() {
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();
-    assert!(all.found().is_empty(), "{all:?}");
+    assert!(all.is_empty(), "{all:?}");
     // At rest from these starts; a motion has to be begun.
     let resting = [State::rest(), State::new(0.0, 0.05, 0.0).unwrap()];
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.5), &resting, 2).unwrap();
-    assert!(all.found().is_empty(), "{all:?}");
+    assert!(all.is_empty(), "{all:?}");
 }

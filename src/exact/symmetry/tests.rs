@@ -1,13 +1,9 @@
 //! What is said to be lost is lost: the limits of starts on either side, and the multipliers there.
 
 use super::{Loss, Machine, SymmetryBreak, symmetry_breaks};
+use crate::exact::machines::ratios;
 use crate::exact::{Attractors, LongRun, State, attractors};
 use crate::{Border, Ratios};
-
-fn ratios(omega: f64, zeta: f64, eta: f64, alpha: f64) -> Ratios<f64> {
-    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-    ratios.with_static_friction_ratio(eta).unwrap()
-}
 
 fn breaks(omega: f64, eta: f64, low: f64, high: f64) -> Vec<SymmetryBreak<f64>> {
     symmetry_breaks(ratios(omega, 0.02, eta, 2.0), low, high, 40).unwrap()
