@@ -1,6 +1,6 @@
 //! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
 //!
-//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`] evaluate the closed forms in ball arithmetic ([`crate::float::ball`]), by the functions that
+//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`] evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that
 //! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
 //! double, and a ratio may be an interval. What is found by iteration elsewhere (the greatest velocity, the stationary point of the border's
 //! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
@@ -10,7 +10,7 @@
 //! asked for; with intervals the widths are those that the intervals cause, and the overestimate of evaluating each formula once.
 //!
 //! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests on MPFR and on the bounds of
-//! [`crate::float::ball`]. That the formulae are those of the oscillator is shown in `docs/proof.md`.
+//! `float::ball`. That the formulae are those of the oscillator is shown in `docs/proof.md`.
 //!
 //! | file | content |
 //! |---|---|

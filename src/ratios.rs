@@ -114,7 +114,7 @@ impl<F: Float> Ratios<F> {
 
     /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6), negative above the
     /// natural frequency and infinite at Ω = 1; with it `α/q`, `q = √((1 − Ω²)² + 4ζ²Ω²)`, behind the force by a lag in (0, π).
-    pub(crate) fn forced_amplitude(&self) -> F {
+    pub fn forced_amplitude(&self) -> F {
         if self.is_damped() {
             let damper = F::int(2) * self.damping_ratio * self.omega;
             return self.alpha / damper.hypot((F::int(1) - self.omega) * (F::int(1) + self.omega));
