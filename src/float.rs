@@ -82,6 +82,7 @@ pub trait Field:
 
     /// The ratio `p/q`, rounded once.
     #[inline(always)]
+    #[must_use]
     fn ratio(p: i32, q: i32) -> Self {
         Self::int(p) / Self::int(q)
     }
@@ -180,6 +181,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     const RATIO_EXPONENT: i32;
 
     /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π unless the type has them at hand.
+    #[must_use]
     fn pi_rest() -> (Self, Self) {
         pi_digits::rest(Self::pi())
     }
@@ -190,6 +192,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// `2⁻ᵉ`, e = [`Float::RATIO_EXPONENT`]: the least frequency ratio.
     #[doc(hidden)]
     #[inline]
+    #[must_use]
     fn least_ratio() -> Self {
         Self::exp2i(Self::RATIO_EXPONENT.saturating_neg())
     }

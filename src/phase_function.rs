@@ -55,6 +55,7 @@ pub(crate) fn one_minus_square<R: Field>(omega: R) -> R {
 
 /// A validated frequency ratio Ω with its angle `β = π/2Ω` reduced and K(Ω): what depends on Ω alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct PhaseFunction<F> {
     omega: F,
     quarter: u8,

@@ -16,6 +16,7 @@ use crate::regime::{Regime, has_two_reversals, regime_of};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Response<F> {
     ratios: Ratios<F>,
     regime: Regime,

@@ -42,6 +42,8 @@ pub const ANGULAR_FREQUENCY: usize = 4;
 
 /// A value and its derivatives by N parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
 pub struct Sensitivity<const N: usize> {
     /// The value.
     pub value: f64,

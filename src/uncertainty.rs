@@ -79,6 +79,7 @@ use crate::ratios::within;
 
 /// What is known of a parameter: it lies between two numbers, which belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Interval<F> {
     low: F,
     high: F,
@@ -142,6 +143,7 @@ impl<F: Float> Interval<F> {
 
 /// How a range is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub enum Known {
     /// No parameters in the box give a value outside this range. `sharp` where its ends are taken, too.
     Guaranteed {
@@ -159,6 +161,8 @@ pub enum Known {
 
 /// The range of an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
 pub struct Range<F> {
     /// Its lower end.
     pub low: F,

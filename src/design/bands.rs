@@ -29,6 +29,8 @@ pub enum Edge {
 
 /// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
 pub struct Band<F> {
     /// Lower end.
     pub low: F,

@@ -35,6 +35,8 @@ pub struct Measurement {
 
 /// An estimate with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
 pub struct Estimate {
     /// The value that explains the measurements best.
     pub value: f64,
@@ -58,6 +60,8 @@ impl Estimate {
 
 /// What a measured response curve says of friction and damping.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+#[must_use]
 pub struct Identified {
     /// The friction bound r_y.
     pub friction_bound: Estimate,

@@ -8,6 +8,7 @@ use rug::{Float, float::Round};
 ///
 /// Printed as digits that are certain to within one in the last place, then ± and the radius.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Enclosure {
     mid: Float,
     rad: Float,

@@ -12,6 +12,7 @@ use rug::{Integer, Rational, ops::Pow};
 ///
 /// Read from text it is exactly what is written: `0.4` is four tenths, `1/3` is a third.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[must_use]
 pub struct Known {
     low: Rational,
     high: Rational,

@@ -16,6 +16,7 @@ pub(crate) use signature::at_zero;
 
 /// A limit, and how many starts lead to it.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Attractor<F> {
     limit: LongRun<F>,
     first_start: usize,
@@ -56,6 +57,7 @@ impl<F: Float> Attractor<F> {
 
 /// The limits of a set of starts, each once, in the order of their first starts.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct Attractors<F> {
     found: Vec<Attractor<F>>,
     of_start: Vec<Option<usize>>,
@@ -110,16 +112,19 @@ impl<F: Float> Attractors<F> {
     }
 
     /// The limit of a start, by its place among those found; `None` where that start had not settled.
+    #[must_use]
     pub fn of_start(&self, start: usize) -> Option<usize> {
         self.of_start.get(start).copied().flatten()
     }
 
     /// How many starts there were.
+    #[must_use]
     pub const fn starts(&self) -> usize {
         self.of_start.len()
     }
 
     /// How many of them had not settled.
+    #[must_use]
     pub fn unsettled(&self) -> usize {
         self.of_start.iter().filter(|place| place.is_none()).count()
     }

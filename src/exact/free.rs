@@ -37,6 +37,7 @@ use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct FreeDecay<F> {
     start: State<F>,
     zeta: F,

@@ -8,6 +8,7 @@ use crate::float::Float;
 /// All of it is observed over the turns followed, after a quarter of them: no proof that the motion stays irregular for ever. Displacements in
 /// units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Irregular<F> {
     pub(crate) state: State<F>,
     pub(crate) exponent: F,

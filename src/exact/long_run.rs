@@ -22,6 +22,7 @@ use core::ops::ControlFlow;
 
 /// What a motion tends to.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub enum LongRun<F> {
     /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md). Where Ω is 1/(2n) to within
     /// rounding only, one multiplier rounds to 1: no start comes close to the limit in any time that a machine runs.

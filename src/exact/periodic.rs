@@ -15,6 +15,7 @@ use core::ops::ControlFlow;
 
 /// A periodic motion, found by a search.
 #[derive(Debug, Clone, PartialEq)]
+#[must_use]
 pub struct PeriodicMotion<F> {
     steady: SteadyState<F>,
     mirror: Option<usize>,
@@ -43,6 +44,7 @@ pub struct PeriodicMotions<F> {
 
 impl<F: Float> PeriodicMotions<F> {
     /// None yet; [`PeriodicMotions::add`] takes them in.
+    #[must_use]
     pub const fn new() -> Self {
         Self { found: Vec::new() }
     }

@@ -39,6 +39,7 @@ pub enum Direction {
 impl Direction {
     /// +1 or −1.
     #[inline]
+    #[must_use]
     pub fn sign<F: Float>(self) -> F {
         F::int(match self {
             Self::Forward => 1,

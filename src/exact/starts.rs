@@ -18,6 +18,7 @@ use crate::ratios::Ratios;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Starts<F> {
     reach: F,
 }

@@ -86,6 +86,7 @@ impl<F: Float> Summary<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct SteadyState<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,

@@ -40,6 +40,7 @@ pub enum Loss {
 
 /// A force ratio at which a stable symmetric motion of one turn is lost.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SymmetryBreak<F> {
     /// The force ratio α.
     pub alpha: F,

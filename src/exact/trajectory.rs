@@ -42,6 +42,7 @@ pub(crate) enum Body<F> {
 
 /// One phase of the motion, from one change of its kind or direction to the next, exact at every instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Phase<F> {
     pub(crate) body: Body<F>,
     pub(crate) end: End,

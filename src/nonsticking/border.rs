@@ -123,6 +123,7 @@ pub(crate) fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alp
 
 /// The least force ratio at a frequency ratio: exact, and by eq. 61.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Border<F> {
     min_force_ratio: F,
     turning_point: F,

@@ -29,6 +29,7 @@ use crate::ratios::Ratios;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Cycle<F> {
     pub(super) ratios: Ratios<F>,
     pub(super) motion: Motion<F>,

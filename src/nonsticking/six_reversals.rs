@@ -98,6 +98,7 @@ fn is_between<F: Float>(omega: F, alpha: F) -> bool {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct SixReversals<F> {
     ratios: Ratios<F>,
     unknowns: Unknowns<F>,

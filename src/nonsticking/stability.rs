@@ -66,6 +66,7 @@ pub(crate) fn real_contraction<R: Field>(g: R, g_cosine: R, spread: R) -> R {
 
 /// A pair of multipliers, complex conjugate or real.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub enum MultiplierPair<F> {
     /// `re ± i im`, im > 0.
     Complex {
@@ -90,7 +91,6 @@ impl<F: Float> MultiplierPair<F> {
     }
 
     /// The pair of the map applied twice: the squares.
-    #[must_use]
     pub(crate) fn squared(self) -> Self {
         match self {
             Self::Complex { re, im } => {
@@ -113,6 +113,7 @@ impl<F: Float> MultiplierPair<F> {
 
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Multipliers<F> {
     half_cycle: MultiplierPair<F>,
 }
@@ -128,7 +129,6 @@ impl<F: Float> Multipliers<F> {
     ///
     /// Complex where gσ > 1. The smaller of two real ones is `s/λ`, s the product, so that it keeps its digits as g → 1.
     /// Accuracy at f64: 8 ulp of the modulus, away from the double root gσ = 1.
-    #[must_use]
     pub(crate) fn new(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         let (s, c) = sin_cos_beta;

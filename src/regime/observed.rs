@@ -8,6 +8,7 @@ use crate::ratios::Ratios;
 
 /// What the exact motion does in the long run, in the terms of [`Regime`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
 pub struct Observed {
     /// The regime.
     pub regime: Regime,

@@ -35,6 +35,7 @@ use crate::ratios::Ratios;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Place<F> {
     ratios: Ratios<F>,
     border: Border<F>,

@@ -8,6 +8,7 @@ use crate::ratios::Ratios;
 /// What the body does in the long run, as far as the arithmetic can tell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
+#[must_use]
 pub enum Verdict<F> {
     /// α ≤ 1: it ends at rest.
     AtRest,
@@ -89,6 +90,7 @@ impl<F: Float> Verdict<F> {
 ///
 /// Units of B = r_y/k. The symmetric cycle of eq. 40–49 is c = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct Family<F> {
     max_displacement: F,
     greatest_shift: F,

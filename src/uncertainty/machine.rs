@@ -11,6 +11,7 @@ use crate::response::Response;
 
 /// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct MachineBox<F> {
     mass: Interval<F>,
     stiffness: Interval<F>,

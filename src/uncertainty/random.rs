@@ -96,6 +96,7 @@ impl Distribution<f64> for Exactly {
 
 /// An estimate and its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Estimate {
     /// The estimate.
     pub value: f64,

@@ -12,6 +12,7 @@ use crate::response::Response;
 
 /// Frequency and force ratio in intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
 pub struct RatioBox<F> {
     omega: Interval<F>,
     alpha: Interval<F>,

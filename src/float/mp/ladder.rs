@@ -30,6 +30,7 @@ pub trait WithPrecision {
 /// A number of bits that no width has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("precision = {bits} bits must be ≥ 1 and ≤ {greatest}")]
+#[non_exhaustive]
 pub struct PrecisionError {
     /// The bits asked for.
     pub bits: u32,

@@ -10,6 +10,7 @@ use std::cmp::Ordering;
 /// Text that is not a number.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` must be a number: decimal digits, with at most one point and an exponent after `e`")]
+#[non_exhaustive]
 pub struct ParseError {
     /// The text.
     pub text: String,

@@ -48,6 +48,7 @@ pub struct Lobe {
 
 /// The least force ratio of a lobe.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Minimum<F> {
     /// Frequency ratio Ω of the minimum.
     pub omega: F,

@@ -12,6 +12,7 @@ use crate::root;
 /// On (`low`, `pole`) and (`pole`, `high`) a force ratio that meets eq. 61 need not keep the body sliding. At `low`
 /// and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next one, and for Ω ≥ 1/2.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Shortfall<F> {
     /// The lower end Ω_e, in (1/(2n+2), 1/(2n+1)).
     pub low: F,
