@@ -23,6 +23,7 @@
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
 //! beside a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
 
+mod band;
 mod bands;
 mod damped;
 mod dissipation;
@@ -37,7 +38,8 @@ mod sticking;
 mod target;
 mod tuning;
 
-pub use bands::{Band, Bands, Edge, bands, bands_with_damping, frequency_bands};
+pub use band::{Band, Edge};
+pub use bands::{Bands, bands, bands_with_damping, frequency_bands};
 pub use dissipation::{
     most_dissipating_force_ratio, most_dissipating_force_ratio_with_damping, most_dissipating_friction,
 };

@@ -34,6 +34,7 @@
 
 pub(crate) mod angle;
 pub(crate) mod border;
+mod certain;
 pub(crate) mod cycle;
 mod damped;
 mod enclosure;

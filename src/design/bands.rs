@@ -7,6 +7,7 @@
 //! of those lobes: nothing is sampled, and nothing between two frequencies is missed. With a damper there is no such proof, and they are
 //! searched (`damped`).
 
+use super::band::{Band, Edge};
 use super::damped::{Damper, Search};
 use super::force::ratios_of;
 use crate::error::{Error, Quantity, written};
@@ -17,33 +18,6 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::{Ratios, positive};
 use crate::root;
-
-/// What ends a band.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Edge {
-    /// The border: beyond it the body sticks.
-    Border,
-    /// The range that was asked about: the band goes on.
-    Range,
-}
-
-/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends belong to it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-#[must_use]
-pub struct Band<F> {
-    /// Lower end.
-    pub low: F,
-    /// Upper end.
-    pub high: F,
-    /// What the lower end is.
-    pub low_edge: Edge,
-    /// What the upper end is.
-    pub high_edge: Edge,
-    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one. Only that of index 0 can contain Ω = 1, where the body never sticks but
-    /// its motion grows without bound.
-    pub lobe: Lobe,
-}
 
 /// The bands of a range, by increasing frequency: see [`bands`].
 #[derive(Debug, Clone)]

@@ -13,7 +13,7 @@
 
 mod tuning;
 
-use super::bands::{Band, Edge};
+use super::band::{Band, Edge};
 use crate::float::Float;
 use crate::nonsticking::border::Lobe;
 use crate::nonsticking::damped::{border, half_period_at};

@@ -1,6 +1,7 @@
 //! Without any stop, whatever the number of reversals: the least force, and the bands of frequency.
 
-use super::bands::{Edge, bands, frequency_bands};
+use super::band::Edge;
+use super::bands::{bands, frequency_bands};
 use super::force::frequency_ratio_of;
 use crate::error::{Error, Quantity};
 use crate::float::Float;

@@ -20,7 +20,8 @@
 //! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α n(n + 1)): lobes whose
 //! bound is below what has been found need not be looked into.
 
-use super::bands::{Band, Edge, band_in, bands};
+use super::band::{Band, Edge};
+use super::bands::{band_in, bands};
 use super::damped::{Damper, best_frequency_ratio};
 use super::optimum::{Optimum, OptimumKind};
 use crate::error::{Error, Quantity, written};

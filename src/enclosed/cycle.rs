@@ -1,10 +1,10 @@
 //! The cycle of two reversals in balls, above the border.
 
 use super::angle::Angle;
+use super::certain::{not_negative, reduced};
 use super::damped::undamped_peaks;
 use super::root::only_zero;
 use crate::float::ball::Ball;
-use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::nonsticking::stability::{multiplier_product, real_contraction};
 use crate::nonsticking::{
@@ -126,11 +126,6 @@ fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>)
     low.is_below(&psi) && psi.is_below(&high)
 }
 
-/// A phase in (−2π, 2π) reduced to [0, 2π), as far as it is certain.
-pub(super) fn reduced<const W: usize>(phase: Ball<W>) -> Ball<W> {
-    if phase.is_negative() { phase + Ball::pi() * Ball::int(2) } else { phase }
-}
-
 /// max |λ| of the half cycle.
 ///
 /// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the double root gσ = 1, and the
@@ -151,9 +146,4 @@ fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
     } else {
         complex().hull(&real())
     }
-}
-
-/// The part of a ball that is not negative, where it is known that the number is not.
-pub(super) fn not_negative<const W: usize>(x: Ball<W>) -> Ball<W> {
-    if x.is_entire() || !x.contains_zero() { x } else { Ball::between(Mp::ZERO, x.upper()) }
 }

@@ -7,11 +7,12 @@
 mod border;
 
 use super::Known;
+use super::Regime;
 use super::angle::Angle;
 use super::border::Border;
+use super::certain::{not_negative, reduced};
 use super::greatest::{greatest, greatest_size};
 use super::root::only_zero;
-use super::{Regime, cycle};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
@@ -123,7 +124,7 @@ pub(super) fn outputs<const W: usize>(
         let [value, slope, second] = rising.velocity(&moment(&half, tau));
         Jet { value, slope, second }
     })?;
-    let phase = fastest.at.map(|tau| cycle::reduced(displacement_phase - Ball::pi() + omega * tau));
+    let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
     let deviation = fastest.at.map(|tau| {
         // By the mean value theorem: x changes by the velocity.
         let middle = Ball::exact(tau.mid());
@@ -164,8 +165,8 @@ fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
     let (one, half) = (Ball::int(1), &rising.half);
     let inverse = one / rising.deceleration();
     let (mean, discriminant) = half.multipliers(inverse);
-    let complex = || half.decay * cycle::not_negative((one - inverse) / (one + inverse)).sqrt();
-    let real = || mean.abs() + cycle::not_negative(discriminant).sqrt() / (one + inverse);
+    let complex = || half.decay * not_negative((one - inverse) / (one + inverse)).sqrt();
+    let real = || mean.abs() + not_negative(discriminant).sqrt() / (one + inverse);
     match discriminant.sign() {
         Some(Ordering::Less) => complex(),
         Some(_) => real(),

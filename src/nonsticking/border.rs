@@ -33,6 +33,7 @@
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
 //! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
 
+mod band_end;
 mod lobe;
 mod near;
 mod range;

@@ -9,7 +9,7 @@ use super::half_cycle::HalfCycle;
 use super::matching;
 use super::motion::Motion;
 use super::reversal::Reversal;
-use super::{stability, velocity, velocity_phase};
+use super::{Multipliers, stability, velocity, velocity_phase};
 use crate::error::{Error, written};
 use crate::float::{Float, Task, pair::Pair};
 use crate::phase_function::PhaseFunction;
@@ -176,6 +176,11 @@ impl<F: Float> Cycle<F> {
     /// Contraction per half cycle, max |λ|: what is left of a small disturbance.
     pub const fn contraction(&self) -> F {
         self.contraction
+    }
+
+    /// The multipliers of this cycle.
+    pub fn multipliers(&self) -> Multipliers<F> {
+        self.motion.multipliers(self.ratios.omega(), self.max_displacement)
     }
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.

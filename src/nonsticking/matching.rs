@@ -20,6 +20,8 @@ mod fastest;
 pub(crate) mod newton;
 #[cfg(feature = "matching")]
 mod start;
+#[cfg(feature = "matching")]
+mod step;
 
 /// What is given: A (eq. 5), B (eq. 6) and Ω (eq. 9).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,7 +10,6 @@
 //! and a whole cycle has λ² ([`Multipliers`]). Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and the cycle is
 //! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
-use super::Cycle;
 use crate::float::{Field, Float};
 
 /// The map's determinant `s = (g − 1)/(g + 1)` with `g = Ω² Δ₀/B`.
@@ -202,13 +201,6 @@ impl<F: Float> Multipliers<F> {
             }
         }
         Some(u64::saturating_add(cycles, 1))
-    }
-}
-
-impl<F: Float> Cycle<F> {
-    /// The multipliers of this cycle.
-    pub fn multipliers(&self) -> Multipliers<F> {
-        self.motion.multipliers(self.ratios.omega(), self.max_displacement)
     }
 }
 

@@ -32,6 +32,7 @@
 
 mod centre;
 mod iteration;
+mod step;
 
 use super::Reversal;
 use super::half_cycle::HalfCycle;

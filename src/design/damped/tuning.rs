@@ -4,7 +4,7 @@
 //! γ = c/(2mω_d). It is looked for in every band, on the mesh of the bands and around each of its maxima there: searched, not proved. At Ω = 1
 //! it is finite.
 
-use super::super::bands::{Band, Edge};
+use super::super::band::{Band, Edge};
 use super::super::optimum::{Optimum, OptimumKind};
 use super::{Damper, Search, highest};
 use crate::error::{Error, Number, written};

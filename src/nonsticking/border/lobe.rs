@@ -31,7 +31,7 @@
 //! The minima grow with n: that of lobe n is below α_min(1/(2n+2)) = (2n+2)² − 1, that of lobe n + 1 above (2n+3)² − 1.
 
 use super::Border;
-use super::shortfall::BandEnd;
+use super::band_end::BandEnd;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;

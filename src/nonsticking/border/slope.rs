@@ -20,7 +20,7 @@
 //! larger one as rounded.
 
 use super::Border;
-use super::stationary::{fall_of_cosine, stationary_point, stationary_value};
+use super::stationary::inner_change;
 use crate::float::Float;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
@@ -58,21 +58,6 @@ impl<F: Float> Border<F> {
         };
         k / alpha * (omega * p.slope() / alpha) + b / alpha * (b_change / alpha)
     }
-}
-
-/// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.
-pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
-    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase().value(), p.tangent());
-    let (_, cos_beta) = p.sin_cos();
-    let cosine = cos_beta.abs();
-    let eta = stationary_point(omega, gamma);
-    let zeta = gamma + eta;
-    let tau = omega * zeta;
-    let value = stationary_value(gamma, cos_beta, tau, eta) / omega;
-    let half = F::ratio(1, 2);
-    let fall = fall_of_cosine(tau, zeta);
-    let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
-    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine))
 }
 
 #[cfg(test)]

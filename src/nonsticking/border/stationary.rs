@@ -1,7 +1,6 @@
 //! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
 
 use super::near::{Known, near};
-use super::slope::inner_change;
 use super::{border_force_ratio, is_stationary_value_larger};
 use crate::float::{AtPrecision, Field, Float, Real, pair::Pair};
 use crate::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
@@ -148,4 +147,19 @@ impl<F: Float> AtPrecision<F> for Start<F> {
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> F {
         back(stationary_point(there(self.omega), there(self.gamma)))
     }
+}
+
+/// Ω S′ on the bands below Ω = 1/2 where S is the inner stationary value.
+pub(super) fn inner_change<F: Float>(p: &PhaseFunction<F>) -> F {
+    let (omega, gamma, tangent) = (p.omega(), p.lobe_phase().value(), p.tangent());
+    let (_, cos_beta) = p.sin_cos();
+    let cosine = cos_beta.abs();
+    let eta = stationary_point(omega, gamma);
+    let zeta = gamma + eta;
+    let tau = omega * zeta;
+    let value = stationary_value(gamma, cos_beta, tau, eta) / omega;
+    let half = F::ratio(1, 2);
+    let fall = fall_of_cosine(tau, zeta);
+    let turning = (F::pi() * half * fall / cosine).with_sign_of(tangent * fall);
+    -(value + (tau * eta.cos() + turning) / (omega.square() * tau.sin() * cosine))
 }

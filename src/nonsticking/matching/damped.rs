@@ -19,7 +19,7 @@
 //! path may end at a fold: then there is no cycle with that friction.
 
 use super::Unknowns;
-use super::newton::{
+use super::step::{
     MatchingError, Solution, in_order, iterate, largest, most_iterations, newton_step, positive, unknowns,
 };
 use crate::error::written;

@@ -2,7 +2,7 @@
 
 use super::balanced::Balanced;
 use super::fastest;
-use super::newton::{in_order, largest, newton_step, unknowns};
+use super::step::{in_order, largest, newton_step, unknowns};
 use crate::float::{Field, Real};
 use core::f64::consts::{FRAC_PI_2, PI};
 

@@ -6,7 +6,7 @@
 //! 1.05), so that one evaluation and one more step are enough.
 
 use super::Fastest;
-use super::iteration::{arrive, householder, is_final};
+use super::step::{arrive, householder, is_final};
 use crate::float::Float;
 use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 

@@ -2,6 +2,7 @@
 //! at a lower precision.
 
 use super::centre::from_centre;
+use super::step::{arrive, householder, is_final};
 use super::{Fastest, fastest};
 use crate::float::{AtPrecision, Float, Real};
 use crate::nonsticking::displacement::squared_sine;
@@ -90,31 +91,6 @@ fn slide<F: Float>(x: F, omega: F, jet: &Jet<F>, step: F) -> F {
     let third = jet.second + jet.third * step / F::int(4);
     let second = jet.first + third * step / F::int(3);
     x - omega * step * (jet.value + second * step / F::int(2))
-}
-
-/// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
-#[inline]
-pub(super) fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
-    let step = step * half.omega().or_larger(F::int(1));
-    step.square().square() * F::int(64) <= F::epsilon()
-}
-
-/// The point a final step arrives at; the velocity there by Taylor's formula to the third order.
-#[inline]
-pub(super) fn arrive<F: Float>(jet: &Jet<F>, psi: F, step: F) -> Fastest<F> {
-    let cubic = jet.third * step / F::int(3) + jet.second;
-    let velocity = jet.value + step * (jet.first + step / F::int(2) * cubic);
-    Fastest { psi, velocity }
-}
-
-/// The step of Householder's third-order method on v′ = 0.
-#[inline]
-pub(super) fn householder<F: Float>(jet: &Jet<F>) -> F {
-    let inverse = F::int(1) / jet.second;
-    let newton = -(jet.first * inverse);
-    let curvature = jet.third * inverse * newton;
-    let bend = jet.fourth * inverse * newton.square() / F::int(6);
-    newton * (F::int(1) + curvature / F::int(2)) / (F::int(1) + curvature + bend)
 }
 
 /// The root of v′ in the bracket of the module's head, at f64.

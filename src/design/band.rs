@@ -1,0 +1,30 @@
+//! A band of frequency in which the body slides, and what ends it.
+
+use crate::nonsticking::border::Lobe;
+
+/// What ends a band.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Edge {
+    /// The border: beyond it the body sticks.
+    Border,
+    /// The range that was asked about: the band goes on.
+    Range,
+}
+
+/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends belong to it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+#[must_use]
+pub struct Band<F> {
+    /// Lower end.
+    pub low: F,
+    /// Upper end.
+    pub high: F,
+    /// What the lower end is.
+    pub low_edge: Edge,
+    /// What the upper end is.
+    pub high_edge: Edge,
+    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one. Only that of index 0 can contain Ω = 1, where the body never sticks but
+    /// its motion grows without bound.
+    pub lobe: Lobe,
+}
