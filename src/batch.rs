@@ -39,6 +39,7 @@ mod kernel;
 mod level;
 mod low;
 mod places;
+mod run;
 mod stages;
 mod steady;
 mod straight;
@@ -179,7 +180,7 @@ impl Batch {
         if self.threads {
             return threads::run_on_threads(&kernel, level, omega, alpha, out);
         }
-        kernel::run(&kernel, level, omega, alpha, out);
+        run::run(&kernel, level, omega, alpha, out);
     }
 
     /// Each point alone, for the columns that no loop fills.

@@ -36,6 +36,7 @@
 mod accounts;
 mod attractors;
 mod broken;
+mod budget;
 mod confirm;
 mod cover;
 mod drive;

@@ -23,6 +23,7 @@
 mod case;
 mod cycle;
 mod damped;
+mod edge;
 #[cfg(feature = "mp")]
 #[cfg_attr(
     not(test),
@@ -32,6 +33,7 @@ mod damped;
     )
 )]
 mod enclosed;
+mod followed;
 mod formulae;
 mod matching;
 mod motion;

@@ -2,8 +2,9 @@
 
 use super::block::POINTS;
 use super::columns::{Looped, Slices};
-use super::kernel::{Kernel, run};
+use super::kernel::Kernel;
 use super::level::Level;
+use super::run::run;
 use crate::output::Output;
 use crate::ratios::Ratios;
 

@@ -17,13 +17,12 @@
 //!   fast it is approached; beside 1/(2n) one of them rounds to 1, and the closed-form cycle is taken where its residual is rounding.
 
 use super::broken::Broken;
+pub(crate) use super::budget::Budget;
 use super::equation::Equation;
 use super::matrix::Matrix;
 use super::state::Point;
 use super::walk::{Part, Walk, walk};
-use crate::error::Error;
 use crate::float::Float;
-use core::ops::ControlFlow;
 
 /// A fixed point of the half-turn map, with the walk of half a turn from it.
 #[derive(Debug)]
@@ -40,40 +39,6 @@ pub(crate) enum Shot<F> {
     Settled(Fixed<F>),
     /// The budget is spent; the state reached and the residual there.
     Unsettled(Point<F>, F),
-}
-
-/// What a search may cost: half turns walked, counted over all attempts, and whether its caller still waits.
-pub(crate) struct Budget<'a> {
-    pub(crate) half_turns: u64,
-    pub(crate) most: u64,
-    keep_going: Option<&'a mut dyn FnMut() -> ControlFlow<()>>,
-}
-
-impl<'a> Budget<'a> {
-    /// At most so many half turns.
-    pub(crate) fn of(most: u64) -> Self {
-        Self { half_turns: 0, most, keep_going: None }
-    }
-
-    /// The same as long as the caller says so.
-    pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
-        Self { keep_going: Some(keep_going), ..self }
-    }
-
-    /// Counts half turns.
-    pub(crate) fn walked(&mut self, half_turns: u64) {
-        self.half_turns = self.half_turns.saturating_add(half_turns);
-    }
-
-    /// Asks the caller, at every slide and stop.
-    ///
-    /// # Errors
-    /// [`Error::Interrupted`] where the caller breaks off.
-    #[inline]
-    pub(crate) fn ask(&mut self) -> Result<(), Broken> {
-        let goes_on = self.keep_going.as_mut().is_none_or(|keep_going| keep_going().is_continue());
-        if goes_on { Ok(()) } else { Err(Broken::from(Error::Interrupted)) }
-    }
 }
 
 /// `H(y) − y`, and what rounding makes of a zero of it.

@@ -1,11 +1,11 @@
 //! From one phase of the drive to another, through whatever happens in between, with what a disturbance becomes.
 
 use super::broken::Broken;
+use super::budget::Budget;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::matrix::{Matrix, reversal_ratio};
 use super::motion::Motion;
-use super::shooting::Budget;
 use super::slide::Slide;
 use super::state::Point;
 use super::stick::Stick;

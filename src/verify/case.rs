@@ -1,11 +1,11 @@
 //! A cycle with all that the identities ask of it.
 
 use super::Solvable;
+use super::edge::OnBorder;
+use super::followed::Motion;
 use super::formulae::Formulae;
 #[cfg(test)]
 use super::formulae::Library;
-use super::motion::Motion;
-use super::on_border::OnBorder;
 use super::terms::{Point, Terms};
 use crate::float::Float;
 use crate::nonsticking::Cycle;

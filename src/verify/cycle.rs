@@ -1,7 +1,7 @@
 //! Eq. 15, 16, 40–67 and the multipliers: the answers themselves.
 
+use super::followed::apart;
 use super::matching::holding;
-use super::motion::apart;
 use super::terms::{Claim, Terms};
 use super::{Case, Digits, Identity, Residual, Standing};
 use crate::float::{Float, Real};

@@ -8,8 +8,8 @@ mod identities;
 #[cfg(test)]
 mod mutants;
 
-use super::motion::Motion;
-use super::on_border::{loop_size, stops_beside};
+use super::edge::{loop_size, stops_beside};
+use super::followed::Motion;
 use super::solved::points as points_of_a_half_cycle;
 use super::{Digits, Solvable, Standing, Tally, Verdict};
 use crate::float::Float;
@@ -179,7 +179,7 @@ impl<F: Solvable> OnBorder<F> {
 
 /// A₁ of the exact motion at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little below.
 fn slope_of_loop_size<F: Float>(alpha: F, least: F, at: impl Fn(F) -> Option<Ratios<F>>) -> Option<(F, F)> {
-    let (one, h) = (F::int(1), super::motion::third_of_digits::<F>());
+    let (one, h) = (F::int(1), super::followed::third_of_digits::<F>());
     if alpha < least * F::ratio(101, 100) {
         return None;
     }

@@ -1,6 +1,6 @@
 //! The answers held against eq. 21–25 solved by Newton's method, which knows none of them.
 
-use super::motion::apart;
+use super::followed::apart;
 use super::{Case, Digits, Identity, Residual, Standing};
 use crate::float::Float;
 use crate::nonsticking::matching::newton::Solution;

@@ -1,6 +1,7 @@
 //! What holds of the cycle with damping.
 
-use super::super::motion::{apart, count};
+use super::super::followed::apart;
+use super::super::motion::count;
 use super::{Case, Digits, Identity, points_of_a_half_cycle};
 use crate::float::Float;
 
