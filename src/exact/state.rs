@@ -7,7 +7,6 @@ use crate::ratios::finite;
 
 /// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[must_use]
 pub struct State<F> {
     /// Phase θ = ω_d t.
     pub phase: DrivePhase<F>,

@@ -7,7 +7,6 @@ use crate::ratios::{finite, positive};
 
 /// The physical size of the dimensionless answers of one oscillator under one drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
 #[must_use]
 pub struct Scales<F> {
     /// Length: `B = r_y/k` (eq. 6).
