@@ -1,7 +1,8 @@
 //! The worst error of every output at f64 and at f32, and where it is.
 //!
-//! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` looks at about POINTS points (a million unless told) of each
-//! type on all cores, against 128 bits and against f64, and prints the tables; with `--write` it puts them into `docs/accuracy.md`.
+//! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` looks at about POINTS points (a million
+//! unless told) of each type on all cores, against 128 bits and against f64, and prints the tables; with
+//! `--write` it puts them into `docs/accuracy.md`.
 
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 

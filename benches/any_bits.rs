@@ -1,8 +1,10 @@
-//! Calls of the f64 interface with random bits, as many as asked for: `cargo bench --features generators --bench any_bits -- 1e9`.
+//! Calls of the f64 interface with random bits, as many as asked for:
+//! `cargo bench --features generators --bench any_bits -- 1e9`.
 //!
-//! No panic, no NaN or infinity where a value is due, an error where and only where the input is outside the domain. Half of the
-//! inputs are any bits at all, a quarter any bits within the domain's exponents, a quarter from `stickslip::generators`. All
-//! threads; the same inputs for the same number of threads. Prints how many calls there were, and of what.
+//! No panic, no NaN or infinity where a value is due, an error where and only where the input is outside the
+//! domain. Half of the inputs are any bits at all, a quarter any bits within the domain's exponents, a
+//! quarter from `stickslip::generators`. All threads; the same inputs for the same number of threads. Prints
+//! how many calls there were, and of what.
 
 #![allow(clippy::print_stdout, reason = "a bench prints what it counted")]
 

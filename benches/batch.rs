@@ -1,4 +1,5 @@
-//! Time a point of the batches, with every set of instructions the processor has, and of the exact steady state.
+//! Time a point of the batches, with every set of instructions the processor has, and of the exact steady
+//! state.
 
 mod columns;
 mod points;

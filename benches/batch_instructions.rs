@@ -1,5 +1,6 @@
-//! One batch over many points and nothing else, to be run under an instruction counter: `batch_instructions KERNEL N` runs
-//! KERNEL over 128,000 points N times. The counter's processor decides the instructions: AVX2 under valgrind.
+//! One batch over many points and nothing else, to be run under an instruction counter:
+//! `batch_instructions KERNEL N` runs KERNEL over 128,000 points N times. The counter's processor decides the
+//! instructions: AVX2 under valgrind.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,

@@ -1,8 +1,9 @@
-//! One number that the bits of many answers at f64 come to: the same for every target the program is compiled for.
+//! One number that the bits of many answers at f64 come to: the same for every target the program is compiled
+//! for.
 //!
-//! `bits [POINTS]` prints it for points alone, and compares with them batches of every level the processor has, in slices of several
-//! lengths. Ω is uniform, beside 1 and beside 1/n; α on the border, beside it and away from it. Where a batch has other bits it names the
-//! first such point, and ends with status 1.
+//! `bits [POINTS]` prints it for points alone, and compares with them batches of every level the processor
+//! has, in slices of several lengths. Ω is uniform, beside 1 and beside 1/n; α on the border, beside it and
+//! away from it. Where a batch has other bits it names the first such point, and ends with status 1.
 
 #![allow(
     clippy::print_stdout,

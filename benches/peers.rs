@@ -1,5 +1,6 @@
-//! The library's side of `benches/peers.sh`: `peers points FILE N LEAST` writes N points with Ω uniform from LEAST to 2.5, and
-//! `peers FILE` times them, the best of many runs, in nanoseconds a point; `peers threads N` times N points on one thread and on all.
+//! The library's side of `benches/peers.sh`: `peers points FILE N LEAST` writes N points with Ω uniform from
+//! LEAST to 2.5, and `peers FILE` times them, the best of many runs, in nanoseconds a point;
+//! `peers threads N` times N points on one thread and on all.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,

@@ -1,14 +1,16 @@
 //! What does a sliding isolator let through?
 //!
-//! A server cabinet of 800 kg stands on sliding bearings: friction coefficient 0.06, so 471 N, and springs that bring it back with a
-//! natural period of 2.5 s. The floor shakes harmonically with 2 m/s². How far does the cabinet slide over the floor, and what
-//! acceleration does it feel itself?
+//! A server cabinet of 800 kg stands on sliding bearings: friction coefficient 0.06, so 471 N, and springs
+//! that bring it back with a natural period of 2.5 s. The floor shakes harmonically with 2 m/s². How far does
+//! the cabinet slide over the floor, and what acceleration does it feel itself?
 //!
-//! Springs and bearings are both on the floor, so x is the displacement over the floor and the drive is the inertia of the floor's
-//! acceleration: p₀ = m ω_d² u_g0, the mass times the acceleration. The greatest acceleration of the cabinet is just before it turns: (k Δ₀ + r_y)/m.
+//! Springs and bearings are both on the floor, so x is the displacement over the floor and the drive is the
+//! inertia of the floor's acceleration: p₀ = m ω_d² u_g0, the mass times the acceleration. The greatest
+//! acceleration of the cabinet is just before it turns: (k Δ₀ + r_y)/m.
 //!
-//! The answer: at 0.6 Hz the cabinet feels what the floor does, from 1 Hz up less than half of it, and the gap it needs falls from
-//! 0.23 m at 0.6 Hz to 12 mm at 2 Hz. If the floor shook with less than 1.025 m/s² at 1 Hz, it would stick in every cycle.
+//! The answer: at 0.6 Hz the cabinet feels what the floor does, from 1 Hz up less than half of it, and the
+//! gap it needs falls from 0.23 m at 0.6 Hz to 12 mm at 2 Hz. If the floor shook with less than 1.025 m/s² at
+//! 1 Hz, it would stick in every cycle.
 
 use std::f64::consts::TAU;
 use std::io::Write;

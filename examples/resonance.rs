@@ -1,11 +1,13 @@
 //! How does the motion go through resonance, to 200 digits?
 //!
-//! At Ω = 1 eq. 44 is infinity less infinity, and a sweep at f64 by the formula as printed is noise there. By the phase function K
-//! it is smooth: the displacement grows as √(α² − (4/π)²)/|1 − Ω²|, and the border passes through 4/π with the slope 2/π. Here Ω − 1
-//! runs from −10⁻¹ to −10⁻¹⁵⁰ and up again, at 768 bits, for a force half as large again as the friction.
+//! At Ω = 1 eq. 44 is infinity less infinity, and a sweep at f64 by the formula as printed is noise there. By
+//! the phase function K it is smooth: the displacement grows as √(α² − (4/π)²)/|1 − Ω²|, and the border
+//! passes through 4/π with the slope 2/π. Here Ω − 1 runs from −10⁻¹ to −10⁻¹⁵⁰ and up again, at 768 bits,
+//! for a force half as large again as the friction.
 //!
-//! The answer: the displacement times |1 − Ω²| is off its limit, 0.7930…, by 1.29 times the distance from resonance, below and above it alike. So far out it
-//! never settles in practice: a disturbance halves in 0.69/(1 − |λ|) half cycles.
+//! The answer: the displacement times |1 − Ω²| is off its limit, 0.7930…, by 1.29 times the distance from
+//! resonance, below and above it alike. So far out it never settles in practice: a disturbance halves in
+//! 0.69/(1 − |λ|) half cycles.
 
 use std::io::Write;
 use stickslip::float::mp::Mp;

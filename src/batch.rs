@@ -17,18 +17,19 @@
 //!
 //! # How
 //!
-//! Blocks of 128 points run through short loops without branches, those that the outputs wanted take, compiled once for each [`Level`] and
-//! chosen at run time: one set of loops from Ω = 1/2 to 2²⁰, another from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop
-//! cannot do well is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
-//! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity.
-//! So there is an answer for every point of the domain, and on which side of the border it lies is decided as
+//! Blocks of 128 points run through short loops without branches, those that the outputs wanted take,
+//! compiled once for each [`Level`] and chosen at run time: one set of loops from Ω = 1/2 to 2²⁰, another
+//! from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop cannot do well
+//! is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
+//! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity. So there is
+//! an answer for every point of the domain, and on which side of the border it lies is decided as
 //! [`mod@crate::regime`] decides it.
 //!
-//! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all but the border where
-//! there is no non-sticking cycle.
+//! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all
+//! but the border where there is no non-sticking cycle.
 //!
-//! The loops run the functions that answer a point, so that every [`Level`] gives the bits of the point alone, and its accuracy. Threads
-//! do not change them.
+//! The loops run the functions that answer a point, so that every [`Level`] gives the bits of the point
+//! alone, and its accuracy. Threads do not change them.
 
 mod alone;
 mod amplitude;
@@ -106,8 +107,8 @@ impl Batch {
 
     /// The outputs wanted at the points (Ω, α).
     ///
-    /// The nine that a loop has cost what their loops cost: {Δ₀, α_min, A₁} one, V₀ with its phase, Δ₁ and λ one more each. The others
-    /// are computed point by point.
+    /// The nine that a loop has cost what their loops cost: {Δ₀, α_min, A₁} one, V₀ with its phase, Δ₁ and λ
+    /// one more each. The others are computed point by point.
     ///
     /// # Errors
     /// [`LengthMismatch`] where the slices are not of one length.
@@ -135,7 +136,8 @@ impl Batch {
         Ok(())
     }
 
-    /// The outputs wanted at `n` points whose ratios may have damping and static friction, each point alone; NaN where there are no ratios.
+    /// The outputs wanted at `n` points whose ratios may have damping and static friction, each point alone;
+    /// NaN where there are no ratios.
     ///
     /// # Errors
     /// [`LengthMismatch`] where a slice is not of `n` elements.

@@ -161,7 +161,8 @@ impl Axis {
 pub struct Series {
     /// The name in the data.
     pub name: String,
-    /// The words in the legend, by default the name; series of the same words share an entry, those without words have none.
+    /// The words in the legend, by default the name; series of the same words share an entry, those without
+    /// words have none.
     pub key: String,
     /// How it is drawn.
     pub style: Style,

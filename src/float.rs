@@ -1,9 +1,10 @@
 //! The number type every formula is written over.
 //!
-//! Three layers. [`Field`] is what most *formulae* need: the field operations, square roots, magnitudes, small integers and
-//! ratios. [`Real`] adds π and the circular functions. [`Float`] adds what a *decision* needs: order, precision, range, and a
-//! way to and from `f64`. A formula asks for the least layer it can, so that a value that cannot be compared (a symbol) and a
-//! value that has no circular functions (a compensated pair) still run through it.
+//! Three layers. [`Field`] is what most *formulae* need: the field operations, square roots, magnitudes,
+//! small integers and ratios. [`Real`] adds π and the circular functions. [`Float`] adds what a *decision*
+//! needs: order, precision, range, and a way to and from `f64`. A formula asks for the least layer it can, so
+//! that a value that cannot be compared (a symbol) and a value that has no circular functions (a compensated
+//! pair) still run through it.
 //!
 //! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] is the exact way in, [`pair::Pair::value`] rounds once on
 //! the way out. The steps that decide how many digits an answer has run in it, by the same functions.
@@ -14,9 +15,10 @@
 //!
 //! # The same bits everywhere
 //!
-//! At `f64` an operation gives the same bits on every processor and under every compiler flag: the four operations, the square root and
-//! the fused multiply-add are rounded correctly by IEEE 754, and the circular functions are those of the pinned crate `libm`. A
-//! fused operation stands where the source says [`Real::mul_add`], and nowhere else.
+//! At `f64` an operation gives the same bits on every processor and under every compiler flag: the four
+//! operations, the square root and the fused multiply-add are rounded correctly by IEEE 754, and the circular
+//! functions are those of the pinned crate `libm`. A fused operation stands where the source says
+//! [`Real::mul_add`], and nowhere else.
 
 use circular::TO_HALF_PI;
 use core::fmt::{Debug, Display, LowerExp};
@@ -137,7 +139,8 @@ pub trait Real: Field {
 
 /// Work to be compiled for the processor's fused operation ([`Float::fused`]).
 ///
-/// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what it calls often.
+/// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what
+/// it calls often.
 #[doc(hidden)]
 pub trait Task {
     /// What it comes to.
@@ -146,7 +149,8 @@ pub trait Task {
     fn run(self) -> Self::Output;
 }
 
-/// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`], [`Float::guarded`]).
+/// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`],
+/// [`Float::guarded`]).
 #[doc(hidden)]
 pub trait AtPrecision<F> {
     /// What it comes to.
@@ -180,7 +184,8 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
-    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π unless the type has them at hand.
+    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π
+    /// unless the type has them at hand.
     #[must_use]
     fn pi_rest() -> (Self, Self) {
         pi_digits::rest(Self::pi())
@@ -214,7 +219,8 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         Pair::exact(self)
     }
 
-    /// Runs `task` with the processor's own fused multiply-add, where it has one that the program was not compiled for.
+    /// Runs `task` with the processor's own fused multiply-add, where it has one that the program was not
+    /// compiled for.
     ///
     /// The results are the same; what is not inlined into `task` is not faster either.
     #[doc(hidden)]
@@ -223,15 +229,16 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         task.run()
     }
 
-    /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster way that needs a point on the unit circle.
+    /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster way that needs
+    /// a point on the unit circle.
     #[doc(hidden)]
     #[inline(always)]
     fn angle_of(sine: Self, cosine: Self) -> Self {
         sine.atan2(cosine)
     }
 
-    /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has: the error is below a third of a unit in the last place
-    /// up to π/3, less than that for smaller angles.
+    /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has: the error is below a third
+    /// of a unit in the last place up to π/3, less than that for smaller angles.
     #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
@@ -242,8 +249,8 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         }
     }
 
-    /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the bits
-    /// on, one step that quadruples them is left to do. At `f64` unless the type knows better.
+    /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the
+    /// bits on, one step that quadruples them is left to do. At `f64` unless the type knows better.
     #[doc(hidden)]
     #[inline]
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
@@ -261,23 +268,25 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     fn exp(self) -> Self {
         exponential::exp(self)
     }
-    /// `eˣ − 1` of the number x, which keeps its digits for a small x; a type may have a better way than the series that this is.
+    /// `eˣ − 1` of the number x, which keeps its digits for a small x; a type may have a better way than the
+    /// series that this is.
     fn exp_m1(self) -> Self {
         exponential::exp_m1(self)
     }
 
-    /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself otherwise.
+    /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself
+    /// otherwise.
     #[doc(hidden)]
     #[inline]
     fn constant(self) -> Self {
         self
     }
 
-    /// The same value with the derivatives of `like`, in a type that carries some. Otherwise the number itself, and `like` is not
-    /// evaluated.
+    /// The same value with the derivatives of `like`, in a type that carries some. Otherwise the number
+    /// itself, and `like` is not evaluated.
     ///
-    /// For values whose own computation is a worse way to their derivatives: a quotient of two small numbers, a point found
-    /// by iteration.
+    /// For values whose own computation is a worse way to their derivatives: a quotient of two small numbers,
+    /// a point found by iteration.
     #[doc(hidden)]
     #[inline]
     fn differentiated_as(self, like: impl FnOnce() -> Self) -> Self {
@@ -285,11 +294,12 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         self
     }
 
-    /// A root x of `g(x, p) = 0` that was found by iteration, with the derivatives of the implicit function: `dx = −(∂g/∂p) dp/g′`.
+    /// A root x of `g(x, p) = 0` that was found by iteration, with the derivatives of the implicit function:
+    /// `dx = −(∂g/∂p) dp/g′`.
     ///
-    /// `residual` gives (g, g′) at a constant x, so that g carries its explicit dependence on the parameters alone: one step
-    /// of Newton's method in the derivatives. What the iteration itself carried along is dropped: it lags behind by a step, and
-    /// a bracket at f64 carries nothing at all.
+    /// `residual` gives (g, g′) at a constant x, so that g carries its explicit dependence on the parameters
+    /// alone: one step of Newton's method in the derivatives. What the iteration itself carried along is
+    /// dropped: it lags behind by a step, and a bracket at f64 carries nothing at all.
     #[doc(hidden)]
     #[inline]
     fn implicit_root(self, residual: impl FnOnce(Self) -> (Self, Self)) -> Self {

@@ -1,8 +1,8 @@
 //! Inputs that are hard on purpose, for property tests and fuzzing: made of random bytes by
 //! [`arbitrary`](https://docs.rs/arbitrary), for a fuzzer and for proptest alike.
 //!
-//! Random bits rarely meet the places where formulae break. About one number in eight here is any double at all; the others are
-//! at such a place, or some floats or a small part of themselves beside it:
+//! Random bits rarely meet the places where formulae break. About one number in eight here is any double at
+//! all; the others are at such a place, or some floats or a small part of themselves beside it:
 //!
 //! | number | where it is put |
 //! |---|---|
@@ -12,7 +12,8 @@
 //! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; next to no speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //!
-//! Nothing is left out: what a type holds need not be valid input. Fewer bytes than a value takes are filled up with zeros.
+//! Nothing is left out: what a type holds need not be valid input. Fewer bytes than a value takes are filled
+//! up with zeros.
 //!
 //! ```
 //! use arbitrary::{Arbitrary, Unstructured};
@@ -53,7 +54,8 @@ impl<'a> Arbitrary<'a> for Point {
     }
 }
 
-/// A damping ratio. Where no bytes are left it is 0, so that inputs kept from before it was asked for mean what they did.
+/// A damping ratio. Where no bytes are left it is 0, so that inputs kept from before it was asked for mean
+/// what they did.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DampingRatio(pub f64);
 

@@ -2,11 +2,11 @@
 //!
 #![doc = include_str!("formulae/motion.html")]
 //!
-//! in closed form: whether the body sticks, how far and how fast it moves and when, how much force keeps
-//! it from sticking, how much it dissipates; and its exact motion, stops included. Written once over a number type ([`Float`]), after H.-K. Hong
-//! and C.-S. Liu, “Non-sticking oscillation formulae for Coulomb friction under harmonic loading”, *Journal of
-//! Sound and Vibration* **244** (2001) 883–898, whose equation numbers are used throughout, and exact where
-//! the paper is not (`docs/errata.md`).
+//! in closed form: whether the body sticks, how far and how fast it moves and when, how much force keeps it
+//! from sticking, how much it dissipates; and its exact motion, stops included. Written once over a number
+//! type ([`Float`]), after H.-K. Hong and C.-S. Liu, “Non-sticking oscillation formulae for Coulomb friction
+//! under harmonic loading”, *Journal of Sound and Vibration* **244** (2001) 883–898, whose equation numbers
+//! are used throughout, and exact where the paper is not (`docs/errata.md`).
 //!
 //! ```
 //! use stickslip::{Drive, Oscillator, Regime, Response, Scales};
@@ -38,21 +38,21 @@
 #![doc = include_str!("formulae/displacement.html")]
 #![doc = include_str!("formulae/displacement_phase.html")]
 //!
-//! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]); its greatest value is V₀, at t₁
-//! ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 gives too with the signs of its
-//! roots corrected:
+//! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]); its
+//! greatest value is V₀, at t₁ ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 gives too
+//! with the signs of its roots corrected:
 //!
 #![doc = include_str!("formulae/velocity.html")]
 #![doc = include_str!("formulae/max_velocity.html")]
 #![doc = include_str!("formulae/deviation.html")]
 //!
-//! The least force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2 (proof in
-//! `src/nonsticking/border.rs`):
+//! The least force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2
+//! (proof in `src/nonsticking/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
 //!
-//! The dissipation in a cycle, per static energy, and where A₁ is largest ([`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`],
-//! [`Response::best_force_ratio`]):
+//! The dissipation in a cycle, per static energy, and where A₁ is largest ([`Cycle::loop_size_stiffness`],
+//! [`Cycle::loop_size_inertia`], [`Response::best_force_ratio`]):
 //!
 #![doc = include_str!("formulae/dissipation.html")]
 #![doc = include_str!("formulae/best_force_ratio.html")]
@@ -89,18 +89,22 @@
 //!
 //! * default: the library, for `f32` and `f64`;
 //! * `cli`: the command `stickslip`; with `parquet` it writes sweeps to Parquet files, too;
-//! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links GMP and
-//!   MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which needs m4 and make;
-//! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`); `png`: as PNG, with a
-//!   font;
-//! * `dual`: the number `float::dual::Dual<N>` with derivatives by N parameters, and `sensitivity`: every output by every
-//!   parameter;
+//! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
+//!   GMP and MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which
+//!   needs m4 and make;
+//! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`); `png`: as
+//!   PNG, with a font;
+//! * `dual`: the number `float::dual::Dual<N>` with derivatives by N parameters, and `sensitivity`: every
+//!   output by every parameter;
 //! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::random`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
-//! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on threads;
-//! * `generators`: inputs that are hard on purpose, for property tests and fuzzing of what uses this library (`generators`);
-//! * `matching`: the matching problem solved by Newton's method with nalgebra (`nonsticking::matching::newton`), over
-//!   `Mp` too with `mp`; and every equation and answer held against it and against the exact motion (`verify`).
+//! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on
+//!   threads;
+//! * `generators`: inputs that are hard on purpose, for property tests and fuzzing of what uses this library
+//!   (`generators`);
+//! * `matching`: the matching problem solved by Newton's method with nalgebra
+//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`; and every equation and answer held against
+//!   it and against the exact motion (`verify`).
 
 #![cfg_attr(
     not(test),
@@ -115,7 +119,8 @@
     )
 )]
 
-// Tests of the formulae by their own names, which are not public: written as users write, with the crate's name.
+// Tests of the formulae by their own names, which are not public: written as users write, with the crate's
+// name.
 #[cfg(test)]
 extern crate self as stickslip;
 #[cfg(test)]

@@ -171,8 +171,8 @@ impl<F: Float> PhaseFunction<F> {
         self.value.value()
     }
 
-    /// K(Ω) to more digits than the type has: its relative error is below half a unit in the last place of the type, and from Ω = 1/2 on
-    /// falls with (1 − 1/Ω)², down to u².
+    /// K(Ω) to more digits than the type has: its relative error is below half a unit in the last place of
+    /// the type, and from Ω = 1/2 on falls with (1 − 1/Ω)², down to u².
     #[inline(always)]
     pub(crate) const fn wide(&self) -> Pair<F> {
         self.value
@@ -206,7 +206,8 @@ pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
     Pair::new(hi, lo - square.lo)
 }
 
-/// The same for Ω ≤ 2²⁰, of fewer operations: 1 is a multiple of the last place of Ω², so that the sum is exact.
+/// The same for Ω ≤ 2²⁰, of fewer operations: 1 is a multiple of the last place of Ω², so that the sum is
+/// exact.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn one_minus_moderate_square(omega: f64) -> Pair<f64> {

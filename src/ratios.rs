@@ -1,10 +1,11 @@
-//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9), the damping ratio ζ and the static friction ratio η.
+//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9), the damping ratio ζ and the static
+//! friction ratio η.
 
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 
-/// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8), damping ratio ζ = c/(2√(k m)) and static friction ratio
-/// η = r_s/r_y, validated.
+/// Frequency ratio Ω = ω_d/ω_n (eq. 9), force ratio α = p₀/r_y (eq. 8), damping ratio ζ = c/(2√(k m)) and
+/// static friction ratio η = r_s/r_y, validated.
 ///
 /// | ratio | domain |
 /// |---|---|
@@ -45,7 +46,8 @@ impl<F: Float> Ratios<F> {
         Ok(Self { damping_ratio: valid_damping_ratio(damping_ratio)?, ..self })
     }
 
-    /// The same with a static friction of η times the kinetic one: a body at rest stays until the force on it exceeds η r_y.
+    /// The same with a static friction of η times the kinetic one: a body at rest stays until the force on it
+    /// exceeds η r_y.
     ///
     /// # Errors
     /// Where η is outside its domain.
@@ -85,13 +87,15 @@ impl<F: Float> Ratios<F> {
         self.damping_ratio > F::int(0)
     }
 
-    /// Whether the static friction is above the kinetic one, η > 1: then the motion in the long run can depend on the start.
+    /// Whether the static friction is above the kinetic one, η > 1: then the motion in the long run can
+    /// depend on the start.
     #[inline]
     pub fn has_higher_static_friction(&self) -> bool {
         self.static_friction_ratio > F::int(1)
     }
 
-    /// The same ratios, where there is no damper and no higher static friction: for what is not known with one.
+    /// The same ratios, where there is no damper and no higher static friction: for what is not known with
+    /// one.
     pub(crate) fn undamped(self) -> Result<Self, Error> {
         without_damping(self.damping_ratio)?;
         self.with_one_friction()
@@ -112,8 +116,9 @@ impl<F: Float> Ratios<F> {
         }
     }
 
-    /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6), negative above the
-    /// natural frequency and infinite at Ω = 1; with it `α/q`, `q = √((1 − Ω²)² + 4ζ²Ω²)`, behind the force by a lag in (0, π).
+    /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6),
+    /// negative above the natural frequency and infinite at Ω = 1; with it `α/q`, `q = √((1 − Ω²)² + 4ζ²Ω²)`,
+    /// behind the force by a lag in (0, π).
     pub fn forced_amplitude(&self) -> F {
         if self.is_damped() {
             let damper = F::int(2) * self.damping_ratio * self.omega;

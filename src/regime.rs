@@ -30,8 +30,9 @@ pub enum Regime {
     Stuck,
     /// α > 1 and no motion without a stop: the body stops, for a while, in every cycle.
     Sticking,
-    /// The body never stops for longer than an instant: α ≥ α_min(Ω), where it reverses twice a cycle, or α within the force ratios of six
-    /// reversals a cycle beside a pole 1/(2n+1) ([`crate::nonsticking::SixReversals`]).
+    /// The body never stops for longer than an instant: α ≥ α_min(Ω), where it reverses twice a cycle, or α
+    /// within the force ratios of six reversals a cycle beside a pole 1/(2n+1)
+    /// ([`crate::nonsticking::SixReversals`]).
     NonSticking,
     /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
     Unbounded,
@@ -52,10 +53,11 @@ impl Regime {
 
 /// The regime at (Ω, α, ζ), given the border there.
 ///
-/// With damping the exact motion decides below the border where it may reverse six times a cycle without a stop; one that does not settle
-/// counts as sticking.
+/// With damping the exact motion decides below the border where it may reverse six times a cycle without a
+/// stop; one that does not settle counts as sticking.
 ///
-/// With a static friction above the kinetic one the border alone decides: what else there is depends on the start.
+/// With a static friction above the kinetic one the border alone decides: what else there is depends on the
+/// start.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.has_higher_static_friction() {
         return regime_by_border(ratios, border);

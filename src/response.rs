@@ -30,12 +30,13 @@ pub struct Response<F> {
 impl<F: Float> Response<F> {
     /// The answer at (Ω, α): exists for all valid ratios.
     ///
-    /// The regime is decided by comparing α with the border as rounded: within a few units in the last place of the
-    /// border, either side may be named.
+    /// The regime is decided by comparing α with the border as rounded: within a few units in the last place
+    /// of the border, either side may be named.
     ///
-    /// **With a static friction above the kinetic one** (η > 1) the motion in the long run can depend on the start, and the regime says
-    /// what the border alone guarantees: non-sticking, that the cycle without a stop exists and that every disturbance of it that is
-    /// small enough dies out; sticking, that there is no such cycle of two reversals. `exact::attractors` finds the others.
+    /// **With a static friction above the kinetic one** (η > 1) the motion in the long run can depend on the
+    /// start, and the regime says what the border alone guarantees: non-sticking, that the cycle without a
+    /// stop exists and that every disturbance of it that is small enough dies out; sticking, that there is no
+    /// such cycle of two reversals. `exact::attractors` finds the others.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             return Self::damped(ratios);
@@ -95,8 +96,8 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// The answer computed with the guard bits that the type has ([`Float::guarded`]), every output rounded once: with
-    /// multiple precision right to the last place, at f64 the same as [`Response::new`].
+    /// The answer computed with the guard bits that the type has ([`Float::guarded`]), every output rounded
+    /// once: with multiple precision right to the last place, at f64 the same as [`Response::new`].
     ///
     /// The regime, too, is decided with them.
     pub fn guarded(ratios: Ratios<F>) -> Self {
@@ -132,8 +133,9 @@ impl<F: Float> Response<F> {
         self.regime
     }
 
-    /// Reversals in a cycle of the motion without a stop: 2, or 6 beside a pole below the border, where the closed forms do not hold
-    /// ([`crate::nonsticking::SixReversals`] does); `None` where it stops or grows without bound.
+    /// Reversals in a cycle of the motion without a stop: 2, or 6 beside a pole below the border, where the
+    /// closed forms do not hold ([`crate::nonsticking::SixReversals`] does); `None` where it stops or grows
+    /// without bound.
     pub fn reversals_per_cycle(&self) -> Option<u32> {
         match (self.regime, &self.cycle) {
             (_, Some(_)) => Some(2),

@@ -23,9 +23,9 @@ pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f
 
 /// Newton's method from a `start` good to about 1e-8, inside `[low, high]`; `f` gives (value, slope).
 ///
-/// Each step doubles the good bits, so that `log₂(PRECISION)` steps bound the loop. It ends with the step whose
-/// square is below rounding: the error it leaves is of that order, measured by the distance from the ends, where a
-/// second zero may be near.
+/// Each step doubles the good bits, so that `log₂(PRECISION)` steps bound the loop. It ends with the step
+/// whose square is below rounding: the error it leaves is of that order, measured by the distance from the
+/// ends, where a second zero may be near.
 pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let tolerance = F::epsilon() / F::int(64);
     let mut x = start;
@@ -50,8 +50,8 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
 
 /// A zero in `[low, high]` of an `f` that falls through it there; `f` gives (value, slope).
 ///
-/// Newton's method with the bracket kept: where a step leaves it, or is not half of the last but one, it is halved instead. So the
-/// number of steps is bounded by twice the bits between the ends.
+/// Newton's method with the bracket kept: where a step leaves it, or is not half of the last but one, it is
+/// halved instead. So the number of steps is bounded by twice the bits between the ends.
 pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let (mut low, mut high, two) = (low, high, F::int(2));
     let mut x = low + (high - low) / two;
@@ -83,12 +83,13 @@ pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (
     }
 }
 
-/// The two numbers, next to each other but for rounding, between which `f` changes sign in `[low, high]`: the first
-/// on the side of `low`, the second on that of `high`. A zero counts as positive.
+/// The two numbers, next to each other but for rounding, between which `f` changes sign in `[low, high]`: the
+/// first on the side of `low`, the second on that of `high`. A zero counts as positive.
 ///
-/// At the precision of the type from start to end, and certain: the bracket only ever shrinks. Inverse quadratic
-/// interpolation where the three last points promise a monotone one, halving elsewhere (Chandrupatla's criterion).
-/// Where `f` has one sign at both ends there is nothing to enclose, and the end where |f| is smaller is returned twice.
+/// At the precision of the type from start to end, and certain: the bracket only ever shrinks. Inverse
+/// quadratic interpolation where the three last points promise a monotone one, halving elsewhere
+/// (Chandrupatla's criterion). Where `f` has one sign at both ends there is nothing to enclose, and the end
+/// where |f| is smaller is returned twice.
 pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> (F, F) {
     let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
     let positive = |y: F| y >= zero;

@@ -1,9 +1,10 @@
 //! Derivatives of every output by every parameter, by dual numbers ([`crate::float::dual`]).
 //!
-//! The formulae themselves are differentiated, term by term and at the roots by the implicit function theorem: no step
-//! size and no cancellation of differences. Near a pole of the border, a double multiplier or the border itself the derivatives
-//! are large because the outputs are steep there, and where an output has a corner (the border next to a pole, the contraction
-//! where gσ = 1) they are those of the side that the point is on.
+//! The formulae themselves are differentiated, term by term and at the roots by the implicit function
+//! theorem: no step size and no cancellation of differences. Near a pole of the border, a double multiplier
+//! or the border itself the derivatives are large because the outputs are steep there, and where an output
+//! has a corner (the border next to a pole, the contraction where gσ = 1) they are those of the side that the
+//! point is on.
 //!
 //! ```
 //! use stickslip::sensitivity::{MASS, Sensitivities};
@@ -52,7 +53,8 @@ pub struct Sensitivity<const N: usize> {
 }
 
 impl<const N: usize> Sensitivity<N> {
-    /// Percents of change for a percent of the parameter, `(p/y) ∂y/∂p`, where the parameter is p; NaN for an index beyond N.
+    /// Percents of change for a percent of the parameter, `(p/y) ∂y/∂p`, where the parameter is p; NaN for an
+    /// index beyond N.
     #[must_use]
     pub fn elasticity(&self, index: usize, parameter: f64) -> f64 {
         self.by.get(index).map_or(f64::NAN, |slope| slope * parameter / self.value)
@@ -64,7 +66,8 @@ impl<const N: usize> Sensitivity<N> {
         self.by.iter().zip(changes).map(|(slope, change)| slope * change).sum()
     }
 
-    /// The standard deviation of the value, to first order, for independent ones of the parameters: `√Σ(σᵢ ∂y/∂pᵢ)²`.
+    /// The standard deviation of the value, to first order, for independent ones of the parameters:
+    /// `√Σ(σᵢ ∂y/∂pᵢ)²`.
     #[must_use]
     pub fn deviation(&self, deviations: [f64; N]) -> f64 {
         self.by
@@ -85,9 +88,10 @@ pub struct Sensitivities<const N: usize> {
 impl Sensitivities<2> {
     /// The dimensionless outputs and their derivatives by Ω and α, [`OMEGA`] and [`ALPHA`].
     ///
-    /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few units in the last place of the
-    /// larger of p ∂y/∂p and y, away from the corners named above; measured against differences at 512 bits, 5e-14 of that. Less for the
-    /// contraction beside Ω = 1, ε/|1 − Ω|, and for τ* beside 1/(2n), 1e-11.
+    /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few
+    /// units in the last place of the larger of p ∂y/∂p and y, away from the corners named above; measured
+    /// against differences at 512 bits, 5e-14 of that. Less for the contraction beside Ω = 1, ε/|1 − Ω|, and
+    /// for τ* beside 1/(2n), 1e-11.
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
@@ -98,11 +102,11 @@ impl Sensitivities<2> {
 }
 
 impl Sensitivities<5> {
-    /// The outputs in physical units ([`Output::unit`]) and their derivatives by m, k, r_y, the amplitude and ω_d: [`MASS`],
-    /// [`STIFFNESS`], [`FRICTION_BOUND`], [`AMPLITUDE`], [`ANGULAR_FREQUENCY`].
+    /// The outputs in physical units ([`Output::unit`]) and their derivatives by m, k, r_y, the amplitude and
+    /// ω_d: [`MASS`], [`STIFFNESS`], [`FRICTION_BOUND`], [`AMPLITUDE`], [`ANGULAR_FREQUENCY`].
     ///
-    /// Everything else being constant, the damping constant c too; under base motion a change of stiffness changes the force, too. Both loop sizes are the
-    /// energy of a cycle, `4 r_y Δ₀`, by two ways.
+    /// Everything else being constant, the damping constant c too; under base motion a change of stiffness
+    /// changes the force, too. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`, by two ways.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`], or a scale over- or underflows.

@@ -10,9 +10,10 @@
 //! # Ok::<(), stickslip::units::UnitError>(())
 //! ```
 //!
-//! Every unit is a ratio of two whole numbers times a power of π, in SI base units with the radian. So the conversion adds
-//! a rounding or two in any number type. The crate `uom` was tried for this: its factors are f64 constants, which would cut a
-//! number of 1024 bits to 53, and its hertz and its rad/s do not differ by 2π.
+//! Every unit is a ratio of two whole numbers times a power of π, in SI base units with the radian. So the
+//! conversion adds a rounding or two in any number type. The crate `uom` was tried for this: its factors are
+//! f64 constants, which would cut a number of 1024 bits to 53, and its hertz and its rad/s do not differ by
+//! 2π.
 
 mod factor;
 mod kind;
@@ -35,8 +36,8 @@ pub struct UnitError(String);
 
 /// Reads values into one system of units.
 ///
-/// Those with units are converted, and bare numbers are in that system. Where it was not named, bare numbers do not mix with units: nobody
-/// could tell their system. A bare frequency is in rad/s in any system.
+/// Those with units are converted, and bare numbers are in that system. Where it was not named, bare numbers
+/// do not mix with units: nobody could tell their system. A bare frequency is in rad/s in any system.
 #[derive(Debug)]
 pub struct Reader {
     system: System,
@@ -48,7 +49,8 @@ pub struct Reader {
 }
 
 impl Reader {
-    /// A reader in a system that the user named, or in SI. `option` is how it is named, such as `--units kN,m`.
+    /// A reader in a system that the user named, or in SI. `option` is how it is named, such as
+    /// `--units kN,m`.
     #[must_use]
     pub fn new(named: Option<&System>, option: &'static str) -> Self {
         Self {
@@ -68,7 +70,8 @@ impl Reader {
     /// The value of the argument or column `name`, in the reader's system.
     ///
     /// # Errors
-    /// Where the text is no number, its unit is unknown or not one of the kind, or bare numbers mix with units.
+    /// Where the text is no number, its unit is unknown or not one of the kind, or bare numbers mix with
+    /// units.
     pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, UnitError> {
         let (digits, unit) = split(text);
         if unit.is_empty() || digits.is_empty() || unit.starts_with(',') {

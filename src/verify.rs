@@ -1,4 +1,5 @@
-//! The equations of the paper and the answers of this crate, held against the motion, at the precision of the type.
+//! The equations of the paper and the answers of this crate, held against the motion, at the precision of the
+//! type.
 //!
 //! [`verify`] evaluates every identity at a spread of points and reports the worst residual of each in units of
 //! the last place of its terms. A true identity leaves the rounding of its operations; a false one misses by
@@ -7,8 +8,8 @@
 //! Three witnesses are asked, none of which knows the closed forms:
 //!
 //! * the equations of the paper themselves, with the answers put in;
-//! * the **exact motion** from rest ([`crate::exact`]): its extrema and their phases, its work, its multipliers, its half-turn map by
-//!   differences, and its stops on either side of the border;
+//! * the **exact motion** from rest ([`crate::exact`]): its extrema and their phases, its work, its
+//!   multipliers, its half-turn map by differences, and its stops on either side of the border;
 //! * **Newton's method** on eq. 21–25 ([`Solvable`]), at the same points and on the border.
 //!
 //! The cycle with viscous damping is held against the same three (`damped`).
@@ -133,8 +134,9 @@ pub struct Verdict {
     pub standing: Standing,
     /// The number of points where it applies.
     pub points: usize,
-    /// Of an identity that holds, the largest residual in units of the last place of its terms (of their square root, where it
-    /// is one of differences); of one that is refuted, the smallest, relative to its terms.
+    /// Of an identity that holds, the largest residual in units of the last place of its terms (of their
+    /// square root, where it is one of differences); of one that is refuted, the smallest, relative to its
+    /// terms.
     pub worst: f64,
     /// Ω and α where that is, with all digits.
     pub at: Option<(String, String)>,
@@ -144,7 +146,8 @@ pub struct Verdict {
     pub passed: bool,
 }
 
-/// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in [`verify`] alone.
+/// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in
+/// [`verify`] alone.
 pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
     let of_terms = matching::identities().into_iter().chain(cycle::identities());
     [
@@ -160,11 +163,13 @@ pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
 
 /// Holds every identity against the cycles at a spread of points.
 ///
-/// `step` is told (done, all) points, a few times at each point, and may end it all by [`ControlFlow::Break`].
+/// `step` is told (done, all) points, a few times at each point, and may end it all by
+/// [`ControlFlow::Break`].
 ///
-/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and beside Ω = 1, 1/3, 1/5 and 1/7
-/// at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4 times the exact border. With damping:
-/// twelve Ω from 0.18 to 4, 1 among them, and ζ from 0.01 to 1.6, each with one of these α.
+/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and beside Ω = 1, 1/3, 1/5
+/// and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4
+/// times the exact border. With damping: twelve Ω from 0.18 to 4, 1 among them, and ζ from 0.01 to 1.6, each
+/// with one of these α.
 pub fn verify<F: Solvable, B>(
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
 ) -> ControlFlow<B, Vec<Verdict>> {

@@ -1,4 +1,5 @@
-//! Points for the benches: Ω uniform in (0.5, 2.5) but not within 0.02 of 1, α from 1.05 to 4.05 times the border.
+//! Points for the benches: Ω uniform in (0.5, 2.5) but not within 0.02 of 1, α from 1.05 to 4.05 times the
+//! border.
 
 use stickslip::Border;
 

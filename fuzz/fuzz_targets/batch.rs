@@ -1,4 +1,5 @@
-//! Points, how many of them and where their slice begins: batches of every level against each other and against one point.
+//! Points, how many of them and where their slice begins: batches of every level against each other and
+//! against one point.
 #![no_main]
 
 #[path = "../../tests/invariants/batches.rs"]

@@ -1,5 +1,5 @@
-//! Any bytes as a file of points: each row is answered as the command answers its values given as arguments, up to the first
-//! row that cannot be, and nothing but one line says what is wrong with that.
+//! Any bytes as a file of points: each row is answered as the command answers its values given as arguments,
+//! up to the first row that cannot be, and nothing but one line says what is wrong with that.
 //!
 //! The command's own modules are compiled in; what one of them comes to use has to be named here.
 #![no_main]

@@ -1,4 +1,5 @@
-//! A sweep that is gone on with from any file: it becomes the sweep that was not broken off, or is left as it is.
+//! A sweep that is gone on with from any file: it becomes the sweep that was not broken off, or is left as it
+//! is.
 //!
 //! The command's own modules are compiled in; what one of them comes to use has to be named here.
 #![no_main]

@@ -1,4 +1,5 @@
-//! Δ₀ and what goes with it, by the very functions that answer a point; and which points the loops may answer.
+//! Δ₀ and what goes with it, by the very functions that answer a point; and which points the loops may
+//! answer.
 
 use super::block::{AtPoint, select};
 use crate::float::circular::held;
@@ -149,8 +150,8 @@ impl AtPoint<2, 3> for Point {
     }
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂, the rest of the rounded Δ₀]` from `[Ω, α, K, the rest of the rounded K]`; NaN for α_min says that the point is
-/// to be redone.
+/// `[Δ₀, α_min, A₁, ω_d t₂, the rest of the rounded Δ₀]` from `[Ω, α, K, the rest of the rounded K]`; NaN for
+/// α_min says that the point is to be redone.
 #[derive(Clone, Copy)]
 pub(crate) struct Sizes(pub(crate) Domain);
 

@@ -1,4 +1,5 @@
-//! Blocks of points: short enough to stay in the first cache through several loops, long enough to fill the vectors.
+//! Blocks of points: short enough to stay in the first cache through several loops, long enough to fill the
+//! vectors.
 
 /// Points in a block.
 pub(crate) const POINTS: usize = 128;
@@ -8,8 +9,8 @@ pub(crate) type Block = [f64; POINTS];
 
 /// `O` quantities of `I` others at one point, without branches or calls.
 ///
-/// A trait with `#[inline(always)]` functions, as closures and function pointers cannot be told to be inlined always, and what is not
-/// inlined is not compiled for the level's instructions.
+/// A trait with `#[inline(always)]` functions, as closures and function pointers cannot be told to be inlined
+/// always, and what is not inlined is not compiled for the level's instructions.
 pub(crate) trait AtPoint<const I: usize, const O: usize> {
     fn at(&self, inputs: [f64; I]) -> [f64; O];
 }

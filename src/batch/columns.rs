@@ -27,7 +27,8 @@ pub(super) const fn same_length(
     if found == expected { Ok(()) } else { Err(LengthMismatch { name, found, expected }) }
 }
 
-/// The outputs a batch is asked for, each with the slice it is written to: any of [`Output::ALL`], and the regime.
+/// The outputs a batch is asked for, each with the slice it is written to: any of [`Output::ALL`], and the
+/// regime.
 ///
 /// ```
 /// use stickslip::batch::{Batch, Columns};
@@ -83,7 +84,8 @@ impl<'a> Columns<'a> {
         self
     }
 
-    /// With the body's motion in the long run ([`mod@crate::regime`]); `None` where a ratio is outside its domain.
+    /// With the body's motion in the long run ([`mod@crate::regime`]); `None` where a ratio is outside its
+    /// domain.
     pub fn with_regime(mut self, slice: &'a mut [Option<Regime>]) -> Self {
         self.0.regime = Some(slice);
         self

@@ -110,7 +110,8 @@ impl Scratch {
         Self { high: [block; 5], low: [block; 6], work: [block; 3], answer: [block; LOOPED.len()] }
     }
 
-    /// Does the points of which α_min is NaN, but for those that are `set_aside`, by their place in the block and Ω.
+    /// Does the points of which α_min is NaN, but for those that are `set_aside`, by their place in the block
+    /// and Ω.
     pub(crate) fn redo(
         &mut self,
         kernel: &Kernel<'_>,

@@ -5,12 +5,13 @@ use pulp::x86::{V3, V4};
 
 /// The instructions a batch runs with.
 ///
-/// One source for all of them, with the same fused products in the same order: all give the same bits. [`Level::Scalar`] is the
-/// library's own code for one point at a time.
+/// One source for all of them, with the same fused products in the same order: all give the same bits.
+/// [`Level::Scalar`] is the library's own code for one point at a time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// Point by point, without a batch's own code: where the processor has no fused product, the others would lose to it.
+    /// Point by point, without a batch's own code: where the processor has no fused product, the others would
+    /// lose to it.
     Scalar,
     /// What the program was compiled for.
     Portable,
@@ -52,8 +53,8 @@ impl Level {
         }
     }
 
-    /// Runs the loops of `task` with these instructions; with those the program was compiled for where the processor
-    /// does not have them.
+    /// Runs the loops of `task` with these instructions; with those the program was compiled for where the
+    /// processor does not have them.
     #[inline]
     pub(crate) fn run<T: Loops>(self, task: T) -> T::Output {
         #[cfg(target_arch = "x86_64")]
@@ -74,7 +75,8 @@ impl Level {
     }
 }
 
-/// Loops to be compiled once for each level: `run` has to be `#[inline(always)]`, down to the last function it calls.
+/// Loops to be compiled once for each level: `run` has to be `#[inline(always)]`, down to the last function
+/// it calls.
 pub(crate) trait Loops {
     /// What is known after them.
     type Output;

@@ -35,7 +35,8 @@ impl AtPoint<1, 6> for LowOmega {
     }
 }
 
-/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, the rest of the rounded K, α_min]`; NaN for α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, the rest of the rounded K, α_min]`; NaN for α_min says that the point is
+/// to be redone.
 #[derive(Clone, Copy)]
 pub(crate) struct LowSizes(Domain);
 
@@ -105,7 +106,8 @@ impl LowArrival {
 }
 
 impl AtPoint<9, 4> for LowArrival {
-    /// `[V₀, ω_d t₁, α_min, Δ₁]` from the same with θ in place of α, and α_min; α_min NaN where the velocity is to be redone.
+    /// `[V₀, ω_d t₁, α_min, Δ₁]` from the same with θ in place of α, and α_min; α_min NaN where the velocity
+    /// is to be redone.
     #[inline(always)]
     fn at(&self, [omega, delta, rest, inverse, sine, cosine, theta, phase2, border]: [f64; 9]) -> [f64; 4] {
         let waves = waves([omega, delta, rest, inverse, sine, cosine]);

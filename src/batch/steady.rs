@@ -7,7 +7,8 @@ use crate::ratios::Ratios;
 
 /// What the motion from rest at (Ω, α) tends to.
 ///
-/// Where there is one periodic motion for all starts, and it does not stick, from the closed form, which is closer than rest.
+/// Where there is one periodic motion for all starts, and it does not stick, from the closed form, which is
+/// closer than rest.
 pub(crate) fn steady(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
     let ratios = Ratios::new(omega, alpha)?;
     if let Ok(cycle) = Cycle::new(ratios)

@@ -9,7 +9,8 @@ use super::kernel::Kernel;
 use super::level::{Level, Loops};
 use super::places::Places;
 
-/// The most points that one call runs through: few enough to stay in the first cache until they are looked at.
+/// The most points that one call runs through: few enough to stay in the first cache until they are looked
+/// at.
 const STRETCH: usize = 8 * POINTS;
 
 struct Pass<'a> {
@@ -68,8 +69,8 @@ impl Rooms {
         Self([a, b, c].map(|slice| vec![0.0; if slice.is_some() { 0 } else { STRETCH }]))
     }
 
-    /// Does the whole blocks from `start` on, as many as one call runs through; the points below Ω = 1/2 are set aside. How many points
-    /// that is.
+    /// Does the whole blocks from `start` on, as many as one call runs through; the points below Ω = 1/2 are
+    /// set aside. How many points that is.
     pub(crate) fn stretch(
         &mut self,
         kernel: &Kernel<'_>,

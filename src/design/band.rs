@@ -11,7 +11,8 @@ pub enum Edge {
     Range,
 }
 
-/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends belong to it.
+/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends
+/// belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 #[must_use]
@@ -24,7 +25,8 @@ pub struct Band<F> {
     pub low_edge: Edge,
     /// What the upper end is.
     pub high_edge: Edge,
-    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one. Only that of index 0 can contain Ω = 1, where the body never sticks but
-    /// its motion grows without bound.
+    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one.
+    /// Only that of index 0 can contain Ω = 1, where the body never sticks but its motion grows without
+    /// bound.
     pub lobe: Lobe,
 }

@@ -1,11 +1,12 @@
 //! The bands of frequency in which a given force keeps the body sliding.
 //!
-//! Sliding is the motion that reverses twice a cycle and does not stop; a body that reverses more often without stopping, which
-//! happens beside the poles ([`super::bands_without_stop`]), is outside of the bands. `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one minimum and rises from
-//! it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe n with (2n+1)² − 1 ≥ α, because
-//! α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all of them are found by looking once into each
-//! of those lobes: nothing is sampled, and nothing between two frequencies is missed. With a damper there is no such proof, and they are
-//! searched (`damped`).
+//! Sliding is the motion that reverses twice a cycle and does not stop; a body that reverses more often
+//! without stopping, which happens beside the poles ([`super::bands_without_stop`]), is outside of the bands.
+//! `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one
+//! minimum and rises from it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe
+//! n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all
+//! of them are found by looking once into each of those lobes: nothing is sampled, and nothing between two
+//! frequencies is missed. With a damper there is no such proof, and they are searched (`damped`).
 
 use super::band::{Band, Edge};
 use super::damped::{Damper, Search};
@@ -48,10 +49,10 @@ struct Frequency<F> {
 
 /// All bands of Ω in `[low, high]` in which the force ratio α keeps the body sliding: `α_min(Ω) ≤ α`.
 ///
-/// Every one of them, and each exactly once: see the module's head. At each end the computed border is not above α and at
-/// the next float or two outside it is, so that [`crate::Response`] says what the band says. A band narrower than two
-/// floats beside an end of the range may be missing, and those in lobes beyond the resolution of the type near a pole
-/// are known to rounding only.
+/// Every one of them, and each exactly once: see the module's head. At each end the computed border is not
+/// above α and at the next float or two outside it is, so that [`crate::Response`] says what the band says. A
+/// band narrower than two floats beside an end of the range may be missing, and those in lobes beyond the
+/// resolution of the type near a pole are known to rounding only.
 ///
 /// ```
 /// use stickslip::design::{Edge, bands};
@@ -63,9 +64,9 @@ struct Frequency<F> {
 /// ```
 ///
 /// # Errors
-/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last [`Lobe`] and α would
-/// keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe whose minimum is so close to
-/// α that the type cannot tell whether there is a band in it.
+/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last [`Lobe`]
+/// and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe
+/// whose minimum is so close to α that the type cannot tell whether there is a band in it.
 pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
     Ratios::new(low, alpha)?;
     let lowest = Lobe::new(u16::MAX).low_pole();
@@ -80,9 +81,10 @@ pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
 
 /// The same with damping, the damping ratio ζ being the same at every frequency; as [`bands`] for ζ = 0.
 ///
-/// **Searched, not proved**: the border is followed on a mesh that is fine beside its peaks, each of its extrema next to α is looked for, and the
-/// ends are exact; a band or a gap may be missed that is far narrower than any structure of the border known. Proved is that there is none
-/// below Ω = 1/√(1 + α) (`src/design/damped.rs`).
+/// **Searched, not proved**: the border is followed on a mesh that is fine beside its peaks, each of its
+/// extrema next to α is looked for, and the ends are exact; a band or a gap may be missed that is far
+/// narrower than any structure of the border known. Proved is that there is none below Ω = 1/√(1 + α)
+/// (`src/design/damped.rs`).
 ///
 /// ```
 /// use stickslip::design::bands_with_damping;
@@ -110,7 +112,8 @@ pub fn bands_with_damping<F: Float>(alpha: F, damping_ratio: F, low: F, high: F)
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
-/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as [`bands`], with a damper as [`bands_with_damping`].
+/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as
+/// [`bands`], with a damper as [`bands_with_damping`].
 ///
 /// # Errors
 /// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions.
@@ -202,7 +205,8 @@ pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result
     Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe }))
 }
 
-/// A frequency ratio in `(from, to]` where the body sticks, given that it does at `to`; not much further than need be.
+/// A frequency ratio in `(from, to]` where the body sticks, given that it does at `to`; not much further than
+/// need be.
 fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     let mut end = from + from;
     while end < to && slides(end) {
@@ -211,8 +215,8 @@ fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     if end < to { end } else { to }
 }
 
-/// Whether α is closer to the minimum of a lobe than the type can tell: what is allowed for the error of the border, and beside a corner
-/// what the border changes within the rounding of its Ω.
+/// Whether α is closer to the minimum of a lobe than the type can tell: what is allowed for the error of the
+/// border, and beside a corner what the border changes within the rounding of its Ω.
 fn is_too_close<F: Float>(alpha: F, least: F, omega: F) -> bool {
     let one = F::int(1);
     let error = F::int(crate::Place::<F>::BORDER_ERROR) * F::epsilon() * (one + one / omega);

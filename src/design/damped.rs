@@ -1,15 +1,17 @@
 //! Questions over a range of frequency with a damper: what is proved of them, and what is searched.
 //!
-//! Without damping each lobe of the border has one minimum, so that nothing between two frequencies is missed (`bands`, `tuning`). No such
-//! proof is known with damping, where the border has finite peaks for poles.
+//! Without damping each lobe of the border has one minimum, so that nothing between two frequencies is missed
+//! (`bands`, `tuning`). No such proof is known with damping, where the border has finite peaks for poles.
 //!
-//! **Proved**: `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). For `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because
-//! `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (from ζ = 1 on the sine is a hyperbolic one), hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band
-//! the computed border changes sides between two numbers next to each other.
+//! **Proved**: `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). For
+//! `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (from ζ = 1 on the
+//! sine is a hyperbolic one), hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band the computed border
+//! changes sides between two numbers next to each other.
 //!
-//! **Searched**: what lies between. The border is looked at on a mesh, 32 times while the free vibration makes half a turn more in half a
-//! period of the drive, and closer towards its peaks at dT/π = 3, 5, …, down to a quarter of their width ζT/π; above Ω = 1, where it has no
-//! peaks, at steps of 3 %. Wherever a point of the mesh is next to an extremum on the wrong side of α the extremum itself is looked for.
+//! **Searched**: what lies between. The border is looked at on a mesh, 32 times while the free vibration
+//! makes half a turn more in half a period of the drive, and closer towards its peaks at dT/π = 3, 5, …, down
+//! to a quarter of their width ζT/π; above Ω = 1, where it has no peaks, at steps of 3 %. Wherever a point of
+//! the mesh is next to an extremum on the wrong side of α the extremum itself is looked for.
 
 mod tuning;
 
@@ -133,7 +135,8 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// The extremum between three points on one side of α, of which the middle one is the nearest to it, if it is on the other side.
+    /// The extremum between three points on one side of α, of which the middle one is the nearest to it, if
+    /// it is on the other side.
     fn hidden(&self, first: Node<F>, middle: Node<F>, last: Node<F>) -> Option<Node<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;
@@ -186,8 +189,8 @@ fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     Band { low, high, low_edge, high_edge, lobe }
 }
 
-/// The place of the greatest value between two, by golden sections: of a function with one maximum there, to half of the digits. Ends at the
-/// first value that is `enough`.
+/// The place of the greatest value between two, by golden sections: of a function with one maximum there, to
+/// half of the digits. Ends at the first value that is `enough`.
 pub(super) fn highest<F: Float>(low: F, high: F, f: impl Fn(F) -> F, enough: impl Fn(F) -> bool) -> F {
     let two = F::int(2);
     let part = (F::int(5).sqrt() - F::int(1)) / two;

@@ -6,9 +6,9 @@
 //! A₁ = 8 √(z − K² z²)/|1 − Ω²|,
 //! ```
 //!
-//! the root of a parabola in z: A₁ rises with α up to α* = √2 |K| (eq. 65) and falls from there on. The cycles that do not
-//! stick are those with α ≥ α_min(Ω). So the best of them is α* where α* ≥ α_min, and else the border itself, A₁ falling on
-//! all of α ≥ α_min: the larger of the two, and nothing else can be better.
+//! the root of a parabola in z: A₁ rises with α up to α* = √2 |K| (eq. 65) and falls from there on. The
+//! cycles that do not stick are those with α ≥ α_min(Ω). So the best of them is α* where α* ≥ α_min, and else
+//! the border itself, A₁ falling on all of α ≥ α_min: the larger of the two, and nothing else can be better.
 
 use super::force::ratios_of;
 use super::optimum::{Optimum, OptimumKind};
@@ -19,10 +19,11 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω, of those that do not stick: `max(√2 |K|, α_min)`.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω, of those that do not stick:
+/// `max(√2 |K|, α_min)`.
 ///
-/// For Ω ≥ 1/2 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously: where they meet, rounding
-/// may name either. Accuracy at f64: 8 ulp.
+/// For Ω ≥ 1/2 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously: where
+/// they meet, rounding may name either. Accuracy at f64: 8 ulp.
 ///
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1, where the loop grows without bound, and where Ω is outside the domain of
@@ -49,7 +50,8 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<Optimum<F>, Er
     })
 }
 
-/// The same with a damping ratio ζ, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`; at Ω = 1, too.
+/// The same with a damping ratio ζ, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`; at
+/// Ω = 1, too.
 ///
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`]; at ζ = 0 as [`most_dissipating_force_ratio`].
@@ -67,8 +69,9 @@ pub fn most_dissipating_force_ratio_with_damping<F: Float>(
 
 /// The same at Ω and ζ > 0.
 ///
-/// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one change of sign for
-/// y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there on, as without damping.
+/// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one
+/// change of sign for y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there
+/// on, as without damping.
 fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
     let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
@@ -83,11 +86,12 @@ fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     }
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle, of those with which the body does not stick.
+/// The friction bound with which `drive` dissipates most in a cycle, of those with which the body does not
+/// stick.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. [`most_dissipating_force_ratio`] in
-/// physical units: r_y = p₀/α. With a damper it is the energy that friction takes; what the damper takes besides
-/// ([`crate::Cycle::damper_work`]) does not count.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part.
+/// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper it is the energy that
+/// friction takes; what the damper takes besides ([`crate::Cycle::damper_work`]) does not count.
 ///
 /// # Errors
 /// As there (but at Ω = 1 there is an answer with damping), and where r_y or the energy over- or underflows.

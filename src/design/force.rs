@@ -8,10 +8,10 @@ use crate::ratios::{Ratios, positive};
 
 /// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
 ///
-/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. With a static friction above the kinetic one
-/// it keeps a body sliding that already slides; one that begins at rest may settle on another motion. At Ω = 1 the motion grows without
-/// bound from there on. Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times
-/// [`Border::sensitivity`].
+/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. With a static
+/// friction above the kinetic one it keeps a body sliding that already slides; one that begins at rest may
+/// settle on another motion. At Ω = 1 the motion grows without bound from there on. Relative accuracy at f64:
+/// that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times [`Border::sensitivity`].
 ///
 /// # Errors
 /// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or p₀ over- or underflows.
@@ -31,10 +31,11 @@ pub fn least_base_amplitude<F: Float>(body: &Oscillator<F>, angular_frequency: F
     positive(Quantity::BaseAmplitude, body.friction_displacement() * border.min_force_ratio())
 }
 
-/// The least amplitude of an excitation that keeps `body` sliding at ω_d, whatever shakes it: that with `p₀ = r_y α_min(Ω)`.
+/// The least amplitude of an excitation that keeps `body` sliding at ω_d, whatever shakes it: that with
+/// `p₀ = r_y α_min(Ω)`.
 ///
-/// In the unit of the amplitude, such as that of an acceleration. Every excitation is proportional to its amplitude, and the border does
-/// not depend on it: otherwise as [`least_force`].
+/// In the unit of the amplitude, such as that of an acceleration. Every excitation is proportional to its
+/// amplitude, and the border does not depend on it: otherwise as [`least_force`].
 ///
 /// # Errors
 /// As [`least_force`].

@@ -8,8 +8,9 @@ use crate::ratios::positive;
 
 /// The greatest friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
-/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. Any smaller bound slides,
-/// and no greater one, because Ω does not depend on friction. Accuracy as [`super::least_force`].
+/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. Any smaller
+/// bound slides, and no greater one, because Ω does not depend on friction. Accuracy as
+/// [`super::least_force`].
 ///
 /// # Errors
 /// Where Ω leaves the domain of [`crate::Ratios`], or r_y over- or underflows.

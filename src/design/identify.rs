@@ -124,7 +124,8 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 
 /// Choices of measurements that are tried.
 const ROUNDS: usize = 50;
-/// The least sin² of the angle between the derivatives by both parameters, below which the measurements do not tell them apart.
+/// The least sin² of the angle between the derivatives by both parameters, below which the measurements do
+/// not tell them apart.
 const LEAST_ANGLE: f64 = 1e-12;
 /// Steps of a descent.
 const STEPS: usize = 200;

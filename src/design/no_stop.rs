@@ -27,7 +27,8 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
     Ok(forces)
 }
 
-/// A band of frequency ratios, or of angular frequencies, in which the body never stops; its ends belong to it.
+/// A band of frequency ratios, or of angular frequencies, in which the body never stops; its ends belong to
+/// it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct NoStopBand<F> {
@@ -46,8 +47,8 @@ pub struct NoStopBand<F> {
 /// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α, by increasing Ω.
 ///
 /// Those of [`bands`], of two reversals a cycle, and one around or just below each pole 1/(2n+1) with
-/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six.
-/// The first are all there are; of the second that is searched ([`crate::nonsticking::SixReversals`]). Their ends are to a few floats.
+/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. The first are all there are; of the second that is searched
+/// ([`crate::nonsticking::SixReversals`]). Their ends are to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
@@ -72,7 +73,8 @@ pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoS
             reversals_per_cycle: 2,
         });
     }
-    // √(1 + α/5) is above 1/Ω at the last pole that can have one. The casts of a float to an integer saturate.
+    // √(1 + α/5) is above 1/Ω at the last pole that can have one. The casts of a float to an integer
+    // saturate.
     let last = ((1.0 + alpha.to_f64() / 5.0).sqrt() / 2.0) as u16;
     for index in 1..=last {
         let Some(pole) = Lobe::new(index).high_pole::<F>() else { continue };
@@ -98,7 +100,8 @@ pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoS
     Ok(found)
 }
 
-/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping: as [`bands_without_stop`].
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping: as
+/// [`bands_without_stop`].
 ///
 /// Of the drive only its amplitude counts, as for [`frequency_bands`].
 ///
@@ -148,9 +151,11 @@ fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
     Some((root::enclosed(from, inside, excess).1, root::enclosed(inside, to, excess).0))
 }
 
-/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole: between `from` and the pole.
+/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole:
+/// between `from` and the pole.
 ///
-/// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the corner's own sharpness.
+/// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the
+/// corner's own sharpness.
 fn lowest<F: Float>(pole: F, from: F) -> F {
     let least =
         |omega: F| six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)).map(|(low, _)| low);

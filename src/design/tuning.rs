@@ -6,19 +6,19 @@
 //! A₂ = (8/α²) √D,   D = (α² − K²)/(v − 1)² = (α/(v − 1))² − T²/v.
 //! ```
 //!
-//! **In each lobe of the border A₂ has one maximum and no minimum**, so that the best of a band is that maximum where
-//! the band contains it, and else the end next to it:
+//! **In each lobe of the border A₂ has one maximum and no minimum**, so that the best of a band is that
+//! maximum where the band contains it, and else the end next to it:
 //!
 //! * v < 1 (Ω > 1): K² falls with v and 1/(1 − v)² rises: D rises.
 //! * (2n)² < v < (2n+1)², n ≥ 1: T²/v rises and (α/(v − 1))² falls: D falls.
-//! * (2n+1)² < v < (2n+2)²: D′ = 0 is `α² = φ(v)`, `φ = −½(v − 1)³ (T²/v)′`, D rising where φ > α². For n ≥ 1, with u = √v, t = |T|,
-//!   `φ = (u² − 1)³ [π t (1 + t²) u + 2t²]/(4u⁴)`, and both terms fall with u: `6u/(u² − 1) − 3/u < π√3 ≤ (π/2)(1/t + 3t)`.
-//!   For n = 0, with κ = −K of the border's lobes, `φ = κ² − κκ′(v − 1)` and
-//!   `φ′ = κκ′ − (v − 1)(κ′² + κκ″) < 0`, because (v − 1)|κ″| < |κ′| up to v = 11/3, and (v − 1) κ′² is more than the rest beyond.
-//!   There φ falls from (4/π)² at v = 1 to 0 at v = 4.
+//! * (2n+1)² < v < (2n+2)²: D′ = 0 is `α² = φ(v)`, `φ = −½(v − 1)³ (T²/v)′`, D rising where φ > α². For n ≥
+//!   1, with u = √v, t = |T|, `φ = (u² − 1)³ [π t (1 + t²) u + 2t²]/(4u⁴)`, and both terms fall with u:
+//!   `6u/(u² − 1) − 3/u < π√3 ≤ (π/2)(1/t + 3t)`. For n = 0, with κ = −K of the border's lobes,
+//!   `φ = κ² − κκ′(v − 1)` and `φ′ = κκ′ − (v − 1)(κ′² + κκ″) < 0`, because (v − 1)|κ″| < |κ′| up to v =
+//!   11/3, and (v − 1) κ′² is more than the rest beyond. There φ falls from (4/π)² at v = 1 to 0 at v = 4.
 //!
-//! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α n(n + 1)): lobes whose
-//! bound is below what has been found need not be looked into.
+//! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α
+//! n(n + 1)): lobes whose bound is below what has been found need not be looked into.
 
 use super::band::{Band, Edge};
 use super::bands::{band_in, bands};
@@ -33,10 +33,11 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 use crate::root;
 
-/// The Ω in `[low, high]` that makes A₂ largest at the force ratio α, of those at which the body does not stick.
+/// The Ω in `[low, high]` that makes A₂ largest at the force ratio α, of those at which the body does not
+/// stick.
 ///
-/// The global one: each band of the range has one candidate, by the module's head. Accuracy at f64: 16 ulp in A₂; in Ω, where
-/// the optimum is inside, that of a root of the derivative, 1e-15.
+/// The global one: each band of the range has one candidate, by the module's head. Accuracy at f64: 16 ulp in
+/// A₂; in Ω, where the optimum is inside, that of a root of the derivative, 1e-15.
 ///
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range contains Ω = 1,
@@ -102,16 +103,16 @@ fn growth<F: Float>(alpha: F, omega: F) -> F {
     F::int(2) * squared_sine(k, alpha) - omega * one_minus_square(omega) * (k * p.slope())
 }
 
-/// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle, of those with which the
-/// body does not stick.
+/// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle, of those with
+/// which the body does not stick.
 ///
-/// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part. [`most_dissipating_frequency_ratio`] in
-/// physical units: `k = m ω_d²/Ω²`. With a damper it is the energy that friction takes, and the best of a search, not of a proof
-/// (`src/design/damped.rs`).
+/// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part.
+/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper it is the energy
+/// that friction takes, and the best of a search, not of a proof (`src/design/damped.rs`).
 ///
 /// # Errors
-/// As there (but with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force of a base motion, k u_g0, is not fixed; and
-/// where a stiffness is not finite, not > 0 or `low > high`.
+/// As there (but with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force of a
+/// base motion, k u_g0, is not fixed; and where a stiffness is not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -26,7 +26,8 @@ pub(crate) struct Angle<const W: usize> {
 }
 
 impl<const W: usize> Angle<W> {
-    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small. 1 − qΩ is exact.
+    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small. 1 −
+    /// qΩ is exact.
     pub(crate) fn new(known: &Known) -> Self {
         let omega = known.ball::<W>();
         let q = known.middle().recip().round().into_numer_denom().0;
@@ -60,7 +61,8 @@ impl<const W: usize> Angle<W> {
 
 /// `w cot w`.
 ///
-/// Its series is `1 − w²/3 − Σ c_n w^2n`, n ≥ 2, with positive c_n whose sum is 2/3 − cot 1 < 1/40, so that for |w| ≤ 1 the rest is in
+/// Its series is `1 − w²/3 − Σ c_n w^2n`, n ≥ 2, with positive c_n whose sum is 2/3 − cot 1 < 1/40, so that
+/// for |w| ≤ 1 the rest is in
 /// [0, w⁴/40].
 fn w_cot_w<const W: usize>(w: Ball<W>) -> Ball<W> {
     let size = Radius::above(w.mid()).plus(w.rad());

@@ -24,7 +24,8 @@ pub(crate) struct Cycle<const W: usize> {
 }
 
 impl<const W: usize> Cycle<W> {
-    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the greatest velocity is not found at this width.
+    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the greatest velocity is
+    /// not found at this width.
     pub(crate) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
         let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
         let max_displacement = max_displacement(k, alpha, q);
@@ -95,8 +96,8 @@ fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<
     forcing * psi.sin() - omega.square() * velocity(angle, delta, psi).0
 }
 
-/// The centred time of the greatest velocity: the only zero of v′ in a ball, which lies where the head of `crate::nonsticking::velocity`
-/// proves that there is one zero and that it is the greatest velocity.
+/// The centred time of the greatest velocity: the only zero of v′ in a ball, which lies where the head of
+/// `crate::nonsticking::velocity` proves that there is one zero and that it is the greatest velocity.
 fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
     let p = PhaseFunction::of_valid(angle.omega.mid());
     let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;
@@ -128,8 +129,8 @@ fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>)
 
 /// max |λ| of the half cycle.
 ///
-/// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the double root gσ = 1, and the
-/// larger one of each pair of possibilities is in the ball of both.
+/// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the
+/// double root gσ = 1, and the larger one of each pair of possibilities is in the ball of both.
 fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
     let (one, two) = (Ball::<W>::int(1), Ball::int(2));
     let (s, c) = angle.sin_cos;

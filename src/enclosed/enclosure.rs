@@ -33,7 +33,8 @@ impl Enclosure {
         let mid = Float::with_val(bits, &self.mid);
         let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();
         let rad = Float::with_val_round(64, &self.rad + &moved, Round::Up).0;
-        // Not sharper than the bits: with more that were needed for a decision, the rest of the digits would be all nines or zeros.
+        // Not sharper than the bits: with more that were needed for a decision, the rest of the digits would
+        // be all nines or zeros.
         let least = Float::with_val_round(64, &mid >> (bits + 2), Round::AwayZero).0.abs();
         let rad = if rad.is_zero() { rad } else { rad.max(&least) };
         Self { mid, rad }

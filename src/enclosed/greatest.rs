@@ -1,5 +1,5 @@
-//! The greatest value of a smooth function on an interval: parts that cannot hold it are left out, until each that is left has one stationary
-//! point, proved and enclosed.
+//! The greatest value of a smooth function on an interval: parts that cannot hold it are left out, until each
+//! that is left has one stationary point, proved and enclosed.
 
 use super::root::only_zero;
 use crate::float::Field;
@@ -26,8 +26,8 @@ pub(super) fn greatest<const W: usize>(
     search(&[(range, false)], &[], |t, _| f(t))
 }
 
-/// The greatest |f| over intervals with what is between them left out, where it is known to be in one of them: at a stationary point, or at one of
-/// the `ends`.
+/// The greatest |f| over intervals with what is between them left out, where it is known to be in one of
+/// them: at a stationary point, or at one of the `ends`.
 pub(super) fn greatest_size<const W: usize>(
     ranges: &[(Mp<W>, Mp<W>)],
     ends: &[Ball<W>],

@@ -1,13 +1,15 @@
 //! One zero of a function in a ball, and a proof that there is one: the interval Newton method.
 //!
-//! Let f be differentiable on a ball X around m. If the ball `N = m − f(m)/f′(X)` lies inside X, then f has exactly one zero in X, and it
-//! lies in N (Moore, Kearfott and Cloud, *Introduction to Interval Analysis*, SIAM 2009, theorem 8.4; in one dimension by the mean value
-//! theorem). f may itself depend on numbers that are known to balls: then it holds for each of them.
+//! Let f be differentiable on a ball X around m. If the ball `N = m − f(m)/f′(X)` lies inside X, then f has
+//! exactly one zero in X, and it lies in N (Moore, Kearfott and Cloud, *Introduction to Interval Analysis*,
+//! SIAM 2009, theorem 8.4; in one dimension by the mean value theorem). f may itself depend on numbers that
+//! are known to balls: then it holds for each of them.
 
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 
-/// The only zero of `f` near `start`, enclosed, and the ball in which it is the only one; `None` where that is not shown.
+/// The only zero of `f` near `start`, enclosed, and the ball in which it is the only one; `None` where that
+/// is not shown.
 pub(super) fn only_zero<const W: usize>(
     start: Mp<W>,
     f: impl Fn(Ball<W>) -> Ball<W>,

@@ -49,7 +49,8 @@ impl Answers {
     }
 }
 
-/// Bits of a ball that its radius leaves: of an exact number, and of one that is tiny itself, as many as there are.
+/// Bits of a ball that its radius leaves: of an exact number, and of one that is tiny itself, as many as
+/// there are.
 fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
     let all = i64::from(Mp::<W>::BITS);
     let size = Radius::below(ball.mid());

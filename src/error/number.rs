@@ -3,8 +3,8 @@
 use crate::float::Float;
 use core::fmt::{self, Display, Formatter};
 
-/// A number that an error is about. It is written with all the digits that tell it apart; no text is made before it is asked for, but of a
-/// type that is not f64.
+/// A number that an error is about. It is written with all the digits that tell it apart; no text is made
+/// before it is asked for, but of a type that is not f64.
 #[derive(Debug, Clone)]
 pub struct Number {
     nearest: f64,

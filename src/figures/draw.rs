@@ -1,7 +1,7 @@
 //! A figure as SVG.
 //!
-//! The drawing library counts in whole pixels. The drawing is made in quarters of one and shown at its true size, so that
-//! curves are smooth. Text is left to the viewer's own sans-serif.
+//! The drawing library counts in whole pixels. The drawing is made in quarters of one and shown at its true
+//! size, so that curves are smooth. Text is left to the viewer's own sans-serif.
 
 mod frame;
 mod legend;

@@ -4,7 +4,8 @@ use super::{Axis, Figure, Panel, Series, Style};
 use crate::exact::{Instant, Kind, LongRun, State, SteadyState, Trajectory};
 use crate::{Cycle, Ratios};
 
-/// A motion without stops, with the points of figure 2, and one that sticks, each with its way there from rest.
+/// A motion without stops, with the points of figure 2, and one that sticks, each with its way there from
+/// rest.
 pub(super) fn two_motions() -> Figure {
     let mut smooth = portrait("without stops: Ω = 0.7, α = 2", 0.7, 2.0, 6, (5.0, 5.0));
     if let Ok(cycle) = Ratios::new(0.7, 2.0).and_then(Cycle::new) {

@@ -40,7 +40,8 @@ fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
     inverse_force_ratios(6).map(curve).collect()
 }
 
-/// A line of the exact motion and marks of the closed form for each 1/α; in the legend each line, and the marks once.
+/// A line of the exact motion and marks of the closed form for each 1/α; in the legend each line, and the
+/// marks once.
 fn lines_and_marks(
     of_motion: fn(&SteadyState<f64>) -> f64,
     of_cycle: fn(&Cycle<f64>) -> f64,

@@ -4,8 +4,8 @@ use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
 use crate::exact::{LongRun, State};
 use crate::{Border, Ratios};
 
-/// Names of the numbers of stops, from light to dark: as in every picture of ours, the lightest colour is for what
-/// does not stop, and the darkest for rest.
+/// Names of the numbers of stops, from light to dark: as in every picture of ours, the lightest colour is for
+/// what does not stop, and the darkest for rest.
 const NAMES: [&str; 6] =
     ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more", "at rest"];
 

@@ -1,12 +1,14 @@
 //! `Ball<LIMBS>`: a number that carries its error bound.
 //!
-//! A ball is a midpoint of `64 · LIMBS` bits and a radius: all real numbers within the radius of the midpoint. Every function gives a ball
-//! that contains the exact values of the function at **every** point of its arguments. Where there is no such ball, because a divisor
-//! may be zero, a radicand negative or an angle a pole, the answer is the whole line, never a ball that is too small.
+//! A ball is a midpoint of `64 · LIMBS` bits and a radius: all real numbers within the radius of the
+//! midpoint. Every function gives a ball that contains the exact values of the function at **every** point of
+//! its arguments. Where there is no such ball, because a divisor may be zero, a radicand negative or an angle
+//! a pole, the answer is the whole line, never a ball that is too small.
 //!
-//! Each bound is a theorem, named where it is used, and rests on two things: MPFR rounds correctly, so that a midpoint is within half a unit in the
-//! last place of the exact value at the midpoints (Fousse et al., *MPFR*, ACM Trans. Math. Softw. 33 (2007) 13); and the arithmetic of
-//! radii is rounded up (`radius`). Midpoint and radius, rather than two ends, cost one operation of MPFR where ends cost two to four.
+//! Each bound is a theorem, named where it is used, and rests on two things: MPFR rounds correctly, so that a
+//! midpoint is within half a unit in the last place of the exact value at the midpoints (Fousse et al.,
+//! *MPFR*, ACM Trans. Math. Softw. 33 (2007) 13); and the arithmetic of radii is rounded up (`radius`).
+//! Midpoint and radius, rather than two ends, cost one operation of MPFR where ends cost two to four.
 //!
 //! | file | content |
 //! |---|---|

@@ -1,7 +1,8 @@
-//! Circular functions on bounded angles, without branches, so that loops over them become vector instructions.
+//! Circular functions on bounded angles, without branches, so that loops over them become vector
+//! instructions.
 //!
-//! Polynomials that interpolate at Chebyshev nodes, found at 60 digits and rounded; the errors below are those
-//! of the rounded coefficients, without the rounding of their evaluation:
+//! Polynomials that interpolate at Chebyshev nodes, found at 60 digits and rounded; the errors below are
+//! those of the rounded coefficients, without the rounding of their evaluation:
 //!
 //! | function | on | form | error |
 //! |---|---|---|---|
@@ -100,8 +101,9 @@ pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
     -0.019_176_887_117_579_786,
 ]);
 
-/// Coefficients as numbers that the compiler does not know: it then keeps each in a vector for the whole of a loop, where it would make
-/// it again from the constant for every use, a quarter of a loop's instructions with AVX2.
+/// Coefficients as numbers that the compiler does not know: it then keeps each in a vector for the whole of a
+/// loop, where it would make it again from the constant for every use, a quarter of a loop's instructions
+/// with AVX2.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn held<T>(coefficients: T) -> T {
@@ -188,7 +190,8 @@ impl<F: Float> Arctangent<F> {
 
     /// The angle in [0, π/2] of the point with ordinate `y` ≥ 0 and abscissa `x` ≥ 0.
     ///
-    /// With `r = hypot(x, y)` its half has the tangent `y/(x + r)`, at most 1; beyond tan π/8 that is taken from π/4.
+    /// With `r = hypot(x, y)` its half has the tangent `y/(x + r)`, at most 1; beyond tan π/8 that is taken
+    /// from π/4.
     #[inline(always)]
     pub(crate) fn first_quadrant_angle(&self, y: F, x: F, r: F) -> F {
         let sum = x + r;

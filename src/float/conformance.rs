@@ -1,7 +1,8 @@
 //! Does a number type keep the promises of [`Field`](super::Field), [`Real`](super::Real) and [`Float`]?
 //!
-//! An own number type that breaks one of them gives wrong answers without a word: with negative numbers in the wrong order a maximum
-//! is a minimum, with a digit missing in π an angle is off at a high frequency. [`check`] finds out before. `docs/number-types.md` is the guide.
+//! An own number type that breaks one of them gives wrong answers without a word: with negative numbers in
+//! the wrong order a maximum is a minimum, with a digit missing in π an angle is off at a high frequency.
+//! [`check`] finds out before. `docs/number-types.md` is the guide.
 //!
 //! ```
 //! use stickslip::float::conformance;
@@ -10,9 +11,10 @@
 //! # Ok::<(), stickslip::float::conformance::Broken>(())
 //! ```
 //!
-//! Nothing is taken from another type. The operations are held against results that are known exactly: sums and products of numbers
-//! such as 1 + i 2⁻ᵖ, and the rest of a quotient or of a root, which a fused operation gives without rounding. π is held against
-//! integers of as many digits, and the functions against their series in compensated pairs, which have twice the digits.
+//! Nothing is taken from another type. The operations are held against results that are known exactly: sums
+//! and products of numbers such as 1 + i 2⁻ᵖ, and the rest of a quotient or of a root, which a fused
+//! operation gives without rounding. π is held against integers of as many digits, and the functions against
+//! their series in compensated pairs, which have twice the digits.
 
 mod functions;
 mod operations;
@@ -48,11 +50,11 @@ impl Broken {
     }
 }
 
-/// Holds `F` to the promises of its traits: integers, order, rounding of the five operations and of the fused one, range, rounding to
-/// integers, conversions, π, circular and exponential functions, text.
+/// Holds `F` to the promises of its traits: integers, order, rounding of the five operations and of the fused
+/// one, range, rounding to integers, conversions, π, circular and exponential functions, text.
 ///
-/// It takes some milliseconds for f64 and does not sample at random: a type that passes once passes always. What it cannot see is an error at
-/// arguments that it does not try.
+/// It takes some milliseconds for f64 and does not sample at random: a type that passes once passes always.
+/// What it cannot see is an error at arguments that it does not try.
 ///
 /// # Errors
 /// [`Broken`]: the first method that breaks a promise, with its argument. The methods come in the order in which they build on each

@@ -1,20 +1,23 @@
-//! `Dual<N>`: an f64 with its first derivatives by N parameters, on which every closed form of the crate runs.
+//! `Dual<N>`: an f64 with its first derivatives by N parameters, on which every closed form of the crate
+//! runs.
 //!
-//! For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events and its limit are found by
-//! iterations that have not been taught the implicit function theorem, so that derivatives of a steady state are not to be relied on.
+//! For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events
+//! and its limit are found by iterations that have not been taught the implicit function theorem, so that
+//! derivatives of a steady state are not to be relied on.
 //!
 //! A wrapper of [`num_dual::DualSVec64`] that is a [`Field`], a [`Real`] and a [`Float`]:
 //!
-//! * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64 rounds them, and the
-//!   derivatives are computed beside them.
-//! * **Decisions see the value alone.** Order, equality, rounding and the choice of a branch act on it; two numbers of one value
-//!   are equal whatever their derivatives. At a decision the derivatives are those of the side taken: `|x|` at 0 is
-//!   differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
-//! * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and a maximum those of
-//!   the function at the fixed point (the envelope theorem): the phase of the border and its least displacement
-//!   (`nonsticking::border`), the phase of the maximum velocity (`nonsticking::velocity`).
-//! * **K(Ω)** is differentiated by its own closed form, [`crate::PhaseFunction::slope`], which keeps its digits through Ω = 1 and far
-//!   above it.
+//! * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64
+//!   rounds them, and the derivatives are computed beside them.
+//! * **Decisions see the value alone.** Order, equality, rounding and the choice of a branch act on it; two
+//!   numbers of one value are equal whatever their derivatives. At a decision the derivatives are those of
+//!   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
+//! * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and
+//!   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
+//!   its least displacement (`nonsticking::border`), the phase of the maximum velocity
+//!   (`nonsticking::velocity`).
+//! * **K(Ω)** is differentiated by its own closed form, [`crate::PhaseFunction::slope`], which keeps its
+//!   digits through Ω = 1 and far above it.
 //!
 //! ```
 //! use stickslip::float::dual::Dual;

@@ -8,9 +8,10 @@ use num_traits::{FloatConst, NumCast};
 
 /// A number of any crate that has the traits of num-traits, as a number of this one.
 ///
-/// `PRECISION` and `RATIO_EXPONENT` are those of [`Float`], which num-traits has no names for: the bits of the significand, and about a
-/// quarter of the largest exponent. [`conformance::check`](super::conformance::check) finds out whether they are right, and whether the
-/// type rounds as the formulae need.
+/// `PRECISION` and `RATIO_EXPONENT` are those of [`Float`], which num-traits has no names for: the bits of
+/// the significand, and about a quarter of the largest exponent.
+/// [`conformance::check`](super::conformance::check) finds out whether they are right, and whether the type
+/// rounds as the formulae need.
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios, float::Foreign};

@@ -1,7 +1,8 @@
 //! Compensated pairs: a number as the unevaluated sum of two, which doubles the precision of the type.
 //!
-//! The textbook's error-free transformations, with u = 2⁻ᵖ half a unit in the last place of 1. Each is exact where a type rounds to
-//! nearest and nothing over- or underflows, and so for `f32`, `f64` and, because MPFR rounds correctly, `Mp`.
+//! The textbook's error-free transformations, with u = 2⁻ᵖ half a unit in the last place of 1. Each is exact
+//! where a type rounds to nearest and nothing over- or underflows, and so for `f32`, `f64` and, because MPFR
+//! rounds correctly, `Mp`.
 //!
 //! | name | exact | operations | source |
 //! |---|---|---|---|
@@ -9,12 +10,14 @@
 //! | `fast_two_sum` | a + b = hi + lo for \|a\| ≥ \|b\| | 3 | Dekker 1971, Numer. Math. 18 |
 //! | `two_prod` | a b = hi + lo | 2, one of them fused | Ogita, Rump and Oishi 2005, SIAM J. Sci. Comput. 26 |
 //!
-//! Where there is a fused operation it takes the place of Veltkamp's split, which Dekker's product needs: both give the same rest, to
-//! the last bit, and a processor without one has it in software ([`super::Float::fused`]).
+//! Where there is a fused operation it takes the place of Veltkamp's split, which Dekker's product needs:
+//! both give the same rest, to the last bit, and a processor without one has it in software
+//! ([`super::Float::fused`]).
 //!
-//! What is built on them is that of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15; their "sloppy" sum), except
-//! that the last step of each but the sum, which makes |lo| half a unit of hi at most, is left out: [`Pair::value`] rounds once, at the
-//! end. With |lo| ≤ c u |hi| on the way in, the relative errors are at most
+//! What is built on them is that of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15; their
+//! "sloppy" sum), except that the last step of each but the sum, which makes |lo| half a unit of hi at most,
+//! is left out: [`Pair::value`] rounds once, at the end. With |lo| ≤ c u |hi| on the way in, the relative
+//! errors are at most
 //!
 //! | operation | error | \|lo\| ≤ … u \|hi\| on the way out |
 //! |---|---|---|
@@ -217,7 +220,8 @@ mod tests {
         }
     }
 
-    /// π − 3 less its leading digits, to twice the digits: a pair that is only as good as its leading part fails.
+    /// π − 3 less its leading digits, to twice the digits: a pair that is only as good as its leading part
+    /// fails.
     fn pi_has_twice_the_digits<F: Float>() {
         // sin of the leading part is what is missing from π, to the third order.
         let missing = F::pi().sin();

@@ -14,7 +14,8 @@ pub(super) const fn count(bits: u32) -> usize {
     (bits / BITS) as usize + 2
 }
 
-/// `π = 16 arctan(1/5) − 4 arctan(1/239)` (Machin 1706), to `count` digits but for some units of the last one.
+/// `π = 16 arctan(1/5) − 4 arctan(1/239)` (Machin 1706), to `count` digits but for some units of the last
+/// one.
 pub(super) fn pi(count: usize) -> Vec<i64> {
     // One digit more takes up what the divisions cut off.
     let (mut sum, mut small) = (inverse_arctangent(5, count + 1), inverse_arctangent(239, count + 1));
@@ -61,7 +62,8 @@ pub(super) fn less(a: &[i64], b: &[i64]) -> Vec<i64> {
     difference
 }
 
-/// Brings every digit but the first into `[−2²³, 2²³)`, so that the first that is not zero has the sign and the size of the number.
+/// Brings every digit but the first into `[−2²³, 2²³)`, so that the first that is not zero has the sign and
+/// the size of the number.
 fn balance(digits: &mut [i64]) {
     let mut carry = 0;
     for digit in digits.iter_mut().rev() {
@@ -74,7 +76,8 @@ fn balance(digits: &mut [i64]) {
     }
 }
 
-/// The digits of a number, exactly where `count` of them suffice. The parts are split off by operations without rounding.
+/// The digits of a number, exactly where `count` of them suffice. The parts are split off by operations
+/// without rounding.
 pub(super) fn digits_of<F: Float>(x: F, count: usize) -> Vec<i64> {
     let mut rest = x;
     let mut digits = Vec::with_capacity(count);

@@ -1,5 +1,5 @@
-//! `f32` and `f64`: the operations that IEEE 754 rounds correctly, and the circular functions of the pinned crate `libm`, so that
-//! results do not depend on the platform.
+//! `f32` and `f64`: the operations that IEEE 754 rounds correctly, and the circular functions of the pinned
+//! crate `libm`, so that results do not depend on the platform.
 
 use super::circular::ARCTANGENT;
 use super::{Field, Float, Real, Task};

@@ -37,7 +37,8 @@ pub(crate) fn beside(u: &mut Unstructured<'_>, x: f64) -> Result<f64> {
     })
 }
 
-/// A number of any sign and size: ordinary (half of them), of any magnitude from subnormal to huge, or any bits.
+/// A number of any sign and size: ordinary (half of them), of any magnitude from subnormal to huge, or any
+/// bits.
 ///
 /// # Errors
 /// As for [`any_bits`].

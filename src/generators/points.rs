@@ -59,7 +59,8 @@ pub(crate) fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     beside(u, place)
 }
 
-/// A damping ratio: none (a quarter of them), beside ζ = 1, ordinary, next to nothing, of any magnitude, or any bits.
+/// A damping ratio: none (a quarter of them), beside ζ = 1, ordinary, next to nothing, of any magnitude, or
+/// any bits.
 ///
 /// # Errors
 /// As for [`any_bits`].
@@ -74,7 +75,8 @@ pub(crate) fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     }
 }
 
-/// A maximum displacement or velocity: what the border leads to at that Ω, more than that, or of any magnitude.
+/// A maximum displacement or velocity: what the border leads to at that Ω, more than that, or of any
+/// magnitude.
 pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=4)?;
     let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };

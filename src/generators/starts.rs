@@ -44,7 +44,8 @@ fn phase(u: &mut Unstructured<'_>) -> Result<f64> {
     }
 }
 
-/// A state from which the velocity is to touch zero, `v = v′ = 0` with v″ of the direction's sign, some natural time later.
+/// A state from which the velocity is to touch zero, `v = v′ = 0` with v″ of the direction's sign, some
+/// natural time later.
 ///
 /// `x = A sin θ − s + a cos φ + b sin φ` back from there, A = α/(1 − Ω²), which Ω = 1 does not have: NaN.
 fn grazing(u: &mut Unstructured<'_>, point: Point, sign: f64) -> Result<(f64, f64, f64)> {

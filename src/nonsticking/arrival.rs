@@ -1,7 +1,9 @@
-//! From a time near the greatest velocity to the greatest velocity: Taylor's formula, without further circular functions.
+//! From a time near the greatest velocity to the greatest velocity: Taylor's formula, without further
+//! circular functions.
 //!
-//! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the reversed series, then one
-//! step of Halley's with the polynomial. What the series leaves is of the fourth power of h, and the step makes the cube of that.
+//! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the
+//! reversed series, then one step of Halley's with the polynomial. What the series leaves is of the fourth
+//! power of h, and the step makes the cube of that.
 
 use crate::float::Float;
 
@@ -83,8 +85,8 @@ impl<F: Float> Moment<F> {
         let fall = f5.mul_add(h7, f4).mul_add(h6, f3).mul_add(h5, f2).mul_add(h4, f1);
         let fall = fall.mul_add(h3, f0).mul_add(h2, value);
         let displacement = (-last).mul_add(rise, (-h).mul_add(fall, self.displacement));
-        // The largest distance from start to root, in the angle of the faster wave: x⁸/8! is 2.3e-17 there. The largest of
-        // Halley's steps, whose cube is below rounding.
+        // The largest distance from start to root, in the angle of the faster wave: x⁸/8! is 2.3e-17 there.
+        // The largest of Halley's steps, whose cube is below rounding.
         let (farthest, greatest_correction) = (F::ratio(1, 1 << 5), F::ratio(1, 1 << 20));
         Arrived {
             psi: self.psi + step,

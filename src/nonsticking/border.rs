@@ -84,17 +84,18 @@ pub(crate) fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent
 
 /// The border at the turning point (eq. 61): `α = √{(1/Ω² − 1)² [1 + (ΩT)²]} = hypot(K, 1/Ω² − 1)`.
 ///
-/// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2; below, necessary but
-/// not sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the body sticks up to
-/// 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞.
-/// Source: Hong & Liu 2001, eq. 61. Accuracy at f64: 5 ulp.
+/// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2;
+/// below, necessary but not sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the
+/// body sticks up to 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞. Source: Hong & Liu
+/// 2001, eq. 61. Accuracy at f64: 5 ulp.
 #[inline(always)]
 pub(crate) fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
     // α = hypot(K, (1 − Ω²)/Ω²)
     border_force_ratio(phase_function, one_minus_square / omega.square())
 }
 
-/// The border from the least displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44 solved for α.
+/// The border from the least displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44
+/// solved for α.
 ///
 /// `phase_function` is K(Ω), `width` is (1 − Ω²) S.
 #[inline(always)]
@@ -143,8 +144,8 @@ impl<F: Float> Border<F> {
 
     /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
     ///
-    /// Exact: every maximum of Den Hartog's condition is known (`src/nonsticking/damped/border.rs`). The analogue of eq. 61 suffices
-    /// for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
+    /// Exact: every maximum of Den Hartog's condition is known (`src/nonsticking/damped/border.rs`). The
+    /// analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
     ///
     /// # Errors
     /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
@@ -152,8 +153,9 @@ impl<F: Float> Border<F> {
         crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
     }
 
-    /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the kinetic one the condition at the
-    /// turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without damping; inside the half cycle nothing changes.
+    /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the
+    /// kinetic one the condition at the turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without
+    /// damping; inside the half cycle nothing changes.
     pub fn of(ratios: &crate::Ratios<F>) -> Self {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))
@@ -167,8 +169,9 @@ impl<F: Float> Border<F> {
         }
     }
 
-    /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force has to exceed η, so that
-    /// `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body slides there.
+    /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force
+    /// has to exceed η, so that `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body
+    /// slides there.
     #[cold]
     fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
         let omega = p.omega();
@@ -261,8 +264,8 @@ impl<F: Float> Border<F> {
         }
     }
 
-    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction above the kinetic one
-    /// other motions that stick can exist beside it.
+    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
+    /// above the kinetic one other motions that stick can exist beside it.
     ///
     /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.
     pub const fn min_force_ratio(&self) -> F {

@@ -17,9 +17,9 @@ use crate::ratios::Ratios;
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
-/// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it counts as on the
-/// border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or nothing
-/// (`docs/accuracy.md`).
+/// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it
+/// counts as on the border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or
+/// nothing (`docs/accuracy.md`).
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
@@ -57,7 +57,8 @@ impl<F: Float> Cycle<F> {
         F::fused(NewCycle(ratios))
     }
 
-    /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a higher border on.
+    /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a
+    /// higher border on.
     #[cold]
     fn with_static_friction(ratios: Ratios<F>) -> Result<Self, Error> {
         let least = Border::of(&ratios).min_force_ratio();
@@ -161,8 +162,8 @@ impl<F: Float> Cycle<F> {
         self.max_velocity
     }
 
-    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at f64: 4 ulp of
-    /// max(phase, 1).
+    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at
+    /// f64: 4 ulp of max(phase, 1).
     pub const fn velocity_phase(&self) -> F {
         self.velocity_phase
     }
@@ -195,9 +196,10 @@ impl<F: Float> Cycle<F> {
 
     /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.
     ///
-    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of `docs/theory/damping.md`.
-    /// The terms cancel where the forced motion α/q is far larger than Δ₀/B, that is near Ω = 1 with little damping and next to the
-    /// border: the error there is the rounding of `2ζT Ω²(α/q)²`. [`crate::exact::SteadyState::damper_work`] keeps its digits.
+    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
+    /// `docs/theory/damping.md`. The terms cancel where the forced motion α/q is far larger than Δ₀/B, that
+    /// is near Ω = 1 with little damping and next to the border: the error there is the rounding of
+    /// `2ζT Ω²(α/q)²`. [`crate::exact::SteadyState::damper_work`] keeps its digits.
     pub fn damper_work(&self) -> F {
         match &self.motion {
             Motion::Undamped { .. } => F::int(0),
@@ -205,7 +207,8 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is NaN with it.
+    /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is
+    /// NaN with it.
     #[cfg(any(test, feature = "matching"))]
     pub(crate) fn given(&self) -> matching::Given<F> {
         matching::Given {
@@ -246,8 +249,8 @@ impl<F: Float> Cycle<F> {
 
     /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
     ///
-    /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite. A
-    /// large phase is reduced exactly as it is given.
+    /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite.
+    /// A large phase is reduced exactly as it is given.
     pub fn displacement_at(&self, phase: F) -> F {
         self.motion.at(self.ratios.omega(), phase - self.displacement_phase).0
     }

@@ -45,8 +45,8 @@ impl<R: Real> FallingHalf<R> {
     /// Displacement at the phase ω_d t, in `[0, π]` (eq. 54):
     /// `x = A cos(ω_d t + φ) + B + C₁ sin ω_n t + C₂ cos ω_n t`.
     ///
-    /// 0/0 at Ω = 1, with a loss of digits beside it; [`crate::nonsticking::Cycle::displacement_at`] is the same
-    /// motion without.
+    /// 0/0 at Ω = 1, with a loss of digits beside it; [`crate::nonsticking::Cycle::displacement_at`] is the
+    /// same motion without.
     pub(crate) fn displacement(&self, phase: R) -> R {
         let (s, c) = (phase / self.omega).sin_cos();
         self.amplitude * (phase + self.phase_lag).cos()

@@ -6,9 +6,9 @@
 //! Δ₁/B = R cos ψ − 1 = (R − 1) − R (1 − cos ψ),   R = (1 − 1/Ω²)/cos β = −K/(Ω sin β) > 0.
 //! ```
 //!
-//! Its derivative by ψ is R sin ψ, a small part of the velocity that the displacement itself changes with. The second form
-//! has its rounding errors in R − 1 alone, which depends on Ω only: beside Ω = 1 it is the difference of a pair; from Ω = 2 on,
-//! where all of it is of the order v = 1/Ω²,
+//! Its derivative by ψ is R sin ψ, a small part of the velocity that the displacement itself changes with.
+//! The second form has its rounding errors in R − 1 alone, which depends on Ω only: beside Ω = 1 it is the
+//! difference of a pair; from Ω = 2 on, where all of it is of the order v = 1/Ω²,
 //!
 //! ```text
 //! R − 1 = v [(π²/8) C − 1]/cos β,   C = (1 − cos β)/(β²/2) = 1 − 2β²/4! + 2β⁴/6! − ….

@@ -8,7 +8,8 @@ use crate::float::{Field, Float};
 /// Δ₀/B = √[(α/(1−Ω²))² − (T/Ω)²] = √(α² − K²) / |1 − Ω²|
 /// ```
 ///
-/// The second form is the one computed ([`Field::leg`]), with no cancellation but that of α against |K|, which is the problem's own.
+/// The second form is the one computed ([`Field::leg`]), with no cancellation but that of α against |K|,
+/// which is the problem's own.
 ///
 /// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Units of B = r_y/k. NaN where α < |K|,
 /// infinite at Ω = 1. Source: Hong & Liu 2001, eq. 44; Den Hartog 1931 has the same. Accuracy at f64: a

@@ -1,9 +1,10 @@
-//! The greatest velocity below Ω = 1/2, without branches: a start by algebra and one step, the circular functions once, and Taylor's
-//! formula from there.
+//! The greatest velocity below Ω = 1/2, without branches: a start by algebra and one step, the circular
+//! functions once, and Taylor's formula from there.
 //!
-//! On its bracket (`nonsticking::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos β|/(1 − Ω²), e ≤ π the distance of the
-//! crests of the two waves. With Ωd for sin Ωd that is `θ = e − d = arg(1 + ρ exp(ie))`, off by 0.34 at most; one of Householder's
-//! steps leaves 2e-4, and [`Moment`] has the rest of the way.
+//! On its bracket (`nonsticking::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos β|/(1 −
+//! Ω²), e ≤ π the distance of the crests of the two waves. With Ωd for sin Ωd that is
+//! `θ = e − d = arg(1 + ρ exp(ie))`, off by 0.34 at most; one of Householder's steps leaves 2e-4, and
+//! [`Moment`] has the rest of the way.
 
 use super::arrival::{Arrived, Moment, Reciprocals};
 use crate::float::Float;
@@ -38,7 +39,8 @@ pub(crate) struct LowWaves<F> {
     pub(crate) beta: (F, F),
 }
 
-/// Where the bracket lies: the crest of the faster wave and the distance e to that of the slower one, which is at −e if `side` is −1.
+/// Where the bracket lies: the crest of the faster wave and the distance e to that of the slower one, which
+/// is at −e if `side` is −1.
 #[derive(Clone, Copy)]
 struct Bracket<F> {
     /// The crest in units of π/2: odd.
@@ -85,8 +87,8 @@ impl<F: Float> LowWaves<F> {
         theta + numerator / f1.mul_add(f1.mul_add(f1, -(f0 * f2)), f3 * f0 * f0 * F::ratio(1, 6))
     }
 
-    /// The greatest velocity, from a θ near it, with its ψ; and V₀/(Bω_d), whose largest term is Δ₀/B times a cosine, without the
-    /// roundings of Ω.
+    /// The greatest velocity, from a θ near it, with its ψ; and V₀/(Bω_d), whose largest term is Δ₀/B times a
+    /// cosine, without the roundings of Ω.
     #[inline(always)]
     pub(crate) fn arrive(&self, given: &LowCircular<F>, displacement_phase: F, theta: F) -> (Arrived<F>, F) {
         let &Self { omega, inverse, max_displacement: delta, rest, beta: (sin_beta, cos_beta) } = self;

@@ -1,7 +1,7 @@
 //! The matching problem (eq. 2–39): five unknowns, five equations, and what follows from them.
 //!
-//! In the paper's own symbols, for any number that has the field operations. Time enters as the phases
-//! ω_d t of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
+//! In the paper's own symbols, for any number that has the field operations. Time enters as the phases ω_d t
+//! of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
 //! unit.
 //!
 //! [`balanced`] has eq. 21–25 in a well-conditioned form, with the Jacobian; `newton` (feature `matching`) solves
@@ -171,8 +171,8 @@ impl<R: Real> Given<R> {
             - self.offset(u).square()
     }
 
-    /// `V₀/ω_n` by eq. 37, corrected: `A Ω cos ω_d t₁ + sgn(1−Ω) √(ρ²)`; `sign` is sgn(1 − Ω). With eq. 25 put
-    /// in for Δ₁ it is eq. 48.
+    /// `V₀/ω_n` by eq. 37, corrected: `A Ω cos ω_d t₁ + sgn(1−Ω) √(ρ²)`; `sign` is sgn(1 − Ω). With eq. 25
+    /// put in for Δ₁ it is eq. 48.
     ///
     /// The paper prints the root with a plus sign, which is wrong for every Ω > 1.
     pub(crate) fn max_velocity(&self, u: &Unknowns<R>, sign: R) -> R {

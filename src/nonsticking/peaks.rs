@@ -6,15 +6,16 @@
 //! α sin θ = −(1−Ω²) Δ₀ sin Ωψ − K cos Ωψ        α cos θ = (1−Ω²) Δ₀ cos Ωψ − K sin Ωψ
 //! ```
 //!
-//! with Δ₀ in units of B, and the equation of motion gives `x″ = α sin θ − x − 1` (in B ω_n²). On arrival at the turning
-//! point this is −(1 + Ω²Δ₀). With `T = tan β`,
+//! with Δ₀ in units of B, and the equation of motion gives `x″ = α sin θ − x − 1` (in B ω_n²). On arrival at
+//! the turning point this is −(1 + Ω²Δ₀). With `T = tan β`,
 //!
 //! ```text
 //! −x″ = −Ω²Δ₀ sin Ωψ + g(ψ),        g = cos ψ/cos β − Ω T cos Ωψ,        g(β) = 1.
 //! ```
 //!
-//! For Ω ≥ 1/2, g grows from ψ = 0 to β, as sin Ωψ/sin ψ is monotone there, and −g(0) ≤ 1: so |x″| is greatest on arrival. Below
-//! 1/2 the fast wave cos ψ/cos β may exceed it. It does so within a fast period of where the slow wave is greatest, or of an end.
+//! For Ω ≥ 1/2, g grows from ψ = 0 to β, as sin Ωψ/sin ψ is monotone there, and −g(0) ≤ 1: so |x″| is
+//! greatest on arrival. Below 1/2 the fast wave cos ψ/cos β may exceed it. It does so within a fast period of
+//! where the slow wave is greatest, or of an end.
 
 use super::Cycle;
 use super::half_cycle::HalfCycle;
@@ -38,7 +39,8 @@ pub(crate) fn arrival_acceleration<R: Real>(max_displacement: R, omega: R) -> R 
     max_displacement + R::int(1) / omega.square()
 }
 
-/// Greatest force on what carries spring and surface, `Δ₀/B + 1` in r_y: that of the spring and of friction together, `k x + r_y sgn x′`.
+/// Greatest force on what carries spring and surface, `Δ₀/B + 1` in r_y: that of the spring and of friction
+/// together, `k x + r_y sgn x′`.
 #[inline]
 pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
     max_displacement + R::int(1)
@@ -47,7 +49,8 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
 impl<F: Float> Cycle<F> {
     /// Dynamic amplification `k Δ₀/p₀ = (Δ₀/B)/α`: the maximum displacement in units of p₀/k.
     ///
-    /// It compares machines of different friction, whose B = r_y/k differs. With a motion of the spring's foot it is Δ₀/u₀.
+    /// It compares machines of different friction, whose B = r_y/k differs. With a motion of the spring's
+    /// foot it is Δ₀/u₀.
     pub fn dynamic_amplification(&self) -> F {
         dynamic_amplification(self.max_displacement(), self.ratios().alpha())
     }
@@ -63,8 +66,8 @@ impl<F: Float> Cycle<F> {
 
     /// Transmissibility: the greatest transmitted force over p₀, without damping `(Δ₀/B + 1)/α`.
     ///
-    /// Under a base that carries the surface it is the ratio of absolute accelerations, that of the body over that of the base, since
-    /// m times the one is the transmitted force and m times the other is p₀.
+    /// Under a base that carries the surface it is the ratio of absolute accelerations, that of the body over
+    /// that of the base, since m times the one is the transmitted force and m times the other is p₀.
     pub fn transmissibility(&self) -> F {
         self.transmitted_force() / self.ratios().alpha()
     }
@@ -121,9 +124,9 @@ impl<F: Float> Cycle<F> {
     /// Greatest absolute displacement under a base that carries the surface, in B: the greatest |x + u|, u =
     /// (α/Ω²) sin θ being the displacement of the base.
     ///
-    /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x grows: y′ rises and then
-    /// falls, from −K/Ω² to K/Ω². So it has one zero, and y one extremum. Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with
-    /// damping 1e-13 of it.
+    /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x grows: y′ rises
+    /// and then falls, from −K/Ω² to K/Ω². So it has one zero, and y one extremum. Accuracy at f64: 1e-14 of
+    /// Δ₀/B + α/Ω²; with damping 1e-13 of it.
     pub fn max_absolute_displacement(&self) -> F {
         let half = match &self.motion {
             Motion::Damped(cycle) => return cycle.max_absolute_displacement(),
@@ -167,7 +170,8 @@ mod tests {
         (4.4, 3.0),
     ];
 
-    /// Dense samples of the cycle, by its displacement and the equation of motion, exceed nothing and come close.
+    /// Dense samples of the cycle, by its displacement and the equation of motion, exceed nothing and come
+    /// close.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
         for (omega, alpha) in POINTS {

@@ -16,7 +16,8 @@ pub(crate) fn reduce<F: Float>(phase: F) -> F {
     if reduced >= period { zero } else { reduced }
 }
 
-/// Phase ω_d t₁ of the maximum velocity, in `[0, 2π)`, from that of the maximum displacement and the centred time ψ = ω_n(t₂ − t₁) − β.
+/// Phase ω_d t₁ of the maximum velocity, in `[0, 2π)`, from that of the maximum displacement and the centred
+/// time ψ = ω_n(t₂ − t₁) − β.
 ///
 /// `ω_d t₁ = ω_d t₂ − π/2 − Ωψ`
 #[inline(always)]

@@ -1,8 +1,9 @@
 //! The reversal of the motion to more digits than the type has: with which arguments eq. 40–44 are evaluated.
 //!
-//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels: an error of K counts κ = K²/(α² − K²) times. K is a pair whose error falls
-//! with (1 − 1/Ω)², as fast as κ grows on the border and above ([`PhaseFunction::wide`]), so that the formulae have what they need in
-//! pairs: but closer to Ω = 1 than 2⁻²⁴, at f64, where the pair itself ends ([`excess_close_to_one`]).
+//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels: an error of K counts κ = K²/(α² − K²)
+//! times. K is a pair whose error falls with (1 − 1/Ω)², as fast as κ grows on the border and above
+//! ([`PhaseFunction::wide`]), so that the formulae have what they need in pairs: but closer to Ω = 1 than
+//! 2⁻²⁴, at f64, where the pair itself ends ([`excess_close_to_one`]).
 
 use super::displacement::{
     cos_displacement_phase, displacement_of_leg, max_displacement, phase, sin_displacement_phase,
@@ -52,7 +53,8 @@ impl<F: Float> Reversal<F> {
         if self.over_least(omega) >= least_but_for_rounding() { self } else { self.on_the_border(omega) }
     }
 
-    /// Whether Δ₀/B is less than that of a body that does not stick, by more than rounding; not where it is NaN.
+    /// Whether Δ₀/B is less than that of a body that does not stick, by more than rounding; not where it is
+    /// NaN.
     #[cfg(feature = "batch")]
     #[inline(always)]
     pub(crate) fn falls_short(&self, omega: F) -> bool {
@@ -126,8 +128,8 @@ impl<F: Float> Reversal<F> {
 
     /// Δ₁/B of eq. 47 at the centred time ψ of the maximum velocity.
     ///
-    /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in pairs, because
-    /// above Ω = 1 the terms are larger than V₀.
+    /// `α sin ω_d t₁ = −[α cos ω_d t₂ cos Ωψ + α sin ω_d t₂ sin Ωψ]`: without the rounding of ω_d t₁, and in
+    /// pairs, because above Ω = 1 the terms are larger than V₀.
     #[inline]
     pub(crate) fn deviation(&self, omega: F, psi: F) -> F {
         let (s, c) = sin_cos(omega.wide() * psi);

@@ -1,40 +1,44 @@
 //! Without a stop below the border: the symmetric cycle of six reversals beside the poles Ω = 1/(2n+1).
 //!
-//! At a pole the natural frequency is the odd harmonic 2n+1 of the drive, and friction that reverses twice a cycle feeds the free vibration
-//! in every half turn: the border is infinite there. Three reversals in half a turn, a sixth of a natural period apart, have no such
-//! harmonic. The motion that reverses so exists in a region beside each pole, n ≥ 1, far below the border; it does not stop.
+//! At a pole the natural frequency is the odd harmonic 2n+1 of the drive, and friction that reverses twice a
+//! cycle feeds the free vibration in every half turn: the border is infinite there. Three reversals in half a
+//! turn, a sixth of a natural period apart, have no such harmonic. The motion that reverses so exists in a
+//! region beside each pole, n ≥ 1, far below the border; it does not stop.
 //!
 //! # The matching problem
 //!
-//! Natural time u is counted from the second of the three reversals, the first is at −a, the third at b. With `A = α/(1 − Ω²)`,
-//! the reversals σ = (1, −1, 1) at `u₁, u₂, u₃ = −a, 0, b` and friction +1 before the first,
+//! Natural time u is counted from the second of the three reversals, the first is at −a, the third at b. With
+//! `A = α/(1 − Ω²)`, the reversals σ = (1, −1, 1) at `u₁, u₂, u₃ = −a, 0, b` and friction +1 before the
+//! first,
 //!
 //! ```text
 //! x = A cos Ω(φ₂ + u) + p cos u − q sin u − r(u) + Σ σ_j sgn(u_j − u) cos(u − u_j),      r = ±1 the friction
 //! ```
 //!
-//! solves the equation of motion and keeps its velocity at the reversals. It is antisymmetric, x(φ + π/Ω) = −x(φ), if the free vibration
-//! `p + iq` is what the three reversals feed: with `X = cos a + cos b − 1`, `Y = sin a − sin b`, β = π/2Ω,
+//! solves the equation of motion and keeps its velocity at the reversals. It is antisymmetric, x(φ + π/Ω) =
+//! −x(φ), if the free vibration `p + iq` is what the three reversals feed: with `X = cos a + cos b − 1`,
+//! `Y = sin a − sin b`, β = π/2Ω,
 //!
 //! ```text
 //! p cos β + Y sin β = 0,     q cos β − X sin β = 0,
 //! ```
 //!
-//! which is smooth through the poles, cos β = 0. The velocity vanishes at the reversals: with `s = AΩ sin Ωφ₂`, `c = AΩ² cos Ωφ₂`,
-//! `κ(u) = (cos Ωu − cos u)/sin u` and `μ(u) = sin Ωu/(Ω sin u)`,
+//! which is smooth through the poles, cos β = 0. The velocity vanishes at the reversals: with
+//! `s = AΩ sin Ωφ₂`, `c = AΩ² cos Ωφ₂`, `κ(u) = (cos Ωu − cos u)/sin u` and `μ(u) = sin Ωu/(Ω sin u)`,
 //!
 //! ```text
 //! q = sin a + sin b − s,
 //! c μ(a) + p − s κ(a) = 1 + cos a − cos b,      −c μ(b) − p − s κ(b) = 1 + cos b − cos a.
 //! ```
 //!
-//! A fifth equation closes the system for (a, b, s, c, p): the force, `c² + Ω²s² = (AΩ²)²`, or an edge. At the pole itself a = b = π/3, and
-//! all of it is a closed form: `s = −1/κ(π/3)`, `p = −c μ(π/3)`.
+//! A fifth equation closes the system for (a, b, s, c, p): the force, `c² + Ω²s² = (AΩ²)²`, or an edge. At
+//! the pole itself a = b = π/3, and all of it is a closed form: `s = −1/κ(π/3)`, `p = −c μ(π/3)`.
 //!
 //! # The edges
 //!
-//! The body slides on at a reversal where the force left over is above the friction bound, `σ_j (α sin θ − x) < −1`. At the edges the
-//! second or the third reversal becomes a stop. At the pole, where the third does, with C = cos(Ωπ/3):
+//! The body slides on at a reversal where the force left over is above the friction bound,
+//! `σ_j (α sin θ − x) < −1`. At the edges the second or the third reversal becomes a stop. At the pole, where
+//! the third does, with C = cos(Ωπ/3):
 //!
 //! ```text
 //! c (C − μ(π/3)/2) = 3/2 + s [Ω sin(Ωπ/3) − √3/2],     α = (1 − Ω²) √(c² + Ω²s²)/Ω²
@@ -44,10 +48,11 @@
 //!
 //! # What is proved and what is searched
 //!
-//! A cycle that this module gives is a motion without a stop (its equations are solved to rounding, and a test follows the exact motion), and
-//! so, for α > 1, the limit of every start: there is one limit only (`exact`). That its
-//! edges are the only ones, that no cycle of ten reversals or more exists without a stop, and none of six elsewhere, is searched: the exact motion
-//! from rest over the plane, see `docs/theory/six-reversals.md`.
+//! A cycle that this module gives is a motion without a stop (its equations are solved to rounding, and a
+//! test follows the exact motion), and so, for α > 1, the limit of every start: there is one limit only
+//! (`exact`). That its edges are the only ones, that no cycle of ten reversals or more exists without a stop,
+//! and none of six elsewhere, is searched: the exact motion from rest over the plane, see
+//! `docs/theory/six-reversals.md`.
 
 mod edges;
 mod equations;
@@ -62,12 +67,14 @@ use crate::ratios::Ratios;
 use equations::{Closing, Frequency, Unknowns};
 pub(crate) use range::{Within, within};
 
-/// The least and the greatest force ratio of the six-reversal cycle at the frequency ratio of `p`; `None` where it does not exist.
+/// The least and the greatest force ratio of the six-reversal cycle at the frequency ratio of `p`; `None`
+/// where it does not exist.
 ///
-/// From one to the other, both included, the body never stops and reverses six times a cycle. They are below the border of the
-/// two-reversal cycle ([`crate::Border`]); between the greatest and the border it stops.
+/// From one to the other, both included, the body never stops and reverses six times a cycle. They are below
+/// the border of the two-reversal cycle ([`crate::Border`]); between the greatest and the border it stops.
 ///
-/// Accuracy at f64: 40 ulp; where the two meet, at the ends of the region, the problem itself has half the digits.
+/// Accuracy at f64: 40 ulp; where the two meet, at the ends of the region, the problem itself has half the
+/// digits.
 pub(crate) fn force_ratios_at<F: Float>(p: &PhaseFunction<F>) -> Option<(F, F)> {
     edges::edges(p).map(|found| (found.low, found.high))
 }
@@ -105,8 +112,8 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with damping or a static
-    /// friction above the kinetic one, for which it is not known.
+    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and
+    /// with damping or a static friction above the kinetic one, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         if ratios.is_damped() || ratios.has_higher_static_friction() || !is_within(omega, alpha) {
@@ -118,7 +125,8 @@ impl<F: Float> SixReversals<F> {
         newton::polished(&frequency, Closing::Force(force), start).map(|unknowns| Self { ratios, unknowns })
     }
 
-    /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are half a turn later.
+    /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are
+    /// half a turn later.
     ///
     /// Between 0 and π, because the forced maximum is at π/2.
     pub fn reversal_phases(&self) -> [F; 3] {

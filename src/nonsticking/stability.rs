@@ -7,8 +7,8 @@
 //! λ² + (1 + s) cos(π/Ω) λ + s = 0,   s = (g − 1)/(g + 1),   g = Ω² Δ₀/B,
 //! ```
 //!
-//! and a whole cycle has λ² ([`Multipliers`]). Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and the cycle is
-//! stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
+//! and a whole cycle has λ² ([`Multipliers`]). Since g ≥ 1 for a cycle that does not stick, 0 ≤ s < 1, and
+//! the cycle is stable unless cos(π/Ω) = ±1, that is Ω = 1/n, where one multiplier has modulus 1.
 
 use crate::float::{Field, Float};
 
@@ -47,7 +47,8 @@ pub(crate) fn contraction<F: Float>(omega: F, max_displacement: F, sin_cos_beta:
     let (s, c) = sin_cos_beta;
     let g = omega.square() * max_displacement;
     let g_sine = g * (two * s * c).abs();
-    // Written with 1/g, so that an infinite g gives the limit 1. Both are computed, so that loops do not branch.
+    // Written with 1/g, so that an infinite g gives the limit 1. Both are computed, so that loops do not
+    // branch.
     let inverse = one / g;
     // On the border g may round to less than 1, where the modulus is 0.
     let complex = ((one - inverse).or_larger(F::int(0)) / (one + inverse)).sqrt();
@@ -126,8 +127,8 @@ impl<F: Float> Multipliers<F> {
     /// λ = [−gC ± √((1 − gσ)(1 + gσ))]/(g + 1)
     /// ```
     ///
-    /// Complex where gσ > 1. The smaller of two real ones is `s/λ`, s the product, so that it keeps its digits as g → 1.
-    /// Accuracy at f64: 8 ulp of the modulus, away from the double root gσ = 1.
+    /// Complex where gσ > 1. The smaller of two real ones is `s/λ`, s the product, so that it keeps its
+    /// digits as g → 1. Accuracy at f64: 8 ulp of the modulus, away from the double root gσ = 1.
     pub(crate) fn new(omega: F, max_displacement: F, sin_cos_beta: (F, F)) -> Self {
         let (one, two) = (F::int(1), F::int(2));
         let (s, c) = sin_cos_beta;
@@ -169,10 +170,11 @@ impl<F: Float> Multipliers<F> {
         self.half_cycle.modulus().square()
     }
 
-    /// The least number of cycles after which a small disturbance is down to `tolerance` of itself, at the rate of
-    /// [`Multipliers::contraction`]; `None` where it never is (Ω = 1/n), or not in 2⁶³ cycles.
+    /// The least number of cycles after which a small disturbance is down to `tolerance` of itself, at the
+    /// rate of [`Multipliers::contraction`]; `None` where it never is (Ω = 1/n), or not in 2⁶³ cycles.
     ///
-    /// By repeated squaring, without logarithms: exact for the contraction as rounded, whose distance from 1 it inherits.
+    /// By repeated squaring, without logarithms: exact for the contraction as rounded, whose distance from 1
+    /// it inherits.
     pub fn cycles_to_settle(&self, tolerance: F) -> Option<u64> {
         let one = F::int(1);
         if tolerance >= one {

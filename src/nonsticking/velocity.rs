@@ -12,21 +12,22 @@
 //! where ψ_c is the phase 0 (Ω < 1) or π (Ω > 1) of the drive, `ψ_c = −sgn(1−Ω) asin(K/α)/Ω`, and ψ_p is the
 //! crest nearest to it of the other wave, at distance e ≤ π.
 //!
-//! * **The crest.** For Ω < 1 that is `ψ_p = ±π/2`, with the sign of cos β, because |ψ_c| ≤ π/2: a cycle that does not
-//!   stick has Δ₀/B ≥ S, S is at least the value |T| cot(πΩ/2)/Ω of the border's |f| at τ = πΩ, and therefore
-//!   `tan Ω|ψ_c| = |T|/(ΩΔ₀/B) ≤ tan(πΩ/2)`.
+//! * **The crest.** For Ω < 1 that is `ψ_p = ±π/2`, with the sign of cos β, because |ψ_c| ≤ π/2: a cycle that
+//!   does not stick has Δ₀/B ≥ S, S is at least the value |T| cot(πΩ/2)/Ω of the border's |f| at τ = πΩ, and
+//!   therefore `tan Ω|ψ_c| = |T|/(ΩΔ₀/B) ≤ tan(πΩ/2)`.
 //! * **Ω < 1.** Reflecting a point about ψ_c, or moving it one fast period towards ψ_c, only raises v, and
 //!   beyond ψ_p both waves fall: the global maximum lies between ψ_c and ψ_p. At the distance d from ψ_c the
 //!   root has `c sin(e − d) = RΩ sin Ωd`, and `sin(e − d)/sin Ωd` is strictly falling on (0, e), because
 //!   cot(e − d) + Ω cot Ωd ≥ Ω cot Ωd − cot d > 0. So there is exactly one root in between, and it is V₀.
 //!   It lies in the half cycle: were it beyond the end, v would rise from ψ_c to the end, where it is 0, and
 //!   the cycle would not be one. (e = π puts two equal maxima at ±d: the first is taken.)
-//! * **Ω > 1.** (v′/cos Ωψ)′ cos²Ωψ is increasing, and at the end ψ = β it is Ωv′ ≤ 0: so v′/cos Ωψ falls, and v has one
-//!   stationary point in the half cycle. It lies between ψ_c and β, where v′ changes sign.
+//! * **Ω > 1.** (v′/cos Ωψ)′ cos²Ωψ is increasing, and at the end ψ = β it is Ωv′ ≤ 0: so v′/cos Ωψ falls,
+//!   and v has one stationary point in the half cycle. It lies between ψ_c and β, where v′ changes sign.
 //! * **The sign of ρ.** What swings at ω_n is, at the maximum, `ρ/B = sin ψ/cos β` (eq. 27), and
-//!   `v′(0) = (1 − Ω sin β)/cos β` up to a positive factor. For Ω < 1 that has the sign of cos β, that of ψ_p: v still rises
-//!   towards ψ_p at ψ = 0, so that the maximum lies between 0 and ψ_p = ±π/2, and ρ > 0. For Ω > 1, cos β > 0 and
-//!   Ω sin β = (π/2) sin β/β > 1: v falls at ψ = 0, the maximum is before it, and ρ < 0. So ρ has the sign of 1 − Ω.
+//!   `v′(0) = (1 − Ω sin β)/cos β` up to a positive factor. For Ω < 1 that has the sign of cos β, that of
+//!   ψ_p: v still rises towards ψ_p at ψ = 0, so that the maximum lies between 0 and ψ_p = ±π/2, and ρ > 0.
+//!   For Ω > 1, cos β > 0 and Ω sin β = (π/2) sin β/β > 1: v falls at ψ = 0, the maximum is before it, and ρ
+//!   < 0. So ρ has the sign of 1 − Ω.
 //!
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 
@@ -115,9 +116,9 @@ pub(crate) struct Fastest<F> {
 
 /// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
-/// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere third-order Householder steps,
-/// each of which quadruples the good digits, from the centre ([`centre`]); where they do not
-/// settle inside the proven bracket, from a bracketed root at f64.
+/// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere
+/// third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]);
+/// where they do not settle inside the proven bracket, from a bracketed root at f64.
 #[inline]
 pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<F> {
     if F::PRECISION > f64::MANTISSA_DIGITS {
@@ -169,8 +170,8 @@ pub(crate) fn fastest_and_deviation<F: Float>(half: &HalfCycle<F>, given: &Given
     (found, super::deviation::of_fastest(omega, (Pair::exact(sin_beta), cos_beta), k, at))
 }
 
-/// The greatest velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near enough; and
-/// (sin β, cos β).
+/// The greatest velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
+/// enough; and (sin β, cos β).
 #[inline(always)]
 fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F, F))> {
     if !PhaseFunction::is_rational_enough(half.omega()) {
@@ -184,7 +185,8 @@ fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F
     found.is_found.then_some((fastest, at.sin_cos_beta()))
 }
 
-/// The greatest velocity below Ω = 1/2 without circular functions of the type's own, where the start is near enough; and Δ₁/B there.
+/// The greatest velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
+/// enough; and Δ₁/B there.
 ///
 /// Not inlined, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
@@ -218,7 +220,8 @@ impl<F: Float> Task for ByLowWaves<F> {
 }
 
 impl<F: Float> Fastest<F> {
-    /// The same with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is stationary.
+    /// The same with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is
+    /// stationary.
     #[inline]
     fn differentiated(self, half: &HalfCycle<F>) -> Self {
         let psi = self.psi.implicit_root(|psi| {

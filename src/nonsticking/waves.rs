@@ -1,8 +1,9 @@
-//! The greatest velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular functions once, and
-//! Taylor's formula from there.
+//! The greatest velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular
+//! functions once, and Taylor's formula from there.
 //!
-//! With the centred time ψ ([`super::half_cycle`]), `m = (1−Ω)ψ/2`, `p = ψ − m`, `e = κψ sin m/m`, `u` and `κ` of
-//! [`Frequency`], the velocity and its derivative have a form without poles or cancellation for every Ω ≥ 1/2:
+//! With the centred time ψ ([`super::half_cycle`]), `m = (1−Ω)ψ/2`, `p = ψ − m`, `e = κψ sin m/m`, `u` and
+//! `κ` of [`Frequency`], the velocity and its derivative have a form without poles or cancellation for every
+//! Ω ≥ 1/2:
 //!
 //! ```text
 //! v/(Bω_n) = Ω(Δ₀/B) cos Ωψ + e cos p + u sin ψ,   v′ = κ cos Ωψ − e sin p + u cos ψ − Ω²(Δ₀/B) sin Ωψ,
@@ -11,8 +12,9 @@
 //! and [`Moment`] has the rest of the way.
 //!
 //! **Start.** Divided by cos Ωψ, v′ = 0 is an equation for `T = tan Ωψ`:
-//! `Ω²(Δ₀/B) T = κ + u + (Ft²/2) T² [1 − (3 + t²) T²/12 + …]`, t = 1/Ω. Two of Newton's steps with one quotient: off by 2e-8 in the angle of
-//! the faster wave for most points, by 0.03 for the worst (Ω just above 1/2, beside the border).
+//! `Ω²(Δ₀/B) T = κ + u + (Ft²/2) T² [1 − (3 + t²) T²/12 + …]`, t = 1/Ω. Two of Newton's steps with one
+//! quotient: off by 2e-8 in the angle of the faster wave for most points, by 0.03 for the worst (Ω just above
+//! 1/2, beside the border).
 
 use super::arrival::{Arrived, Moment, Reciprocals};
 use super::deviation::of_fastest;
@@ -82,7 +84,8 @@ impl<F: Float> Waves<F> {
         tangent * z.mul_add(tail, one) * inverse
     }
 
-    /// The greatest velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the roundings of Ω and of cos Ωψ.
+    /// The greatest velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the
+    /// roundings of Ω and of cos Ωψ.
     #[inline(always)]
     pub(crate) fn arrive(&self, circular: &Circular<F>, psi: F) -> (Arrived<F>, F) {
         let Frequency { omega, inverse, kappa, .. } = self.at;

@@ -54,7 +54,8 @@ impl Excitation {
         }
     }
 
-    /// Whether the foot of the spring moves over a surface that stays, so that the force on the body changes with its stiffness.
+    /// Whether the foot of the spring moves over a surface that stays, so that the force on the body changes
+    /// with its stiffness.
     #[must_use]
     pub const fn moves_foot(self) -> bool {
         matches!(self, Self::FootMotion | Self::DampedFootMotion)
@@ -66,12 +67,12 @@ impl Excitation {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
     }
 
-    /// The transmitted force in r_y, and the transmissibility, of a body shaken so: from the greatest `force` of spring, damper and
-    /// friction and the maximum `acceleration` in B ω_d².
+    /// The transmitted force in r_y, and the transmissibility, of a body shaken so: from the greatest `force`
+    /// of spring, damper and friction and the maximum `acceleration` in B ω_d².
     ///
-    /// What foot and surface together feel where the foot moves is the force m x″, `Ω²` times the acceleration, because nothing else acts
-    /// on the body; and the transmissibility is the ratio of the accelerations of body and foot. Otherwise it is the force, and the same
-    /// over p₀.
+    /// What foot and surface together feel where the foot moves is the force m x″, `Ω²` times the
+    /// acceleration, because nothing else acts on the body; and the transmissibility is the ratio of the
+    /// accelerations of body and foot. Otherwise it is the force, and the same over p₀.
     pub fn transmitted<F: Float>(self, omega: F, alpha: F, force: F, acceleration: F) -> (F, F) {
         if self.moves_foot() {
             (acceleration * omega.square(), acceleration / alpha)

@@ -4,9 +4,10 @@
 //! y cot y = 1 − g,   g = z/(3 − t),   t = z/(5 − z/(7 − z/(9 − …))),   z = y² ≤ (π/4)²
 //! ```
 //!
-//! Every difference is of a large and a small number: t < 0.13, so that an error of t counts a twenty-fifth of itself in g
-//! and less than a ninetieth in `y cot y`. Hence t needs no compensation, z and the two outer levels do. Below f64's precision t is one
-//! quotient of polynomials with integer coefficients, the convergent of the level 17; above, the levels one by one.
+//! Every difference is of a large and a small number: t < 0.13, so that an error of t counts a twenty-fifth
+//! of itself in g and less than a ninetieth in `y cot y`. Hence t needs no compensation, z and the two outer
+//! levels do. Below f64's precision t is one quotient of polynomials with integer coefficients, the
+//! convergent of the level 17; above, the levels one by one.
 
 use crate::float::{Field, Float, pair::Pair};
 
@@ -16,7 +17,8 @@ pub(super) fn cotangent_defect<F: Float>(square: Pair<F>) -> Pair<F> {
     square / Pair::fast_two_sum(F::int(3), -tail(square.hi))
 }
 
-/// `y cot y`, with the rounding errors of t only: a thirtieth of a unit in the last place at |y| = π/4, fewer with y⁴.
+/// `y cot y`, with the rounding errors of t only: a thirtieth of a unit in the last place at |y| = π/4, fewer
+/// with y⁴.
 #[inline]
 pub(super) fn y_cot_y<F: Float>(y: Pair<F>) -> Pair<F> {
     Pair::exact(F::int(1)) - cotangent_defect(y.square())

@@ -1,7 +1,7 @@
 //! What the velocity needs of Ω ≥ 1/2: one form through Ω = 1 and to the largest Ω.
 //!
-//! With `T = tan β`, `u = (1 − sin β)/cos β = tan(π/4 − β/2)`, t = 1/Ω and z = (1 − t)², the zero and the pole of u are rational in t, and
-//! what is left is all but constant:
+//! With `T = tan β`, `u = (1 − sin β)/cos β = tan(π/4 − β/2)`, t = 1/Ω and z = (1 − t)², the zero and the
+//! pole of u are rational in t, and what is left is all but constant:
 //!
 //! ```text
 //! u = (Ω − 1) Ω/((Ω + 1)(3Ω − 1)) U(z),   0 ≤ z ≤ 1,   U from π to 3.
@@ -10,7 +10,8 @@
 use crate::float::circular::polynomial;
 use crate::float::{Float, pair::Pair};
 
-/// U, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and rounded. Error 5.6e-17.
+/// U, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and rounded. Error
+/// 5.6e-17.
 const U: [f64; 8] = [
     core::f64::consts::PI,
     -0.139_434_065_891_205_55,

@@ -16,7 +16,8 @@ pub(crate) struct LowAngle<F> {
 }
 
 impl<F: Float> LowAngle<F> {
-    /// For 2⁻¹⁰ ≤ Ω < 1/2, where 1/Ω has a fraction; and whether q is the nearest, which rounding of 1/Ω can miss.
+    /// For 2⁻¹⁰ ≤ Ω < 1/2, where 1/Ω has a fraction; and whether q is the nearest, which rounding of 1/Ω can
+    /// miss.
     #[cfg(feature = "batch")]
     #[inline(always)]
     pub(crate) fn of_moderate(omega: F) -> (Self, bool) {

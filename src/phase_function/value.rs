@@ -1,15 +1,17 @@
 //! K(Ω) to more digits than the type has, by a form for each range of Ω.
 //!
-//! **From Ω = 1/2 on, up to 53 digits.** With t = 1/Ω and the angle `y = (π/2)(1 − t)` in (−π/2, π/2), the zeros and the nearest poles of
-//! `y cot y` are rational in t, and what is left of it is all but constant in `z = (1 − t)²`:
+//! **From Ω = 1/2 on, up to 53 digits.** With t = 1/Ω and the angle `y = (π/2)(1 − t)` in (−π/2, π/2), the
+//! zeros and the nearest poles of `y cot y` are rational in t, and what is left of it is all but constant in
+//! `z = (1 − t)²`:
 //!
 //! ```text
 //! K = (2Ω − 1)/(3Ω − 1) G(z),   0 ≤ z ≤ 1,   G from −8/π to −3π/4.
 //! ```
 //!
-//! The quotient and G's leading term, −8/π, are pairs. The rest of G is z times a polynomial, at most a twelfth of G, and its roundings are
-//! all that counts: a relative error of K of the order of u z. On the border and above, an error of K counts
-//! κ = K²/(α² − K²) ≤ K²/(1/Ω² − 1)² times in Δ₀, and κ z < 2.5: so the closer to Ω = 1, the more digits there are where they are needed.
+//! The quotient and G's leading term, −8/π, are pairs. The rest of G is z times a polynomial, at most a
+//! twelfth of G, and its roundings are all that counts: a relative error of K of the order of u z. On the
+//! border and above, an error of K counts κ = K²/(α² − K²) ≤ K²/(1/Ω² − 1)² times in Δ₀, and κ z < 2.5: so
+//! the closer to Ω = 1, the more digits there are where they are needed.
 //!
 //! **Elsewhere** the angle is reduced, and K is a quotient of pairs, or is computed with guard digits.
 
@@ -22,8 +24,8 @@ use crate::float::{AtPrecision, Float, Real, pair::Pair};
 
 /// `8/π`, to twice the digits of f64; G's leading term is its negative.
 const EIGHT_OVER_PI: (f64, f64) = (2.546_479_089_470_325_5, -1.5742941340145989e-16);
-/// `(G(z) + 8/π)/z`, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and rounded. Error 6e-18 of
-/// G, falling with z.
+/// `(G(z) + 8/π)/z`, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and
+/// rounded. Error 6e-18 of G, falling with z.
 const REST: [f64; 9] = [
     0.184_535_785_290_451_48,
     0.005_451_195_028_815_732,
@@ -52,7 +54,8 @@ impl<F: Float> PhaseFunction<F> {
         F::PRECISION <= f64::MANTISSA_DIGITS && omega >= F::ratio(1, 2) && omega <= F::exp2i(GREATEST)
     }
 
-    /// Whether the remainder w of this Ω is below 1/2 and the crate's own circular functions have the digits of the type.
+    /// Whether the remainder w of this Ω is below 1/2 and the crate's own circular functions have the digits
+    /// of the type.
     #[inline(always)]
     pub(crate) fn is_acute_enough(omega: F) -> bool {
         F::PRECISION <= f64::MANTISSA_DIGITS && omega < F::ratio(1, 2)
@@ -101,7 +104,8 @@ impl<F: Float> Quotient<F> {
         let hi = z.mul_add(rest, leading.hi);
         let g = Pair::new(hi, z.mul_add(rest, leading.hi - hi) + leading.lo);
         let twice_less_one = from_one + omega;
-        // Below Ω = 1 the first is the smaller one, and a multiple of the last place of the second: the sum is exact all the same.
+        // Below Ω = 1 the first is the smaller one, and a multiple of the last place of the second: the sum
+        // is exact all the same.
         g * twice_less_one / Pair::fast_two_sum(twice_less_one, omega)
     }
 }
@@ -147,7 +151,8 @@ pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pai
     (one_minus_square_wide(omega) * over / (under * omega)).normalised()
 }
 
-/// q mod 4, w and K with care; not a whole [`PhaseFunction`], so that the common path keeps its own in registers.
+/// q mod 4, w and K with care; not a whole [`PhaseFunction`], so that the common path keeps its own in
+/// registers.
 #[cold]
 #[inline(never)]
 fn refined_parts<F: Float>(omega: F) -> (u8, Pair<F>, Pair<F>) {

@@ -1,15 +1,17 @@
 //! The regime with damping: by the border, and below it by the exact motion where that may never stop.
 //!
-//! Beside the poles Ω = 1/(2n+1) of the border without damping there is a motion of six reversals a cycle and no stop below the border
-//! (`crate::nonsticking::six_reversals`). A little damping leaves some of it: of 60 force ratios below the border at each of 60 frequencies within
-//! 0.07 of 1/Ω = 3, 5, 7, 9 it was met at ζ = 0.0024 and below for 1/Ω = 3, at ζ = 0.001 and below for the others, within 0.034 of the pole,
-//! and at no damping ratio from 0.006 to 1.5. So it is asked for where ζ < 1/128 and 1/Ω is within 1/16 of 2n + 1.
+//! Beside the poles Ω = 1/(2n+1) of the border without damping there is a motion of six reversals a cycle and
+//! no stop below the border (`crate::nonsticking::six_reversals`). A little damping leaves some of it: of 60
+//! force ratios below the border at each of 60 frequencies within 0.07 of 1/Ω = 3, 5, 7, 9 it was met at ζ =
+//! 0.0024 and below for 1/Ω = 3, at ζ = 0.001 and below for the others, within 0.034 of the pole, and at no
+//! damping ratio from 0.006 to 1.5. So it is asked for where ζ < 1/128 and 1/Ω is within 1/16 of 2n + 1.
 
 use crate::exact::{LongRun, State};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// Whether the exact motion below the border never stops: `Some(false)` where it was not asked, `None` where it does not settle.
+/// Whether the exact motion below the border never stops: `Some(false)` where it was not asked, `None` where
+/// it does not settle.
 pub(crate) fn never_stops<F: Float>(ratios: Ratios<F>) -> Option<bool> {
     let (one, two) = (F::int(1), F::int(2));
     let half_turns = one / ratios.omega();
@@ -28,7 +30,8 @@ mod tests {
     use crate::exact::{LongRun, State};
     use crate::{Border, Place, Ratios, Regime, Response, Verdict};
 
-    /// Below the border beside a pole the motion reverses six times with a little damping, and stops with more.
+    /// Below the border beside a pole the motion reverses six times with a little damping, and stops with
+    /// more.
     #[test]
     fn a_little_damping_leaves_six_reversals() {
         for (zeta, zeros) in [(1e-5, Some(6)), (1e-3, Some(6)), (0.01, None)] {

@@ -5,7 +5,8 @@ use crate::float::{AtPrecision, Float};
 use crate::nonsticking::{Border, six_reversals};
 use crate::phase_function::PhaseFunction;
 
-/// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a cycle: see [`no_stop_force_ratios`].
+/// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a
+/// cycle: see [`no_stop_force_ratios`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct NoStop<F> {
@@ -37,7 +38,8 @@ impl<F: Float> NoStop<F> {
         }
     }
 
-    /// The intervals (least, greatest) by increasing force ratio, their ends included; the last has no greatest.
+    /// The intervals (least, greatest) by increasing force ratio, their ends included; the last has no
+    /// greatest.
     pub fn intervals(&self) -> impl Iterator<Item = (F, Option<F>)> {
         let below = self.six_reversals.map(|(low, high)| (low, Some(high)));
         below.into_iter().chain([(self.border, None)])
@@ -46,8 +48,9 @@ impl<F: Float> NoStop<F> {
 
 /// The force ratios with which the body never stops at Ω, as intervals with their ends.
 ///
-/// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of six reversals a cycle
-/// ([`crate::nonsticking::SixReversals`]). At Ω = 1 the motion from the border on is unbounded, and does not stop either.
+/// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of
+/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 the motion from the border on is
+/// unbounded, and does not stop either.
 ///
 /// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other α > 1; no motion of
 /// ten reversals or more without a stop was found, nor one of six elsewhere (`docs/theory/six-reversals.md`).
@@ -62,7 +65,8 @@ impl<F: Float> NoStop<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; with the guard bits that the type has.
+/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; with the guard bits that
+/// the type has.
 ///
 /// # Errors
 /// Where Ω is outside the domain of [`crate::Ratios`].

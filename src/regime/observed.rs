@@ -16,18 +16,22 @@ pub struct Observed {
     pub sticks: Option<u32>,
     /// Reversals in a cycle, where there is a cycle without a stop.
     pub reversals: Option<u32>,
-    /// Whether the borders decided: stops, or their absence, are too small for the arithmetic, or the motion has not settled.
+    /// Whether the borders decided: stops, or their absence, are too small for the arithmetic, or the motion
+    /// has not settled.
     pub by_border: bool,
 }
 
 /// The regime of a long run at (Ω, α, ζ).
 ///
-/// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A stop, or the clearance of a
-/// velocity that nearly vanishes, may be smaller than that, within about 1e-10 of a border beside a pole and a few units in the last place
-/// elsewhere. There the borders decide, which are known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So they do where
-/// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`] agree.
+/// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A
+/// stop, or the clearance of a velocity that nearly vanishes, may be smaller than that, within about 1e-10 of
+/// a border beside a pole and a few units in the last place elsewhere. There the borders decide, which are
+/// known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So they do where
+/// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`]
+/// agree.
 ///
-/// With a static friction above the kinetic one the regime is that of this long run, and no border decides: others can exist beside it.
+/// With a static friction above the kinetic one the regime is that of this long run, and no border decides:
+/// others can exist beside it.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
@@ -54,7 +58,8 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
         by_border,
     };
     if ratios.has_higher_static_friction() {
-        // There can be motions with stops above the border, and others below it: what is seen is all that is known.
+        // There can be motions with stops above the border, and others below it: what is seen is all that is
+        // known.
         return of(seen, sticks, false);
     }
     let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
@@ -78,7 +83,8 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
         let gap = (alpha - edge).abs();
         gap <= rounding || gap * share <= known
     };
-    // A velocity that nearly vanishes inside of a slide clears zero by |α − α_min| sin τ*; the force left over at a reversal grows as α Ω².
+    // A velocity that nearly vanishes inside of a slide clears zero by |α − α_min| sin τ*; the force left
+    // over at a reversal grows as α Ω².
     let touching = if border.is_turning_point() { at_turn } else { border.phase().sin().abs() };
     if close(border.min_force_ratio(), touching) {
         return true;

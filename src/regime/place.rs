@@ -11,14 +11,15 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// A point of the plane: its verdict, its margin from the border, and where the velocity first touches zero there.
+/// A point of the plane: its verdict, its margin from the border, and where the velocity first touches zero
+/// there.
 ///
-/// **Undecided.** The border is known to 8 units in the last place, its error bound ([`Place::BORDER_ERROR`]); where α
-/// is closer to it than that the verdict is [`Verdict::Undecided`], and a wider number type decides. Ω and α are taken
-/// as exact by [`Place::new`]. [`Place::of`] and [`Place::within`] know that they are not: their verdict holds for every
-/// Ω and α in the given intervals, over which the range of the border is known ([`border_range`]). Beside a pole
-/// 1/(2n+1) that matters more than rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in
-/// the border.
+/// **Undecided.** The border is known to 8 units in the last place, its error bound
+/// ([`Place::BORDER_ERROR`]); where α is closer to it than that the verdict is [`Verdict::Undecided`], and a
+/// wider number type decides. Ω and α are taken as exact by [`Place::new`]. [`Place::of`] and
+/// [`Place::within`] know that they are not: their verdict holds for every Ω and α in the given intervals,
+/// over which the range of the border is known ([`border_range`]). Beside a pole 1/(2n+1) that matters more
+/// than rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
 ///
 /// ```
 /// use stickslip::{Place, Ratios, Regime, Verdict};
@@ -45,19 +46,20 @@ pub struct Place<F> {
 impl<F: Float> Place<F> {
     /// Relative error bound of the computed border, in units of [`Float::epsilon`].
     ///
-    /// The greatest error found against the same condition at 60 digits is 3.1, over 10⁴ frequency ratios from 1e-3 to
-    /// 1e3 with those beside 1 and 1/n down to neighbouring floats. It does not grow at the poles, because π/2Ω is reduced
-    /// exactly.
+    /// The greatest error found against the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
+    /// from 1e-3 to 1e3 with those beside 1 and 1/n down to neighbouring floats. It does not grow at the
+    /// poles, because π/2Ω is reduced exactly.
     pub const BORDER_ERROR: i32 = 8;
 
-    /// The same with damping, where the sum of three terms takes the place of one. The greatest error found against the same condition
-    /// at 256 bits is 8.
+    /// The same with damping, where the sum of three terms takes the place of one. The greatest error found
+    /// against the same condition at 256 bits is 8.
     pub const DAMPED_BORDER_ERROR: i32 = 16;
 
     /// The place of ratios that are exact as they stand.
     ///
-    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the verdict. A float that is 1/(2n)
-    /// to within its rounding only has one limit, the symmetric cycle, though it takes 10¹⁵ cycles and more to come close to it.
+    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the
+    /// verdict. A float that is 1/(2n) to within its rounding only has one limit, the symmetric cycle, though
+    /// it takes 10¹⁵ cycles and more to come close to it.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.has_higher_static_friction() {
             return Self::with_static_friction(ratios);
@@ -78,8 +80,9 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
-    /// The place of ratios with damping: no family and no unbounded motion, and undecided within [`Place::DAMPED_BORDER_ERROR`]. Below the
-    /// border the exact motion decides where it may never stop (`regime::damped`).
+    /// The place of ratios with damping: no family and no unbounded motion, and undecided within
+    /// [`Place::DAMPED_BORDER_ERROR`]. Below the border the exact motion decides where it may never stop
+    /// (`regime::damped`).
     fn damped(ratios: Ratios<F>) -> Self {
         let (border, alpha, one) = (Border::of(&ratios), ratios.alpha(), F::int(1));
         let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
@@ -100,7 +103,8 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
-    /// The place of ratios with a static friction above the kinetic one, where the border is all that is known for every start.
+    /// The place of ratios with a static friction above the kinetic one, where the border is all that is
+    /// known for every start.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
         let (least, one) = (border.min_force_ratio(), F::int(1));
@@ -118,14 +122,17 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
-    /// The place of a machine in physical units, whose ratios carry the rounding of two divisions and a square root.
+    /// The place of a machine in physical units, whose ratios carry the rounding of two divisions and a
+    /// square root.
     ///
-    /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the verdict is
-    /// [`Verdict::NonSticking`] or undecided, never [`Verdict::Degenerate`] or [`Verdict::Unbounded`].
+    /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the
+    /// verdict is [`Verdict::NonSticking`] or undecided, never [`Verdict::Degenerate`] or
+    /// [`Verdict::Unbounded`].
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`Ratios`] or of [`border_range`]; [`Error::Damped`] for a body with a damper, for which the
-    /// range of the border is not known; [`Error::StaticFriction`] for one whose static friction is above the kinetic one.
+    /// Where a ratio leaves the domain of [`Ratios`] or of [`border_range`]; [`Error::Damped`] for a body
+    /// with a damper, for which the range of the border is not known; [`Error::StaticFriction`] for one whose
+    /// static friction is above the kinetic one.
     pub fn of(body: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
         let ratios = drive.ratios(body)?.undamped()?;
         // 1.25 and 1 times ε at most, and the rounding of the ends themselves.
@@ -133,7 +140,8 @@ impl<F: Float> Place<F> {
         Self::over(ratios, around(ratios.omega()), around(ratios.alpha()))
     }
 
-    /// The place of ratios known to lie in the intervals `omega` and `alpha`, each (low, high): the verdict holds for all.
+    /// The place of ratios known to lie in the intervals `omega` and `alpha`, each (low, high): the verdict
+    /// holds for all.
     ///
     /// The margin and the border are those of the middle.
     ///
@@ -175,8 +183,8 @@ impl<F: Float> Place<F> {
         self.ratios.alpha() / self.border.min_force_ratio()
     }
 
-    /// The limiting phase `τ* = ω_d(t − t₂)` where the velocity first touches zero as α falls to the border; 0 where it
-    /// is at the turning point.
+    /// The limiting phase `τ* = ω_d(t − t₂)` where the velocity first touches zero as α falls to the border;
+    /// 0 where it is at the turning point.
     pub const fn touching_phase(&self) -> F {
         self.border.phase()
     }
@@ -184,8 +192,8 @@ impl<F: Float> Place<F> {
 
 /// The verdict at Ω = 1/(2n).
 ///
-/// Ω is a power of two there, 1/Ω² exact, and 1/Ω² − 1 is rounded once: no α lies between it and its rounded value,
-/// except that the rounded one itself may be larger.
+/// Ω is a power of two there, 1/Ω² exact, and 1/Ω² − 1 is rounded once: no α lies between it and its rounded
+/// value, except that the rounded one itself may be larger.
 fn degenerate<F: Float>(ratios: Ratios<F>) -> Verdict<F> {
     let (one, alpha) = (F::int(1), ratios.alpha());
     let least = one / ratios.omega().square() - one;
@@ -198,7 +206,8 @@ fn degenerate<F: Float>(ratios: Ratios<F>) -> Verdict<F> {
     }
 }
 
-/// The verdict that holds for all Ω and α of two intervals, given the computed range of the border over the first.
+/// The verdict that holds for all Ω and α of two intervals, given the computed range of the border over the
+/// first.
 fn decide<F: Float>(omega: (F, F), alpha: (F, F), border: &BorderRange<F>) -> Verdict<F> {
     let one = F::int(1);
     let error = F::int(Place::<F>::BORDER_ERROR) * F::epsilon();

@@ -12,21 +12,22 @@ use crate::ratios::Ratios;
 pub struct Stops {
     /// Stops that last: intervals at rest.
     pub sticks: u32,
-    /// Instants at which the velocity comes to zero: the beginnings of stops, and reversals without one. 2 where it does not
-    /// stick.
+    /// Instants at which the velocity comes to zero: the beginnings of stops, and reversals without one. 2
+    /// where it does not stick.
     pub velocity_zeros: u32,
 }
 
-/// The stops per cycle of the motion at (Ω, α) in the long run; `None` where there is no cycle: at rest (α ≤ 1), and at Ω = 1
-/// above the border.
+/// The stops per cycle of the motion at (Ω, α) in the long run; `None` where there is no cycle: at rest (α ≤
+/// 1), and at Ω = 1 above the border.
 ///
-/// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all members but for those at its
-/// edge. A stop that is shorter than the motion is known to, beside a border, is an error, not a count ([`observed()`]).
+/// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all
+/// members but for those at its edge. A stop that is shorter than the motion is known to, beside a border, is
+/// an error, not a count ([`observed()`]).
 ///
 /// With a static friction above the kinetic one the motion can depend on the start: that is refused.
 ///
-/// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity zeros
-/// ([`crate::Verdict::SixReversals`]).
+/// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity
+/// zeros ([`crate::Verdict::SixReversals`]).
 ///
 /// ```
 /// use stickslip::Ratios;

@@ -12,21 +12,24 @@ use crate::ratios::Ratios;
 pub enum Verdict<F> {
     /// α ≤ 1: it ends at rest.
     AtRest,
-    /// α > 1, below the border of the two-reversal cycle and not within the force ratios of six reversals: the body stops for a while in every
-    /// cycle. That there is no motion without a stop of more reversals is searched, not proved.
+    /// α > 1, below the border of the two-reversal cycle and not within the force ratios of six reversals:
+    /// the body stops for a while in every cycle. That there is no motion without a stop of more reversals is
+    /// searched, not proved.
     Sticking,
-    /// α ≥ α_min(Ω): it never stops for longer than an instant, reverses twice a cycle, and settles on one symmetric cycle.
+    /// α ≥ α_min(Ω): it never stops for longer than an instant, reverses twice a cycle, and settles on one
+    /// symmetric cycle.
     NonSticking,
-    /// Beside a pole 1/(2n+1), below the border: it never stops, reverses six times a cycle, and settles on one symmetric cycle
-    /// ([`crate::nonsticking::SixReversals`]).
+    /// Beside a pole 1/(2n+1), below the border: it never stops, reverses six times a cycle, and settles on
+    /// one symmetric cycle ([`crate::nonsticking::SixReversals`]).
     SixReversals,
-    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles, which one depending on the start.
+    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles, which one
+    /// depending on the start.
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
     Unbounded,
-    /// The static friction is above the kinetic one, and α > 1: the motion in the long run can depend on the start. The regime is what the
-    /// border alone guarantees, as for [`crate::Response::new`]: non-sticking, that a cycle without a stop exists and is stable;
-    /// sticking, that there is none of two reversals.
+    /// The static friction is above the kinetic one, and α > 1: the motion in the long run can depend on the
+    /// start. The regime is what the border alone guarantees, as for [`crate::Response::new`]: non-sticking,
+    /// that a cycle without a stop exists and is stable; sticking, that there is none of two reversals.
     DependsOnStart(Regime),
     /// One of these two, closer to the border between them than the arithmetic or the input can tell.
     Undecided(Regime, Regime),
@@ -46,8 +49,8 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// Whether the body sticks, for all that the verdict speaks of: it ends at rest or stops in every cycle; or never does. `None` where it
-    /// does for some and not for others, or where that is undecided.
+    /// Whether the body sticks, for all that the verdict speaks of: it ends at rest or stops in every cycle;
+    /// or never does. `None` where it does for some and not for others, or where that is undecided.
     #[must_use]
     pub const fn sticks(&self) -> Option<bool> {
         match self {
@@ -80,9 +83,9 @@ impl<F: Float> Verdict<F> {
 /// The non-sticking cycles at Ω = 1/(2n): one for each shift c of the middle of the motion.
 ///
 /// There a half cycle is a whole number of natural periods. A falling half from x = A + c, A = α/(1 − Ω²), is
-/// `x = A cos τ + 1 + (c − 1) cos(τ/Ω)`, which reaches −A + c after τ = π whatever c; the rising half is its mirror image
-/// with −c. The body slides throughout where `A sin τ > (1 − c) sin(τ/Ω)/Ω` on (0, π), and `|sin(τ/Ω)/sin τ| ≤ 1/Ω` with
-/// equality at the ends, so that the family is complete:
+/// `x = A cos τ + 1 + (c − 1) cos(τ/Ω)`, which reaches −A + c after τ = π whatever c; the rising half is its
+/// mirror image with −c. The body slides throughout where `A sin τ > (1 − c) sin(τ/Ω)/Ω` on (0, π), and
+/// `|sin(τ/Ω)/sin τ| ≤ 1/Ω` with equality at the ends, so that the family is complete:
 ///
 /// ```text
 /// extrema ±α/(1 − Ω²) + c,   |c| ≤ αΩ²/(1 − Ω²) − 1 = α/α_min − 1.
@@ -133,7 +136,8 @@ mod tests {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let family = Family::at(ratios, 1.0 / (omega * omega) - 1.0);
             let (a, c) = (family.max_displacement(), family.greatest_shift());
-            // The velocity of the falling half, against the sliding that it needs, over the half cycle and both shifts.
+            // The velocity of the falling half, against the sliding that it needs, over the half cycle and
+            // both shifts.
             let slides = |shift: f64| {
                 (1..20_000).all(|i| {
                     let tau = std::f64::consts::PI * f64::from(i) / 20_000.0;

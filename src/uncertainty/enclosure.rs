@@ -17,13 +17,14 @@ fn ordered<F: Float>(a: F, b: F) -> Interval<F> {
     if a <= b { Interval { low: a, high: b } } else { Interval { low: b, high: a } }
 }
 
-/// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, or one more where K = 0 at an Ω
-/// within.
+/// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, or one more
+/// where K = 0 at an Ω within.
 pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> {
     let one = F::int(1);
     let count = if omega.is_exact() { 1 } else { i32::try_from(count.max(1)).unwrap_or(i32::MAX) };
     let mut ends: Vec<F> = (0..=count).map(|i| omega.at(F::ratio(i, count))).collect();
-    // The only zero 1/(2n) that can be inside, if any: within one of it there is no other without a pole in between.
+    // The only zero 1/(2n) that can be inside, if any: within one of it there is no other without a pole in
+    // between.
     let turns = F::int(2) * (one / (F::int(2) * omega.low)).floor();
     let zero = one / turns;
     if turns > F::int(0) && zero > omega.low && zero < omega.high {
@@ -100,8 +101,8 @@ impl<F: Float> Piece<F> {
 impl<F: Float> Interval<F> {
     /// Wider by `n` times the type's ε at each end: by more than was lost to rounding on the way.
     ///
-    /// K is right to 2 units in the last place, so that 10 of K² leave 3 for the products with it; 1/|1 − Ω²| is to 3, the border to 8, and
-    /// products, quotients and roots take half of one each.
+    /// K is right to 2 units in the last place, so that 10 of K² leave 3 for the products with it; 1/|1 − Ω²|
+    /// is to 3, the border to 8, and products, quotients and roots take half of one each.
     pub(super) fn outward(self, n: i32) -> Self {
         let share = F::int(n) * F::epsilon();
         Self { low: self.low - share * self.low.abs(), high: self.high + share * self.high.abs() }

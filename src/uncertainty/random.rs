@@ -1,9 +1,10 @@
 //! Monte-Carlo: parameters drawn from distributions.
 //!
-//! Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of them, where they are
-//! correlated. Reproducible: the same seed gives the same draws on every machine (ChaCha8), as far as the distributions do.
-//! Draws that make no sense, such as a negative friction bound from a normal distribution, are counted, not repeated: the
-//! probabilities are those given that the draw is valid, and [`MonteCarlo::invalid`] says how many were not.
+//! Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of
+//! them, where they are correlated. Reproducible: the same seed gives the same draws on every machine
+//! (ChaCha8), as far as the distributions do. Draws that make no sense, such as a negative friction bound
+//! from a normal distribution, are counted, not repeated: the probabilities are those given that the draw is
+//! valid, and [`MonteCarlo::invalid`] says how many were not.
 //!
 //! ```
 //! use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
@@ -114,7 +115,8 @@ pub struct MonteCarlo {
 }
 
 impl MonteCarlo {
-    /// A machine under a force, drawn `draws` times; `outputs` are kept, in physical units ([`Output::unit`]).
+    /// A machine under a force, drawn `draws` times; `outputs` are kept, in physical units
+    /// ([`Output::unit`]).
     ///
     /// # Errors
     /// Where `draws` is zero.
@@ -182,7 +184,8 @@ impl MonteCarlo {
         self.regimes.iter().map(|(_, count)| count).sum()
     }
 
-    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of the number type.
+    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of
+    /// the number type.
     #[must_use]
     pub fn invalid(&self) -> u32 {
         self.draws.saturating_sub(self.valid())
@@ -196,8 +199,8 @@ impl MonteCarlo {
 
     /// The probability of a regime, given that the draw is valid; NaN where none was.
     ///
-    /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull), which is not zero where all draws
-    /// or none are in the regime.
+    /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull),
+    /// which is not zero where all draws or none are in the regime.
     #[must_use]
     pub fn probability(&self, regime: Regime) -> Estimate {
         let (count, n) = (f64::from(self.count(regime)), f64::from(self.valid()));
@@ -205,15 +208,15 @@ impl MonteCarlo {
         Estimate { value: count / n, standard_error: (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt() }
     }
 
-    /// The values of an output that was kept, in increasing order, at the draws that have it: outputs of the cycle exist where the
-    /// body does not stick. Empty for one that was not kept.
+    /// The values of an output that was kept, in increasing order, at the draws that have it: outputs of the
+    /// cycle exist where the body does not stick. Empty for one that was not kept.
     #[must_use]
     pub fn values(&self, output: Output) -> &[f64] {
         self.outputs.iter().find(|(kept, _)| *kept == output).map_or(&[], |(_, values)| values)
     }
 
-    /// The quantile of an output, given that it exists: linear between the values in order, the least at share 0, the greatest at
-    /// share 1. `None` for a share outside [0, 1], or where there is no value.
+    /// The quantile of an output, given that it exists: linear between the values in order, the least at
+    /// share 0, the greatest at share 1. `None` for a share outside [0, 1], or where there is no value.
     #[must_use]
     pub fn quantile(&self, output: Output, share: f64) -> Option<f64> {
         let values = self.values(output);
@@ -227,7 +230,8 @@ impl MonteCarlo {
         Some(low + (high - low) * part)
     }
 
-    /// The mean of an output, given that it exists, with its standard error `s/√n`; `None` with fewer than two values.
+    /// The mean of an output, given that it exists, with its standard error `s/√n`; `None` with fewer than
+    /// two values.
     #[must_use]
     pub fn mean(&self, output: Output) -> Option<Estimate> {
         let values = self.values(output);

@@ -48,10 +48,12 @@ impl<F: Float> RatioBox<F> {
         Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())
     }
 
-    /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked at.
+    /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked
+    /// at.
     ///
-    /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head; sampled otherwise, as is everything
-    /// that belongs to the cycle where the body may stick or Ω = 1 is inside. `points` is the number of points, or of pieces.
+    /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head;
+    /// sampled otherwise, as is everything that belongs to the cycle where the body may stick or Ω = 1 is
+    /// inside. `points` is the number of points, or of pieces.
     ///
     /// # Errors
     /// As [`RatioBox::verdict`].

@@ -36,7 +36,8 @@ impl Factor {
         (0..exponent.unsigned_abs()).try_fold(Self::ONE, |product, _| product.and(base))
     }
 
-    /// The quotient. Factors of the table are small: one that overflows counts as 1, which no unit of a quantity here reaches.
+    /// The quotient. Factors of the table are small: one that overflows counts as 1, which no unit of a
+    /// quantity here reaches.
     pub(super) fn over(self, other: Self) -> Self {
         self.and(other.inverse()).unwrap_or(Self::ONE)
     }

@@ -8,8 +8,8 @@ use crate::float::Float;
 use core::fmt;
 use core::str::FromStr;
 
-/// A consistent system of units: one of force, one of length, and the second. Its mass is force · s²/length. SI unless it is read from a text
-/// such as `kN,mm`.
+/// A consistent system of units: one of force, one of length, and the second. Its mass is force · s²/length.
+/// SI unless it is read from a text such as `kN,mm`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct System {
     force: &'static str,

@@ -19,8 +19,9 @@ const ACCELERATION: Dimension = [0, 1, -2, 0];
 const FORCE: Dimension = [1, 1, -2, 0];
 const ENERGY: Dimension = [1, 2, -2, 0];
 
-/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram and standard gravity:
-/// the quantity decides. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity 9.80665 m/s².
+/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram and standard
+/// gravity: the quantity decides. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity 9.80665
+/// m/s².
 #[rustfmt::skip]
 const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
     ("%", [0; 4], 1, 100, 0),

@@ -71,8 +71,8 @@ impl<'a, F: Float> Case<'a, F> {
         Self { terms, cycle, phase_function, motion: None, solved: None, on_border: None }
     }
 
-    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than rounding: a
-    /// difference as large as that counts one unit in the last place.
+    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than
+    /// rounding: a difference as large as that counts one unit in the last place.
     pub(super) fn within(&self, residual: F, size: F, doubt: F) -> F {
         let unit = F::epsilon() * size + doubt;
         residual / unit * F::epsilon() * self.scale

@@ -1,4 +1,5 @@
-//! What the border at one Ω is held against: the cycle there by Newton's method, and the exact motion on either side.
+//! What the border at one Ω is held against: the cycle there by Newton's method, and the exact motion on
+//! either side.
 
 use super::Solvable;
 use super::followed::third_of_digits;
@@ -55,15 +56,16 @@ fn steady<F: Float>(ratios: Ratios<F>) -> Option<SteadyState<F>> {
     LongRun::from_start(ratios, State::rest()).ok()?.steady_state().copied()
 }
 
-/// A₁ of the exact motion, by its work against friction; `None` where it is not one of two reversals without a stop.
+/// A₁ of the exact motion, by its work against friction; `None` where it is not one of two reversals without
+/// a stop.
 pub(super) fn loop_size<F: Float>(ratios: Ratios<F>) -> Option<F> {
     let (steady, alpha) = (steady(ratios)?, ratios.alpha());
     let slides = steady.sticks_per_cycle() == 0 && steady.velocity_zeros_per_cycle() == 2;
     slides.then(|| F::int(2) * (steady.energy_out() / alpha) / alpha)
 }
 
-/// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below the border
-/// ([errata](crate::nonsticking::printed) 4), and this is not asked there.
+/// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below
+/// the border ([errata](crate::nonsticking::printed) 4), and this is not asked there.
 pub(super) fn stops_beside<F: Float>(
     omega: F,
     alpha: F,
@@ -78,7 +80,8 @@ pub(super) fn stops_beside<F: Float>(
     far.then(|| Some((stops(alpha * (one - little))?, stops(alpha * (one + little))?)))?
 }
 
-/// A₁ at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little below.
+/// A₁ at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little
+/// below.
 fn optimum<F: Float>(omega: F, alpha: F) -> Option<(F, F)> {
     let (one, h) = (F::int(1), third_of_digits::<F>());
     let at = |alpha: F| loop_size(Ratios::new(omega, alpha).ok()?);

@@ -1,7 +1,8 @@
 //! The formulae that are held against the motion: the library's, or another set in their place.
 //!
-//! The default methods are the library's own. A test puts wrong ones in their place, one at a time, and each of them has
-//! to be refused: a check that nothing fails shows nothing. What asks for order is for numbers that have one; the formulae are for all.
+//! The default methods are the library's own. A test puts wrong ones in their place, one at a time, and each
+//! of them has to be refused: a check that nothing fails shows nothing. What asks for order is for numbers
+//! that have one; the formulae are for all.
 
 use crate::float::{Float, Real};
 use crate::nonsticking::matching::{Given, Unknowns};

@@ -1,4 +1,5 @@
-//! The answers held against the exact motion, which takes none of them for granted: started from rest, followed slide by slide.
+//! The answers held against the exact motion, which takes none of them for granted: started from rest,
+//! followed slide by slide.
 
 use super::followed::apart;
 use super::{Case, Digits, Identity, Residual, Standing};

@@ -1,7 +1,9 @@
-//! The border: the cycle there by Newton's method, the exact motion on either side, and the optimum of the dissipation.
+//! The border: the cycle there by Newton's method, the exact motion on either side, and the optimum of the
+//! dissipation.
 //!
-//! On the border of the two-reversal cycle the body just does not stop: either the force left over at the turning point is r_y, or
-//! the velocity touches zero once on the way. Less force is a stop, and more is none.
+//! On the border of the two-reversal cycle the body just does not stop: either the force left over at the
+//! turning point is r_y, or the velocity touches zero once on the way. Less force is a stop, and more is
+//! none.
 
 use super::solved::points;
 use super::{Case, Digits, Identity, Residual, Standing};

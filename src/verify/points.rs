@@ -39,8 +39,8 @@ pub(super) fn points<F: Float>() -> Vec<Point<F>> {
     omegas::<F>().into_iter().enumerate().flat_map(at).collect()
 }
 
-/// The frequency ratios, and whether the exact motion is followed there: closer to a singular one than 10⁻³ it takes too many
-/// periods to settle.
+/// The frequency ratios, and whether the exact motion is followed there: closer to a singular one than 10⁻³
+/// it takes too many periods to settle.
 fn omegas<F: Float>() -> Vec<(F, bool)> {
     const INSIDE: i32 = 6;
     let mut all = Vec::new();

@@ -48,7 +48,8 @@ fn a_wrong_sign_is_caught() {
     let cycle = above_border(0.7, 1.5).unwrap();
     let residual = wrong.relative_residual(&Case::new(cycle)).unwrap();
     assert!(residual > 1e-3);
-    // Nothing said of no point passes, nor does a wrong one, or a wrong one among right ones; as a misprint it is refuted.
+    // Nothing said of no point passes, nor does a wrong one, or a wrong one among right ones; as a misprint
+    // it is refuted.
     let passed = |standing, residuals: &[f64]| {
         let mut tally = Tally { points: 0, worst: None };
         residuals.iter().for_each(|&residual| tally.add(standing, residual, &cycle));

@@ -1,4 +1,5 @@
-//! Every output at f64 and at f32 within its allowance of the one ulp table (`tests/ulps`), against 128 bits and f64.
+//! Every output at f64 and at f32 within its allowance of the one ulp table (`tests/ulps`), against 128 bits
+//! and f64.
 
 use crate::ulps::OUTPUTS;
 use crate::ulps::points::{ALPHAS, OMEGAS};
@@ -32,7 +33,8 @@ fn single_precision() {
     no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f32>();
 }
 
-/// The worst two of ten million points before cos Ωψ − 1 took the place of cos Ωψ, and a pair that of sin β: 4.71 ulp of V₀ and 4.25 of Δ₁.
+/// The worst two of ten million points before cos Ωψ − 1 took the place of cos Ωψ, and a pair that of sin β:
+/// 4.71 ulp of V₀ and 4.25 of Δ₁.
 #[test]
 fn the_worst_of_ten_million_points_are_within_the_goals() {
     for (output, omega, alpha) in

@@ -1,11 +1,12 @@
-//! Batches against the library's own code for one point, with every set of instructions the processor has: the same bits, and so the
-//! accuracy of a point (`accuracy.rs`).
+//! Batches against the library's own code for one point, with every set of instructions the processor has:
+//! the same bits, and so the accuracy of a point (`accuracy.rs`).
 
 use crate::random::Random;
 use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch, Level};
 use stickslip::{Border, Output, Ratios, Regime, Response, regime};
 
-/// The outputs that take no search of their own: those of the loops, and some that are computed point by point.
+/// The outputs that take no search of their own: those of the loops, and some that are computed point by
+/// point.
 const OUTPUTS: [Output; 13] = [
     Output::MaxDisplacement,
     Output::MinForceRatio,
@@ -87,7 +88,8 @@ fn levels() -> impl Iterator<Item = Level> {
     Level::ALL.into_iter().filter(|level| level.is_available())
 }
 
-/// Ω random in several measures and the floats beside 1, 1/2, 1/3, 2/3, 2; α from below the border up, and beside it.
+/// Ω random in several measures and the floats beside 1, 1/2, 1/3, 2/3, 2; α from below the border up, and
+/// beside it.
 fn points(n: usize) -> (Vec<f64>, Vec<f64>) {
     let mut random = Random(11);
     let mut omegas = Vec::new();

@@ -1,4 +1,5 @@
-//! The inverse questions and the border behind them, from outside: every answer is put through the forward functions.
+//! The inverse questions and the border behind them, from outside: every answer is put through the forward
+//! functions.
 
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -54,7 +55,8 @@ fn the_border_to_the_last_digit() {
     assert!((least.force_ratio - 1.209_998_436_338_07).abs() < 5e-15);
 }
 
-/// Den Hartog's function f(τ) as it is printed in the border's documentation, without any of its rearrangements.
+/// Den Hartog's function f(τ) as it is printed in the border's documentation, without any of its
+/// rearrangements.
 fn den_hartog(omega: f64, tau: f64) -> f64 {
     let tangent = (PI / (2.0 * omega)).tan();
     let fast = tau / omega;
@@ -64,7 +66,8 @@ fn den_hartog(omega: f64, tau: f64) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// A billionth above the border f stays below Δ₀/B, a billionth below it f exceeds it at the limiting phase.
+    /// A billionth above the border f stays below Δ₀/B, a billionth below it f exceeds it at the limiting
+    /// phase.
     #[test]
     fn a_billionth_from_the_border_the_regime_is_right(omega in frequency_ratios()) {
         prop_assume!(distance_from_pole(omega) > 1e-3 && (omega - 1.0).abs() > 1e-3);
@@ -131,7 +134,8 @@ proptest! {
             let greatest = design::greatest_friction(&body, &drive).unwrap();
             prop_assert!((greatest / friction - 1.0).abs() < slack);
         }
-        // Within rounding of Ω = 1 sliding is not told from growing without bound, nor within 1e-7 of a pole six reversals from two.
+        // Within rounding of Ω = 1 sliding is not told from growing without bound, nor within 1e-7 of a pole
+        // six reversals from two.
         prop_assume!((omega - 1.0).abs() > 1e-14 && distance_from_pole(omega) > 1e-6);
         let verdict = |share| Place::of(&body, &drive(share)).unwrap().verdict();
         prop_assert_eq!(verdict(1.0 - 8.0 * slack).regime(), Some(Regime::Sticking));
@@ -235,8 +239,8 @@ proptest! {
     }
 }
 
-/// Just beyond the frequencies at which a cycle of six reversals exists, 0.0213 and 0.0375 from an odd 1/Ω, a machine below the border sticks:
-/// decided for all that its rounding leaves open.
+/// Just beyond the frequencies at which a cycle of six reversals exists, 0.0213 and 0.0375 from an odd 1/Ω, a
+/// machine below the border sticks: decided for all that its rounding leaves open.
 #[test]
 fn next_to_six_reversals_a_machine_sticks() {
     for pole in [3.0, 5.0, 17.0] {

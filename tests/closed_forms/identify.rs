@@ -1,4 +1,5 @@
-//! Friction and damping from noisy response curves: how often the true values lie within the interval that is given.
+//! Friction and damping from noisy response curves: how often the true values lie within the interval that is
+//! given.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -12,7 +13,8 @@ fn normal(random: &mut Random) -> f64 {
     (-2.0 * (1.0 - random.next()).ln()).sqrt() * (TAU * random.next()).cos()
 }
 
-/// Of so many machines measured at 30 frequencies with 1 % noise, the parts whose friction and damping lie within the intervals of 95 %.
+/// Of so many machines measured at 30 frequencies with 1 % noise, the parts whose friction and damping lie
+/// within the intervals of 95 %.
 fn coverage(trials: u32, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut friction_within, mut damping_within) = (0, 0);

@@ -1,5 +1,5 @@
-//! f32, f64, 128 bits, batches of each level and sensitivities against one table that owes nothing to the library:
-//! `tests/data/cycles.csv`, written by `tests/data/closed_forms.py` from the equation of motion.
+//! f32, f64, 128 bits, batches of each level and sensitivities against one table that owes nothing to the
+//! library: `tests/data/cycles.csv`, written by `tests/data/closed_forms.py` from the equation of motion.
 //!
 //! Its Ω and α are exact in 24 bits. The values have 25 digits.
 
@@ -42,8 +42,8 @@ impl Row {
         Response::new(Ratios::new(F::from_f64(self.omega), F::from_f64(self.alpha)).unwrap())
     }
 
-    /// What one unit in the last place of an output is counted in, apart from the type's ε: of phases max(phase, 1), of Δ₁
-    /// max(|Δ₁|, V₀), of the contraction 1 over the root that turns at gσ = 1.
+    /// What one unit in the last place of an output is counted in, apart from the type's ε: of phases
+    /// max(phase, 1), of Δ₁ max(|Δ₁|, V₀), of the contraction 1 over the root that turns at gσ = 1.
     fn size(&self, name: &str) -> f64 {
         let value = self.value(name).unwrap().abs();
         if name.ends_with("phase") {
@@ -110,7 +110,8 @@ fn largest_errors<F: Float>() -> [f64; 13] {
     largest
 }
 
-/// In the order of `NAMES`: what docs/accuracy.md promises, and half a unit of the table's own rounding to a double.
+/// In the order of `NAMES`: what docs/accuracy.md promises, and half a unit of the table's own rounding to a
+/// double.
 const ALLOWED: [f64; 13] = [2.0, 2.0, 4.0, 4.0, 4.0, 2.0, 2.0, 3.8, 2.5, 2.5, 2.0, 2.0, 8.0];
 
 #[test]

@@ -95,8 +95,8 @@ fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// The errors of each output of N limbs against D limbs, in the units of the design: the last place of the output,
-/// of max(phase, 1) for a phase and of max(|Δ₁|, V₀) for the deviation.
+/// The errors of each output of N limbs against D limbs, in the units of the design: the last place of the
+/// output, of max(phase, 1) for a phase and of max(|Δ₁|, V₀) for the deviation.
 fn errors<const N: usize, const D: usize>(
     omega: Mp<N>,
     alpha: Mp<N>,
@@ -174,7 +174,8 @@ fn beside_the_natural_frequency_and_its_fractions() {
     agrees::<32, 64>(beside(&[1, 2, 4], &[600, 1100, 1900]).into_iter());
 }
 
-/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀, up to `2^slack` units.
+/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀, up to `2^slack`
+/// units.
 fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samples: i32) {
     for &(omega, alpha) in places {
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
@@ -255,9 +256,9 @@ fn den_hartog<F: Real>(omega: F, tangent: F, zeta: F) -> F {
     (sine + tangent * (slow_cosine - cosine)) / (omega * slow_sine)
 }
 
-/// Where the supremum of |f| is below Ω = 1/2, claim by claim, at 256 bits: f(π − τ) = −f(τ), so that (0, π/2] is enough; up to γ it is
-/// monotonic from 1/Ω²; beyond γ + π nothing exceeds what is in [γ, γ + π]; there |f| has one stationary point, and that is what the
-/// border takes.
+/// Where the supremum of |f| is below Ω = 1/2, claim by claim, at 256 bits: f(π − τ) = −f(τ), so that (0,
+/// π/2] is enough; up to γ it is monotonic from 1/Ω²; beyond γ + π nothing exceeds what is in [γ, γ + π];
+/// there |f| has one stationary point, and that is what the border takes.
 #[test]
 fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
     type Wide = Mp<4>;

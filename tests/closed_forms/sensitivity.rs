@@ -34,7 +34,8 @@ fn points() -> Vec<(f64, f64)> {
     points
 }
 
-/// Central difference quotients of each output, by each of N parameters, at 512 bits: right to about 90 digits.
+/// Central difference quotients of each output, by each of N parameters, at 512 bits: right to about 90
+/// digits.
 fn differences<const N: usize>(
     at: [f64; N],
     outputs: impl Fn([Wide; N]) -> Vec<Option<Wide>>,
@@ -54,7 +55,8 @@ fn differences<const N: usize>(
         .collect()
 }
 
-/// The error of each derivative, in units of the larger of `p ∂y/∂p` and y; the phases' y is at least a radian.
+/// The error of each derivative, in units of the larger of `p ∂y/∂p` and y; the phases' y is at least a
+/// radian.
 fn check<const N: usize>(
     at: [f64; N],
     found: &Sensitivities<N>,

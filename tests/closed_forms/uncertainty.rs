@@ -62,7 +62,8 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
     assert!(guaranteed > 200_000, "{guaranteed}");
 }
 
-/// Guaranteed is every digit: the exact values at single points, at the ends of narrow boxes and beside 1, 1/n and the border.
+/// Guaranteed is every digit: the exact values at single points, at the ends of narrow boxes and beside 1,
+/// 1/n and the border.
 #[cfg(feature = "mp")]
 #[test]
 fn guaranteed_ranges_hold_the_exact_values() {

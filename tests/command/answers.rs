@@ -331,7 +331,8 @@ fn a_bad_row_stops_after_the_good_ones() {
     let (out, err, code) = points("jsonl", "omega,beta\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("column alpha (or --alpha) is missing"), "{err}");
-    // Columns of a spreadsheet that has other separators, and a slip of the pen in a column that could be left out.
+    // Columns of a spreadsheet that has other separators, and a slip of the pen in a column that could be
+    // left out.
     let (out, err, code) = points("jsonl", "omega;alpha\n1,5;2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("columns must be separated by commas"), "{err}");

@@ -106,7 +106,8 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
     }
 }
 
-/// A key has eight lines at most, and what is far beyond nearly all values, as beside a pole, is cut off with a note.
+/// A key has eight lines at most, and what is far beyond nearly all values, as beside a pole, is cut off with
+/// a note.
 #[test]
 fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     let draw = |arguments: &str| {

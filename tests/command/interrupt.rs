@@ -20,8 +20,9 @@ fn signal(child: &Child, name: &str) {
     assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
 }
 
-/// How long it takes to end from now on, and how long it may: 0.3 s, and four times what a process that sleeps for 0.25 s takes longer than that
-/// beside it, for starting it and for other work on the machine. Some threads of the command have to be woken in turn.
+/// How long it takes to end from now on, and how long it may: 0.3 s, and four times what a process that
+/// sleeps for 0.25 s takes longer than that beside it, for starting it and for other work on the machine.
+/// Some threads of the command have to be woken in turn.
 fn ends_within(child: &mut Child) -> (Duration, Duration) {
     const SLEEP: Duration = Duration::from_millis(250);
     let begin = Instant::now();
@@ -42,7 +43,8 @@ fn ends_within(child: &mut Child) -> (Duration, Duration) {
     }
 }
 
-/// Interrupts what `interrupted` starts: it has to end in time once in three attempts, because a single delay may be the machine's.
+/// Interrupts what `interrupted` starts: it has to end in time once in three attempts, because a single delay
+/// may be the machine's.
 fn ends_in_time(what: &str, interrupted: impl Fn() -> Child) -> Child {
     let mut late = Vec::new();
     for _ in 0..3 {

@@ -140,7 +140,8 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
     child.wait().unwrap().code()
 }
 
-/// Killed or interrupted at any time, what is complete is kept, and going on gives the sweep that was not broken off.
+/// Killed or interrupted at any time, what is complete is kept, and going on gives the sweep that was not
+/// broken off.
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {

@@ -1,4 +1,5 @@
-//! What the command writes is read again, number by number and bit by bit: CSV by `csv`, JSON by `serde_json`, and as input.
+//! What the command writes is read again, number by number and bit by bit: CSV by `csv`, JSON by
+//! `serde_json`, and as input.
 
 mod named;
 
@@ -134,7 +135,8 @@ proptest! {
     }
 }
 
-/// A machine comes back as typed, with what the library answers; what its units have no number for is refused.
+/// A machine comes back as typed, with what the library answers; what its units have no number for is
+/// refused.
 fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let (Ok(ratios), Ok(scales)) = (drive.ratios(body), Scales::new(body, drive)) else { return };
     let response = Response::new(ratios);

@@ -34,7 +34,8 @@ fn help_lists_the_commands_the_units_and_the_exit_statuses() {
     }
 }
 
-/// Every line of the examples is one that the parser takes: an unknown argument would be refused before its value.
+/// Every line of the examples is one that the parser takes: an unknown argument would be refused before its
+/// value.
 #[test]
 fn the_examples_in_help_are_understood() {
     let mut tried = 0;
@@ -105,7 +106,8 @@ fn every_command_has_a_manual_page() {
     refused("man --out /dev/null/pages", &["--out /dev/null/pages"]);
 }
 
-/// What is read by a program has no colours; `CLICOLOR_FORCE` is the terminal of this test, and `NO_COLOR` wins.
+/// What is read by a program has no colours; `CLICOLOR_FORCE` is the terminal of this test, and `NO_COLOR`
+/// wins.
 #[test]
 fn colours_are_for_terminals() {
     for arguments in ["response --omega 0.4 --alpha 6", "steady --omega 0.4 --alpha 6", "--help"] {

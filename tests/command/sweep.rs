@@ -268,7 +268,8 @@ fn a_file_cut_or_changed_anywhere_is_made_whole_or_left_alone() {
     }
 }
 
-/// A limit on the size of files is a disk that is full: the failure is told, and what is there is gone on with.
+/// A limit on the size of files is a disk that is full: the failure is told, and what is there is gone on
+/// with.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_rows_that_can_be_gone_on_with() {

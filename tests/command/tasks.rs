@@ -1,4 +1,5 @@
-//! What engineers come for, done by the documented commands alone, against small steps of time in the frame of the room.
+//! What engineers come for, done by the documented commands alone, against small steps of time in the frame
+//! of the room.
 //!
 //! The isolator is among the tests of units.
 
@@ -13,8 +14,8 @@ fn place(name: &str) -> PathBuf {
     place
 }
 
-/// Dither: how much force at 40 Hz keeps a valve spool of 200 g from sticking, and what it does with a little more and a
-/// little less.
+/// Dither: how much force at 40 Hz keeps a valve spool of 200 g from sticking, and what it does with a little
+/// more and a little less.
 #[test]
 fn dither_that_keeps_a_valve_from_sticking() {
     let valve = "--mass 200g --stiffness 8N/mm --friction 3N";
@@ -32,7 +33,8 @@ fn dither_that_keeps_a_valve_from_sticking() {
     close(number(&motion["physical"]["max_displacement"]), at(1.02).stroke, 2e-3);
 }
 
-/// A friction damper: the friction that takes most energy out of a machine, against steps at that friction, below and above.
+/// A friction damper: the friction that takes most energy out of a machine, against steps at that friction,
+/// below and above.
 #[test]
 fn the_damper_that_dissipates_most() {
     let machine = "--mass 50t --stiffness 1000kN/m --frequency 1Hz --force 12kN";
@@ -152,7 +154,8 @@ fn friction_and_damping_from_a_measured_curve() {
     }
 }
 
-/// A machine swept over three quantities, and mapped over two; a map and a sweep say what a single answer says.
+/// A machine swept over three quantities, and mapped over two; a map and a sweep say what a single answer
+/// says.
 #[test]
 fn machines_over_a_range() {
     let rows = stdout(

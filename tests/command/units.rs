@@ -1,6 +1,7 @@
 //! What an engineer types: values with units, the two base motions, an isolator.
 //!
-//! The motions are held against small steps of time in the frame of the room, which know nothing of p₀, Ω or α.
+//! The motions are held against small steps of time in the frame of the room, which know nothing of p₀, Ω or
+//! α.
 
 use crate::command_line::{json, refused, stdout};
 use serde_json::Value;
@@ -26,7 +27,8 @@ pub(crate) struct Room {
     pub(crate) damping: f64,
 }
 
-/// What small steps of time find in the last cycle: greatest displacement over the surface, absolute displacement and acceleration.
+/// What small steps of time find in the last cycle: greatest displacement over the surface, absolute
+/// displacement and acceleration.
 pub(crate) struct Stepped {
     pub(crate) stroke: f64,
     absolute: f64,
@@ -40,8 +42,9 @@ pub(crate) struct Stepped {
 }
 
 impl Room {
-    /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the surface, `force` that of a
-    /// force on the body. Friction takes what it can of the relative momentum in each step.
+    /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the
+    /// surface, `force` that of a force on the body. Friction takes what it can of the relative momentum in
+    /// each step.
     pub(crate) fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
         let Self { mass, stiffness, friction, frequency, damping } = *self;
         let dt = TAU / frequency / f64::from(steps);
@@ -366,7 +369,8 @@ fn every_output_is_defined() {
     assert!(!is_defined("nonesuch"));
 }
 
-/// Where the foot moves nothing but foot and surface act on the body: together they feel m x″, and x is the motion in the room.
+/// Where the foot moves nothing but foot and surface act on the body: together they feel m x″, and x is the
+/// motion in the room.
 #[test]
 fn a_moving_foot_and_the_surface_feel_the_inertia() {
     for (frequency, foot, damper) in [(150.0, 0.04, ""), (6.6, 0.03, ""), (6.6, 0.03, " --damping-ratio 0.1")]

@@ -134,8 +134,9 @@ fn erratum_6_the_deviation_grows_in_one_unit_and_falls_in_the_other() {
     }
 }
 
-/// Greatest reach of a body of mass and stiffness 1 and friction 1 under `u_g0 sin Ωt`, after 60 cycles from rest by small steps of
-/// Heun's method in the frame of the room; and relative to a base that carries the surface, if it does.
+/// Greatest reach of a body of mass and stiffness 1 and friction 1 under `u_g0 sin Ωt`, after 60 cycles from
+/// rest by small steps of Heun's method in the frame of the room; and relative to a base that carries the
+/// surface, if it does.
 fn shaken(omega: f64, base: f64, carries_surface: bool) -> f64 {
     let ground = |t: f64| (base * (omega * t).sin(), base * omega * (omega * t).cos());
     let carried = f64::from(u8::from(carries_surface));

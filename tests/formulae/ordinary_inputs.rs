@@ -1,4 +1,5 @@
-//! Inputs that trip the obvious code and are ordinary here: the floats beside Ω = 1 and 1/n, huge and tiny ratios.
+//! Inputs that trip the obvious code and are ordinary here: the floats beside Ω = 1 and 1/n, huge and tiny
+//! ratios.
 
 use stickslip::generators::neighbours;
 use stickslip::nonsticking::{self, matching};

@@ -1,4 +1,5 @@
-//! What holds of batches, whatever the points, their number and where a slice begins: shared by the tests and the fuzz target.
+//! What holds of batches, whatever the points, their number and where a slice begins: shared by the tests and
+//! the fuzz target.
 
 use stickslip::batch::{Batch, Columns, FixedOmega, Level};
 use stickslip::{Output, Ratios, Regime, Response, regime};
@@ -40,7 +41,8 @@ fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
     OUTPUTS.map(|output| response.as_ref().ok().and_then(|at| output.of(at)).unwrap_or(f64::NAN))
 }
 
-/// Everything that batches promise of `length` points taken in turn from `points`, in a slice that begins at `offset` of its memory.
+/// Everything that batches promise of `length` points taken in turn from `points`, in a slice that begins at
+/// `offset` of its memory.
 ///
 /// # Panics
 /// Where a promise is broken: that is the finding.

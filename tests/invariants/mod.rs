@@ -1,4 +1,5 @@
-//! What holds of every answer, whatever the bits of the input: shared by the property tests and the fuzz targets.
+//! What holds of every answer, whatever the bits of the input: shared by the property tests and the fuzz
+//! targets.
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
@@ -114,7 +115,8 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     }
 }
 
-/// A verdict that is decided is that of the rounded border, but for a few units in its last place at Ω = 1/(2n).
+/// A verdict that is decided is that of the rounded border, but for a few units in its last place at Ω =
+/// 1/(2n).
 fn place(ratios: Ratios<f64>, regime: Regime) {
     let place = Place::new(ratios);
     let margin = place.margin();

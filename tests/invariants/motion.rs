@@ -7,8 +7,8 @@ use stickslip::design;
 use stickslip::exact::{End, Kind, LongRun, State, Trajectory, periodic_motions_from, symmetry_breaks};
 use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 
-/// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound, energy is lost
-/// only to friction and won only from the drive.
+/// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound,
+/// energy is lost only to friction and won only from the drive.
 ///
 /// # Panics
 /// Where a promise is broken: that is the finding.
@@ -41,7 +41,8 @@ pub(crate) fn static_motion(omega: f64, alpha: f64, zeta: f64, eta: f64, theta: 
     searches_at(ratios, theta, x, v);
 }
 
-/// Periodic motions found from a start, and the loss of the symmetric one around a force: motions of the machine, within what was asked.
+/// Periodic motions found from a start, and the loss of the symmetric one around a force: motions of the
+/// machine, within what was asked.
 fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let Ok(start) = State::new(theta, x, v) else { return };
@@ -163,7 +164,8 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
             let most = f64::from(steady.turns_per_cycle()) * (24.0 + 4.0 / omega);
             assert!(eta > 1.0 || steady.turns_per_cycle() == 1);
             assert!(sticks <= zeros && f64::from(zeros) <= most, "{steady:?}");
-            // No part of a motion drives two of them apart: rounding of a few units each, and near a double root the root of it.
+            // No part of a motion drives two of them apart: rounding of a few units each, and near a double
+            // root the root of it.
             let rounding = 16.0 * f64::EPSILON * f64::from(zeros) + 2e-7;
             assert!(steady.contraction() <= 1.0 + rounding, "{} at {ratios:?}", steady.contraction());
             let (work_in, work_out) = (steady.energy_in(), steady.energy_out() + steady.damper_work());
@@ -180,7 +182,8 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     }
 }
 
-/// The motion and its long run at a frequency ratio from 2⁻²⁰ to 2²⁰, the ends included, that `part` of 2³² is log-uniformly.
+/// The motion and its long run at a frequency ratio from 2⁻²⁰ to 2²⁰, the ends included, that `part` of 2³²
+/// is log-uniformly.
 ///
 /// # Panics
 /// As [`trajectory`].
@@ -243,7 +246,8 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
         return questions(omega, target, alpha, low, high);
     }
     let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
-    // The rounding of α in the terms that a target is the difference of, and where a = √(α² − K²)/q takes up all of it.
+    // The rounding of α in the terms that a target is the difference of, and where a = √(α² − K²)/q takes up
+    // all of it.
     let stiffness = (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
     let slack = |force: f64| {
         let swing = force / stiffness / target;

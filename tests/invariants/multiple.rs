@@ -1,5 +1,5 @@
-//! `Mp<LIMBS>` against `rug::Float` of the same precision, operation by operation: shared by the property tests and the fuzz
-//! target.
+//! `Mp<LIMBS>` against `rug::Float` of the same precision, operation by operation: shared by the property
+//! tests and the fuzz target.
 
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 

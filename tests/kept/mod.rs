@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-/// The files of one test. With `STICKSLIP_WRITE` set they are written, and the test fails: a run that compares nothing must not pass.
+/// The files of one test. With `STICKSLIP_WRITE` set they are written, and the test fails: a run that
+/// compares nothing must not pass.
 #[derive(Default)]
 pub(crate) struct Kept {
     written: usize,

@@ -1,4 +1,5 @@
-//! The matching equations with damping, solved without the closed forms, against the closed forms with damping.
+//! The matching equations with damping, solved without the closed forms, against the closed forms with
+//! damping.
 
 use nalgebra::RealField;
 use stickslip::float::{Field, Real};
@@ -8,7 +9,8 @@ use stickslip::{Border, Cycle, Float, Ratios};
 /// Damping ratios below, at and above ζ = 1, in thousandths.
 const DAMPING: [i32; 8] = [1, 10, 50, 200, 700, 1000, 1200, 3000];
 
-/// The worst of Δ₀, ω_d t₂, V₀, ω_d t₁ and Δ₁ in units of the last place, the bits that the solution says it lacks apart; and the cycles.
+/// The worst of Δ₀, ω_d t₂, V₀, ω_d t₁ and Δ₁ in units of the last place, the bits that the solution says it
+/// lacks apart; and the cycles.
 fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
     let (mut worst, mut cycles) = (0.0f64, 0);
     for &zeta in &DAMPING {

@@ -10,7 +10,8 @@ use stickslip::{Field, Float, PhaseFunction, Real};
 
 /// (name, residual, size of its terms, whether it compares with a closed form) of each.
 ///
-/// Where an equation divides by 1 + cos π₁ or holds for a square root only, it is taken multiplied out or squared.
+/// Where an equation divides by 1 + cos π₁ or holds for a square root only, it is taken multiplied out or
+/// squared.
 pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&'static str, F, F, bool)> {
     let (one, two) = (<F as Field>::int(1), <F as Field>::int(2));
     let q = one_minus_square(omega);

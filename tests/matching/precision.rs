@@ -62,7 +62,8 @@ fn on_the_border_and_just_above() -> Worst {
     worst
 }
 
-/// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how many.
+/// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how
+/// many.
 #[test]
 fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
     type Wide = Mp<8>;

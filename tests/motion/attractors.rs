@@ -3,7 +3,8 @@
 use stickslip::Ratios;
 use stickslip::exact::{LongRun, Starts, State, attractors};
 
-/// Each start is counted for the limit that it leads to, at whatever phase it is, and not for the mirror image of that.
+/// Each start is counted for the limit that it leads to, at whatever phase it is, and not for the mirror
+/// image of that.
 #[test]
 fn a_start_is_counted_for_its_own_limit() {
     for (omega, alpha, zeta, eta) in [(0.573, 3.92, 0.005, 1.87), (0.5, 4.0, 0.02, 1.3)] {

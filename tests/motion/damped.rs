@@ -1,4 +1,5 @@
-//! The exact motion with viscous damping: known steady states, brute force, the closed forms, energy, multipliers, any precision.
+//! The exact motion with viscous damping: known steady states, brute force, the closed forms, energy,
+//! multipliers, any precision.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -93,8 +94,8 @@ impl<F: Float> Textbook<F> {
     }
 }
 
-/// Random motions: a speed below zero before the end that the library found is a zero that it missed. Signs that double precision cannot tell
-/// are told at 192 bits.
+/// Random motions: a speed below zero before the end that the library found is a zero that it missed. Signs
+/// that double precision cannot tell are told at 192 bits.
 fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
     type Wide = Mp<3>;
     let mut random = Random(seed);
@@ -216,7 +217,8 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
             close(steady.energy_out(), 4.0 * cycle.max_displacement(), 8.0 * unit);
             let works = steady.energy_in() + steady.damper_work();
             close(steady.damper_work(), cycle.damper_work(), 1e-12 * (1.0 + works) + 20.0 * unit * alpha);
-            // The spectral radius per cycle is that per half cycle twice; a double root splits by the root of the rounding of the angle dπ/Ω.
+            // The spectral radius per cycle is that per half cycle twice; a double root splits by the root of
+            // the rounding of the angle dπ/Ω.
             let split = 4.0 * (f64::EPSILON * (1.0 + PI / omega)).sqrt();
             close(steady.contraction(), cycle.contraction() * cycle.contraction(), split);
             assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (0, 2), "{ratios:?}");
@@ -377,7 +379,8 @@ fn every_start_has_the_same_limit() {
             (a.max_displacement() - b.max_displacement()).abs() <= bound,
             "{omega} {zeta} {alpha}: {a:?} {b:?}"
         );
-        // A fast drive moves the body by next to nothing in each of its cycles: within the budget it need not settle.
+        // A fast drive moves the body by next to nothing in each of its cycles: within the budget it need not
+        // settle.
         let ratios = ratios(omega.min(1.0), zeta, 0.7 + 0.25 * random.next());
         let small = LongRun::from_start(ratios, far).unwrap();
         assert!(matches!(small, LongRun::Rest(_)), "{omega} {zeta}: {small:?}");
@@ -423,8 +426,8 @@ fn a_long_creep_is_one_slide() {
     assert!(matches!(first.kind(), Kind::Slide(_)));
 }
 
-/// A start so far out that the forced motion is below its rounding: the free vibration forgets it, and where the body then turns is
-/// known as well as from near by.
+/// A start so far out that the forced motion is below its rounding: the free vibration forgets it, and where
+/// the body then turns is known as well as from near by.
 #[test]
 fn a_creep_from_far_out_keeps_its_digits() {
     type Wide = Mp<8>;

@@ -61,8 +61,9 @@ fn multipliers_at_a_known_point() {
     assert_eq!((re2, im2), (re, -im));
 }
 
-/// The loss of digits that the problem itself brings: rounding a state costs ε (1 + 1/Ω) of its size, and half a turn leaves
-/// the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has α²/(α² − K²) of its own.
+/// The loss of digits that the problem itself brings: rounding a state costs ε (1 + 1/Ω) of its size, and
+/// half a turn leaves the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has α²/(α² −
+/// K²) of its own.
 fn condition(cycle: &Cycle<f64>) -> f64 {
     let (omega, alpha) = (cycle.ratios().omega(), cycle.ratios().alpha());
     let k = PhaseFunction::new(omega).unwrap().value();
@@ -220,7 +221,8 @@ fn a_family_keeps_what_the_start_gave_it() {
             assert!(((max - min) / 2.0 / amplitude - 1.0).abs() < 1e-12, "({omega}, {alpha}): {max} {min}");
             let offset = (max + min) / 2.0;
             assert!(offset.abs() <= room + 1e-9, "({omega}, {alpha}): {offset} of {room}");
-            // A thousand cycles from the same start end on the same member; near the edge they only creep there.
+            // A thousand cycles from the same start end on the same member; near the edge they only creep
+            // there.
             let late = Trajectory::new(ratios(omega, alpha), from)
                 .unwrap()
                 .map(Result::unwrap)
@@ -275,7 +277,8 @@ fn bad_input_is_named() {
     assert!(LongRun::from_start(ratios(1e9, 2.0), State::rest()).is_err());
 }
 
-/// Found by fuzzing: from so far outside that a cycle's loss is below rounding, a repeating cycle is no member of a family.
+/// Found by fuzzing: from so far outside that a cycle's loss is below rounding, a repeating cycle is no
+/// member of a family.
 #[test]
 fn a_far_start_of_a_family_has_not_converged() {
     let start = State::new(0.0, 6.6e36, 1e12).unwrap();
@@ -287,7 +290,8 @@ fn a_far_start_of_a_family_has_not_converged() {
     assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
 }
 
-/// Found by fuzzing: a subnormal speed sent the search for velocity zeros from one subnormal time to the next.
+/// Found by fuzzing: a subnormal speed sent the search for velocity zeros from one subnormal time to the
+/// next.
 #[test]
 fn next_to_no_speed_is_rest() {
     for v in [f64::from_bits(2), -f64::from_bits(1), 1e-300, f64::MIN_POSITIVE] {
@@ -360,7 +364,8 @@ fn the_work_of_the_drive_keeps_its_digits() {
     assert!(worst.0 < 1e-13, "{worst:?}");
 }
 
-/// A stop is counted once wherever the motion was cut, and no stop is without the velocity zero that it begins with.
+/// A stop is counted once wherever the motion was cut, and no stop is without the velocity zero that it
+/// begins with.
 #[test]
 fn a_stop_at_the_seam_is_one() {
     for (omega, alpha, x, v) in

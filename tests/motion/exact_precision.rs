@@ -1,4 +1,5 @@
-//! The exact motion at any precision: against the closed forms where it does not stick, N bits against 2N where it does.
+//! The exact motion at any precision: against the closed forms where it does not stick, N bits against 2N
+//! where it does.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -89,8 +90,9 @@ fn half_turns<F: Float>(ratios: Ratios<F>, (x, w): (f64, f64)) -> impl Iterator<
     samples.map(move |sample| sample.map(|s| (s.state.x, s.state.v * omega)).unwrap())
 }
 
-/// How two motions approach: the half turns until they are 10⁻²⁵ apart, if so within `most`, and how far apart they are then, as a part of
-/// the distance that they began with. Their distance never grows on the way. Where they meet the motion is symmetric.
+/// How two motions approach: the half turns until they are 10⁻²⁵ apart, if so within `most`, and how far
+/// apart they are then, as a part of the distance that they began with. Their distance never grows on the
+/// way. Where they meet the motion is symmetric.
 fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Option<usize>, f64) {
     let [one, other] = starts.map(|start| half_turns(ratios, start));
     let near = Mp::from(1e-25);
@@ -134,8 +136,8 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
     assert!(met * 10 > all * 8, "{met} of {all}");
     println!("{met} of {all} pairs of starts meet within 1500 half turns");
-    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. J odd and above 1: with stops, and of six reversals at
-    // 1/3. J even and J = 1: below the border.
+    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. J odd and above 1: with
+    // stops, and of six reversals at 1/3. J even and J = 1: below the border.
     for (inverse, alpha) in [
         (3, 1.5),
         (3, 20.0),
@@ -160,8 +162,8 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
 }
 
-/// A chaotic motion at f64 follows that of 256 bits as long as its Lyapunov exponent allows: at 0.28 a turn rounding grows by e¹⁴, a
-/// millionfold, in 50 turns.
+/// A chaotic motion at f64 follows that of 256 bits as long as its Lyapunov exponent allows: at 0.28 a turn
+/// rounding grows by e¹⁴, a millionfold, in 50 turns.
 #[test]
 fn fifty_turns_of_a_chaotic_motion() {
     fn turns<F: Float>() -> Vec<f64> {

@@ -1,8 +1,8 @@
 //! No velocity zero is missed: random motions against brute force.
 //!
-//! Every slide is sampled at 10⁴ instants by the textbook solution (amplitudes of the forced and the free wave,
-//! turned on by rotations), which shares nothing with the library's own evaluation but the start of the slide. A
-//! velocity of the wrong sign before the end that the library found is a zero that it missed.
+//! Every slide is sampled at 10⁴ instants by the textbook solution (amplitudes of the forced and the free
+//! wave, turned on by rotations), which shares nothing with the library's own evaluation but the start of the
+//! slide. A velocity of the wrong sign before the end that the library found is a zero that it missed.
 
 use crate::random::{Random, sampled};
 use stickslip::Ratios;
@@ -100,8 +100,8 @@ fn brute_force_finds_no_earlier_zero() {
     assert!(with_dips > 1000, "{with_dips}");
 }
 
-/// With static friction up to three times the kinetic one: no velocity zero is missed, the body stops where the force left over is at most
-/// η and nowhere else, and stays as long as that holds.
+/// With static friction up to three times the kinetic one: no velocity zero is missed, the body stops where
+/// the force left over is at most η and nowhere else, and stays as long as that holds.
 #[test]
 fn brute_force_finds_no_other_stop_with_static_friction() {
     const MOTIONS: u64 = 20_000;
@@ -169,7 +169,8 @@ fn draw_wide(random: &mut Random) -> (f64, f64, State<f64>) {
     (omega, alpha, State::new(theta, x, w / omega).unwrap())
 }
 
-/// Slides of the whole range of Ω, sampled where a zero could be missed: at both ends, at geometric distances from them, and anywhere.
+/// Slides of the whole range of Ω, sampled where a zero could be missed: at both ends, at geometric distances
+/// from them, and anywhere.
 fn slides_are_positive(slides: u64, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut longest, mut shortest) = (0.0f64, f64::INFINITY);
@@ -224,7 +225,8 @@ fn no_slide_of_any_frequency_ends_early_or_late() {
     assert!(longest > 0.4 && shortest < 1e-3, "{longest} {shortest}");
 }
 
-/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many were compared, and those that differ.
+/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many were
+/// compared, and those that differ.
 fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, Vec<String>) {
     let mut random = Random(seed);
     let (mut compared, mut differ) = (0, Vec::new());
@@ -259,7 +261,8 @@ fn campaign() {
     assert!(compared > 1_900 && differ.is_empty(), "{differ:?} of {compared}");
 }
 
-/// Stops and velocity zeros where thousands make a cycle: a window without zeros left out too little of was called clear.
+/// Stops and velocity zeros where thousands make a cycle: a window without zeros left out too little of was
+/// called clear.
 #[test]
 fn thousands_of_stops_a_cycle() {
     for (omega, alpha, stops) in

@@ -1,5 +1,5 @@
-//! What holds of every machine and every motion: symmetry, scale, the equation of motion, the bound on friction, growth with the
-//! force, and the same answer at f64 and at 256 or 512 bits.
+//! What holds of every machine and every motion: symmetry, scale, the equation of motion, the bound on
+//! friction, growth with the force, and the same answer at f64 and at 256 or 512 bits.
 
 #[path = "../invariants/rounded.rs"]
 mod rounded;
@@ -163,7 +163,8 @@ fn a_body_hardly_let_go_moves_as_at_256_bits() {
             for (i, (ours, exact)) in narrow.iter().zip(&wide).enumerate() {
                 assert_eq!(ours.2, exact.2, "Ω = {omega}, α = 1 + 2^-{excess}, phase {i}");
                 slides += u32::from(!ours.2);
-                // The release is early by d = √(2(α − 1)), known to the rounding of a phase; its slide lasts 3d.
+                // The release is early by d = √(2(α − 1)), known to the rounding of a phase; its slide lasts
+                // 3d.
                 let slack = 1024.0 * f64::EPSILON / (2.0 * (alpha - 1.0)).sqrt();
                 let close = |a: f64, b: f64| (a - b).abs() <= slack * b.abs() + 1e-15;
                 assert!(

@@ -28,8 +28,8 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
     })
 }
 
-/// Whether the motion found is known less well than what would decide: inside a half cycle the velocity comes within
-/// `|α − α_min| sin τ*` of zero, and the motion says itself how far from the limit it may be.
+/// Whether the motion found is known less well than what would decide: inside a half cycle the velocity comes
+/// within `|α − α_min| sin τ*` of zero, and the motion says itself how far from the limit it may be.
 fn hidden(place: &Place<f64>, motion: &LongRun<f64>) -> bool {
     let border = place.border();
     let miss = (place.ratios().alpha() - border.min_force_ratio()).abs() * border.phase().sin();
@@ -83,7 +83,8 @@ fn beside_a_pole_below_the_border_it_may_reverse_instead_of_stopping() {
         let steady = motion.steady_state().unwrap();
         assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (0, 6));
     }
-    // Just below the border the velocity touches zero with the force just within the friction bound: there it stops.
+    // Just below the border the velocity touches zero with the force just within the friction bound: there it
+    // stops.
     let alpha = Border::new(0.334_325).unwrap().min_force_ratio() * (1.0 - 1e-3);
     let motion = LongRun::from_start(Ratios::new(0.334_325, alpha).unwrap(), State::rest()).unwrap();
     assert_eq!(motion.steady_state().map(|s| s.sticks_per_cycle()), Some(2));
@@ -124,7 +125,8 @@ fn the_multipliers_are_those_of_the_motion() {
     );
 }
 
-/// Within a few floats of a pole Newton's step leads so far out that rounding hides what is left: that is no limit.
+/// Within a few floats of a pole Newton's step leads so far out that rounding hides what is left: that is no
+/// limit.
 #[test]
 fn a_few_floats_from_a_pole_the_motion_settles() {
     use stickslip::exact::{LongRun, State};

@@ -1,5 +1,5 @@
-//! The regime beside the border and the multipliers against the exact motion, where f64 does not suffice; the stops per cycle.
-//! The whole plane at f64 is in `regime.rs`.
+//! The regime beside the border and the multipliers against the exact motion, where f64 does not suffice; the
+//! stops per cycle. The whole plane at f64 is in `regime.rs`.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -25,8 +25,8 @@ fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
 
 /// Counts points at which both sides have an answer, and at which one of them has none.
 ///
-/// A body that nearly stops in the middle of a slide touches zero to within the rounding of its velocity: there the exact motion at f64
-/// cannot tell a stop from none, and 192 bits decide, on both sides.
+/// A body that nearly stops in the middle of a slide touches zero to within the rounding of its velocity:
+/// there the exact motion at f64 cannot tell a stop from none, and 192 bits decide, on both sides.
 #[derive(Default)]
 struct Count {
     agreed: u32,

@@ -1,4 +1,5 @@
-//! The motion of six reversals beside the poles 1/(2n+1), against the exact motion; one verdict for one point.
+//! The motion of six reversals beside the poles 1/(2n+1), against the exact motion; one verdict for one
+//! point.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -48,7 +49,8 @@ fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops
             let alpha = low * (high / low).powf(share);
             assert_eq!(counts(omega, alpha), Some((0, 6)), "{omega} {alpha} of {low} to {high}");
         }
-        // In the gap below the border, and close to the pole, the motion takes longer to settle than it is followed.
+        // In the gap below the border, and close to the pole, the motion takes longer to settle than it is
+        // followed.
         let stops = |alpha: f64| counts(omega, alpha).map(|(stops, _)| stops > 0);
         let gap = [high * (1.0 + 1e-7), f64::midpoint(high, border), border * (1.0 - 1e-7)];
         for alpha in gap.into_iter().filter(|&alpha| alpha > high && alpha < border) {
@@ -99,9 +101,10 @@ fn stops_from<F: Float>(start: State<F>, omega: F, alpha: F) -> usize {
         .count()
 }
 
-/// The edges at f64 against those at 512 bits, and these against the exact motion at 512 bits: from the cycle next to an edge the motion
-/// never stops in 40 turns with a force within it, and stops with one beyond. Where that motion settles, it stops in every cycle;
-/// close to a pole, beyond the upper edge, it creeps for more than 500 periods from one stop to the next.
+/// The edges at f64 against those at 512 bits, and these against the exact motion at 512 bits: from the cycle
+/// next to an edge the motion never stops in 40 turns with a force within it, and stops with one beyond.
+/// Where that motion settles, it stops in every cycle; close to a pole, beyond the upper edge, it creeps for
+/// more than 500 periods from one stop to the next.
 #[test]
 fn the_edges_are_sharp_at_any_precision() {
     let (mut worst, mut settled) = (0.0, 0);

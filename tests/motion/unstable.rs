@@ -1,4 +1,5 @@
-//! Unstable periodic motions at 128 and 256 bits: they come back by the motion itself, and their multipliers are those of its differences.
+//! Unstable periodic motions at 128 and 256 bits: they come back by the motion itself, and their multipliers
+//! are those of its differences.
 
 #![allow(clippy::print_stdout, reason = "what a campaign finds, shown with --nocapture")]
 
@@ -46,7 +47,8 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
         let half = after(ratios, start, turns);
         assert!((half.x + start.x).hypot(half.v + start.v) < rounding, "{machine:?}");
     }
-    // Central differences over 2h: at h = 2^(−2n/5) of n bits rounding leaves 3n/5 of them, and h² a derivative of the third order less.
+    // Central differences over 2h: at h = 2^(−2n/5) of n bits rounding leaves 3n/5 of them, and h² a
+    // derivative of the third order less.
     let bits = i32::try_from(F::PRECISION).unwrap();
     let (h, zero) = (F::exp2i(-2 * bits / 5), F::int(0));
     let moved = |dx: F, dv: F| after(ratios, State { x: start.x + dx, v: start.v + dv, ..start }, 2 * turns);
@@ -109,8 +111,8 @@ fn symmetry_breaks_at_any_precision() {
 
 type F256 = Mp<4>;
 
-/// Machines at random: every periodic limit of a few starts is among the motions that the search from them finds, and every unstable one of these
-/// comes back at 128 bits with its multipliers.
+/// Machines at random: every periodic limit of a few starts is among the motions that the search from them
+/// finds, and every unstable one of these comes back at 128 bits with its multipliers.
 fn at_random(machines: u32) -> (u32, u32, u32) {
     let (mut limits, mut missed, mut unstable) = (0, 0, 0);
     for i in 1..=machines {

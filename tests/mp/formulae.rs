@@ -1,4 +1,5 @@
-//! The formulae see of `Mp` what they see of `f64`: `Real`, `Float`, and the widths that an iteration begins at and is guarded by.
+//! The formulae see of `Mp` what they see of `f64`: `Real`, `Float`, and the widths that an iteration begins
+//! at and is guarded by.
 
 use crate::traits::{NUMBERS, same_rows};
 use stickslip::float::AtPrecision;

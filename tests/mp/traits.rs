@@ -1,4 +1,5 @@
-//! Generic code sees of `Mp` what it sees of `f64`: the functions of num-traits, and the comparison that those of nalgebra share.
+//! Generic code sees of `Mp` what it sees of `f64`: the functions of num-traits, and the comparison that
+//! those of nalgebra share.
 
 use num_traits::{FromPrimitive, Inv, MulAdd, One, Pow, Signed, ToPrimitive, Zero};
 use stickslip::float::mp::Mp;

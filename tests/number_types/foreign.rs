@@ -71,8 +71,8 @@ fn octuple_precision_is_reached_to_the_last_digits() {
     }
 }
 
-/// A pair of doubles has no fixed number of digits, so that it does not round as the formulae need, and says 2.2e-308 for the unit of 1
-/// besides. It is refused, and rightly: its answers have the digits of a double.
+/// A pair of doubles has no fixed number of digits, so that it does not round as the formulae need, and says
+/// 2.2e-308 for the unit of 1 besides. It is refused, and rightly: its answers have the digits of a double.
 #[test]
 fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     type Double = Foreign<TwoFloat, 106, 255>;
@@ -82,7 +82,8 @@ fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     assert!(error < 2f64.powi(-50) && error > 2f64.powi(-60), "{error:e}");
 }
 
-/// The fault that the check found in f256 0.11.3, and that `Octuple` goes round: when it is mended there, this says so.
+/// The fault that the check found in f256 0.11.3, and that `Octuple` goes round: when it is mended there,
+/// this says so.
 #[test]
 fn the_fault_in_the_other_crate_is_there() {
     let one = f256::from(1);

@@ -1,4 +1,5 @@
-//! Own number types: the conformance check told right types from wrong ones, and what types of other crates reach.
+//! Own number types: the conformance check told right types from wrong ones, and what types of other crates
+//! reach.
 
 mod faulty;
 mod foreign;

@@ -111,8 +111,8 @@ fn equations_in(text: &str) -> BTreeSet<u32> {
     found
 }
 
-/// The file of an item of the library names the equation that the item is said to implement: in words, or as the name of an
-/// identity.
+/// The file of an item of the library names the equation that the item is said to implement: in words, or as
+/// the name of an identity.
 #[test]
 fn every_item_says_which_equation_it_is() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

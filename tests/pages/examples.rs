@@ -79,7 +79,8 @@ fn the_dither_is_the_least() {
     }
 }
 
-/// The cabinet and the floor in the frame of the room, by small steps of Heun's method: nothing of the library.
+/// The cabinet and the floor in the frame of the room, by small steps of Heun's method: nothing of the
+/// library.
 #[test]
 fn the_cabinet_slides_as_far_in_the_frame_of_the_room() {
     for line in shown("isolator").lines().skip(1).take(3) {

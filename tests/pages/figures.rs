@@ -52,8 +52,8 @@ fn the_kept_pictures_are_what_the_library_draws() {
         let drawn = figure.svg().unwrap();
         let kept = files.at(&file, &drawn);
         if figure.name == "3" {
-            // Its settled errors are rounding, which any change of an operation's order moves, and the axis with them:
-            // `tests/pages/figure_3.rs` has its numbers.
+            // Its settled errors are rounding, which any change of an operation's order moves, and the axis
+            // with them: `tests/pages/figure_3.rs` has its numbers.
             assert!(
                 kept.len().abs_diff(drawn.len()) * 5 < kept.len(),
                 "{} against {}",
@@ -136,7 +136,8 @@ fn figure_2_measures_the_cycle_it_draws() {
     }
 }
 
-/// The lines of damping against the closed forms where the body does not stick, and its border; without a damper resonance has a gap.
+/// The lines of damping against the closed forms where the body does not stick, and its border; without a
+/// damper resonance has a gap.
 #[test]
 fn damping_bounds_resonance_and_the_poles() {
     let figure = figure("damping").unwrap();
@@ -168,7 +169,8 @@ fn damping_bounds_resonance_and_the_poles() {
     }
 }
 
-/// Each curve of figure 3 against a simulation of its own (`tests/data/figure_3.py`), and the settled motion symmetric to rounding.
+/// Each curve of figure 3 against a simulation of its own (`tests/data/figure_3.py`), and the settled motion
+/// symmetric to rounding.
 #[test]
 fn figure_3_shows_each_error_under_its_name() {
     let figure = figure("3").unwrap();
@@ -182,7 +184,8 @@ fn figure_3_shows_each_error_under_its_name() {
             let name = format!("1/α = {inverse}, 20 cycles from rest");
             let series = panel.series.iter().find(|series| series.name == name).unwrap();
             let (_, drawn) = series.points.iter().find(|(x, _)| (x - omega).abs() < 1e-9).unwrap();
-            // Rounding is 1e-15 of the displacement in each slide; an instant is known to the root of ε where it is flat.
+            // Rounding is 1e-15 of the displacement in each slide; an instant is known to the root of ε where
+            // it is flat.
             assert!(
                 (drawn - due).abs() < 1e-5 * due + 1e-12,
                 "{title}{name}, Ω = {omega}: {drawn} for {due}"

@@ -40,7 +40,8 @@ fn every_page_renders() {
     assert!(formulae > 100, "{formulae} formulae");
 }
 
-/// The numbers that the theory gives its formulae, `44`, `40, 41`, `11–14`, are those of the paper, none left out.
+/// The numbers that the theory gives its formulae, `44`, `40, 41`, `11–14`, are those of the paper, none left
+/// out.
 #[test]
 fn every_equation_is_in_the_theory() {
     let mut numbers = Vec::new();

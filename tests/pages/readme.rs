@@ -142,7 +142,8 @@ fn every_block_is_of_a_kind_that_is_tested() {
     }
 }
 
-/// Python runs as it is. Of MATLAB, which is not at hand, the commands run, and the columns and keys that it reads are there.
+/// Python runs as it is. Of MATLAB, which is not at hand, the commands run, and the columns and keys that it
+/// reads are there.
 #[test]
 fn every_snippet_of_another_language_runs() {
     let program = cargo_bin("stickslip");

@@ -1,4 +1,5 @@
-//! No test file is left out: each one beside a `main.rs` of `tests/`, or in a folder that is a part of the unit tests, is a module there.
+//! No test file is left out: each one beside a `main.rs` of `tests/`, or in a folder that is a part of the
+//! unit tests, is a module there.
 
 use std::path::Path;
 

@@ -1,13 +1,15 @@
-//! The motion by dense sampling: the textbook solution of a slide, looked at 64 times in each period of its faster wave.
+//! The motion by dense sampling: the textbook solution of a slide, looked at 64 times in each period of its
+//! faster wave.
 //!
-//! It shares nothing with the library: amplitudes of the forced and the free wave, signs of samples, bisection.
+//! It shares nothing with the library: amplitudes of the forced and the free wave, signs of samples,
+//! bisection.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use std::f64::consts::{PI, TAU};
 
-/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`, with damping the same with a lag δ of the forced
-/// wave, `x = A sin(θ − δ) − s + e^{−ζφ} [b cos dφ + (a + ζb) sin(dφ)/d]`.
+/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`, with damping the
+/// same with a lag δ of the forced wave, `x = A sin(θ − δ) − s + e^{−ζφ} [b cos dφ + (a + ζb) sin(dφ)/d]`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slide {
     pub(crate) omega: f64,
@@ -128,7 +130,8 @@ impl Slide {
     }
 }
 
-/// Stops and velocity zeros in a cycle of the periodic motion through (θ, x, w), counted from the middle of a slide on.
+/// Stops and velocity zeros in a cycle of the periodic motion through (θ, x, w), counted from the middle of a
+/// slide on.
 pub(crate) fn counts(omega: f64, alpha: f64, start: (f64, f64, f64)) -> (u32, u32) {
     damped_counts([omega, 0.0, alpha], start)
 }

@@ -1,8 +1,10 @@
-//! The cycle with viscous damping by exact algebra, as far as it is algebra: what its closed forms say of half a cycle.
+//! The cycle with viscous damping by exact algebra, as far as it is algebra: what its closed forms say of
+//! half a cycle.
 //!
-//! C and S are cosh ζT and sinh ζT, c and r are cos dT and sin(dT)/d, with `C² − S² = 1` and `c² + (1 − ζ²) r² = 1`, so that it holds for ζ
-//! below, at and above 1 alike. The exponential of the free vibration over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`.
-//! The formulae are those of docs/theory/damping.md; that the library's numbers are theirs is for `verify`.
+//! C and S are cosh ζT and sinh ζT, c and r are cos dT and sin(dT)/d, with `C² − S² = 1` and
+//! `c² + (1 − ζ²) r² = 1`, so that it holds for ζ below, at and above 1 alike. The exponential of the free
+//! vibration over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`. The formulae are those of
+//! docs/theory/damping.md; that the library's numbers are theirs is for `verify`.
 
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};
@@ -51,7 +53,8 @@ impl HalfPeriod {
     }
 }
 
-/// The free part of the rising half goes from (1 + G, b) to (1 − G, −b), which is what brings the body from −Δ₀ at rest to Δ₀ at rest.
+/// The free part of the rising half goes from (1 + G, b) to (1 − G, −b), which is what brings the body from
+/// −Δ₀ at rest to Δ₀ at rest.
 #[test]
 fn the_shift_and_the_quadrature_solve_the_matching_conditions() {
     let half = HalfPeriod::new();
@@ -88,7 +91,8 @@ fn the_reversal_ratio_and_the_characteristic_polynomial() {
     assert!(!half.holds(determinant - polynomial - (s * decay - s * decay * decay)));
 }
 
-/// The force left over at the turning point, `Ω²a ≥ 1 + G + 2ζΩH`, and why that is above 1: `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N`.
+/// The force left over at the turning point, `Ω²a ≥ 1 + G + 2ζΩH`, and why that is above 1:
+/// `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N`.
 #[test]
 fn the_turning_point_holds_more_than_without_damping() {
     let half = HalfPeriod::new();
@@ -98,7 +102,8 @@ fn the_turning_point_holds_more_than_without_damping() {
     assert!(!half.holds(holding - (sinh - half.zeta * r) / (cosh + c)));
 }
 
-/// `g′ = −D p` with the drive gone, p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh: on symbols for h, h′, cos Ωτ and sin Ωτ.
+/// `g′ = −D p` with the drive gone, p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh: on symbols for h, h′, cos Ωτ and
+/// sin Ωτ.
 #[test]
 fn the_drive_drops_out_of_the_border_s_derivative() {
     let half = HalfPeriod::new();

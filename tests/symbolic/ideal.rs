@@ -1,7 +1,7 @@
 //! Whether a polynomial follows from others, with the cofactors that show it.
 //!
-//! `groebner` finds the cofactors; that they are right is one expansion by [`super::polynomial`], which shares
-//! no code with it.
+//! `groebner` finds the cofactors; that they are right is one expansion by [`super::polynomial`], which
+//! shares no code with it.
 
 use super::polynomial::{Polynomial, rational, trimmed};
 use super::scalar::{Symbol, relations, written};

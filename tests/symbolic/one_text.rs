@@ -1,5 +1,5 @@
-//! What is proved is what runs: a formula has one text, so that none asks how many digits its numbers have, and none does by hand
-//! what the arithmetic of `float` does.
+//! What is proved is what runs: a formula has one text, so that none asks how many digits its numbers have,
+//! and none does by hand what the arithmetic of `float` does.
 
 use std::fs::{read_dir, read_to_string};
 use std::path::{Path, PathBuf};
@@ -16,7 +16,8 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The files of the library, without the command, of which `asks` is true: the lines of code before their tests.
+/// The files of the library, without the command, of which `asks` is true: the lines of code before their
+/// tests.
 fn files_that(asks: impl Fn(&str) -> bool) -> Vec<String> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut found = Vec::new();

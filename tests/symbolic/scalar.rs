@@ -1,8 +1,9 @@
 //! A number that is a formula: the library's own generic functions run on it.
 //!
-//! A [`Symbol`] is an index into an arena of rational functions over ℚ, so that it is `Copy` as the library wants
-//! its numbers. Generators are free, or the root of a rational function, or the sine or cosine of an angle. An
-//! angle that is a combination with integer coefficients of the named ones has its sine and cosine by the addition theorems.
+//! A [`Symbol`] is an index into an arena of rational functions over ℚ, so that it is `Copy` as the library
+//! wants its numbers. Generators are free, or the root of a rational function, or the sine or cosine of an
+//! angle. An angle that is a combination with integer coefficients of the named ones has its sine and cosine
+//! by the addition theorems.
 
 use super::angles::combination;
 use super::fraction::Fraction;

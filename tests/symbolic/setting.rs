@@ -39,8 +39,8 @@ impl Matching {
         m
     }
 
-    /// With rational sines and cosines for π₁ and ω_n(t₂ − t₁): eq. 21–24 are linear then. What does not follow
-    /// here does not follow in general.
+    /// With rational sines and cosines for π₁ and ω_n(t₂ − t₁): eq. 21–24 are linear then. What does not
+    /// follow here does not follow in general.
     pub(crate) fn at_rational_angles() -> Self {
         let mut m = Self::without_lag(Some((3, 4, 5)));
         m.lag = (Symbol::ratio(5, 13), Symbol::ratio(12, 13));

@@ -25,8 +25,8 @@ pub(crate) struct Output {
     pub(crate) unit: Unit,
     /// What the design asks for, where it asks for something.
     pub(crate) goal: Option<f64>,
-    /// What no point of harness or test exceeds, in ulp. Infinite for the contraction, which turns like a square root at its
-    /// double root.
+    /// What no point of harness or test exceeds, in ulp. Infinite for the contraction, which turns like a
+    /// square root at its double root.
     pub(crate) allowed: f64,
 }
 

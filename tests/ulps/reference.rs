@@ -42,8 +42,8 @@ macro_rules! narrow {
     };
 }
 
-// The reference's own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times the digits), so that more than a
-// hundred bits of it are right.
+// The reference's own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times
+// the digits), so that more than a hundred bits of it are right.
 narrow!(f64, Mp<2>, u64);
 // Good to a few units in its last place, 2⁻²⁹ of those of f32.
 narrow!(f32, f64, u32);
@@ -79,7 +79,8 @@ pub(crate) fn border_from_above<F: Narrow>(omega: F) -> Option<F> {
 
 /// Size of one unit in the last place of a narrow number as large as `x`.
 fn ulp<F: Narrow>(x: F::Wide) -> F::Wide {
-    // A power of two rounded up from below counts for the coarser binade: at most a factor of two, on one float.
+    // A power of two rounded up from below counts for the coarser binade: at most a factor of two, on one
+    // float.
     F::Wide::exp2i(F::exponent(x).max(-960) + 1 - F::PRECISION as i32)
 }
 
@@ -123,8 +124,9 @@ pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     Some(errors)
 }
 
-/// Whether `phase` is that of the other of two maxima of the velocity that are equal but for rounding: below Ω = 1/2 there are
-/// such points, on either side of which another is the greatest. As there are for the border's supremum.
+/// Whether `phase` is that of the other of two maxima of the velocity that are equal but for rounding: below
+/// Ω = 1/2 there are such points, on either side of which another is the greatest. As there are for the
+/// border's supremum.
 fn is_other_maximum<F: Narrow>(omega: F, alpha: F, phase: F, right: F::Wide, speed: F::Wide) -> bool {
     let is_elsewhere = (phase.widened() - right).abs() > F::Wide::ratio(1, 100);
     is_elsewhere

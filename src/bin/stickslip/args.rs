@@ -104,7 +104,8 @@ pub(crate) enum Command {
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
-    /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one fails.
+    /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one
+    /// fails.
     #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
     /// A figure of the paper, or one of ours, from this library's results.

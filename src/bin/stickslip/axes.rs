@@ -89,7 +89,8 @@ impl<F: Value> Axes<F> {
 
     /// Holds a check against the points that bound all others: every combination of the ends of the grids.
     ///
-    /// Ω, α and the scales rise or fall with each parameter, and their domains are intervals: so these points decide.
+    /// Ω, α and the scales rise or fall with each parameter, and their domains are intervals: so these points
+    /// decide.
     pub(crate) fn at_ends(&self, mut check: impl FnMut(&Given<F>) -> Outcome) -> Outcome {
         for corner in 0..1u64 << self.grids.len() {
             let mut given = self.fixed.clone();

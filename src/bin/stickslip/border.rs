@@ -25,7 +25,8 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.
 type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
-/// The forces without any stop; nothing is known of them with damping or a static friction above the kinetic one.
+/// The forces without any stop; nothing is known of them with damping or a static friction above the kinetic
+/// one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
     if ratios.is_damped() {
         return Err(Error::Damped { damping_ratio: ratios.damping_ratio().into() });

@@ -170,7 +170,8 @@ impl Asked {
         Ok(Place { frequency: self.on_axis(point), regime, sticks, margin, value })
     }
 
-    /// Where the curve meets the border between two frequencies on either side of it: by halves, to the last bit.
+    /// Where the curve meets the border between two frequencies on either side of it: by halves, to the last
+    /// bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
         let at = |x: f64| {
             let mut given = given.clone();

@@ -217,7 +217,8 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.get(P::DampingRatio).unwrap_or(F::int(0))
     }
 
-    /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they do.
+    /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they
+    /// do.
     fn undamped(&self) -> Result<(), Failure> {
         if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
             return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));

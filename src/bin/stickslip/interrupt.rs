@@ -1,8 +1,8 @@
 //! Interrupts: heard within 0.3 s, wherever the command is.
 //!
-//! The first signal asks for an orderly end: work is left at the next point, and what is complete is written. Work that
-//! does not ask in time, or waits for input, is ended from here, never in the middle of a write. A second signal ends
-//! the command at once.
+//! The first signal asks for an orderly end: work is left at the next point, and what is complete is written.
+//! Work that does not ask in time, or waits for input, is ended from here, never in the middle of a write. A
+//! second signal ends the command at once.
 
 use crate::failure::{Failure, Outcome};
 use std::io::{IsTerminal, Write};

@@ -20,7 +20,8 @@ pub(crate) struct Machine<F> {
     pub(crate) friction_coefficient: Option<F>,
 }
 
-/// The transmitted force in r_y and the transmissibility of a machine, from the force of a body that is shaken otherwise.
+/// The transmitted force in r_y and the transmissibility of a machine, from the force of a body that is
+/// shaken otherwise.
 pub(crate) fn transmitted<F: Value>(
     machine: Option<&Machine<F>>,
     (omega, alpha): (F, F),

@@ -1,5 +1,5 @@
-//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`, `verify`,
-//! `figure`, `figures`, `sweep`, `map`, `completions`, `man`.
+//! The command over the library: `stickslip response`, `border`, `steady`, `simulate`, `design`, `decay`,
+//! `verify`, `figure`, `figures`, `sweep`, `map`, `completions`, `man`.
 
 #![cfg_attr(
     not(test),

@@ -67,7 +67,8 @@ impl<'a> Quantity<'a> {
         }
     }
 
-    /// The value at a point, with the kind of those in the machine's units; `None` where there is no such output.
+    /// The value at a point, with the kind of those in the machine's units; `None` where there is no such
+    /// output.
     fn at(&self, given: &Given<f64>) -> Result<Option<Found>, Failure> {
         if matches!(self, Self::Margin) {
             let margin = margin(&Response::new(input::point(given)?.ratios));

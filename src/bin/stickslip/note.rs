@@ -258,7 +258,8 @@ fn needed_force<F: Value>(
     }
 }
 
-/// Beyond this a force ratio or a loop size is that of a pole, which no machine's frequency comes so close to.
+/// Beyond this a force ratio or a loop size is that of a pole, which no machine's frequency comes so close
+/// to.
 const ABSURD: f64 = 1e6;
 
 /// Says so where Ω is so close to a pole that no machine can be held there.

@@ -1,4 +1,5 @@
-//! Where answers go: standard output and files that get whole lines, and files that appear whole or not at all.
+//! Where answers go: standard output and files that get whole lines, and files that appear whole or not at
+//! all.
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -15,8 +16,8 @@ const GATHERED: usize = 1 << 14;
 /// Bytes without the end of a line that are no text.
 const NO_LINE: usize = 1 << 20;
 
-/// A stream that gets whole lines only, so that it ends at a complete record whenever the command ends; its errors
-/// name it.
+/// A stream that gets whole lines only, so that it ends at a complete record whenever the command ends; its
+/// errors name it.
 pub(crate) struct Lines<W> {
     out: W,
     name: String,
@@ -121,7 +122,8 @@ impl Beside {
     }
 }
 
-/// Moves a file to a place where none must be. A second name tells if there is one; not all file systems have such.
+/// Moves a file to a place where none must be. A second name tells if there is one; not all file systems have
+/// such.
 pub(crate) fn put_new(from: &Path, to: &Path) -> io::Result<()> {
     match fs::hard_link(from, to) {
         Ok(()) => fs::remove_file(from),

@@ -158,7 +158,8 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
     ),
 ];
 
-/// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets behind the column's name.
+/// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets behind the
+/// column's name.
 pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("drive", "what shakes the body: a force, the spring's foot, or a base that carries the surface"),
     ("frequency", "frequency of the drive in Hz"),

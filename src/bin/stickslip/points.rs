@@ -217,8 +217,8 @@ fn unreadable(name: &str, error: csv::Error) -> Failure {
     fault
 }
 
-/// Flushes the answers before each wait for more input, so that a live pipe sees them at once; and gives up on a row
-/// that does not end.
+/// Flushes the answers before each wait for more input, so that a live pipe sees them at once; and gives up
+/// on a row that does not end.
 struct FlushFirst<'a, R, W: Write> {
     source: R,
     sink: &'a RefCell<Sink<W>>,

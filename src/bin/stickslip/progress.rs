@@ -20,8 +20,8 @@ pub(crate) fn silence() {
 
 /// Points that one thread answers at a stretch, at most.
 const STRETCH: u64 = 64;
-/// How long a round of stretches may take before the next has shorter ones: in between an interrupt is heard, and
-/// what was answered is written.
+/// How long a round of stretches may take before the next has shorter ones: in between an interrupt is heard,
+/// and what was answered is written.
 const ROUND: Duration = Duration::from_millis(100);
 
 /// Answers the points of a range, a stretch at a time, and hands the answers on in order.

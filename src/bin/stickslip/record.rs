@@ -73,7 +73,8 @@ impl<F: Value> Cell<F> {
 }
 
 impl<F: Value> Cell<F> {
-    /// The cells of one value each that it is written as in a row: four for a pair of complex numbers or two intervals.
+    /// The cells of one value each that it is written as in a row: four for a pair of complex numbers or two
+    /// intervals.
     fn parts(self) -> [Option<Self>; 4] {
         match self {
             Self::Pairs(pairs) => {
@@ -175,8 +176,8 @@ impl<F: Value> Serialize for Record<F> {
 }
 
 impl<F: Value> Record<F> {
-    /// All outputs of a response; `None` in the cells that a regime does not have, and in those of the peaks where
-    /// nobody asks for them.
+    /// All outputs of a response; `None` in the cells that a regime does not have, and in those of the peaks
+    /// where nobody asks for them.
     pub(crate) fn of_response(response: &Response<F>, peaks: bool) -> Self {
         let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
         let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
@@ -237,8 +238,8 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME` or `NAME[unit]`, or
-    /// NAME where no field is called so.
+    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME` or
+    /// `NAME[unit]`, or NAME where no field is called so.
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.fields.iter().any(|(name, _)| *name == wanted) || self.physical.has(physical_name(wanted))
     }
@@ -288,7 +289,8 @@ impl<F: Value> Record<F> {
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// With what the surroundings of this machine feel: the fields are those of a force, or of a base that carries the surface.
+    /// With what the surroundings of this machine feel: the fields are those of a force, or of a base that
+    /// carries the surface.
     pub(crate) fn felt_around(mut self, machine: &Machine<F>) -> Self {
         if !machine.drive.excitation().moves_foot() {
             return self;
@@ -367,7 +369,8 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// The record, where each of its numbers is one. Units that are too small make infinity of a motion, which JSON does not have.
+    /// The record, where each of its numbers is one. Units that are too small make infinity of a motion,
+    /// which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {
         let physical = self.physical.values.iter().map(|&(name, _, cell)| (name, cell));
         self.fields.iter().copied().chain(physical).try_for_each(|(name, cell)| cell.finite(name))?;

@@ -1,8 +1,9 @@
 //! Rows in a file, and going on with them where they were broken off.
 //!
-//! A file is gone on with only where its rows are those of this very question: the header, what each row begins with or has of its grid, and as
-//! many whole rows, spread evenly, as a second allows. Where the rows do not hold their grid, every one is computed
-//! anew. What is cut off behind the last whole row must be the beginning of the row that is due.
+//! A file is gone on with only where its rows are those of this very question: the header, what each row
+//! begins with or has of its grid, and as many whole rows, spread evenly, as a second allows. Where the rows
+//! do not hold their grid, every one is computed anew. What is cut off behind the last whole row must be the
+//! beginning of the row that is due.
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -50,7 +51,8 @@ pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
     Ok(created)
 }
 
-/// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order, as they come.
+/// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order,
+/// as they come.
 pub(crate) fn write<T: Send, W: Write>(
     points: Range<u64>,
     out: &mut W,

@@ -26,8 +26,8 @@ pub(crate) struct Starts<F, S> {
 }
 
 impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
-    /// Their limits, in the order of the starts whatever the number of threads. The rows of a file that is gone on with are not
-    /// followed again, but for the first start of each limit.
+    /// Their limits, in the order of the starts whatever the number of threads. The rows of a file that is
+    /// gone on with are not followed again, but for the first start of each limit.
     pub(crate) fn limits(&self, given: &Given<F>, rows: &RowsArgs) -> Result<Attractors<F>, Failure> {
         Trajectory::new(self.ratios, State::<F>::rest()).map_err(|e| of_motion(given, e))?;
         let mut all = Attractors::new();

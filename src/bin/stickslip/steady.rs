@@ -341,7 +341,8 @@ fn motion<F: Value>(
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }
 
-/// What the machine feels: acceleration, transmitted force, and under a base that carries the surface the absolute motion.
+/// What the machine feels: acceleration, transmitted force, and under a base that carries the surface the
+/// absolute motion.
 fn peaks<F: Value>(
     peaks: &Peaks<F>,
     point: &Point<F>,

@@ -16,7 +16,8 @@ pub(crate) fn label() -> String {
     painted("stickslip:", AnsiColor::Red.on_default().bold())
 }
 
-/// A sentence on standard output, its first word or words up to the colon in the colour of the regime they name.
+/// A sentence on standard output, its first word or words up to the colon in the colour of the regime they
+/// name.
 pub(crate) fn verdict(sentence: &str) -> String {
     match sentence.split_once(':') {
         Some((regime, rest)) if AutoStream::choice(&io::stdout()) != ColorChoice::Never => {

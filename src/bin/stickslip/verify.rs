@@ -154,7 +154,8 @@ struct Row<'a> {
     statement: &'a str,
     standing: &'a str,
     points: usize,
-    /// In units of the last place (differences: of its square root) where it holds, relative to the terms where it is refuted.
+    /// In units of the last place (differences: of its square root) where it holds, relative to the terms
+    /// where it is refuted.
     worst_residual: f64,
     worst_omega: Option<&'a str>,
     worst_alpha: Option<&'a str>,

@@ -1,8 +1,10 @@
 //! The border with damping, or with static friction above the kinetic one, in balls.
 //!
-//! What is proved of the condition's function ρ(τ) in the head of `crate::nonsticking::damped::border` is used here: it has at most one maximum
-//! between two zeros of p, which are known, and none elsewhere. Where ρ′ is certainly positive at the one and negative at the other the maximum is
-//! enclosed; pairs of zeros are gone through from both ends of the half cycle inwards, until no value between is certainly as large as one that was found.
+//! What is proved of the condition's function ρ(τ) in the head of `crate::nonsticking::damped::border` is
+//! used here: it has at most one maximum between two zeros of p, which are known, and none elsewhere. Where
+//! ρ′ is certainly positive at the one and negative at the other the maximum is enclosed; pairs of zeros are
+//! gone through from both ends of the half cycle inwards, until no value between is certainly as large as one
+//! that was found.
 
 use super::super::border::Border;
 use super::super::root::only_zero;
@@ -106,7 +108,8 @@ fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Opti
     (low == high).then(|| low.to_i32()).flatten()
 }
 
-/// Whether ρ may exceed `best` from the time `low` to `high`: as in the search of plain numbers, by the energy of free vibration.
+/// Whether ρ may exceed `best` from the time `low` to `high`: as in the search of plain numbers, by the
+/// energy of free vibration.
 fn may_exceed<const W: usize>(
     half: &HalfPeriod<Ball<W>>,
     low: Ball<W>,
@@ -121,7 +124,8 @@ fn may_exceed<const W: usize>(
     !(driven + start.free.velocity_bound()).is_below(&(best * half.omega * sine))
 }
 
-/// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` where that is undecided.
+/// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` where that is
+/// undecided.
 #[allow(clippy::option_option, reason = "undecided is not none")]
 fn maximum_between<const W: usize>(
     half: &HalfPeriod<Ball<W>>,

@@ -8,7 +8,8 @@ use crate::float::{Field, Real};
 /// Intervals that are looked at before a sign is given up.
 const MOST: usize = 4000;
 
-/// Whether something certain holds for every part of [low, high], where it is asked of one interval after the other.
+/// Whether something certain holds for every part of [low, high], where it is asked of one interval after the
+/// other.
 fn throughout<const W: usize>(low: Mp<W>, high: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> bool {
     let mut left = vec![(low, high)];
     for _ in 0..MOST {
@@ -35,8 +36,8 @@ fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) ->
 
 /// Whether the velocity of the slide has the slide's sign from its start to its end, and no other zero there.
 ///
-/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release with η = 1; at the end the acceleration
-/// has the other one; between, the velocity has it itself.
+/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release with
+/// η = 1; at the end the acceleration has the other one; between, the velocity has it itself.
 pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
     let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
     let is_released = slide.start.sign() == Some(core::cmp::Ordering::Equal);
@@ -71,7 +72,8 @@ pub(super) fn is_one_stop<const W: usize>(
     throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&machine.eta))
 }
 
-/// Whether the body slides back at once in the direction `sign`: the force exceeds the static friction that way.
+/// Whether the body slides back at once in the direction `sign`: the force exceeds the static friction that
+/// way.
 pub(super) fn reverses<const W: usize>(
     machine: &Machine<W>,
     place: Ball<W>,

@@ -47,7 +47,8 @@ pub(super) fn width(figure: &Figure) -> i32 {
     series.chain(planes).max().unwrap_or(0)
 }
 
-/// The series to be told apart, each key once. What is named where it stands, or has no key, is not among them.
+/// The series to be told apart, each key once. What is named where it stands, or has no key, is not among
+/// them.
 fn entries(figure: &Figure) -> Vec<&Series> {
     let mut shown: Vec<&Series> = Vec::new();
     for series in figure.panels.iter().flat_map(|panel| &panel.series) {

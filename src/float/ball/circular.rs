@@ -10,7 +10,8 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self { mid, rad: bound([half_unit(mid)]) }
     }
 
-    /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's; and no value is beyond ±1.
+    /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's; and no
+    /// value is beyond ±1.
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
         if self.rad >= Radius::ONE.scaled(1) {
@@ -63,8 +64,9 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self::new(mid, bound([moved, rounding]))
     }
 
-    /// Seen from the origin, a point moves by δ with `tan δ = n/(d + p)`: n and p are its moves across and along the direction to it, d its
-    /// distance. `|n| ≤ (|a| s + |b| r)/d` for an ordinate within r of a and an abscissa within s of b, and `|p| ≤ r + s`.
+    /// Seen from the origin, a point moves by δ with `tan δ = n/(d + p)`: n and p are its moves across and
+    /// along the direction to it, d its distance. `|n| ≤ (|a| s + |b| r)/d` for an ordinate within r of a and
+    /// an abscissa within s of b, and `|p| ≤ r + s`.
     ///
     /// All angles, 0 ± π, where the origin or the cut at the negative abscissae may be met.
     #[inline]
@@ -114,7 +116,8 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }
     }
 
-    /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤ r/(1 − r).
+    /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤
+    /// r/(1 − r).
     #[must_use]
     pub(crate) fn exp(self) -> Self {
         let mid = self.mid.exp();

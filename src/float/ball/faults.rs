@@ -1,7 +1,8 @@
 //! Faults put into the error bounds, one at a time.
 //!
-//! Each call of [`super::bound`] adds the parts of one bound. Here one part of one call is left out, or halved. A test that compares balls
-//! with values at more bits has to notice each: otherwise it would not notice a bound that was written down wrong.
+//! Each call of [`super::bound`] adds the parts of one bound. Here one part of one call is left out, or
+//! halved. A test that compares balls with values at more bits has to notice each: otherwise it would not
+//! notice a bound that was written down wrong.
 
 use super::Radius;
 use core::panic::Location;

@@ -1,5 +1,5 @@
-//! The field operations. The bounds are those of Johansson (2017), section 3, derived in each line from the distance of two points:
-//! x within r of a, y within s of b.
+//! The field operations. The bounds are those of Johansson (2017), section 3, derived in each line from the
+//! distance of two points: x within r of a, y within s of b.
 
 use super::{Ball, Radius, bound, half_unit};
 use crate::float::Field;
@@ -80,7 +80,8 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
         Self { mid: Mp::of_int(n), rad: Radius::ZERO }
     }
 
-    /// `|√x − √a| = |x − a|/(√x + √a)`, and `√x ≥ √(a − r) ≥ √a (1 − r/a)`. The whole line where a radicand may be negative.
+    /// `|√x − √a| = |x − a|/(√x + √a)`, and `√x ≥ √(a − r) ≥ √a (1 − r/a)`. The whole line where a radicand
+    /// may be negative.
     #[inline]
     fn sqrt(self) -> Self {
         if self.rad.is_zero() && self.mid.is_zero() {

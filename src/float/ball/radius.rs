@@ -1,9 +1,10 @@
 //! A bound of an error: a number ≥ 0 of 32 bits, whose arithmetic is rounded away from zero.
 //!
-//! `value = mantissa · 2^(exponent − 32)`, mantissa in [2³¹, 2³²) or 0. Every function named without a direction gives a number that is
-//! not below the exact one; those that end in `_down` give one that is not above it. The arithmetic is that of integers, so that both
-//! can be read off the code. Arb's `mag_t` is the model (Johansson, *Arb: efficient arbitrary-precision midpoint-radius interval
-//! arithmetic*, IEEE Trans. Comput. 66 (2017) 1281–1292, section 2.1).
+//! `value = mantissa · 2^(exponent − 32)`, mantissa in [2³¹, 2³²) or 0. Every function named without a
+//! direction gives a number that is not below the exact one; those that end in `_down` give one that is not
+//! above it. The arithmetic is that of integers, so that both can be read off the code. Arb's `mag_t` is the
+//! model (Johansson, *Arb: efficient arbitrary-precision midpoint-radius interval arithmetic*, IEEE Trans.
+//! Comput. 66 (2017) 1281–1292, section 2.1).
 
 use crate::float::mp::Mp;
 
@@ -115,7 +116,8 @@ impl Radius {
         if self.is_infinite() {
             return Mp::INFINITY;
         }
-        // A mantissa fits in any number; beyond an i32 the exponent is as good as infinite, or as the least number.
+        // A mantissa fits in any number; beyond an i32 the exponent is as good as infinite, or as the least
+        // number.
         let bits = i64::from(BITS);
         let shift = (self.exponent - bits).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
         let value = Mp::of_f64(self.mantissa.into()).scale2(shift as i32);

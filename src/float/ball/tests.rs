@@ -9,7 +9,8 @@ use crate::float::{Field, Real};
 type Narrow = Ball<1>;
 type Wide = Mp<8>;
 
-/// A generator of 64 random bits (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014).
+/// A generator of 64 random bits (Steele, Lea and Flood, *Fast splittable pseudorandom number generators*,
+/// 2014).
 struct Random(u64);
 
 impl Random {

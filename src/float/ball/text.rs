@@ -1,7 +1,8 @@
 //! A ball in decimal: digits that are certain, then ±.
 //!
-//! Printing rounds the midpoint once more. The printed radius has that rounding in it, and is itself rounded up, so that the numbers
-//! between printed midpoint ∓ printed radius contain the ball. The arithmetic is that of rational numbers, without rounding.
+//! Printing rounds the midpoint once more. The printed radius has that rounding in it, and is itself rounded
+//! up, so that the numbers between printed midpoint ∓ printed radius contain the ball. The arithmetic is that
+//! of rational numbers, without rounding.
 
 use super::Ball;
 use core::fmt;
@@ -14,9 +15,11 @@ pub(crate) struct Written {
     pub(crate) rad: String,
 }
 
-/// A midpoint and a radius in decimal, with so many more digits than are certain to within one in the last place.
+/// A midpoint and a radius in decimal, with so many more digits than are certain to within one in the last
+/// place.
 pub(crate) fn written(mid: &Rational, rad: &Rational, more: u32) -> Written {
-    // The place whose unit is at least twice the radius; an exact number has the digits that it needs, as far as they are few.
+    // The place whose unit is at least twice the radius; an exact number has the digits that it needs, as far
+    // as they are few.
     let place =
         if *rad == 0 { place_of_exact(mid) } else { place_above(&(rad.clone() * 2u32)) - i64::from(more) };
     let unit = power_of_ten(place);

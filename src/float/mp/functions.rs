@@ -1,4 +1,5 @@
-//! `num_traits::real::Real`: the functions of a real number, each rounded once but for the three that say otherwise.
+//! `num_traits::real::Real`: the functions of a real number, each rounded once but for the three that say
+//! otherwise.
 
 use super::Mp;
 use num_traits::real::Real;

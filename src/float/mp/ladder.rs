@@ -58,5 +58,6 @@ macro_rules! ladder {
     };
 }
 
-// Each width is a copy of every computation that is run at it, and half a minute of compiling the command: few.
+// Each width is a copy of every computation that is run at it, and half a minute of compiling the command:
+// few.
 ladder!(2 4 16 64 128);

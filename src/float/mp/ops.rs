@@ -15,7 +15,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         (others.iter().all(|&limb| limb == 0) && n << (64 - bits) == *top).then_some(n)
     }
 
-    /// `self · other`. The formulae are full of small integers, by which MPFR multiplies in a fraction of the time.
+    /// `self · other`. The formulae are full of small integers, by which MPFR multiplies in a fraction of the
+    /// time.
     #[inline]
     fn times(self, other: Self) -> Self {
         let (number, n, sign) = match (other.small_integer(), self.small_integer()) {

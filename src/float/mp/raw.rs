@@ -2,8 +2,9 @@
 //!
 //! Everything unsafe stands here, and rests on two things. A value's fields are written only by
 //! [`Mp::output`], from what MPFR left there (`parts` changes signs, no more), so that they always describe a
-//! valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that a
-//! function names as its result, whose significand is on the stack for the time of the call, of the right size.
+//! valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that
+//! a function names as its result, whose significand is on the stack for the time of the call, of the right
+//! size.
 
 #![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
 
@@ -84,8 +85,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         })
     }
 
-    /// The distance from `|self|` to the next larger number; of zero the least positive number, of an infinity or
-    /// NaN NaN.
+    /// The distance from `|self|` to the next larger number; of zero the least positive number, of an
+    /// infinity or NaN NaN.
     #[must_use]
     pub fn ulp(self) -> Self {
         let x = self.abs();

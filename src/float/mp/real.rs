@@ -110,8 +110,8 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         self.exp_m1()
     }
 
-    /// From its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. One pair of sine and cosine, where the
-    /// inverse function costs twice that.
+    /// From its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. One pair
+    /// of sine and cosine, where the inverse function costs twice that.
     fn angle_of(sine: Self, cosine: Self) -> Self {
         let start = Self::narrowed(Angle { sine, cosine });
         let (s, c) = start.sin_cos();

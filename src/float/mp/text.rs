@@ -29,8 +29,9 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 }
 
-/// Decimal, with or without a sign, a point and an exponent (`1.5`, `-2e-3`), and `inf`, `infinity`, `nan`: the nearest
-/// number. The grammar is that of `f64`: no white space, no underscores, no other mark of an exponent.
+/// Decimal, with or without a sign, a point and an exponent (`1.5`, `-2e-3`), and `inf`, `infinity`, `nan`:
+/// the nearest number. The grammar is that of `f64`: no white space, no underscores, no other mark of an
+/// exponent.
 impl<const LIMBS: usize> FromStr for Mp<LIMBS> {
     type Err = ParseError;
 
@@ -59,7 +60,8 @@ impl Decimal {
 
     /// `x`, finite and not zero, with the fewest digits that read back as the same number.
     ///
-    /// A number read from no more than `(bits − 1) log₁₀ 2` digits gives those digits back; three more always do.
+    /// A number read from no more than `(bits − 1) log₁₀ 2` digits gives those digits back; three more always
+    /// do.
     fn whole(x: &Float) -> Self {
         // log₁₀ 2 from below, so that the search begins low enough.
         let least = ((u64::from(x.prec()) - 1) * 30_102 / 100_000).max(1) as usize;
@@ -81,7 +83,8 @@ impl Decimal {
         // Truncated, so that it is the number's own exponent, not that of a neighbouring power of ten.
         let (_, _, point) = x.to_sign_string_exp_round(10, Some(1), Round::Zero);
         let point = point.map_or(0, i64::from);
-        // A number below a unit of the last place asked for is a unit or nothing, as it is above half of it or not.
+        // A number below a unit of the last place asked for is a unit or nothing, as it is above half of it
+        // or not.
         let count = point.saturating_add(i64::try_from(places).unwrap_or(i64::MAX));
         if count > 0 {
             let count = usize::try_from(count).unwrap_or(usize::MAX);

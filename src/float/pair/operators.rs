@@ -12,7 +12,8 @@ impl<F: Float> Neg for Pair<F> {
     }
 }
 
-/// Where the leading parts cancel, the rests may be as large as what is left, so that the sum is made a pair again.
+/// Where the leading parts cancel, the rests may be as large as what is left, so that the sum is made a pair
+/// again.
 impl<F: Float> Add for Pair<F> {
     type Output = Self;
     #[inline(always)]

@@ -1,7 +1,9 @@
-//! The stationary point of the border's condition from γ and Ω alone, without branches, and the width that it has.
+//! The stationary point of the border's condition from γ and Ω alone, without branches, and the width that it
+//! has.
 //!
-//! With γ = β mod π, the stationary point η lies between 0.43 γ and 0.502 γ, all but a polynomial in γ² and Ω² (to 1.1e-3 γ). One of
-//! Householder's steps brings it to 2e-9 γ, and the width, stationary there, to rounding.
+//! With γ = β mod π, the stationary point η lies between 0.43 γ and 0.502 γ, all but a polynomial in γ² and
+//! Ω² (to 1.1e-3 γ). One of Householder's steps brings it to 2e-9 γ, and the width, stationary there, to
+//! rounding.
 
 #[cfg(feature = "batch")]
 use super::{border_force_ratio, is_stationary_value_larger, turning_point_border};
@@ -72,7 +74,8 @@ pub(super) fn near<F: Float>(known: &Known<F>) -> Option<F> {
     is_found.then_some(eta)
 }
 
-/// The exact border α_min of 2⁻¹⁰ ≤ Ω < 1/2, and whether it is found this way: as [`super::Border`] has it, without branches.
+/// The exact border α_min of 2⁻¹⁰ ≤ Ω < 1/2, and whether it is found this way: as [`super::Border`] has it,
+/// without branches.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn border_near<F: Float>(omega: F, angle: &LowAngle<F>, phase_function: Pair<F>) -> (F, bool) {

@@ -18,8 +18,8 @@ pub struct BorderRange<F> {
 
 /// The least and the greatest value of the exact border for `low ≤ Ω ≤ high`.
 ///
-/// Complete, because a lobe has no other minimum than its own and no maximum inside, and the minima grow with the
-/// index: the least is at an end, or the minimum of the uppermost lobe or of the one below.
+/// Complete, because a lobe has no other minimum than its own and no maximum inside, and the minima grow with
+/// the index: the least is at an end, or the minimum of the uppermost lobe or of the one below.
 ///
 /// # Errors
 /// Where an end is outside the domain of [`Lobe::containing`], or `low > high`.

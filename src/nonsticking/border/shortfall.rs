@@ -1,7 +1,7 @@
 //! Where eq. 61 falls short of the exact border: a band around each pole 1/(2n+1), and nowhere else.
 //!
-//! Above the pole the band reaches to 1/(2n), below it to Ω_e in (1/(2n+2), 1/(2n+1)), the one crossing of the two values
-//! of S (proved in [`super::lobe`]).
+//! Above the pole the band reaches to 1/(2n), below it to Ω_e in (1/(2n+2), 1/(2n+1)), the one crossing of
+//! the two values of S (proved in [`super::lobe`]).
 
 use super::band_end::BandEnd;
 use super::lobe::Lobe;
@@ -9,8 +9,9 @@ use crate::float::Float;
 
 /// Around the pole 1/(2n+1), the frequency ratios where eq. 61 falls short of the exact border.
 ///
-/// On (`low`, `pole`) and (`pole`, `high`) a force ratio that meets eq. 61 need not keep the body sliding. At `low`
-/// and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next one, and for Ω ≥ 1/2.
+/// On (`low`, `pole`) and (`pole`, `high`) a force ratio that meets eq. 61 need not keep the body sliding. At
+/// `low` and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next
+/// one, and for Ω ≥ 1/2.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct Shortfall<F> {

@@ -7,17 +7,17 @@
 //! ```
 //!
 //! Where eq. 61 is exact, b = 1/Ω² − 1 and b′ = −2/Ω³. Elsewhere S is the value of f at a point where f is
-//! stationary in τ, so that only the explicit dependence on Ω counts. With ζ = τ/Ω = γ + η of the border's module,
-//! T′ = −(π/2Ω²)/cos²β and cos ζ + T sin ζ = cos(ζ − β)/cos β,
+//! stationary in τ, so that only the explicit dependence on Ω counts. With ζ = τ/Ω = γ + η of the border's
+//! module, T′ = −(π/2Ω²)/cos²β and cos ζ + T sin ζ = cos(ζ − β)/cos β,
 //!
 //! ```text
 //! S′ = −S/Ω − [τ cos η/|cos β| + sgn T (π/2)(cos τ − cos ζ)/cos²β]/(Ω³ sin τ).
 //! ```
 //!
-//! The border is smooth but at two kinds of points below Ω = 1/2. At Ω = 1/(2n) both pieces have the slope −2/Ω³
-//! and only the second derivative jumps, because S − 1/Ω² is of the order T². At the end Ω_e of the band next to a
-//! pole, where the two values of S cross, the slope jumps: [`Border::slope`] gives that of the side whose S is the
-//! larger one as rounded.
+//! The border is smooth but at two kinds of points below Ω = 1/2. At Ω = 1/(2n) both pieces have the slope
+//! −2/Ω³ and only the second derivative jumps, because S − 1/Ω² is of the order T². At the end Ω_e of the
+//! band next to a pole, where the two values of S cross, the slope jumps: [`Border::slope`] gives that of the
+//! side whose S is the larger one as rounded.
 
 use super::Border;
 use super::stationary::inner_change;
@@ -27,10 +27,10 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 impl<F: Float> Border<F> {
     /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
     ///
-    /// Closed form but for the one bracketed root that the border has, too. No float is a pole 1/(2n+1), so that it
-    /// is finite for every float Ω but where its value is beyond the largest number of the type: f64, Ω below 2⁻²⁴⁰.
-    /// Accuracy at f64: a few units in the last place of the larger of its two terms, so that near a minimum of the
-    /// border it is an absolute one.
+    /// Closed form but for the one bracketed root that the border has, too. No float is a pole 1/(2n+1), so
+    /// that it is finite for every float Ω but where its value is beyond the largest number of the type: f64,
+    /// Ω below 2⁻²⁴⁰. Accuracy at f64: a few units in the last place of the larger of its two terms, so that
+    /// near a minimum of the border it is an absolute one.
     #[must_use]
     pub fn slope(p: &PhaseFunction<F>) -> F {
         let border = Self::at(p);
@@ -39,8 +39,8 @@ impl<F: Float> Border<F> {
 
     /// How much faster than Ω the border changes, in relative terms: `Ω α_min′/α_min`.
     ///
-    /// The condition number of the border: large beside a pole 1/(2n+1), where an Ω that was measured or rounded says
-    /// little about the force. Finite for every float Ω.
+    /// The condition number of the border: large beside a pole 1/(2n+1), where an Ω that was measured or
+    /// rounded says little about the force. Finite for every float Ω.
     #[must_use]
     pub fn sensitivity(p: &PhaseFunction<F>) -> F {
         Self::at(p).relative_slope(p)

@@ -1,4 +1,5 @@
-//! The stationary point of the border's function f: where the velocity first touches zero inside the half cycle.
+//! The stationary point of the border's function f: where the velocity first touches zero inside the half
+//! cycle.
 
 use super::near::{Known, near};
 use super::{border_force_ratio, is_stationary_value_larger};
@@ -77,7 +78,8 @@ pub(crate) fn stationary_value<R: Real>(lobe_phase: R, cos_beta: R, tau: R, eta:
 /// `(g, g′)` at η: the stationarity condition of the border's head and its derivative.
 ///
 /// For small ζ = γ + η all of g's terms are small and their sum is of the third order. With γ = ζ − η,
-/// `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`, whose parts are known to full relative accuracy.
+/// `g = sin η (cos τ − cos ζ) − cos η [(ζ − sin ζ) − (τ − sin τ)/Ω]`, whose parts are known to full relative
+/// accuracy.
 #[inline]
 fn stationarity<F: Float>(omega: F, lobe_phase: F, eta: F) -> (F, F) {
     let zeta = lobe_phase + eta;

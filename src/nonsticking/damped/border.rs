@@ -90,8 +90,8 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     }
 }
 
-/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of η times the kinetic one
-/// `(η + G + 2ζΩH)/Ω²`.
+/// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
+/// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
     (half.holding() + half.static_excess) / half.omega.square()
 }

@@ -22,7 +22,8 @@ impl<F: Float> Angles<F> {
 }
 
 impl<F: Float> HalfCycle<F> {
-    /// The half sum and half difference give the angles themselves, but only where neither outgrows the other.
+    /// The half sum and half difference give the angles themselves, but only where neither outgrows the
+    /// other.
     #[inline]
     pub(crate) fn angles(&self, psi: F) -> Angles<F> {
         if !self.beside_one {

@@ -4,11 +4,11 @@ use super::Unknowns;
 use super::balanced::Balanced;
 use crate::float::Float;
 
-/// The same cycle with t₁ at the fastest point of a grid over the half cycle before t₂, and V₀ and Δ₁ the velocity and the
-/// displacement there; `None` where the t₁ it has is in that half cycle, and faster.
+/// The same cycle with t₁ at the fastest point of a grid over the half cycle before t₂, and V₀ and Δ₁ the
+/// velocity and the displacement there; `None` where the t₁ it has is in that half cycle, and faster.
 ///
-/// The grid has `per_swing` points in π/ω_n and a few more. Eq. 25 alone says that the velocity is stationary at t₁. In units of A, which is negative above the natural
-/// frequency.
+/// The grid has `per_swing` points in π/ω_n and a few more. Eq. 25 alone says that the velocity is stationary
+/// at t₁. In units of A, which is negative above the natural frequency.
 pub(super) fn on_a_grid<F: Float>(
     system: &Balanced<F>,
     u: &Unknowns<F>,

@@ -12,15 +12,15 @@
 //!
 //! **Start.** Without friction the motion is `x = A sin ω_d t`, with t₁ = 0, t₂ = π/2 (half a turn later
 //! above the natural frequency). From there the friction grows to its value at f64, each step predicted along
-//! the tangent and corrected by Newton: the motion that this leads to is the forced response with friction, not another
-//! root. Where eq. 46 has several roots (Ω < 1/2) the fastest instant of the rising branch, looked for on a
-//! grid, is taken for t₁. Newton's method at full precision then doubles the digits.
+//! the tangent and corrected by Newton: the motion that this leads to is the forced response with friction,
+//! not another root. Where eq. 46 has several roots (Ω < 1/2) the fastest instant of the rising branch,
+//! looked for on a grid, is taken for t₁. Newton's method at full precision then doubles the digits.
 //!
 //! **Digits.** [`Balanced`] is solved, which has no cancellation beside Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
-//! keep the digits of the type where they are of the order of A. Where they are smaller, near the border,
-//! the problem itself loses digits, up to twice the zeros of 1 − Ω: 203 bits on the border at |1 − Ω| = 10⁻³⁰.
-//! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how many, so
-//! that a result of N bits takes N + `lost_bits` of them.
+//! keep the digits of the type where they are of the order of A. Where they are smaller, near the border, the
+//! problem itself loses digits, up to twice the zeros of 1 − Ω: 203 bits on the border at |1 − Ω| = 10⁻³⁰.
+//! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how
+//! many, so that a result of N bits takes N + `lost_bits` of them.
 
 use super::accuracy::{in_last_places, largest_term, lost_bits};
 use super::balanced::Balanced;
@@ -34,10 +34,11 @@ use nalgebra::RealField;
 
 pub use super::step::{BorderSolution, MatchingError, Solution};
 
-/// A number that the matching problem can be solved in: any [`Float`] with nalgebra's `RealField`, whose names it keeps apart.
+/// A number that the matching problem can be solved in: any [`Float`] with nalgebra's `RealField`, whose
+/// names it keeps apart.
 pub trait Solvable: Float {
-    /// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same matching conditions with the free
-    /// vibrations of a damped body, and at Ω = 1, too.
+    /// Solves eq. 21–25 for t₁, t₂, V₀, Δ₀, Δ₁ at (Ω, α), with damping at (Ω, α, ζ): then of the same
+    /// matching conditions with the free vibrations of a damped body, and at Ω = 1, too.
     ///
     /// # Errors
     /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
@@ -161,7 +162,8 @@ fn in_units_of_b<F: Real>(u: &Unknowns<F>, amplitude: F) -> Unknowns<F> {
     }
 }
 
-/// The system at f64: each field rounded on its own, so that an Ω closer to 1 than f64 can tell keeps its distance.
+/// The system at f64: each field rounded on its own, so that an Ω closer to 1 than f64 can tell keeps its
+/// distance.
 fn to_f64<F: Float>(system: &Balanced<F>) -> Balanced<f64> {
     let (sine, cosine) = system.sin_cos_beta;
     Balanced {

@@ -24,14 +24,15 @@ fn moved(x: &[f64; 5], by: &[f64; 5], times: f64) -> [f64; 5] {
     result
 }
 
-/// `x = A sin ω_d t`: greatest velocity at t₁ = 0, greatest displacement at π/2; half a turn later where A < 0.
+/// `x = A sin ω_d t`: greatest velocity at t₁ = 0, greatest displacement at π/2; half a turn later where A <
+/// 0.
 fn without_friction(system: &Balanced<f64>, below: bool) -> Point {
     let (sign, turn) = if below { (1.0, 0.0) } else { (-1.0, PI) };
     Point { at: [turn, turn + FRAC_PI_2, sign * system.omega, sign, 0.0], friction: 0.0 }
 }
 
-/// A step along the path to another friction: the tangent, then Newton. `None` where that does not settle close
-/// by.
+/// A step along the path to another friction: the tangent, then Newton. `None` where that does not settle
+/// close by.
 fn step(system: &Balanced<f64>, from: &Point, friction: f64) -> Option<Point> {
     let here = Balanced { friction: from.friction, ..*system };
     let u = unknowns(&from.at);
@@ -58,8 +59,8 @@ fn step(system: &Balanced<f64>, from: &Point, friction: f64) -> Option<Point> {
     None
 }
 
-/// Follows the path to `target`, or to where it ends, or to where `left_over` is within a tenth of zero; the steps
-/// adapt, and none goes further than that.
+/// Follows the path to `target`, or to where it ends, or to where `left_over` is within a tenth of zero; the
+/// steps adapt, and none goes further than that.
 fn follow(system: &Balanced<f64>, from: Point, target: f64, left_over: impl Fn(&Point) -> f64) -> Point {
     let (mut point, mut length) = (from, target - from.friction);
     for _ in 0..4000 {
@@ -97,8 +98,8 @@ pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f6
     Ok(fastest::on_a_grid(&system, &unknowns(&at), 96.0).map_or(at, |u| in_order(&u)))
 }
 
-/// Two cycles meet at the end of the branch, where Δ₀ = A sin ω_d t₂ passes through zero. Where f64 cannot tell them
-/// apart, a Δ₀ that is small and positive is on the side of the right one.
+/// Two cycles meet at the end of the branch, where Δ₀ = A sin ω_d t₂ passes through zero. Where f64 cannot
+/// tell them apart, a Δ₀ that is small and positive is on the side of the right one.
 fn off_the_other_branch(at: [f64; 5], below: bool) -> [f64; 5] {
     let sign = if below { 1.0 } else { -1.0 };
     let [t1, t2, v, d, e] = at;

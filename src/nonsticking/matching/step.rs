@@ -15,8 +15,8 @@ pub enum MatchingError {
     /// At Ω = 1 no bounded motion has this friction.
     #[error("frequency ratio Ω = 1 must be ≠ 1: there is no cycle to match")]
     Resonance,
-    /// The path from the motion without friction ends, at this part of the friction: there is no cycle with α, or
-    /// Ω is so far from 1 that f64 cannot follow it.
+    /// The path from the motion without friction ends, at this part of the friction: there is no cycle with
+    /// α, or Ω is so far from 1 that f64 cannot follow it.
     #[error("friction = {part:.6} of r_y must reach 1: no cycle found at Ω = {omega}, α = {alpha} beyond it")]
     NoCycle {
         /// Frequency ratio Ω.

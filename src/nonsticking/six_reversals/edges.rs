@@ -6,7 +6,8 @@ use super::search::{Edge, Sample};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 
-/// The least and the greatest α of the six-reversal cycle at the frequency ratio of `p`, on its edges; `None` where there is no such cycle.
+/// The least and the greatest α of the six-reversal cycle at the frequency ratio of `p`, on its edges; `None`
+/// where there is no such cycle.
 ///
 /// | side of the pole | least α | greatest α |
 /// |---|---|---|
@@ -18,7 +19,8 @@ pub(super) fn edges<F: Float>(p: &PhaseFunction<F>) -> Option<Edges<F>> {
     }
     let frequency = Frequency::of(p);
     let (omega, cotangent) = (frequency.omega.to_f64(), frequency.cotangent().to_f64());
-    // Closer to the pole both edges are those at this distance, the upper one with α, the short arc and cot β in proportion.
+    // Closer to the pole both edges are those at this distance, the upper one with α, the short arc and cot β
+    // in proportion.
     let near = cotangent.abs() < NEAREST;
     let there = if near { NEAREST.copysign(cotangent) } else { cotangent };
     let upper = if cotangent >= 0.0 { Edge::Third } else { Edge::Second };
@@ -85,7 +87,8 @@ fn may_exist<F: Float>(p: &PhaseFunction<F>) -> bool {
     if tangent > F::int(0) { tangent > F::int(30) } else { tangent < F::int(-17) }
 }
 
-/// A cheap necessary condition on (Ω, α) below the border: on the edges `AΩ² = αΩ²/(1 − Ω²)` is nowhere below 5.
+/// A cheap necessary condition on (Ω, α) below the border: on the edges `AΩ² = αΩ²/(1 − Ω²)` is nowhere below
+/// 5.
 pub(super) fn is_strong_enough<F: Float>(omega: F, alpha: F) -> bool {
     let one = F::int(1);
     alpha * omega.square() > F::int(5) * (one - omega) * (one + omega)

@@ -73,7 +73,8 @@ pub(super) enum Closing<F> {
 }
 
 impl<F: Float> Unknowns<F> {
-    /// `q`, the part of the free vibration a quarter of its period off: the velocity vanishes at the second reversal.
+    /// `q`, the part of the free vibration a quarter of its period off: the velocity vanishes at the second
+    /// reversal.
     pub(super) fn quarter_swing(&self) -> F {
         self.before.sin() + self.after.sin() - self.sine
     }
@@ -89,8 +90,8 @@ impl<F: Float> Unknowns<F> {
         self.forced_acceleration(omega) * ((one - omega) * (one + omega)) / omega.square()
     }
 
-    /// The force `α sin θ − x` at the three reversals, in units of r_y: the body slides on without a stop where the first and the third are
-    /// below −1 and the second is above 1.
+    /// The force `α sin θ − x` at the three reversals, in units of r_y: the body slides on without a stop
+    /// where the first and the third are below −1 and the second is above 1.
     pub(super) fn forces(&self, omega: F) -> [F; 3] {
         let Self { before: a, after: b, sine: s, cosine: c, swing: p } = *self;
         let q = self.quarter_swing();

@@ -2,7 +2,8 @@
 
 use crate::float::Float;
 
-/// The solution x of `A x = b` by Gaussian elimination with partial pivoting; `None` where a pivot is zero or not a number.
+/// The solution x of `A x = b` by Gaussian elimination with partial pivoting; `None` where a pivot is zero or
+/// not a number.
 #[allow(clippy::indexing_slicing, reason = "every index is below N, the length of the arrays")]
 pub(super) fn solve<F: Float, const N: usize>(mut a: [[F; N]; N], mut b: [F; N]) -> Option<[F; N]> {
     for column in 0..N {

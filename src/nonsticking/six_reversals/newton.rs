@@ -6,8 +6,9 @@ use crate::float::Float;
 
 /// A solution from a start that is close to it; `None` where the steps do not come down to rounding.
 ///
-/// Each step doubles the good digits. The steps are judged by what they change of c and s, which make α: beside a pole the upper edge has a
-/// short arc, which is known to fewer digits and counts for as much less in α.
+/// Each step doubles the good digits. The steps are judged by what they change of c and s, which make α:
+/// beside a pole the upper edge has a short arc, which is known to fewer digits and counts for as much less
+/// in α.
 pub(super) fn polished<F: Float>(
     frequency: &Frequency<F>,
     closing: Closing<F>,
@@ -29,7 +30,8 @@ pub(super) fn polished<F: Float>(
             return None;
         }
         y = after;
-        // Below the root of rounding the next step is below rounding; from there on a step that does not shrink is noise.
+        // Below the root of rounding the next step is below rounding; from there on a step that does not
+        // shrink is noise.
         let is_noise = last.is_some_and(|last: F| last.square() < F::epsilon() && size * F::int(2) >= last);
         if size <= F::epsilon() || is_noise {
             return Some(y);

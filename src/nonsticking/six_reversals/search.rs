@@ -1,9 +1,11 @@
 //! Where to start: a point of an edge at f64, found along its curve.
 //!
-//! On an edge four of the five equations are linear once the two arcs a and b are known: [`arcs`] solves three of them for (s, c, p). What is
-//! left of the two conditions of antisymmetry is `p X + q Y = 0`, which gives one arc for the other, and `cot β = −Y/p`. So each edge is a curve
-//! that its short arc runs along (b at the third reversal, a at the second), from cot β = 0 at an arc of zero, where α is infinite, to the
-//! greatest |cot β| and back. The other arc is close to a polynomial of the first, whatever Ω: the difference between Ω = 0 and 1/3 is 0.025.
+//! On an edge four of the five equations are linear once the two arcs a and b are known: [`arcs`] solves
+//! three of them for (s, c, p). What is left of the two conditions of antisymmetry is `p X + q Y = 0`, which
+//! gives one arc for the other, and `cot β = −Y/p`. So each edge is a curve that its short arc runs along (b
+//! at the third reversal, a at the second), from cot β = 0 at an arc of zero, where α is infinite, to the
+//! greatest |cot β| and back. The other arc is close to a polynomial of the first, whatever Ω: the difference
+//! between Ω = 0 and 1/3 is 0.025.
 
 use super::equations::{Closing, Unknowns};
 use super::linear::solve;

@@ -1,9 +1,9 @@
 //! The greatest velocity for Ω ≥ 1/2, from the centre of the half cycle.
 //!
-//! The derivatives of v at ψ = 0 take no circular functions: v(0) = Δ₀/B, v′(0) is a quotient, and the others follow from
-//! `v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β`. One of Householder's third-order steps from there, and another on Taylor's
-//! polynomial of v′ with eight derivatives, come within 4e-5 of the root (in the angle of the faster wave, which is below
-//! 1.05), so that one evaluation and one more step are enough.
+//! The derivatives of v at ψ = 0 take no circular functions: v(0) = Δ₀/B, v′(0) is a quotient, and the others
+//! follow from `v″ + Ω²v = (Ω − 1/Ω) sin ψ/cos β`. One of Householder's third-order steps from there, and
+//! another on Taylor's polynomial of v′ with eight derivatives, come within 4e-5 of the root (in the angle of
+//! the faster wave, which is below 1.05), so that one evaluation and one more step are enough.
 
 use super::Fastest;
 use super::step::{arrive, householder, is_final};
@@ -12,9 +12,9 @@ use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 
 /// The greatest velocity, and (sin, cos) of its ψ; `None` where four steps do not settle in |ψ| ≤ π/2.
 ///
-/// There a stationary point is the maximum: for Ω > 1 it is the only one. For 1/2 ≤ Ω < 1 the nearest crest of the fast
-/// wave is ψ_p = −π/2 (the module's head, with cos β < 0). Towards it the fast wave rises throughout |ψ| < π/2, so that the
-/// slow one falls: ψ_p ≤ ψ ≤ ψ_c, where there is one stationary point.
+/// There a stationary point is the maximum: for Ω > 1 it is the only one. For 1/2 ≤ Ω < 1 the nearest crest
+/// of the fast wave is ψ_p = −π/2 (the module's head, with cos β < 0). Towards it the fast wave rises
+/// throughout |ψ| < π/2, so that the slow one falls: ψ_p ≤ ψ ≤ ψ_c, where there is one stationary point.
 #[inline]
 pub(super) fn from_centre<F: Float>(half: &HalfCycle<F>) -> Option<(Fastest<F>, (F, F))> {
     let mut psi = start(half);
@@ -42,7 +42,8 @@ fn start<F: Float>(half: &HalfCycle<F>) -> F {
     let derivatives = half.derivatives_at_centre();
     let [_, first, second, third, fourth, ..] = derivatives;
     let psi = householder(&Jet { value: half.max_displacement(), first, second, third, fourth });
-    // Far above Ω = 1 the derivatives grow like powers of Ω, without bound, and the first step is good enough.
+    // Far above Ω = 1 the derivatives grow like powers of Ω, without bound, and the first step is good
+    // enough.
     if half.omega() > F::int(1024) { psi } else { psi + householder(&expanded(&derivatives, psi)) }
 }
 
@@ -79,7 +80,8 @@ mod tests {
     use crate::nonsticking::half_cycle::HalfCycle;
     use crate::phase_function::PhaseFunction;
 
-    /// Near the centre the polynomials are the motion, and the start is as near the root as the head of the module says.
+    /// Near the centre the polynomials are the motion, and the start is as near the root as the head of the
+    /// module says.
     #[test]
     fn taylors_polynomials_are_the_motion() {
         for omega in [0.6f64, 0.9, 1.3, 1.9] {

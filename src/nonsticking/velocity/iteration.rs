@@ -1,5 +1,5 @@
-//! The greatest velocity by iteration: Householder's third-order steps from the centre, from a bracketed root at f64, or from a start
-//! at a lower precision.
+//! The greatest velocity by iteration: Householder's third-order steps from the centre, from a bracketed root
+//! at f64, or from a start at a lower precision.
 
 use super::centre::from_centre;
 use super::step::{arrive, householder, is_final};
@@ -55,8 +55,8 @@ impl<F: Float> AtPrecision<F> for Start<F> {
         if G::PRECISION > f64::MANTISSA_DIGITS {
             return back(fastest(&half, k, alpha).psi);
         }
-        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance from a
-        // pole of K.
+        // Not by `from_afar`: built again from an Ω rounded to f64, the half cycle would lose its distance
+        // from a pole of K.
         let centred =
             if half.omega() >= G::ratio(1, 2) { from_centre(&half).map(|(found, _)| found) } else { None };
         let bracketed =
@@ -65,8 +65,8 @@ impl<F: Float> AtPrecision<F> for Start<F> {
     }
 }
 
-/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final; with the
-/// displacement there.
+/// Householder steps from a start that is already good: `log₄(PRECISION)` of them, or until one is final;
+/// with the displacement there.
 fn polish<F: Float>(half: &HalfCycle<F>, start: F) -> (Fastest<F>, F) {
     let mut psi = start;
     let mut angles = half.angles(psi);
@@ -105,8 +105,8 @@ pub(super) fn from_bracket(half: &HalfCycle<f64>, k: f64, alpha: f64) -> f64 {
     let crest = crest + TAU * ((centre - crest) / TAU).round();
     let end = if half.is_below_one() { crest } else { FRAC_PI_2 / omega };
     let slope = |psi: f64| half.velocity(psi).first;
-    // Half a turn from the crest ψ_c is a minimum between two equal maxima, where v′ has no sign but by rounding: the half of the
-    // bracket with the maximum is told by v′ a quarter turn from the crest.
+    // Half a turn from the crest ψ_c is a minimum between two equal maxima, where v′ has no sign but by
+    // rounding: the half of the bracket with the maximum is told by v′ a quarter turn from the crest.
     let quarter = end + FRAC_PI_2.with_sign_of(centre - end);
     let start =
         if half.is_below_one() && (end - centre).abs() > FRAC_PI_2 && slope(quarter) * (end - centre) > 0.0 {

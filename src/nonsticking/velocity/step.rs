@@ -4,7 +4,8 @@ use super::Fastest;
 use crate::float::Float;
 use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 
-/// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the faster wave.
+/// A step h is the last where the error it leaves, of the order h⁴, is below rounding; h in the angle of the
+/// faster wave.
 #[inline]
 pub(super) fn is_final<F: Float>(half: &HalfCycle<F>, step: F) -> bool {
     let step = step * half.omega().or_larger(F::int(1));

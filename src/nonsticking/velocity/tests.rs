@@ -48,7 +48,8 @@ proptest! {
     }
 }
 
-/// Half way between two crests of the faster wave to within rounding: at f32 the minimum there was taken for the maximum.
+/// Half way between two crests of the faster wave to within rounding: at f32 the minimum there was taken for
+/// the maximum.
 #[test]
 fn not_the_minimum_between_two_equal_maxima() {
     let cycle = Cycle::new(Ratios::new(0.186_831_79f32, 28.893_51).unwrap()).unwrap();

@@ -125,8 +125,9 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
     ])
 }
 
-/// Regime, stops and reversals in a cycle by the counts of the exact motion. Where it has not settled, and within a billionth of a border,
-/// where a stop may be smaller than the rounding of the motion, by the borders.
+/// Regime, stops and reversals in a cycle by the counts of the exact motion. Where it has not settled, and
+/// within a billionth of a border, where a stop may be smaller than the rounding of the motion, by the
+/// borders.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) = (ratios.alpha(), no_stop_force_ratios(ratios.omega()).unwrap());
     let six = without_stop.six_reversals();

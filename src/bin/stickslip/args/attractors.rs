@@ -38,14 +38,15 @@ pub(crate) struct AttractorsArgs {
     /// Number of starts
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1000")]
     pub(crate) starts: String,
-    /// R: how far the starts reach, in units of B and of B ω_d [default: 3 + 2 η + 2 × the frictionless amplitude, at most 20 α]
+    /// R: how far the starts reach, in units of B and of B ω_d [default: 3 + 2 η + 2 × the frictionless
+    /// amplitude, at most 20 α]
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) reach: Option<String>,
     /// Periods of the drive to follow each start for
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
-    /// Also look for periodic motions of up to N turns of the drive that no start leads to, such as unstable ones, by Newton's method
-    /// from the same starts: a search, not a proof that there are no others
+    /// Also look for periodic motions of up to N turns of the drive that no start leads to, such as unstable
+    /// ones, by Newton's method from the same starts: a search, not a proof that there are no others
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) unstable: Option<u32>,
     #[command(flatten)]
@@ -75,7 +76,8 @@ pub(crate) struct BasinsArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
-    /// Displacements at the start, FROM:TO:COUNT [default: 101 values, as far as the starts of attractors reach]
+    /// Displacements at the start, FROM:TO:COUNT [default: 101 values, as far as the starts of attractors
+    /// reach]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,
     /// Velocities at the start, FROM:TO:COUNT [default: likewise]

@@ -31,8 +31,8 @@ pub(crate) struct ResponseArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
-    /// Guaranteed digits: each output with an error bound, rounding included, for --omega and --alpha exactly as typed
-    /// (needs a build with the feature mp)
+    /// Guaranteed digits: each output with an error bound, rounding included, for --omega and --alpha exactly
+    /// as typed (needs a build with the feature mp)
     #[arg(long)]
     pub(crate) enclose: bool,
     #[command(flatten)]
@@ -43,11 +43,12 @@ pub(crate) struct ResponseArgs {
 pub(crate) struct BorderArgs {
     #[command(flatten)]
     pub(crate) machine: MachineArgs,
-    /// Guaranteed digits: each output with an error bound, rounding included, for --omega exactly as typed (needs a
-    /// build with the feature mp)
+    /// Guaranteed digits: each output with an error bound, rounding included, for --omega exactly as typed
+    /// (needs a build with the feature mp)
     #[arg(long, conflicts_with = "no_stop")]
     pub(crate) enclose: bool,
-    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside Ω = 1/3, 1/5, … count
+    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside Ω =
+    /// 1/3, 1/5, … count
     #[arg(long)]
     pub(crate) no_stop: bool,
     #[command(flatten)]
@@ -56,8 +57,8 @@ pub(crate) struct BorderArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct VerifyArgs {
-    /// The residuals in ball arithmetic, rounding included: a ball with 0 in it holds, a ball without refutes (needs a build
-    /// with the feature mp)
+    /// The residuals in ball arithmetic, rounding included: a ball with 0 in it holds, a ball without refutes
+    /// (needs a build with the feature mp)
     #[arg(long)]
     pub(crate) enclose: bool,
     /// Bits of precision (needs a build with the feature mp) [default: 53, f64; with --enclose 64]

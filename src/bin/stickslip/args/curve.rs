@@ -66,7 +66,8 @@ pub(crate) struct MotionPlotArgs {
     pub(crate) start: StartArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// A picture in FILE.svg or FILE.png, its data in FILE.csv [default: a picture in SVG, to standard output]
+    /// A picture in FILE.svg or FILE.png, its data in FILE.csv [default: a picture in SVG, to standard
+    /// output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE where it exists

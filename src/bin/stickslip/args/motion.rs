@@ -46,8 +46,8 @@ pub(crate) struct SteadyArgs {
     /// Periods of the drive to follow the motion for before giving up on a limit
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::exact::DEFAULT_BUDGET)]
     pub(crate) max_periods: u32,
-    /// Guaranteed digits, and a proof that the motion exists: for --omega, --alpha and --damping-ratio exactly as typed,
-    /// from rest (needs a build with the feature mp)
+    /// Guaranteed digits, and a proof that the motion exists: for --omega, --alpha and --damping-ratio
+    /// exactly as typed, from rest (needs a build with the feature mp)
     #[arg(long, conflicts_with_all = ["x0", "v0", "max_periods"])]
     pub(crate) enclose: bool,
     #[command(flatten)]

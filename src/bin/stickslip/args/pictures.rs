@@ -46,7 +46,8 @@ pub(crate) struct FigureArgs {
         hide_possible_values = true
     )]
     pub(crate) name: String,
-    /// Where it goes: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: svg, to standard output]
+    /// Where it goes: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: svg, to standard
+    /// output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
     /// Replace FILE where it exists

@@ -4,7 +4,8 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use stickslip::units::{Reader, System};
 
-/// The oscillator and its frequency. A value may have a unit, such as 800kg; bare numbers are in one consistent system.
+/// The oscillator and its frequency. A value may have a unit, such as 800kg; bare numbers are in one
+/// consistent system.
 #[derive(Debug, Clone, Default, Args)]
 pub(crate) struct MachineArgs {
     /// Frequency ratio Ω = ω_d/ω_n
@@ -34,7 +35,8 @@ pub(crate) struct MachineArgs {
     /// Damping constant c of a viscous damper, such as 20kN*s/m, in place of the ratio
     #[arg(long, value_name = "C", allow_hyphen_values = true)]
     pub(crate) damping: Option<String>,
-    /// Static friction ratio η = r_s/r_y, such as 1.3: a body at rest stays until the force exceeds η r_y [default: 1]
+    /// Static friction ratio η = r_s/r_y, such as 1.3: a body at rest stays until the force exceeds η r_y
+    /// [default: 1]
     #[arg(long, value_name = "η", allow_hyphen_values = true)]
     pub(crate) static_friction_ratio: Option<String>,
     /// Static friction r_s, such as 6.5kN, in place of the ratio
@@ -54,7 +56,8 @@ pub(crate) struct ForceArgs {
     /// Amplitude p₀ of a force on the body, such as 12kN
     #[arg(long, value_name = "P0", allow_hyphen_values = true)]
     pub(crate) force: Option<String>,
-    /// Acceleration amplitude of a base that carries the surface, such as 0.15g: p₀ = m a₀, x relative to the base
+    /// Acceleration amplitude of a base that carries the surface, such as 0.15g: p₀ = m a₀, x relative to the
+    /// base
     #[arg(long, value_name = "A0", allow_hyphen_values = true)]
     pub(crate) base_acceleration: Option<String>,
     /// Velocity amplitude of a base that carries the surface, such as 30mm/s: p₀ = m ω_d v₀
@@ -70,8 +73,8 @@ pub(crate) struct ForceArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
-    /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as frequency[Hz];
-    /// what is the same in all rows may be an argument. - is standard input
+    /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as
+    /// frequency[Hz]; what is the same in all rows may be an argument. - is standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<PathBuf>,
     /// text or json for one answer [default: text]; jsonl or csv for --points [default: jsonl]

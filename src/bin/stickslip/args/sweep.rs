@@ -72,7 +72,8 @@ pub(crate) struct SweepArgs {
     /// The columns wanted, of those the command WHAT gives [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) outputs: Option<Vec<String>>,
-    /// csv, jsonl or parquet (needs a build with the feature parquet) [default: by the end of FILE's name, or csv]
+    /// csv, jsonl or parquet (needs a build with the feature parquet) [default: by the end of FILE's name, or
+    /// csv]
     #[arg(long, value_enum, hide_possible_values = true)]
     format: Option<SweepFormat>,
     /// Where the rows go [default: standard output]
@@ -96,7 +97,8 @@ pub(crate) struct SweepArgs {
 }
 
 impl SweepArgs {
-    /// As asked for, or as the file's name ends; CSV for a name without an end. `None` where the end says neither.
+    /// As asked for, or as the file's name ends; CSV for a name without an end. `None` where the end says
+    /// neither.
     pub(crate) fn format(&self) -> Option<SweepFormat> {
         match (self.format, self.out.as_deref()) {
             (Some(format), _) => Some(format),

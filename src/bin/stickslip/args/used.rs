@@ -205,7 +205,8 @@ fn written(id: &str, matches: &ArgMatches) -> String {
     }
 }
 
-/// Leaves the options that a command does not use out of its help; `before` is the command that it is a question of.
+/// Leaves the options that a command does not use out of its help; `before` is the command that it is a
+/// question of.
 pub(super) fn hide_unused(command: clap::Command, before: &str) -> clap::Command {
     let name = format!("{before} {}", command.get_name()).trim_start().to_owned();
     let command = command.mut_subcommands(|question| hide_unused(question, &name));

@@ -22,7 +22,8 @@ impl Asked {
             let (force, ratio) = transmitted(machine, (omega, alpha), force, acceleration);
             if self.what == Curve::Force { force } else { ratio }
         };
-        // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B ω_d², r_y and B.
+        // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B
+        // ω_d², r_y and B.
         let (peaks, regime, sticks) = match response.cycle() {
             Some(c) => {
                 let of_cycle = match self.what {

@@ -8,8 +8,8 @@ use stickslip::figures::{Axis, Figure, Panel, Series, Style};
 
 /// Decades of the upward axis: what is lower is at rest for all that can be seen.
 const DECADES: f64 = 1e4;
-/// Colours and marks of the curves: those whose colours are close to colour-blind eyes are not among them, and black is for what is
-/// the same in every picture, the border and the resonance.
+/// Colours and marks of the curves: those whose colours are close to colour-blind eyes are not among them,
+/// and black is for what is the same in every picture, the border and the resonance.
 const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
 /// Marks of a curve.
 const MARKS: usize = 12;

@@ -29,7 +29,8 @@ impl Map<'_> {
         (words, label)
     }
 
-    /// The border of sticking, where the picture has α upwards, or what α is proportional to: from the border itself.
+    /// The border of sticking, where the picture has α upwards, or what α is proportional to: from the border
+    /// itself.
     fn border(&self) -> Vec<(f64, f64)> {
         let up = self.up.0;
         let inverse = matches!(up, P::Friction | P::FrictionCoefficient);
@@ -55,8 +56,8 @@ impl Map<'_> {
         points
     }
 
-    /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at rest goes the
-    /// other way.
+    /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at
+    /// rest goes the other way.
     fn lit(&self, scale: Scale) -> Scale {
         match scale {
             Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
@@ -109,7 +110,8 @@ impl Map<'_> {
             let (x, y) = (self.across.0.option(), self.up.0.option());
             return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
         };
-        // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as they come.
+        // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as
+        // they come.
         let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
         let known = if matches!(self.quantity, Quantity::Limits) { limits::NAMES } else { regimes };
         let mut names: Vec<String> = known.map(str::to_owned).to_vec();
@@ -177,7 +179,8 @@ impl Map<'_> {
     }
 }
 
-/// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees more.
+/// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees
+/// more.
 const MOST: u64 = 4_000_000;
 const MOST_ACROSS: u64 = 20_000;
 /// The count that stands for all above it, too.

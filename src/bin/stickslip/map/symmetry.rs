@@ -18,7 +18,8 @@ pub(super) struct Breaks {
 }
 
 impl Map<'_> {
-    /// Where a stable symmetric motion is lost, by a multiplier of −1 and in another way, of a picture of the limits with the force upwards.
+    /// Where a stable symmetric motion is lost, by a multiplier of −1 and in another way, of a picture of the
+    /// limits with the force upwards.
     pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
         let up = self.up.0;
         let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
@@ -66,8 +67,8 @@ impl Map<'_> {
     }
 }
 
-/// Where a stable symmetric motion of one turn is lost on the way from a part of the force to all of it, as parts of it: at a multiplier of −1, and
-/// by a jump or a fold. `None` where the search passed its bound.
+/// Where a stable symmetric motion of one turn is lost on the way from a part of the force to all of it, as
+/// parts of it: at a multiplier of −1, and by a jump or a fold. `None` where the search passed its bound.
 fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>; 2]>, Failure> {
     let high = ratios.alpha();
     let low = (from * high).max(LEAST);

@@ -1,8 +1,9 @@
 //! Sweeps to Parquet: a column for each output, a row group whenever enough rows are in memory.
 //!
-//! Only the end of a Parquet file says where its columns are, so that one without its end is lost. The rows therefore
-//! go to a folder beside the file first, as parts that are Parquet files of their own, one each second or so; once
-//! the sweep is whole they become the file. Whatever breaks it off, the parts are kept, and can be gone on with.
+//! Only the end of a Parquet file says where its columns are, so that one without its end is lost. The rows
+//! therefore go to a folder beside the file first, as parts that are Parquet files of their own, one each
+//! second or so; once the sweep is whole they become the file. Whatever breaks it off, the parts are kept,
+//! and can be gone on with.
 
 mod column;
 mod parts;
@@ -84,7 +85,8 @@ struct Sweep<'a, F> {
 }
 
 impl<F: Value> Sweep<'_, F> {
-    /// Fails unless the file has the rows of these points, by its notes, its columns, their number, and its ends.
+    /// Fails unless the file has the rows of these points, by its notes, its columns, their number, and its
+    /// ends.
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);

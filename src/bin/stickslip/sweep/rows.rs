@@ -105,8 +105,8 @@ impl<F: Value> resume::Rows for Rows<F> {
         Ok(text)
     }
 
-    /// Whether Ω and, where there is one, α are among the columns. Of a machine they tell one row from another, if not one
-    /// machine from another.
+    /// Whether Ω and, where there is one, α are among the columns. Of a machine they tell one row from
+    /// another, if not one machine from another.
     fn hold_their_grid(&self) -> bool {
         let among = |name: &str| self.columns.iter().any(|column| column == name);
         among("omega") && (self.question == Swept::Border || among("alpha"))

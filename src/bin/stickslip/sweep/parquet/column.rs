@@ -67,7 +67,8 @@ impl Column {
                 self.bytes += text.len();
                 values.push(text.into_bytes().into());
             }
-            // Nothing there: the columns are made of the cells of the first row, and every row has the same kinds.
+            // Nothing there: the columns are made of the cells of the first row, and every row has the same
+            // kinds.
             _ => {}
         }
         self.bytes += 10;

@@ -23,7 +23,8 @@ pub(super) struct Parts {
 const LOCK: &str = "lock";
 
 impl Parts {
-    /// The folder of a file, made where there is none; one that is there is gone on with only where that is asked for.
+    /// The folder of a file, made where there is none; one that is there is gone on with only where that is
+    /// asked for.
     pub(super) fn open(file: &Path, resume: bool) -> Result<Self, Failure> {
         let folder = with_suffix(file, ".parts");
         let name = folder.display();
