@@ -1,21 +1,21 @@
 //! `stickslip design`.
 
+mod asked;
 mod best;
 mod no_stop;
 
 use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
-use crate::given::{Given, Parameter as P};
-use crate::input::completed;
-use crate::machine::base_motion;
 use crate::note::digits;
 use crate::record::Cell;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
-use stickslip::units::{Kind, Reader, System};
-use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
+use stickslip::units::{Kind, System};
+use stickslip::{Error, Oscillator};
+
+use asked::Asked;
 
 /// The question and where its answer goes.
 struct Run<'a, W>(&'a Question, &'a mut W);
@@ -121,165 +121,7 @@ impl Serialize for Units<'_> {
     }
 }
 
-/// The arguments of a question, ready to be read as its answer needs them.
-struct Asked<'a, F> {
-    args: &'a QuestionArgs,
-    reader: &'a Reader,
-    given: Given<F>,
-    physical: bool,
-    one: F,
-}
-
-impl<'a, F: Value> Asked<'a, F> {
-    fn new(args: &'a QuestionArgs, reader: &'a Reader) -> Result<Self, Failure> {
-        let given = Given::of(&args.machine, &args.force, reader)?;
-        let physical = given.is_physical();
-        if physical && (given.has(P::Omega) || given.has(P::Alpha)) {
-            let text = "--omega and --alpha: a question is asked in ratios or in physical units, not in both";
-            return Err(Failure::Input(text.to_owned()));
-        }
-        Ok(Self { args, reader, given, physical, one: F::int(1) })
-    }
-
-    /// The sentence, what base motion it is about, and a line for each number with its unit.
-    fn text(&self, answer: &Answer<F>, out: &mut impl Write) -> Outcome {
-        writeln!(out, "{}", answer.sentence)?;
-        if let Some(base) = self.base_motion() {
-            writeln!(out, "Base motion {base}.")?;
-        }
-        for row in &answer.rows {
-            writeln!(out)?;
-            for (name, kind, cell) in row {
-                let is_number = matches!(cell, Cell::Number(_) | Cell::Intervals(_)) && *kind != Kind::Ratio;
-                let unit = if is_number { format!(" {}", self.system().name(*kind)) } else { String::new() };
-                let mut hertz = String::new();
-                if let (Cell::Number(Some(value)), Kind::Frequency) = (cell, kind) {
-                    hertz = format!(" = {} Hz", digits(*value / (F::int(2) * F::pi())));
-                }
-                writeln!(out, "  {:<22} {}{unit}{hertz}", name.replace('_', " "), cell.text())?;
-            }
-        }
-        Ok(())
-    }
-
-    fn named<'r>(&self, row: &'r Row<F>) -> Named<'r, F> {
-        Named { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
-    }
-
-    /// Which kind of base motion the question is about, if any.
-    fn base_motion(&self) -> Option<&'static str> {
-        let given = |several: &[P]| several.iter().any(|p| self.given.has(*p));
-        if given(&[P::FootDisplacement]) {
-            base_motion(Excitation::FootMotion)
-        } else if given(&[P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement]) {
-            base_motion(Excitation::SurfaceMotion)
-        } else {
-            None
-        }
-    }
-
-    /// The error behind the arguments of the machine, the range and the target that it comes from.
-    fn fail(&self, error: Error) -> Failure {
-        use Quantity as Q;
-        let QuestionArgs { from, to, target, .. } = self.args;
-        let quantity = error.quantity();
-        // The range is of what is asked for, which no other argument gives.
-        let of_range = [Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
-        let targets = [Q::MaxDisplacement, Q::MaxDisplacementRatio, Q::MaxVelocity, Q::MaxVelocityRatio];
-        let own: [(&str, &Option<String>, &[Q]); 3] =
-            [("--from", from, &of_range), ("--to", to, &of_range), ("--target", target, &targets)];
-        let named: Vec<String> = own
-            .iter()
-            .filter(|(_, _, quantities)| quantity.is_some_and(|q| quantities.contains(&q)))
-            .filter_map(|(name, value, _)| value.as_ref().map(|v| format!("{name} {v}")))
-            .collect();
-        match (named.join(" "), self.given.at_fault(error.clone())) {
-            (arguments, Failure::Input(text)) if !arguments.is_empty() && text == error.to_string() => {
-                Failure::Input(format!("{arguments}: {error}"))
-            }
-            (arguments, Failure::Input(text)) if !arguments.is_empty() => {
-                Failure::Input(text.replacen(": ", &format!(" {arguments}: "), 1))
-            }
-            (_, failure) => failure,
-        }
-    }
-
-    fn system(&self) -> &System {
-        &self.given.system
-    }
-
-    fn omega(&self) -> Result<F, Failure> {
-        self.given.required(P::Omega)
-    }
-
-    /// The damping ratio that is given, or none.
-    fn damping_ratio(&self) -> F {
-        self.given.get(P::DampingRatio).unwrap_or(F::int(0))
-    }
-
-    /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they
-    /// do.
-    fn undamped(&self) -> Result<(), Failure> {
-        if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
-            return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));
-        }
-        let zeta = self.damping_ratio();
-        if zeta > F::int(0) {
-            return Err(self.fail(Error::Damped { damping_ratio: zeta.into() }));
-        }
-        Ok(())
-    }
-
-    /// The border at Ω with the damping ratio and the static friction ratio that are given.
-    fn border(&self, omega: F) -> Result<Border<F>, Failure> {
-        let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
-        Ok(Border::of(&completed(&self.given, ratios)?))
-    }
-
-    fn alpha(&self) -> Result<F, Failure> {
-        self.given.required(P::Alpha)
-    }
-
-    fn frequency(&self) -> Result<F, Failure> {
-        self.given.required(P::Frequency)
-    }
-
-    /// `--from` and `--to`, in units of this kind where the question is physical.
-    fn range(&self, kind: Kind) -> Result<(F, F), Failure> {
-        Ok((self.read("--from", &self.args.from, kind)?, self.read("--to", &self.args.to, kind)?))
-    }
-
-    fn target(&self, kind: Kind) -> Result<F, Failure> {
-        self.read("--target", &self.args.target, kind)
-    }
-
-    fn read(&self, name: &str, text: &Option<String>, kind: Kind) -> Result<F, Failure> {
-        match text {
-            Some(text) => {
-                Ok(self.reader.value(name, text, if self.physical { kind } else { Kind::Ratio })?)
-            }
-            None => Err(Failure::Input(format!("{name} is missing"))),
-        }
-    }
-
-    /// The body; what the question does not need may be missing, and is then 1.
-    fn body(&self, needs_stiffness: bool, needs_friction: bool) -> Result<Oscillator<F>, Failure> {
-        let or_one = |found: Option<F>, needed: bool, names: &str| match found {
-            None if needed => Err(Failure::Input(format!("{names} is missing"))),
-            found => Ok(found.unwrap_or(self.one)),
-        };
-        let mass = self.given.mass()?;
-        let stiffness = or_one(self.given.stiffness()?, needs_stiffness, "--stiffness (or --period)")?;
-        let friction =
-            or_one(self.given.friction()?, needs_friction, "--friction (or --friction-coefficient)")?;
-        let body = Oscillator::new(mass, stiffness, friction).map_err(|e| self.fail(e))?;
-        self.given.with_damper(body)
-    }
-
-    fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
-        self.given.drive(body, frequency)
-    }
-
+impl<F: Value> Asked<'_, F> {
     fn least_force(&self) -> Result<Answer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;

@@ -1,13 +1,16 @@
 //! The answer as an engineer's note: the regime first, then the numbers, then the force it would need.
 
+mod force;
+
 use crate::bits::Value;
-use crate::input::BorderScales;
-use crate::machine::{Machine, base_motion, transmitted};
+use crate::machine::{Machine, base_motion};
 use crate::style;
 use std::io::{self, Write};
-use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::units::{Kind, System};
-use stickslip::{Cycle, PhaseFunction, Ratios, Regime, Response};
+use stickslip::{Cycle, PhaseFunction, Regime, Response};
+
+use force::needed_force;
+pub(crate) use force::{border, no_stop};
 
 /// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
@@ -195,138 +198,4 @@ fn motion<F: Value>(
 pub(crate) fn decay<F: Value>(left: F, time: &str) -> String {
     let left = digits(left);
     if left == "1" { "does not decay".to_owned() } else { format!("decays to {left} of its size in {time}") }
-}
-
-/// The minimum force without sticking, and the force of maximum dissipation.
-fn needed_force<F: Value>(
-    response: &Response<F>,
-    machine: Option<&Machine<F>>,
-    units: &System,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let border = response.border();
-    let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force());
-    writeln!(out, "\nForce")?;
-    if let Some(cycle) = response.cycle() {
-        let (ratios, acceleration) = (response.ratios(), cycle.max_acceleration());
-        let at = (ratios.omega(), ratios.alpha());
-        let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
-        writeln!(out, "  transmitted, maximum     {}", forces(force))?;
-        let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
-            "per foot acceleration"
-        } else {
-            "per p₀"
-        };
-        writeln!(out, "    {name:<22} {}", digits(ratio))?;
-    }
-    let ratios = response.ratios();
-    let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();
-    match no_stop.as_ref().and_then(NoStop::six_reversals) {
-        None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio()))?,
-        Some((low, high)) => {
-            writeln!(out, "  minimum without a stop   {}", forces(low))?;
-            writeln!(out, "    up to                  {}  (six reversals a cycle)", forces(high))?;
-            writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
-            writeln!(out, "    (between these two the body stops)")?;
-        }
-    }
-    not_to_be_held(response.ratios().omega(), border.min_force_ratio(), out)?;
-    if border.turning_point() < border.min_force_ratio() && !response.ratios().is_damped() {
-        let eq_61 = digits(border.turning_point());
-        writeln!(out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
-    }
-    match response.best_loop_size() {
-        Some(size) if response.best_is_reached() => {
-            writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio()))?;
-            writeln!(out, "    with A₁ =              {}", digits(size))?;
-            if size.to_f64() > ABSURD {
-                writeln!(out, "    (Ω is too close to 1/(2n), where it is infinite, for any machine)")?;
-            }
-            Ok(())
-        }
-        None if response.best_is_reached() => {
-            writeln!(
-                out,
-                "  of maximum dissipation   any above the minimum: at Ω = 1 the loop grows in every cycle"
-            )
-        }
-        Some(_) | None => writeln!(
-            out,
-            "  of maximum dissipation   the minimum above; the optimum of eq. 65, {} r_y, would stick",
-            digits(response.best_force_ratio())
-        ),
-    }
-}
-
-/// Beyond this a force ratio or a loop size is that of a pole, which no machine's frequency comes so close
-/// to.
-const ABSURD: f64 = 1e6;
-
-/// Says so where Ω is so close to a pole that no machine can be held there.
-fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
-    // Away from the poles the border is 1/Ω² or a few times that.
-    if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
-        writeln!(out, "    (Ω is too close to 1/(2n+1), where the border is infinite, for any machine)")?;
-    }
-    Ok(())
-}
-
-/// With which forces the body does not stop, as the end of a sentence.
-pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
-    let border = digits(found.border());
-    match found.six_reversals() {
-        None => format!("at a force of {border} {unit} or more"),
-        Some((low, high)) => format!(
-            "at a force of {} to {} {unit}, where it reverses six times a cycle, and of {border} {unit} or more",
-            digits(low),
-            digits(high)
-        ),
-    }
-}
-
-/// From here on the turning point decides the border, `√(1 − ζ²)/2`.
-fn exact_from<F: Value>(ratios: Ratios<F>) -> F {
-    let (one, zeta) = (F::int(1), ratios.damping_ratio());
-    if zeta < one { ((one - zeta) * (one + zeta)).sqrt() / F::int(2) } else { F::int(0) }
-}
-
-/// The note on a border, with the forces of six reversals a cycle where they were asked for.
-pub(crate) fn border<F: Value>(
-    answer: &Response<F>,
-    found: Option<&NoStop<F>>,
-    scales: Option<BorderScales<F>>,
-    units: &System,
-    out: &mut impl Write,
-) -> io::Result<()> {
-    let (omega, border) = (answer.ratios().omega(), answer.border());
-    let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force());
-    let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length());
-    let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    match found {
-        None => {
-            let least = digits(border.min_force_ratio());
-            let cycle = "the cycle of two reversals does not stick at a force of";
-            writeln!(out, "At Ω = {} {cycle} {least} r_y or more.\n", digits(omega))?;
-        }
-        Some(found) => {
-            writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
-        }
-    }
-    if answer.ratios().is_damped() {
-        writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios().damping_ratio()))?;
-    }
-    if let Some((low, high)) = found.and_then(NoStop::six_reversals) {
-        writeln!(out, "  six reversals from       {}", forces(low))?;
-        writeln!(out, "    up to                  {}", forces(high))?;
-    }
-    writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
-    not_to_be_held(omega, border.min_force_ratio(), out)?;
-    writeln!(out, "  at the turning point     {}", forces(border.turning_point()))?;
-    writeln!(
-        out,
-        "    (eq. 61{})",
-        if omega >= exact_from(answer.ratios()) { ", exact here" } else { ", necessary only here" }
-    )?;
-    writeln!(out, "  minimum displacement     {}", lengths(border.least_displacement()))?;
-    writeln!(out, "  velocity touches zero    {} after the maximum displacement", times(border.phase()))
 }

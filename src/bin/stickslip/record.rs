@@ -1,11 +1,12 @@
 //! Answers as records: one list of names and values, written as JSON or CSV.
 
+mod cell;
+
 use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
 use crate::machine::Machine;
-use crate::note;
 use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
@@ -14,124 +15,7 @@ use stickslip::Response;
 use stickslip::regime::NoStop;
 use stickslip::units::Kind;
 
-/// A value of a record.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Cell<F> {
-    Text(&'static str),
-    /// `None` for what does not exist there.
-    Number(Option<F>),
-    /// A whole number.
-    Count(Option<u64>),
-    /// Whether something holds.
-    Flag(bool),
-    /// Two intervals at most, the greatest of the last one missing.
-    Intervals([Option<(F, Option<F>)>; 2]),
-    /// Two complex numbers, each as its real and imaginary part.
-    Pairs(Option<[(F, F); 2]>),
-}
-
-impl<F: Value> Cell<F> {
-    /// A failure under that name where a number is infinite.
-    pub(crate) fn finite(&self, name: &str) -> Outcome {
-        let one = |x: F| {
-            let text = format!("{name} = {x} must be finite: it is beyond the largest number in these units");
-            if x.is_finite() { Ok(()) } else { Err(Failure::Input(text)) }
-        };
-        match self {
-            Self::Number(number) => number.map_or(Ok(()), one),
-            Self::Pairs(pairs) => {
-                pairs.iter().flatten().try_for_each(|&(re, im)| one(re).and_then(|()| one(im)))
-            }
-            Self::Intervals(intervals) => intervals
-                .iter()
-                .flatten()
-                .try_for_each(|&(low, high)| one(low).and_then(|()| high.map_or(Ok(()), one))),
-            Self::Text(_) | Self::Count(_) | Self::Flag(_) => Ok(()),
-        }
-    }
-
-    /// As a reader wants it: seven digits at f64, a dash for what does not exist.
-    pub(crate) fn text(&self) -> String {
-        let dash = || "–".to_owned();
-        match self {
-            Self::Text(text) => (*text).to_owned(),
-            Self::Number(number) => number.map_or_else(dash, note::digits),
-            Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
-            Self::Flag(flag) => flag.to_string(),
-            Self::Intervals(intervals) => {
-                let text = |&(low, high): &(F, Option<F>)| match high {
-                    Some(high) => format!("{} to {}", note::digits(low), note::digits(high)),
-                    None => format!("{} and more", note::digits(low)),
-                };
-                intervals.iter().flatten().map(text).collect::<Vec<_>>().join(", ")
-            }
-            Self::Pairs(pairs) => pairs.map_or_else(dash, |pairs| {
-                pairs.map(|(re, im)| format!("{} {} i", note::digits(re), note::digits(im))).join(", ")
-            }),
-        }
-    }
-}
-
-impl<F: Value> Cell<F> {
-    /// The cells of one value each that it is written as in a row: four for a pair of complex numbers or two
-    /// intervals.
-    fn parts(self) -> [Option<Self>; 4] {
-        match self {
-            Self::Pairs(pairs) => {
-                let number = |part: fn([(F, F); 2]) -> F| Some(Self::Number(pairs.map(part)));
-                [
-                    number(|[(re, _), _]| re),
-                    number(|[(_, im), _]| im),
-                    number(|[_, (re, _)]| re),
-                    number(|[_, (_, im)]| im),
-                ]
-            }
-            Self::Intervals([first, second]) => {
-                let ends = |interval: Option<(F, Option<F>)>| {
-                    let (low, high) = interval.map_or((None, None), |(low, high)| (Some(low), high));
-                    (Some(Self::Number(low)), Some(Self::Number(high)))
-                };
-                let ((a, b), (c, d)) = (ends(first), ends(second));
-                [a, b, c, d]
-            }
-            Self::Text(_) | Self::Number(_) | Self::Count(_) | Self::Flag(_) => {
-                [Some(self), None, None, None]
-            }
-        }
-    }
-
-    /// The names of these.
-    pub(crate) fn part_names(&self, name: &str) -> Vec<String> {
-        let parts = match self {
-            Self::Pairs(_) => ["_1_re", "_1_im", "_2_re", "_2_im"].as_slice(),
-            Self::Intervals(_) => &["_1_low", "_1_high", "_2_low", "_2_high"],
-            Self::Text(_) | Self::Number(_) | Self::Count(_) | Self::Flag(_) => &[""],
-        };
-        parts.iter().map(|part| format!("{name}{part}")).collect()
-    }
-}
-
-/// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
-impl<F: Value> Serialize for Cell<F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Text(text) => text.serialize(serializer),
-            Self::Number(Some(number)) if F::PRECISION > f64::MANTISSA_DIGITS => {
-                serializer.collect_str(number)
-            }
-            Self::Number(number) => number.map(F::to_f64).serialize(serializer),
-            Self::Count(count) => count.serialize(serializer),
-            Self::Flag(flag) => flag.serialize(serializer),
-            Self::Intervals(intervals) => serializer.collect_seq(
-                intervals.iter().flatten().map(|&(low, high)| [Some(low), high].map(Self::Number)),
-            ),
-            Self::Pairs(None) => serializer.serialize_none(),
-            Self::Pairs(Some(pairs)) => {
-                serializer.collect_seq(pairs.map(|(re, im)| [re, im].map(|x| Self::Number(Some(x)))))
-            }
-        }
-    }
-}
+pub(crate) use cell::Cell;
 
 /// The text of some rows of CSV.
 pub(crate) fn csv_text(

@@ -1,0 +1,194 @@
+//! What can be given: each quantity with its option, symbol, kind and column.
+
+use stickslip::Quantity;
+use stickslip::units::Kind;
+
+/// One quantity that can be given.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parameter {
+    Omega,
+    Mass,
+    Stiffness,
+    Period,
+    Friction,
+    FrictionCoefficient,
+    Gravity,
+    DampingRatio,
+    Damping,
+    StaticFrictionRatio,
+    StaticFriction,
+    Frequency,
+    Alpha,
+    Force,
+    BaseAcceleration,
+    BaseVelocity,
+    BaseDisplacement,
+    FootDisplacement,
+}
+
+use Parameter as P;
+
+impl Parameter {
+    pub(crate) const ALL: [Self; 18] = [
+        P::Omega,
+        P::Mass,
+        P::Stiffness,
+        P::Period,
+        P::Friction,
+        P::FrictionCoefficient,
+        P::Gravity,
+        P::DampingRatio,
+        P::Damping,
+        P::StaticFrictionRatio,
+        P::StaticFriction,
+        P::Frequency,
+        P::Alpha,
+        P::Force,
+        P::BaseAcceleration,
+        P::BaseVelocity,
+        P::BaseDisplacement,
+        P::FootDisplacement,
+    ];
+
+    /// The argument, and as a column without its dashes.
+    pub(crate) const fn option(self) -> &'static str {
+        match self {
+            P::Omega => "--omega",
+            P::Mass => "--mass",
+            P::Stiffness => "--stiffness",
+            P::Period => "--period",
+            P::Friction => "--friction",
+            P::FrictionCoefficient => "--friction-coefficient",
+            P::Gravity => "--gravity",
+            P::DampingRatio => "--damping-ratio",
+            P::Damping => "--damping",
+            P::StaticFrictionRatio => "--static-friction-ratio",
+            P::StaticFriction => "--static-friction",
+            P::Frequency => "--frequency",
+            P::Alpha => "--alpha",
+            P::Force => "--force",
+            P::BaseAcceleration => "--base-acceleration",
+            P::BaseVelocity => "--base-velocity",
+            P::BaseDisplacement => "--base-displacement",
+            P::FootDisplacement => "--foot-displacement",
+        }
+    }
+
+    /// The name of its column in a file of points.
+    pub(crate) fn column(self) -> String {
+        self.option().trim_start_matches('-').replace('-', "_")
+    }
+
+    /// Whether it is of a machine in physical units.
+    pub(crate) const fn is_physical(self) -> bool {
+        !matches!(self, P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio)
+    }
+
+    /// What it is called where it is checked here and not by the library.
+    pub(crate) const fn symbol(self) -> &'static str {
+        match self {
+            P::Omega => "frequency ratio Ω",
+            P::Mass => "mass m",
+            P::Stiffness => "stiffness k",
+            P::Period => "natural period T",
+            P::Friction => "friction bound r_y",
+            P::FrictionCoefficient => "coefficient of friction µ",
+            P::Gravity => "gravity g",
+            P::DampingRatio => "damping ratio ζ",
+            P::Damping => "damping constant c",
+            P::StaticFrictionRatio => "static friction ratio η",
+            P::StaticFriction => "static friction r_s",
+            P::Frequency => "angular frequency ω_d",
+            P::Alpha => "force ratio α",
+            P::Force => "force amplitude p₀",
+            P::BaseAcceleration => "base acceleration amplitude",
+            P::BaseVelocity => "base velocity amplitude",
+            P::BaseDisplacement => "base amplitude",
+            P::FootDisplacement => "amplitude of the foot",
+        }
+    }
+
+    pub(crate) const fn kind(self) -> Kind {
+        match self {
+            P::Omega | P::Alpha | P::FrictionCoefficient | P::DampingRatio | P::StaticFrictionRatio => {
+                Kind::Ratio
+            }
+            P::Damping => Kind::Damping,
+            P::Mass => Kind::Mass,
+            P::Stiffness => Kind::Stiffness,
+            P::Period => Kind::Time,
+            P::Friction | P::StaticFriction | P::Force => Kind::Force,
+            P::Gravity | P::BaseAcceleration => Kind::Acceleration,
+            P::Frequency => Kind::Frequency,
+            P::BaseVelocity => Kind::Velocity,
+            P::BaseDisplacement | P::FootDisplacement => Kind::Length,
+        }
+    }
+
+    /// The quantities of the library that it decides.
+    pub(super) const fn quantities(self) -> &'static [Quantity] {
+        use Quantity as Q;
+        match self {
+            P::Omega => &[Q::FrequencyRatio, Q::Stiffness],
+            P::Mass => &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness],
+            P::Stiffness | P::Period => &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement],
+            P::Friction | P::FrictionCoefficient => {
+                &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]
+            }
+            P::Gravity => &[Q::FrictionBound],
+            P::DampingRatio => &[Q::DampingRatio],
+            P::Damping => &[Q::Damping, Q::DampingRatio],
+            P::StaticFrictionRatio => &[Q::StaticFrictionRatio],
+            P::StaticFriction => &[Q::StaticFriction, Q::StaticFrictionRatio],
+            P::Frequency => {
+                &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness]
+            }
+            P::Alpha => &[Q::ForceRatio, Q::ForceAmplitude],
+            P::Force => &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
+            P::BaseAcceleration | P::BaseVelocity | P::BaseDisplacement | P::FootDisplacement => &[
+                Q::BaseAmplitude,
+                Q::BaseVelocity,
+                Q::BaseAcceleration,
+                Q::ForceAmplitude,
+                Q::ForceRatio,
+                Q::StaticEnergy,
+                Q::PseudoStaticEnergy,
+            ],
+        }
+    }
+
+    /// What the border of sticking depends on.
+    pub(crate) const BORDER: [Self; 12] = [
+        P::Omega,
+        P::Mass,
+        P::Stiffness,
+        P::Period,
+        P::Friction,
+        P::FrictionCoefficient,
+        P::Gravity,
+        P::DampingRatio,
+        P::Damping,
+        P::StaticFrictionRatio,
+        P::StaticFriction,
+        P::Frequency,
+    ];
+
+    /// Damping, by its ratio or its constant.
+    pub(crate) const DAMPERS: [Self; 2] = [P::DampingRatio, P::Damping];
+
+    /// Static friction above the kinetic one, by its ratio or its force.
+    pub(crate) const STATIC_FRICTIONS: [Self; 2] = [P::StaticFrictionRatio, P::StaticFriction];
+
+    /// What a machine and its drive take: one of each of these.
+    pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
+        &[P::Mass],
+        &[P::Stiffness, P::Period, P::Omega],
+        &[P::Friction, P::FrictionCoefficient],
+        &[P::Frequency],
+        &Self::DRIVES,
+    ];
+
+    /// What shakes the body: exactly one of these is given.
+    pub(crate) const DRIVES: [Self; 6] =
+        [P::Force, P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement, P::FootDisplacement, P::Alpha];
+}

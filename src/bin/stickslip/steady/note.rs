@@ -1,0 +1,180 @@
+//! The note on a steady state.
+
+use crate::bits::Value;
+use crate::input::Point;
+use crate::machine::{base_motion, transmitted};
+use crate::note::{both, decay, digits};
+use crate::style;
+use std::io::{self, Write};
+use stickslip::Regime;
+use stickslip::exact::{LongRun, Peaks, SteadyState};
+use stickslip::regime::{Observed, observed};
+use stickslip::units::{Kind, System};
+
+/// The answer as an engineer's note.
+pub(super) fn note<F: Value>(
+    point: &Point<F>,
+    limit: &LongRun<F>,
+    units: &System,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
+    let seen = observed(point.ratios, limit);
+    if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
+        writeln!(out, "Base motion {base}.")?;
+    }
+    match limit {
+        LongRun::Periodic(steady) => {
+            let verdict = style::verdict(&verdict(steady, &seen));
+            writeln!(out, "{verdict} {}\n", from_where(point, steady))?;
+            motion(steady, point, units, out)
+        }
+        LongRun::Family(steady) => {
+            writeln!(
+                out,
+                "{} At Ω = 1/(2n) the periodic motions are a family; this is the one that the start leads to.\n",
+                style::verdict(&verdict(steady, &seen))
+            )?;
+            motion(steady, point, units, out)
+        }
+        LongRun::Rest(rest) => {
+            let place = length(rest.position);
+            let sentence = match rest.slides {
+                Some(0) => format!("Stuck: the body never moves from {place}."),
+                Some(1) => format!("Stuck: the body comes to rest at {place} after one slide."),
+                Some(slides) => format!("Stuck: the body comes to rest at {place} after {slides} slides."),
+                None => format!("Stuck: the body creeps towards rest at {place} for ever."),
+            };
+            writeln!(out, "{}", style::verdict(&sentence))
+        }
+        LongRun::Irregular(found) => {
+            let turns = found.turns();
+            let sentence = format!(
+                "Irregular: the motion from this start did not repeat itself in {turns} turns of the drive."
+            );
+            writeln!(out, "{}\n", style::verdict(&sentence))?;
+            writeln!(out, "  greatest displacement    {}", length(found.max_displacement()))?;
+            writeln!(out, "  least displacement       {}", length(found.min_displacement()))?;
+            let (exponent, error) = (found.lyapunov_exponent(), found.lyapunov_exponent_error());
+            writeln!(
+                out,
+                "  Lyapunov exponent        {} a turn, ± {:.1e}",
+                digits(exponent),
+                error.to_f64()
+            )?;
+            writeln!(out, "  stops                    {}", found.stops())
+        }
+        LongRun::Unbounded { growth } => {
+            let growth = length(*growth);
+            let sentence = format!("Unbounded: the amplitude grows by {growth} in a cycle, in the long run.");
+            writeln!(out, "{}", style::verdict(&sentence))
+        }
+        LongRun::NotConverged { residual, periods, .. } => {
+            let (periods, left) = (digits(periods.to_f64()), length(*residual));
+            let sentence = format!(
+                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with --max-periods. By the borders its limit is {}.",
+                seen.regime.name()
+            );
+            writeln!(out, "{}", style::verdict(&sentence))
+        }
+    }
+}
+
+/// From which starts the motion comes, and what there is to say of its cycle.
+fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
+    if !point.ratios.has_higher_static_friction() {
+        return "One periodic motion, from every start.".to_owned();
+    }
+    let cycle = match steady.turns_per_cycle() {
+        1 => String::new(),
+        turns => format!(" A cycle takes {turns} turns of the drive."),
+    };
+    let symmetry = if steady.is_symmetric() {
+        ""
+    } else {
+        " It is not symmetric: its mirror image is a motion from other starts."
+    };
+    format!("The limit of this start; others can have another.{cycle}{symmetry}")
+}
+
+fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
+    match seen.sticks.unwrap_or_default() {
+        0 if seen.regime == Regime::Sticking => {
+            "Sticking: α is so close below the border that the stops are too short for this arithmetic."
+                .to_owned()
+        }
+        0 => match seen.reversals {
+            Some(n) if n > 2 => format!("Non-sticking: the body never stops; it reverses {n} times a cycle."),
+            Some(_) | None => "Non-sticking: the body never stops.".to_owned(),
+        },
+        n => {
+            let part = digits((steady.stick_fraction().to_f64() * 1e4).round() / 1e2);
+            format!("Sticking: {n} stops in a cycle, {part} % of the time.")
+        }
+    }
+}
+
+fn motion<F: Value>(
+    steady: &SteadyState<F>,
+    point: &Point<F>,
+    units: &System,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let speed_unit = format!("{}/s", units.length());
+    let work_unit = format!("{}·{}", units.force(), units.length());
+    let length = |x| both(x, "B", scales.map(|s| s.length), units.length());
+    let phase = |x| both(x, "rad", scales.map(|s| s.time), "s");
+    let speed = |x| both(x, "B ω_d", scales.map(|s| s.velocity), &speed_unit);
+    let work = |x| both(x, "r_y B", scales.map(|s| s.force * s.length), &work_unit);
+    writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_displacement_phase()))?;
+    writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_displacement_phase()))?;
+    writeln!(out, "  maximum velocity         {}", speed(steady.max_velocity()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity_phase()))?;
+    writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity()))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity_phase()))?;
+    if let Ok(found) = steady.peaks() {
+        peaks(&found, point, units, out)?;
+    }
+    writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
+    writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
+    writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
+    if steady.damper_work() > F::int(0) {
+        writeln!(out, "  work against the damper  {}", work(steady.damper_work()))?;
+    }
+    writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
+    let far = format!("{:.0e}", steady.distance().0.to_f64());
+    let periods = digits(steady.periods().to_f64());
+    writeln!(out, "  found in {periods} periods, within {far} B of the limit")
+}
+
+/// What the machine feels: acceleration, transmitted force, and under a base that carries the surface the
+/// absolute motion.
+fn peaks<F: Value>(
+    peaks: &Peaks<F>,
+    point: &Point<F>,
+    units: &System,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    let scales = point.machine.as_ref().map(|m| &m.scales);
+    let acceleration = scales.map(|s| s.velocity / s.time);
+    let text = both(peaks.acceleration, "B ω_d²", acceleration, &units.name(Kind::Acceleration));
+    writeln!(out, "  maximum acceleration     {text}")?;
+    let (machine, at) = (point.machine.as_ref(), (point.ratios.omega(), point.ratios.alpha()));
+    let (force, ratio) = transmitted(machine, at, peaks.transmitted_force, peaks.acceleration);
+    writeln!(
+        out,
+        "  transmitted force        {}",
+        both(force, "r_y", scales.map(|s| s.force), units.force())
+    )?;
+    let unit = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) { "" } else { " p₀" };
+    writeln!(out, "  transmissibility         {}{unit}", digits(ratio))?;
+    if point.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface()) {
+        let absolute = both(peaks.absolute_displacement, "B", scales.map(|s| s.length), units.length());
+        writeln!(out, "  absolute displacement    {absolute}")?;
+    }
+    Ok(())
+}
