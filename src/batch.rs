@@ -85,6 +85,7 @@ impl Batch {
     }
 
     /// With given instructions; with [`Level::Portable`] where the processor does not have them.
+    #[doc(hidden)]
     #[must_use]
     pub fn at_level(mut self, level: Level) -> Self {
         self.level = if level.is_available() { level } else { Level::Portable };
@@ -100,6 +101,7 @@ impl Batch {
     }
 
     /// The instructions it runs with.
+    #[doc(hidden)]
     #[must_use]
     pub const fn level(&self) -> Level {
         self.level

@@ -189,6 +189,8 @@ mod root;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod sensitivity;
+#[cfg(feature = "serde")]
+mod serialized;
 pub mod uncertainty;
 #[cfg_attr(
     not(test),

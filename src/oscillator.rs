@@ -26,6 +26,7 @@ use crate::ratios::{frequency_ratio, non_negative, one_friction, positive, valid
 /// much, and all else is as with r_y in both directions. Static friction is then above the kinetic one by
 /// (η − 1) r_y in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Oscillator<F> {
     mass: F,
     stiffness: F,

@@ -128,16 +128,8 @@ impl Output {
 
     /// Its value, dimensionless; `None` where it does not exist.
     pub fn of<F: Float>(self, response: &Response<F>) -> Option<F> {
-        let (border, cycle) = (response.border(), response.cycle());
+        let border = response.border();
         match self {
-            Self::MaxDisplacement => cycle.map(Cycle::max_displacement),
-            Self::DisplacementPhase => cycle.map(Cycle::displacement_phase),
-            Self::MaxVelocity => cycle.map(Cycle::max_velocity),
-            Self::VelocityPhase => cycle.map(Cycle::velocity_phase),
-            Self::Deviation => cycle.map(Cycle::deviation),
-            Self::LoopSizeStiffness => cycle.map(Cycle::loop_size_stiffness),
-            Self::LoopSizeInertia => cycle.map(Cycle::loop_size_inertia),
-            Self::Contraction => cycle.map(Cycle::contraction),
             Self::Margin => Some(response.ratios().alpha() / border.min_force_ratio()),
             Self::MinForceRatio => Some(border.min_force_ratio()),
             Self::TurningPointForceRatio => Some(border.turning_point()),
@@ -145,12 +137,46 @@ impl Output {
             Self::TouchingPhase => Some(border.phase()),
             Self::BestForceRatio => Some(response.best_force_ratio()),
             Self::BestLoopSize => response.best_loop_size(),
-            Self::DynamicAmplification => cycle.map(Cycle::dynamic_amplification),
-            Self::MaxAcceleration => cycle.map(Cycle::max_acceleration),
-            Self::TransmittedForce => cycle.map(Cycle::transmitted_force),
-            Self::Transmissibility => cycle.map(Cycle::transmissibility),
-            Self::MaxAbsoluteDisplacement => cycle.map(Cycle::max_absolute_displacement),
+            Self::MaxDisplacement
+            | Self::DisplacementPhase
+            | Self::MaxVelocity
+            | Self::VelocityPhase
+            | Self::Deviation
+            | Self::LoopSizeStiffness
+            | Self::LoopSizeInertia
+            | Self::Contraction
+            | Self::DynamicAmplification
+            | Self::MaxAcceleration
+            | Self::TransmittedForce
+            | Self::Transmissibility
+            | Self::MaxAbsoluteDisplacement => response.cycle().and_then(|cycle| self.of_cycle(cycle)),
         }
+    }
+
+    /// Its value, where it belongs to the cycle.
+    pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
+        Some(match self {
+            Self::MaxDisplacement => cycle.max_displacement(),
+            Self::DisplacementPhase => cycle.displacement_phase(),
+            Self::MaxVelocity => cycle.max_velocity(),
+            Self::VelocityPhase => cycle.velocity_phase(),
+            Self::Deviation => cycle.deviation(),
+            Self::LoopSizeStiffness => cycle.loop_size_stiffness(),
+            Self::LoopSizeInertia => cycle.loop_size_inertia(),
+            Self::Contraction => cycle.contraction(),
+            Self::DynamicAmplification => cycle.dynamic_amplification(),
+            Self::MaxAcceleration => cycle.max_acceleration(),
+            Self::TransmittedForce => cycle.transmitted_force(),
+            Self::Transmissibility => cycle.transmissibility(),
+            Self::MaxAbsoluteDisplacement => cycle.max_absolute_displacement(),
+            Self::Margin
+            | Self::MinForceRatio
+            | Self::TurningPointForceRatio
+            | Self::LeastDisplacement
+            | Self::TouchingPhase
+            | Self::BestForceRatio
+            | Self::BestLoopSize => return None,
+        })
     }
 
     /// The physical size of one unit of it.

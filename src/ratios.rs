@@ -16,6 +16,7 @@ use crate::float::Float;
 ///
 /// Inside that domain no closed form over- or underflows; outside, construction says so.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ratios<F> {
     omega: F,
     alpha: F,

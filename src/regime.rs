@@ -25,6 +25,8 @@ use crate::ratios::Ratios;
 
 /// What the body does in the long run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Regime {
     /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
     Stuck,

@@ -79,6 +79,7 @@ use crate::ratios::within;
 
 /// What is known of a parameter: it lies between two numbers, which belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct Interval<F> {
     low: F,
@@ -143,6 +144,8 @@ impl<F: Float> Interval<F> {
 
 /// How a range is known.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Known {
     /// No parameters in the box give a value outside this range. `sharp` where its ends are taken, too.
@@ -161,6 +164,7 @@ pub enum Known {
 
 /// The range of an output.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Range<F> {

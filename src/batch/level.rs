@@ -7,6 +7,7 @@ use pulp::x86::{V3, V4};
 ///
 /// One source for all of them, with the same fused products in the same order: all give the same bits.
 /// [`Level::Scalar`] is the library's own code for one point at a time.
+#[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {

@@ -4,6 +4,8 @@ use crate::nonsticking::border::Lobe;
 
 /// What ends a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Edge {
     /// The border: beyond it the body sticks.
     Border,
@@ -14,6 +16,7 @@ pub enum Edge {
 /// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends
 /// belong to it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Band<F> {

@@ -23,6 +23,7 @@ use crate::ratios::{Ratios, finite, positive};
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Measurement {
     /// Angular frequency ω_d.
     pub angular_frequency: f64,
@@ -35,6 +36,7 @@ pub struct Measurement {
 
 /// An estimate with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Estimate {
@@ -60,6 +62,7 @@ impl Estimate {
 
 /// What a measured response curve says of friction and damping.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct Identified {

@@ -30,6 +30,7 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
 /// A band of frequency ratios, or of angular frequencies, in which the body never stops; its ends belong to
 /// it.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct NoStopBand<F> {
     /// Lower end.

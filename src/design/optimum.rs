@@ -2,6 +2,8 @@
 
 /// What makes a value the best one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum OptimumKind {
     /// The derivative is zero there, inside the region where the body does not stick.
@@ -16,6 +18,7 @@ pub enum OptimumKind {
 
 /// An optimum among the cycles that do not stick.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 #[non_exhaustive]
 pub struct Optimum<F> {
@@ -29,6 +32,7 @@ pub struct Optimum<F> {
 
 /// An optimum among all motions, with a bound on every other value.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 #[non_exhaustive]
 pub struct BoundedOptimum<F> {

@@ -14,6 +14,7 @@ use crate::ratios::finite;
 
 /// A phase `θ = ω_d t = nπ + a` of the drive: n half turns and the angle `a` in `[−π/2, π/2)`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct DrivePhase<F> {
     half_turns: i64,

@@ -209,6 +209,7 @@ impl<F: Float> Tally<F> {
 /// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All are zero for a
 /// motion with `x(t + π/ω_d) = −x(t)`. Of a cycle of several turns T is the whole of them, and half of it takes the place of π/ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct ErrorMeasures<F> {
     /// Of the displacements.

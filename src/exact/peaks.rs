@@ -11,6 +11,7 @@ use std::f64::consts::TAU;
 
 /// The greatest absolute values of a cycle of the exact motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².

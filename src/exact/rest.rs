@@ -23,6 +23,7 @@ use crate::ratios::Ratios;
 
 /// Where a body ends at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Rest<F> {
     /// Place of rest x/B, `|x| ≤ η − α`.

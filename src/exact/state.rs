@@ -7,6 +7,7 @@ use crate::ratios::finite;
 
 /// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct State<F> {
     /// Phase θ = ω_d t.
     pub phase: DrivePhase<F>,
@@ -61,6 +62,7 @@ pub(crate) struct Point<F> {
 
 /// The motion at one instant: state, acceleration, forces. Forces in units of r_y.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Instant<F> {
     /// Phase, displacement and velocity.

@@ -29,6 +29,8 @@ use crate::root::enclosed;
 
 /// How a symmetric motion is lost.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Loss {
     /// A multiplier by half turn passes −1: the symmetric motion goes on, unstable, beside a mirror pair.
     Multiplier,
@@ -40,6 +42,8 @@ pub enum Loss {
 
 /// A force ratio at which a stable symmetric motion of one turn is lost.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
 #[non_exhaustive]
 pub struct SymmetryBreak<F> {
     /// The force ratio α.

@@ -36,6 +36,7 @@ pub(crate) struct Given<R> {
 
 /// What is sought: t₁, t₂, V₀, Δ₀, Δ₁.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unknowns<R> {
     /// Phase `ω_d t₁` of the maximum velocity.
     pub velocity_phase: R,

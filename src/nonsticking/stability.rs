@@ -66,6 +66,8 @@ pub(crate) fn real_contraction<R: Field>(g: R, g_cosine: R, spread: R) -> R {
 
 /// A pair of multipliers, complex conjugate or real.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[must_use]
 pub enum MultiplierPair<F> {
     /// `re ± i im`, im > 0.
@@ -113,6 +115,7 @@ impl<F: Float> MultiplierPair<F> {
 
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct Multipliers<F> {
     half_cycle: MultiplierPair<F>,

@@ -12,6 +12,8 @@ use crate::ratios::{Ratios, finite, positive};
 /// the base carries the **surface** along, as under an isolator or in an earthquake, x is the displacement
 /// relative to the base, and the force is inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Excitation {
     /// A force `p₀ sin ω_d t` on the body.
@@ -56,12 +58,14 @@ impl Excitation {
 
     /// Whether the foot of the spring moves over a surface that stays, so that the force on the body changes
     /// with its stiffness.
+    #[doc(hidden)]
     #[must_use]
     pub const fn moves_foot(self) -> bool {
         matches!(self, Self::FootMotion | Self::DampedFootMotion)
     }
 
     /// Whether the base carries the surface along, so that x is relative to it.
+    #[doc(hidden)]
     #[must_use]
     pub const fn carries_surface(self) -> bool {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
@@ -73,6 +77,7 @@ impl Excitation {
     /// What foot and surface together feel where the foot moves is the force m x″, `Ω²` times the
     /// acceleration, because nothing else acts on the body; and the transmissibility is the ratio of the
     /// accelerations of body and foot. Otherwise it is the force, and the same over p₀.
+    #[doc(hidden)]
     pub fn transmitted<F: Float>(self, omega: F, alpha: F, force: F, acceleration: F) -> (F, F) {
         if self.moves_foot() {
             (acceleration * omega.square(), acceleration / alpha)
@@ -85,6 +90,7 @@ impl Excitation {
 /// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]); with a
 /// constant force p̄ if there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Drive<F> {
     excitation: Excitation,
     amplitude: F,

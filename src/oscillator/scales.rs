@@ -7,6 +7,7 @@ use crate::ratios::{finite, positive};
 
 /// The physical size of the dimensionless answers of one oscillator under one drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct Scales<F> {
     /// Length: `B = r_y/k` (eq. 6).

@@ -8,6 +8,7 @@ use crate::phase_function::PhaseFunction;
 /// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a
 /// cycle: see [`no_stop_force_ratios`].
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct NoStop<F> {
     six_reversals: Option<(F, F)>,

@@ -49,10 +49,12 @@ impl<F: Float> Place<F> {
     /// The greatest error found against the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
     /// from 1e-3 to 1e3 with those beside 1 and 1/n down to neighbouring floats. It does not grow at the
     /// poles, because π/2Ω is reduced exactly.
+    #[doc(hidden)]
     pub const BORDER_ERROR: i32 = 8;
 
     /// The same with damping, where the sum of three terms takes the place of one. The greatest error found
     /// against the same condition at 256 bits is 8.
+    #[doc(hidden)]
     pub const DAMPED_BORDER_ERROR: i32 = 16;
 
     /// The place of ratios that are exact as they stand.

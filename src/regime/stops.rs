@@ -9,6 +9,7 @@ use crate::ratios::Ratios;
 
 /// What happens to the velocity in one cycle of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stops {
     /// Stops that last: intervals at rest.
     pub sticks: u32,

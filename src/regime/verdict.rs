@@ -7,6 +7,8 @@ use crate::ratios::Ratios;
 
 /// What the body does in the long run, as far as the arithmetic can tell.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 #[must_use]
 pub enum Verdict<F> {
@@ -93,6 +95,7 @@ impl<F: Float> Verdict<F> {
 ///
 /// Units of B = r_y/k. The symmetric cycle of eq. 40–49 is c = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
 pub struct Family<F> {
     max_displacement: F,

@@ -97,6 +97,7 @@ impl Distribution<f64> for Exactly {
 
 /// An estimate and its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Estimate {
     /// The estimate.

@@ -47,12 +47,14 @@ use crate::root;
 /// The index goes to 65535, Ω = 7.6e-6: beyond, a force ratio of 1.7e10 does not keep the body sliding
 /// anywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Lobe {
     index: u16,
 }
 
 /// The least force ratio of a lobe.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Minimum<F> {
     /// Frequency ratio Ω of the minimum.

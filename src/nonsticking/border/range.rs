@@ -8,6 +8,7 @@ use crate::phase_function::PhaseFunction;
 
 /// Where the border lies over a range of frequency ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct BorderRange<F> {
     /// The least value in the range.

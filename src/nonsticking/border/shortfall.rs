@@ -13,6 +13,7 @@ use crate::float::Float;
 /// `low` and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next
 /// one, and for Ω ≥ 1/2.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Shortfall<F> {
     /// The lower end Ω_e, in (1/(2n+2), 1/(2n+1)).
