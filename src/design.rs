@@ -13,7 +13,7 @@
 //! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! With a damper: all but those without any stop and with sticking allowed, which refuse it ([`crate::Error::Damped`]); in ratios by the
+//! With a damper: all but those without any stop, which refuse it ([`crate::Error::Damped`]); in ratios by the
 //! functions `…_with_damping`. Force, friction, displacement, velocity and the friction that dissipates most are then unique answers by proofs of
 //! their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
 //!
@@ -49,7 +49,10 @@ pub use friction::greatest_friction;
 pub use identify::{Estimate, Identified, Measurement, identify};
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
-pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
+pub use sticking::{
+    most_dissipating_force_ratio_of_all, most_dissipating_force_ratio_of_all_with_damping,
+    most_dissipating_friction_of_all,
+};
 pub use target::{
     force_for_displacement, force_for_velocity, force_ratio_for_displacement,
     force_ratio_for_displacement_with_damping, force_ratio_for_velocity,

@@ -36,7 +36,7 @@ pub(crate) mod angle;
 pub(crate) mod border;
 mod certain;
 pub(crate) mod cycle;
-mod damped;
+pub(crate) mod damped;
 mod enclosure;
 mod greatest;
 mod known;
@@ -46,7 +46,7 @@ mod widen;
 
 pub use enclosure::Enclosure;
 pub use known::Known;
-pub use motion::{Steady, steady};
+pub use motion::{Event, Steady, Unproved, steady};
 
 use crate::error::{Error, Quantity};
 use crate::float::ball::Ball;
@@ -125,11 +125,17 @@ pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Err
     response_with(omega, alpha, &Known::rational(0.into()), &Known::rational(1.into()), bits)
 }
 
-/// [`response`] where one output is asked for: what takes long for others is left out.
-pub(crate) fn response_for(only: Output, omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Error> {
-    let (zeta, eta) = (Known::rational(0.into()), Known::rational(1.into()));
+/// [`response`] with the damping ratio where one output is asked for: what takes long for others is left out.
+pub(crate) fn response_for(
+    only: Output,
+    omega: &Known,
+    alpha: &Known,
+    zeta: &Known,
+    bits: u32,
+) -> Result<Response, Error> {
+    let eta = Known::rational(1.into());
     let alpha = Some(alpha.within(Quantity::ForceRatio, false)?);
-    At { only: Some(only), ..At::new(omega, alpha, &zeta, &eta)? }.answered(bits)
+    At { only: Some(only), ..At::new(omega, alpha, zeta, &eta)? }.answered(bits)
 }
 
 /// [`response`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, each of which may be an interval.
@@ -241,12 +247,10 @@ impl Question for At<'_> {
         let regime = self.regime(alpha, &ball, &border);
         let mut is_decided = regime.is_some();
         if regime == Some(Regime::NonSticking) {
+            let wanted = |output| self.only.is_none_or(|only| only == output);
             let found = match half {
-                None => Cycle::at(&angle, ball).map(|cycle| {
-                    let wanted = |output| self.only.is_none_or(|only| only == output);
-                    cycle.outputs(&angle, ball, wanted)
-                }),
-                Some(half) => damped::outputs(&angle, half, ball),
+                None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball, wanted)),
+                Some(half) => damped::outputs(&angle, half, ball, wanted),
             };
             // With more bits each output is found; over intervals some may never be.
             is_decided = found

@@ -1,6 +1,6 @@
 //! The outputs of a [`Response`] by name: what the questions about uncertain parameters are asked of.
 
-use crate::float::Float;
+use crate::float::{Field, Float};
 use crate::nonsticking::Cycle;
 use crate::oscillator::Scales;
 use crate::response::Response;
@@ -180,7 +180,7 @@ impl Output {
     }
 
     /// The physical size of one unit of it.
-    pub fn unit<F: Float>(self, scales: &Scales<F>) -> F {
+    pub fn unit<F: Field>(self, scales: &Scales<F>) -> F {
         match self {
             Self::MaxDisplacement
             | Self::Deviation

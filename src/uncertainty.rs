@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | [`RatioBox`] | Ω and α in intervals |
-//! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, and ω_d in intervals |
+//! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, ω_d and c in intervals |
 //! | `enclosure` | guaranteed ranges of the displacement and the energy |
 //! | `enclosed` | ranges of any output in ball arithmetic (feature `mp`) |
 //! | `samples` | points of a box, for what is not known to be monotone |
@@ -41,7 +41,8 @@
 //! Guaranteed means for the exact values: each range is wider at both ends by more than the formulae can lose to rounding. Sums, products, quotients
 //! and roots lose half a unit in the last place each, by IEEE 754: that is a theorem. K(Ω) and the border enter as right to 2 and 8 units.
 //! K² then has a margin of 10 units, 1/|1 − Ω²| of 4 for three roundings, the border of 10, and what is computed from them of 8 more.
-//! The 2 and the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` (feature `mp`): the range of any output, computed in balls.
+//! The 2 and the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` and
+//! `MachineBox::enclosed` (feature `mp`): the range of any output, with a damper, too, computed in balls.
 //!
 //! ```
 //! use stickslip::uncertainty::{Interval, MachineBox};

@@ -23,54 +23,65 @@ fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<
     Ok(dict)
 }
 
-/// Every output of the closed forms that has an enclosure.
+/// Ω, α, ζ and η as they were given.
+fn four([omega, alpha, zeta, eta]: &[String; 4]) -> PyResult<[Known; 4]> {
+    Ok([
+        known("omega", omega)?,
+        known("alpha", alpha)?,
+        known("damping_ratio", zeta)?,
+        known("static_friction_ratio", eta)?,
+    ])
+}
+
+/// Every output of the closed forms, with its enclosure.
 #[pyfunction]
-fn enclosed_response<'py>(
-    py: Python<'py>,
-    omega: &str,
-    alpha: &str,
-    bits: u32,
-) -> PyResult<Bound<'py, PyDict>> {
-    let (omega, alpha) = (known("omega", omega)?, known("alpha", alpha)?);
-    dict(py, interruptible(py, |_| enclosed::response(&omega, &alpha, bits))?)
+fn enclosed_response<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
+    let [omega, alpha, zeta, eta] = four(&ratios)?;
+    dict(py, interruptible(py, |_| enclosed::response_with(&omega, &alpha, &zeta, &eta, bits))?)
 }
 
 /// The border.
 #[pyfunction]
-fn enclosed_border<'py>(py: Python<'py>, omega: &str, bits: u32) -> PyResult<Bound<'py, PyDict>> {
-    let omega = known("omega", omega)?;
-    dict(py, interruptible(py, |_| enclosed::border(&omega, bits))?)
+fn enclosed_border<'py>(py: Python<'py>, ratios: [String; 3], bits: u32) -> PyResult<Bound<'py, PyDict>> {
+    let [omega, zeta, eta] = &ratios;
+    let (omega, zeta) = (known("omega", omega)?, known("damping_ratio", zeta)?);
+    let eta = known("static_friction_ratio", eta)?;
+    dict(py, interruptible(py, |_| enclosed::border_with(&omega, &zeta, &eta, bits))?)
 }
 
-/// A steady motion that is proved to exist; nothing where none is proved.
+/// A steady motion that is proved to exist, or why it is not proved.
 #[pyfunction]
-fn enclosed_steady<'py>(
-    py: Python<'py>,
-    ratios: [String; 4],
-    bits: u32,
-) -> PyResult<Option<Bound<'py, PyDict>>> {
-    let [omega, alpha, zeta, eta] = &ratios;
-    let (omega, alpha) = (known("omega", omega)?, known("alpha", alpha)?);
-    let (zeta, eta) = (known("damping_ratio", zeta)?, known("static_friction_ratio", eta)?);
+fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
+    let [omega, alpha, zeta, eta] = four(&ratios)?;
     let found = interruptible(py, |_| enclosed::steady(&omega, &alpha, &zeta, &eta, bits))?;
-    let Some(found) = found.map_err(refused)? else { return Ok(None) };
     let dict = PyDict::new(py);
+    let found = match found.map_err(refused)? {
+        Ok(found) => found,
+        Err(why) => {
+            dict.set_item("reason", why.to_string())?;
+            return Ok(dict);
+        }
+    };
     for (name, value) in [
         ("max_displacement", &found.max_displacement),
+        ("min_displacement", &found.min_displacement),
         ("max_velocity", &found.max_velocity),
+        ("min_velocity", &found.min_velocity),
         ("stick_fraction", &found.stick_fraction),
         ("start_phase", &found.start.0),
         ("start_displacement", &found.start.1),
     ] {
         dict.set_item(name, value.decimal())?;
     }
+    dict.set_item("symmetric", found.is_symmetric)?;
+    dict.set_item("turns_per_cycle", found.turns_per_cycle)?;
     dict.set_item("sticks_per_cycle", found.sticks_per_cycle)?;
     dict.set_item("velocity_zeros_per_cycle", found.velocity_zeros_per_cycle)?;
     let multipliers = found.multipliers.each_ref().map(|(re, im)| (re.decimal(), im.decimal()));
     dict.set_item("multipliers", multipliers.to_vec())?;
     dict.set_item("only_within", found.only_within.1.mid().to_f64())?;
     dict.set_item("bits", found.bits)?;
-    Ok(Some(dict))
+    Ok(dict)
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -7,12 +7,12 @@ it is.
 from __future__ import annotations
 
 from decimal import Decimal, localcontext
-from typing import Any, ClassVar, NamedTuple, Optional, Sequence
+from typing import Any, ClassVar, NamedTuple, Optional, Sequence, Union
 
 from . import _native
 from ._result import Result, digits, precision
 
-__all__ = ["Enclosure", "Response", "Steady", "border", "response", "steady"]
+__all__ = ["Enclosure", "Response", "Steady", "Unproved", "border", "response", "steady"]
 
 
 class Enclosure(NamedTuple):
@@ -59,25 +59,33 @@ class Response(Result):
 
 
 class Steady(Result):
-    """A symmetric periodic motion that exists; see `steady`.
+    """A periodic motion that exists; see `steady`. It is true, where an `Unproved` is false.
 
     Attributes
     ----------
-    max_displacement, max_velocity, stick_fraction : Enclosure
-        In B, B w, and as a part of a cycle; the minima are the negatives.
+    symmetric : bool
+        Whether each half of a cycle is the other turned upside down.
+    turns_per_cycle : int
+        Turns of the drive in a cycle.
+    max_displacement, min_displacement, max_velocity, min_velocity, stick_fraction : Enclosure
+        In B, B w, and as a part of a cycle.
     sticks_per_cycle, velocity_zeros_per_cycle : int
     multipliers : list of (Enclosure, Enclosure)
         Real and imaginary part of what a cycle leaves of a disturbance.
     start_phase, start_displacement : Enclosure
         A release, or a reversal where the body never stops.
     only_within : float
-        Within this distance (B) of that place there is no other symmetric motion of the kind.
+        Within this distance (B) of that place there is no other motion of the kind.
     bits : int
     """
 
     _names: ClassVar[Sequence[str]] = (
+        "symmetric",
+        "turns_per_cycle",
         "max_displacement",
+        "min_displacement",
         "max_velocity",
+        "min_velocity",
         "stick_fraction",
         "sticks_per_cycle",
         "velocity_zeros_per_cycle",
@@ -88,8 +96,12 @@ class Steady(Result):
         "bits",
     )
 
+    symmetric: bool
+    turns_per_cycle: int
     max_displacement: Enclosure
+    min_displacement: Enclosure
     max_velocity: Enclosure
+    min_velocity: Enclosure
     stick_fraction: Enclosure
     sticks_per_cycle: int
     velocity_zeros_per_cycle: int
@@ -100,8 +112,27 @@ class Steady(Result):
     bits: int
 
 
+class Unproved(NamedTuple):
+    """Why a steady motion is not proved to exist; it is false.
+
+    >>> from stickslip import enclosed
+    >>> enclosed.steady("0.7", "0.9")
+    Unproved(reason='the motion from rest does not become periodic')
+    """
+
+    reason: str
+
+    def __bool__(self) -> bool:
+        return False
+
+
 def _enclosure(pair: Optional[tuple[str, str]]) -> Optional[Enclosure]:
     return None if pair is None else Enclosure(Decimal(pair[0]), Decimal(pair[1]))
+
+
+def _texts(*values: Any) -> list[str]:
+    names = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
+    return [digits(name, value) for name, value in zip(names, values)]
 
 
 def _response(found: dict[str, Any]) -> Response:
@@ -109,13 +140,20 @@ def _response(found: dict[str, Any]) -> Response:
     return Response({"regime": found["regime"], "bits": found["bits"], **outputs})
 
 
-def response(omega: Any, alpha: Any, *, bits: int = 64) -> Response:
+def response(
+    omega: Any,
+    alpha: Any,
+    damping_ratio: Any = 0,
+    static_friction_ratio: Any = 1,
+    *,
+    bits: int = 64,
+) -> Response:
     """The closed forms at (omega, alpha), each output with its error bound.
 
     Parameters
     ----------
-    omega, alpha : str, Decimal, int, float or a number of mpmath
-        The ratios, exactly as given.
+    omega, alpha, damping_ratio, static_friction_ratio : str, Decimal, int, float or a number of mpmath
+        The ratios, exactly as given; the last is static friction over the kinetic one.
     bits : int
         As many are certain in each output, up to 8192.
 
@@ -126,13 +164,16 @@ def response(omega: Any, alpha: Any, *, bits: int = 64) -> Response:
     >>> found.regime, str(found.max_velocity)
     ('non-sticking', '13.69686082687735713... ± ...')
     """
-    texts = (digits("omega", omega), digits("alpha", alpha))
-    return _response(_native.enclosed_response(*texts, precision(bits)))
+    texts = _texts(omega, alpha, damping_ratio, static_friction_ratio)
+    return _response(_native.enclosed_response(texts, precision(bits)))
 
 
-def border(omega: Any, *, bits: int = 64) -> Response:
+def border(
+    omega: Any, damping_ratio: Any = 0, static_friction_ratio: Any = 1, *, bits: int = 64
+) -> Response:
     """The border at omega, with its error bound; parameters as for `response`."""
-    return _response(_native.enclosed_border(digits("omega", omega), precision(bits)))
+    omega_text, _, *others = _texts(omega, 1, damping_ratio, static_friction_ratio)
+    return _response(_native.enclosed_border([omega_text, *others], precision(bits)))
 
 
 def steady(
@@ -142,8 +183,8 @@ def steady(
     static_friction_ratio: Any = 1,
     *,
     bits: int = 64,
-) -> Optional[Steady]:
-    """The steady motion from rest, stops included, proved to exist; None where no proof is found.
+) -> Union[Steady, Unproved]:
+    """The steady motion from rest, stops included, proved to exist; or why it is not proved.
 
     Parameters
     ----------
@@ -159,13 +200,19 @@ def steady(
     >>> motion.sticks_per_cycle, str(motion.max_displacement)
     (2, '6.7938216049671567... ± ...')
     """
-    names = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
-    values = (omega, alpha, damping_ratio, static_friction_ratio)
-    texts = [digits(name, value) for name, value in zip(names, values)]
+    texts = _texts(omega, alpha, damping_ratio, static_friction_ratio)
     found = _native.enclosed_steady(texts, precision(bits))
-    if found is None:
-        return None
-    pairs = ("max_displacement", "max_velocity", "stick_fraction", "start_phase", "start_displacement")
+    if "reason" in found:
+        return Unproved(found["reason"])
+    pairs = (
+        "max_displacement",
+        "min_displacement",
+        "max_velocity",
+        "min_velocity",
+        "stick_fraction",
+        "start_phase",
+        "start_displacement",
+    )
     enclosures = {name: _enclosure(found[name]) for name in pairs}
     multipliers = [(_enclosure(re), _enclosure(im)) for re, im in found["multipliers"]]
     return Steady({**found, **enclosures, "multipliers": multipliers})

@@ -12,7 +12,8 @@ def test_the_closed_forms_contain_what_more_bits_say():
     found = enclosed.response("0.4", 9, bits=64)
     wide = ss.response("0.4", 9, bits=256)
     assert (found.regime, found.bits >= 64) == ("non-sticking", True)
-    for name in ("max_displacement", "max_velocity", "velocity_phase", "deviation", "min_force_ratio", "contraction"):
+    names = ("max_displacement", "max_velocity", "velocity_phase", "deviation", "min_force_ratio")
+    for name in (*names, "contraction"):
         enclosure = getattr(found, name)
         assert getattr(wide, name) in enclosure, name
         assert 0 < enclosure.rad < Decimal("1e-17"), name
@@ -29,16 +30,26 @@ def test_the_border_and_what_is_undecided():
     # On the border to the last digit nothing is decided.
     assert enclosed.response("0.5", 3).regime is None
     assert enclosed.response("0.5", "2.9").regime == "below the border"
+    damped = enclosed.response("0.7", 3, "0.05", "1.2", bits=96)
+    wide = ss.response("0.7", "3", damping_ratio="0.05", static_friction_ratio="1.2", bits=256)
+    assert wide.max_displacement in damped.max_displacement
+    assert enclosed.border("0.7", "0.05", "1.2").min_force_ratio.mid > enclosed.border("0.7").min_force_ratio.mid
 
 
 def test_a_steady_motion_is_proved():
     motion = enclosed.steady("0.4", 6, bits=128)
-    assert motion is not None and motion.sticks_per_cycle == 2
+    assert isinstance(motion, enclosed.Steady) and motion.sticks_per_cycle == 2
     assert ss.steady("0.4", "6", bits=256).max_displacement in motion.max_displacement
     assert motion.max_displacement.rad < Decimal("1e-30") and motion.only_within > 1e-7
     with_both = enclosed.steady("0.6", "2.2", "0.05", "1.3")
-    assert with_both is not None and with_both.sticks_per_cycle == 2
-    assert enclosed.steady("0.5", 3) is None
+    assert isinstance(with_both, enclosed.Steady) and with_both.sticks_per_cycle == 2
+    pair = enclosed.steady("0.5", 4, "0.02", "1.3")
+    assert isinstance(pair, enclosed.Steady) and not pair.symmetric and pair.turns_per_cycle == 1
+    wide = ss.steady("0.5", "4", damping_ratio="0.02", static_friction_ratio="1.3", bits=256)
+    assert wide.min_displacement in pair.min_displacement
+    unproved = enclosed.steady("0.7", "0.9")
+    assert isinstance(unproved, enclosed.Unproved) and not unproved
+    assert "does not become periodic" in unproved.reason
 
 
 def test_bad_input():

@@ -1,13 +1,13 @@
 //! The friction that dissipates most under a given force, sticking allowed.
 //!
-//! Let ρ = 1/α = r_y/p₀ and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k, so that A₁ = 2ρJ.
+//! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k, so that A₁ = 2ρJ.
 //!
 //! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the equations of motion
-//! times the difference of the velocities, integrated over a cycle, leaves `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt = 0`, r the friction in units of
-//! its bound: r v = |v|, |r| ≤ 1. Hence
+//! times the difference of the velocities, integrated over a cycle, leaves `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of
+//! its bound: r v = |v|, |r| ≤ 1, and D = 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
 //!
 //! ```text
-//! 0 = ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
+//! 0 ≥ ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
 //! ```
 //!
 //! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a bound that
@@ -15,7 +15,7 @@
 //! within the tolerance of the best value found are done with, the others are halved. What remains above the tolerance is
 //! nothing; the bound is returned with the answer.
 //!
-//! **A motion is known to within d.** Friction is monotone, so that the motion found and the limit, δ = d apart in (x, w = x′/ω_n) at one
+//! **A motion is known to within d.** Friction and damper are monotone, so that the motion found and the limit, δ = d apart in (x, w = x′/ω_n) at one
 //! instant, are never further apart. The difference of their ways in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, and that is small
 //! by two reasons:
 //!
@@ -32,15 +32,14 @@
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
 
-use super::dissipation::most_dissipating_force_ratio;
-use super::force::frequency_ratio_of;
+use super::dissipation::most_dissipating_force_ratio_with_damping;
+use super::force::ratios_of;
 use super::optimum::{BoundedOptimum, Optimum, OptimumKind};
 use crate::error::{Error, Quantity, written};
 use crate::exact::{LongRun, State, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::{Border, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
-use crate::phase_function::PhaseFunction;
 use crate::ratios::{Ratios, positive, within};
 
 /// A loop size as found, and what it may be at most.
@@ -87,12 +86,12 @@ fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
     if by_changes < by_time { by_changes } else { by_time }
 }
 
-/// The loop size A₁ of the exact motion at (Ω, α): the friction work of a cycle over p₀²/(2k); zero at rest.
-fn loop_size_of_motion<F: Float>(omega: F, alpha: F) -> Result<LoopSize<F>, Error> {
+/// The loop size A₁ of the exact motion at (Ω, α, ζ): the friction work of a cycle over p₀²/(2k); zero at rest.
+fn loop_size_of_motion<F: Float>(omega: F, alpha: F, zeta: F) -> Result<LoopSize<F>, Error> {
     if alpha <= F::int(1) {
         return Ok(LoopSize::none());
     }
-    match LongRun::from_start(Ratios::new(omega, alpha)?, State::rest())? {
+    match LongRun::from_start(Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?, State::rest())? {
         LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(LoopSize::of_motion(&steady, omega, alpha)),
         LongRun::Rest(_) => Ok(LoopSize::none()),
         LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
@@ -111,6 +110,7 @@ fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
 /// Greatest A₁ found, and where, with a bound on all that was looked at.
 struct Search<F> {
     omega: F,
+    zeta: F,
     share: F,
     loop_size: F,
     bound: F,
@@ -120,7 +120,7 @@ struct Search<F> {
 
 impl<F: Float> Search<F> {
     fn at(&mut self, share: F) -> Result<LoopSize<F>, Error> {
-        let size = loop_size_of_motion(self.omega, F::int(1) / share)?;
+        let size = loop_size_of_motion(self.omega, F::int(1) / share, self.zeta)?;
         self.motions = self.motions.saturating_add(1);
         if size.found > self.loop_size {
             (self.share, self.loop_size) = (share, size.found);
@@ -193,7 +193,7 @@ const COARSE: i32 = 32;
 ///
 /// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the precision, as any point
 /// of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick for the best, it is
-/// [`most_dissipating_force_ratio`].
+/// [`super::most_dissipating_force_ratio`].
 ///
 /// ```
 /// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
@@ -210,17 +210,29 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     tolerance: F,
 ) -> Result<BoundedOptimum<F>, Error> {
-    let one = F::int(1);
+    most_dissipating_force_ratio_of_all_with_damping(omega, F::int(0), tolerance)
+}
+
+/// The same with a damping ratio ζ, where the loop of friction alone counts, at Ω = 1, too: with a damper the bound of the module's head holds as well.
+///
+/// # Errors
+/// As there, and where ζ is outside the domain of [`Ratios`].
+pub fn most_dissipating_force_ratio_of_all_with_damping<F: Float>(
+    omega: F,
+    damping_ratio: F,
+    tolerance: F,
+) -> Result<BoundedOptimum<F>, Error> {
+    let (one, zeta) = (F::int(1), damping_ratio);
     let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
-    let non_sticking = most_dissipating_force_ratio(omega)?;
-    let border = Border::at(&PhaseFunction::of_valid(omega));
+    let non_sticking = most_dissipating_force_ratio_with_damping(omega, zeta)?;
+    let border = Border::with_damping(omega, zeta)?;
     let least = border.min_force_ratio();
     let share = one / least;
     let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement(), least)).most;
     let most = LoopSize::closed(non_sticking.value).most;
     // What does not stick is a value to beat; both are one where the border is the best of it.
     let mut sticking =
-        Search { omega, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
+        Search { omega, zeta, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
     sticking.exhaust(share, one, at_border)?;
     let inside = sticking.share > share && sticking.loop_size > non_sticking.value;
     let (at, value, kind) = if inside {
@@ -235,7 +247,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
 /// The friction bound with which `drive` dissipates most in a cycle, sticking allowed: [`most_dissipating_force_ratio_of_all`] in
 /// physical units.
 ///
-/// Mass and stiffness are those of `body`; its own friction bound plays no part.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is the energy that friction takes.
 ///
 /// # Errors
 /// As there, and where r_y or the energy over- or underflows.
@@ -244,8 +256,9 @@ pub fn most_dissipating_friction_of_all<F: Float>(
     drive: &Drive<F>,
     tolerance: F,
 ) -> Result<BoundedOptimum<F>, Error> {
-    let omega = frequency_ratio_of(body, drive.angular_frequency())?;
-    let best = most_dissipating_force_ratio_of_all(omega, tolerance)?;
+    let ratios = ratios_of(body, drive.angular_frequency())?;
+    let (omega, zeta) = (ratios.omega(), ratios.damping_ratio());
+    let best = most_dissipating_force_ratio_of_all_with_damping(omega, zeta, tolerance)?;
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let unit = p0 / F::int(2) * (p0 / body.stiffness());
     let (sliding, friction) = (best.non_sticking, |alpha| positive(Quantity::FrictionBound, p0 / alpha));

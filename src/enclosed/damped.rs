@@ -26,7 +26,7 @@ use crate::output::Output;
 use core::cmp::Ordering;
 
 /// e^{−ζt} cos dt and e^{−ζt} sin(dt)/d, below, at and above ζ = 1; the whole line where that is undecided.
-pub(super) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<Ball<W>> {
+pub(crate) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<Ball<W>> {
     let half = Ball::ratio(1, 2);
     match free.square.sign() {
         Some(Ordering::Greater) => {
@@ -50,22 +50,29 @@ pub(super) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<B
     }
 }
 
+/// Free vibration with ζ; without damping by exact numbers.
+pub(super) fn free<const W: usize>(zeta: Ball<W>) -> Free<Ball<W>> {
+    let one = Ball::int(1);
+    let is_undamped = zeta.sign() == Some(Ordering::Equal);
+    if is_undamped { Free { zeta, square: one, frequency: one } } else { Free::new(zeta) }
+}
+
 /// The half cycle at a time.
-fn moment<const W: usize>(half: &HalfPeriod<Ball<W>>, tau: Ball<W>) -> Moment<Ball<W>> {
+pub(crate) fn moment<const W: usize>(half: &HalfPeriod<Ball<W>>, tau: Ball<W>) -> Moment<Ball<W>> {
     let waves = waves(&half.free, tau);
     let free = half.free.after(waves, Ball::int(1) + half.shift, half.omega * half.h);
     Moment { tau, drive: (half.omega * tau).sin_cos(), waves, free }
 }
 
 /// The half period, by its definition.
-pub(super) fn half_period<const W: usize>(
+pub(crate) fn half_period<const W: usize>(
     angle: &Angle<W>,
     zeta: &Known,
     eta: &Known,
 ) -> HalfPeriod<Ball<W>> {
     let (one, two, omega, zeta) = (Ball::int(1), Ball::int(2), angle.omega, zeta.ball::<W>());
     let is_undamped = zeta.sign() == Some(Ordering::Equal);
-    let free = if is_undamped { Free { zeta, square: one, frequency: one } } else { Free::new(zeta) };
+    let free = free(zeta);
     let period = Ball::pi() / omega;
     let decay = if is_undamped { one } else { (-(zeta * period)).exp() };
     let Waves { cosine, sine } = waves(&free, period);
@@ -93,18 +100,20 @@ pub(super) fn half_period<const W: usize>(
 }
 
 /// The border, and α* and A₁max.
-pub(super) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W>, (Ball<W>, Ball<W>)) {
+pub(crate) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W>, (Ball<W>, Ball<W>)) {
     (border::border(half), best(half))
 }
 
 /// Outputs of a cycle by name, where they are found.
-type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
+pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
-/// The outputs of the cycle at α certainly above the border; `None` where the greatest velocity is not found.
-pub(super) fn outputs<const W: usize>(
+/// The outputs of the cycle at α certainly above the border, of those that take a search the wanted ones; `None` where the greatest
+/// velocity is not found.
+pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
     alpha: Ball<W>,
+    wanted: impl Fn(Output) -> bool,
 ) -> Option<Outputs<W>> {
     let omega = half.omega;
     let amplitude = max_displacement(half.k, alpha, half.stiffness);
@@ -120,6 +129,46 @@ pub(super) fn outputs<const W: usize>(
     };
     let displacement_phase = lag + amplitude.atan2(half.h);
     let end = half.period;
+    let a1 = loop_size_stiffness(delta, alpha);
+    let mut found = vec![
+        (Output::MaxDisplacement, Some(delta)),
+        (Output::DisplacementPhase, Some(displacement_phase)),
+        (Output::LoopSizeStiffness, Some(a1)),
+        (Output::LoopSizeInertia, Some(loop_size_inertia(a1, omega))),
+        (Output::Contraction, Some(contraction(&rising))),
+        (Output::DynamicAmplification, Some(dynamic_amplification(delta, alpha))),
+    ];
+    if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
+        found.extend(at_greatest_velocity(&rising, displacement_phase)?);
+    }
+    // What is left of the half cycle is in the ball of its end.
+    let whole = [(Mp::ZERO, end.lower())];
+    let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
+        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
+    };
+    if wanted(Output::TransmittedForce) || wanted(Output::Transmissibility) {
+        let force = of(&|at| rising.force(at, displacement(&rising, at)));
+        found.push((Output::TransmittedForce, force));
+        found.push((Output::Transmissibility, force.map(|force| force / alpha)));
+    }
+    if wanted(Output::MaxAcceleration) {
+        let most = of(&|at| rising.acceleration(at));
+        found.push((Output::MaxAcceleration, most.map(|most| most / omega.square())));
+    }
+    if wanted(Output::MaxAbsoluteDisplacement) {
+        let most = of(&|at| rising.absolute(at, displacement(&rising, at)));
+        found.push((Output::MaxAbsoluteDisplacement, most));
+    }
+    Some(found)
+}
+
+/// V₀, ω_d t₁ and Δ₁.
+fn at_greatest_velocity<const W: usize>(
+    rising: &Rising<Ball<W>>,
+    displacement_phase: Ball<W>,
+) -> Option<Outputs<W>> {
+    let (half, omega) = (rising.half, rising.half.omega);
+    let end = half.period;
     let fastest = greatest((Mp::ZERO, end.lower()), |tau| {
         let [value, slope, second] = rising.velocity(&moment(&half, tau));
         Jet { value, slope, second }
@@ -128,35 +177,18 @@ pub(super) fn outputs<const W: usize>(
     let deviation = fastest.at.map(|tau| {
         // By the mean value theorem: x changes by the velocity.
         let middle = Ball::exact(tau.mid());
-        displacement(&rising, &moment(&half, middle))
+        displacement(rising, &moment(&half, middle))
             + rising.velocity(&moment(&half, tau))[0] * (tau - middle)
     });
-    // What is left of the half cycle is in the ball of its end.
-    let whole = [(Mp::ZERO, end.lower())];
-    let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
-        greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
-    };
-    let force = of(&|at| rising.force(at, displacement(&rising, at)));
-    let a1 = loop_size_stiffness(delta, alpha);
     Some(vec![
-        (Output::MaxDisplacement, Some(delta)),
-        (Output::DisplacementPhase, Some(displacement_phase)),
         (Output::MaxVelocity, Some(fastest.value / omega)),
         (Output::VelocityPhase, phase),
         (Output::Deviation, deviation),
-        (Output::LoopSizeStiffness, Some(a1)),
-        (Output::LoopSizeInertia, Some(loop_size_inertia(a1, omega))),
-        (Output::Contraction, Some(contraction(&rising))),
-        (Output::DynamicAmplification, Some(dynamic_amplification(delta, alpha))),
-        (Output::TransmittedForce, force),
-        (Output::Transmissibility, force.map(|force| force / alpha)),
-        (Output::MaxAcceleration, of(&|at| rising.acceleration(at)).map(|most| most / omega.square())),
-        (Output::MaxAbsoluteDisplacement, of(&|at| rising.absolute(at, displacement(&rising, at)))),
     ])
 }
 
 /// x/B.
-fn displacement<const W: usize>(rising: &Rising<Ball<W>>, at: &Moment<Ball<W>>) -> Ball<W> {
+pub(crate) fn displacement<const W: usize>(rising: &Rising<Ball<W>>, at: &Moment<Ball<W>>) -> Ball<W> {
     at.free.x - Ball::int(1) - rising.amplitude * at.drive.1 - rising.half.h * at.drive.0
 }
 

@@ -1,24 +1,25 @@
-//! Ranges in ball arithmetic: every output over a box of ratios, the rounding of the formulae included.
+//! Ranges in ball arithmetic: every output over a box of ratios or of machines, the rounding of the formulae included.
+
+mod machine;
+mod parts;
 
 use super::{Interval, Known, Range, RatioBox};
-use crate::enclosed::{self, Enclosure, Regime};
+use crate::enclosed::{self, Enclosure, Regime, Response};
 use crate::error::Error;
 use crate::float::Float;
 use crate::output::Output;
+use parts::{Ends, Over};
 use rug::{Rational, float::Round};
 
 /// Bits of the balls: the boxes make them much wider than rounding does.
 const BITS: u32 = 64;
 
-/// An interval of ratios as rational numbers, from low to high.
-type Ends = (Rational, Rational);
-
 impl<F: Float> RatioBox<F> {
     /// The range of any output over the box, proved in ball arithmetic: no formula is assumed to be right to so many digits, and no output
-    /// to be monotone. `None` where it is undecided whether the output exists in every part of the box.
+    /// to be monotone. `None` where the output does not exist in some part of the box, or that is undecided.
     ///
-    /// The box is cut into `pieces` parts at most, of the same share of Ω and of α, and each is enclosed as [`enclosed::response`] does it.
-    /// The range exceeds the sharp one by an amount that shrinks with the parts like 1/√pieces, and like 1/pieces where one ratio is exact. A part takes
+    /// The box is cut into `pieces` parts at most, where the ends of the range are, and each part is enclosed as [`enclosed::response`] does it.
+    /// The range exceeds the sharp one, the less the more parts there are. A part takes
     /// about a millisecond, and tens of them for the maximum acceleration below Ω = 1/2. A phase may leave [0, 2π) by as much.
     ///
     /// # Errors
@@ -34,30 +35,34 @@ impl<F: Float> RatioBox<F> {
     /// ```
     pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
         let (Some(omega), Some(alpha)) = (ends(self.omega()), ends(self.alpha())) else { return Ok(None) };
+        // The border is the same at every α.
         let is_of_border = !output.is_of_cycle() && output != Output::Margin;
-        let (by_omega, by_alpha) = match (omega.0 == omega.1, alpha.0 == alpha.1 || is_of_border) {
-            (true, true) => (1, 1),
-            (true, false) => (1, pieces.max(1)),
-            (false, true) => (pieces.max(1), 1),
-            (false, false) => (pieces.max(1).isqrt(), pieces.max(1).isqrt()),
-        };
-        let mut range: Option<Ends> = None;
-        for omega in parts(&omega, by_omega) {
-            for alpha in parts(&alpha, by_alpha) {
-                let found = enclosed::response_for(output, &omega, &alpha, BITS)?;
-                let exists = !output.is_of_cycle() || found.regime() == Some(Regime::NonSticking);
-                let Some((low, high)) = found.get(output).filter(|_| exists).and_then(bounds) else {
-                    return Ok(None);
-                };
-                range = Some(match range {
-                    None => (low, high),
-                    Some(so_far) => (so_far.0.min(low), so_far.1.max(high)),
-                });
-            }
-        }
-        let known = Known::Guaranteed { sharp: false };
-        Ok(range.map(|(low, high)| Range { low: rounded(&low, -1), high: rounded(&high, 1), known }))
+        let alpha = if is_of_border { (alpha.0.clone(), alpha.0) } else { alpha };
+        let zero = (Rational::new(), Rational::new());
+        let found = parts::range(vec![omega, alpha], pieces, |part| {
+            let [omega, alpha] = part else { return Ok(Over::Undecided) };
+            let found = response(output, [omega, alpha, &zero])?;
+            Ok(over(output, &found, bounds))
+        })?;
+        Ok(found.map(guaranteed))
     }
+}
+
+/// The closed forms where Ω, α and ζ are in these intervals.
+fn response(output: Output, ratios: [&Ends; 3]) -> Result<Response, Error> {
+    let [omega, alpha, zeta] = ratios.map(|(low, high)| enclosed::Known::of_ends(low.clone(), high.clone()));
+    enclosed::response_for(output, &omega, &alpha, &zeta, BITS)
+}
+
+/// What is known of an output from the closed forms over a part of a box; `to` bounds an enclosure.
+fn over(output: Output, found: &Response, to: impl Fn(&Enclosure) -> Option<Ends>) -> Over {
+    let exists = match found.regime() {
+        Some(Regime::NonSticking) => true,
+        Some(_) if output.is_of_cycle() => return Over::Nowhere,
+        _ => !output.is_of_cycle(),
+    };
+    let values = found.get(output).filter(|_| exists).and_then(to);
+    values.map_or(Over::Undecided, Over::Values)
 }
 
 /// The ends as rational numbers; a unit in the last place of f64 farther out where an end is no f64.
@@ -68,17 +73,14 @@ fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
     Some((Rational::from_f64(low)?, Rational::from_f64(high)?))
 }
 
-/// An interval cut into equal parts.
-fn parts((low, high): &Ends, count: u32) -> Vec<enclosed::Known> {
-    let at = |i: u32| Rational::from(high - low) * Rational::from((i, count)) + low;
-    let part = |i: u32| enclosed::Known::of_ends(at(i), at(i.saturating_add(1)));
-    (0..count).map(part).collect()
-}
-
 /// The ends of an enclosure.
 fn bounds(found: &Enclosure) -> Option<Ends> {
     let (mid, rad) = (found.mid().to_rational()?, found.rad().to_rational()?);
     Some((Rational::from(&mid - &rad), mid + rad))
+}
+
+fn guaranteed<F: Float>((low, high): Ends) -> Range<F> {
+    Range { low: rounded(&low, -1), high: rounded(&high, 1), known: Known::Guaranteed { sharp: false } }
 }
 
 /// The nearest number of the type below (−1) or above (1), or one that is a little farther.

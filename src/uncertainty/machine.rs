@@ -2,14 +2,15 @@
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, RatioBox, samples};
-use crate::error::Error;
+use crate::error::{Error, written};
 use crate::float::Float;
 use crate::oscillator::{Drive, Oscillator, Scales};
 use crate::output::Output;
 use crate::regime::Verdict;
 use crate::response::Response;
 
-/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other.
+/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other; and a damper, if there is
+/// one ([`MachineBox::with_damping`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct MachineBox<F> {
@@ -18,6 +19,7 @@ pub struct MachineBox<F> {
     friction_bound: Interval<F>,
     amplitude: Interval<F>,
     angular_frequency: Interval<F>,
+    damping: Interval<F>,
     is_base_motion: bool,
 }
 
@@ -33,7 +35,8 @@ impl<F: Float> MachineBox<F> {
         amplitude: Interval<F>,
         angular_frequency: Interval<F>,
     ) -> Result<Self, Error> {
-        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: false }
+        let damping = Interval::exactly(F::int(0));
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_base_motion: false }
             .checked()
     }
 
@@ -48,19 +51,32 @@ impl<F: Float> MachineBox<F> {
         amplitude: Interval<F>,
         angular_frequency: Interval<F>,
     ) -> Result<Self, Error> {
-        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, is_base_motion: true }.checked()
+        let damping = Interval::exactly(F::int(0));
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_base_motion: true }
+            .checked()
+    }
+
+    /// The same with a viscous damper of constant c in an interval.
+    ///
+    /// Ranges are sampled then ([`MachineBox::range`]) or, with the feature `mp`, proved (`MachineBox::enclosed`).
+    ///
+    /// # Errors
+    /// Where an end of it is not finite or below 0.
+    pub fn with_damping(self, damping: Interval<F>) -> Result<Self, Error> {
+        Self { damping, ..self }.checked()
     }
 
     fn checked(self) -> Result<Self, Error> {
         for end in [F::int(0), F::int(1)] {
-            self.at([end; 5])?;
+            self.at([end; 6])?;
         }
         Ok(self)
     }
 
     /// The machine at a share of the way through each interval.
-    fn at(&self, [m, k, r, a, w]: [F; 5]) -> Result<(Oscillator<F>, Drive<F>), Error> {
-        let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?;
+    fn at(&self, [m, k, r, a, w, c]: [F; 6]) -> Result<(Oscillator<F>, Drive<F>), Error> {
+        let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?
+            .with_damping(self.damping.at(c))?;
         let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
         let drive = if self.is_base_motion {
             Drive::base_motion(amplitude, frequency)
@@ -68,6 +84,18 @@ impl<F: Float> MachineBox<F> {
             Drive::force(amplitude, frequency)
         };
         Ok((body, drive?))
+    }
+
+    /// m, k, r_y, the amplitude, ω_d and c.
+    #[cfg(feature = "mp")]
+    pub(super) fn parameters(&self) -> [Interval<F>; 6] {
+        let Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, .. } = *self;
+        [mass, stiffness, friction_bound, amplitude, angular_frequency, damping]
+    }
+
+    #[cfg(feature = "mp")]
+    pub(super) const fn is_base_motion(&self) -> bool {
+        self.is_base_motion
     }
 
     /// The amplitude of the force at a stiffness in an interval.
@@ -81,8 +109,13 @@ impl<F: Float> MachineBox<F> {
     /// root may have lost to rounding.
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`crate::Ratios`].
+    /// Where a ratio leaves the domain of [`crate::Ratios`]; [`Error::Damped`] with a damper, for which nothing is known over a box
+    /// but by `MachineBox::enclosed`.
     pub fn ratios(&self) -> Result<RatioBox<F>, Error> {
+        if self.is_damped() {
+            let (body, _) = self.at([F::int(1); 6])?;
+            return Err(Error::Damped { damping_ratio: written(body.damping_ratio()) });
+        }
         let ratio = self.stiffness.over(self.mass);
         let natural = Interval { low: ratio.low.sqrt(), high: ratio.high.sqrt() };
         let omega = self.angular_frequency.over(natural);
@@ -108,23 +141,36 @@ impl<F: Float> MachineBox<F> {
     /// at.
     ///
     /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the least force and the margin, by the module's head; sampled
-    /// otherwise, as is everything that belongs to the cycle where the body may stick. `points` is the number of points, or of pieces.
+    /// otherwise, as is everything with a damper, and what belongs to the cycle where the body may stick. `points` is the number of points, or of pieces.
     ///
     /// # Errors
     /// As [`MachineBox::ratios`], and where a scale over- or underflows.
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
-            None => samples::range(points, |shares| {
-                let (body, drive) = self.at(shares)?;
-                let response = Response::new(drive.ratios(&body)?);
-                let unit = output.unit(&Scales::new(&body, &drive)?);
-                Ok(output.of(&response).map(|y| y * unit))
+            None if self.is_damped() => samples::range(points, |shares| self.value(output, shares)),
+            None => samples::range(points, |[m, k, r, a, w]: [F; 5]| {
+                self.value(output, [m, k, r, a, w, F::int(0)])
             }),
         }
     }
 
+    /// An output at a share of the way through each interval.
+    fn value(&self, output: Output, shares: [F; 6]) -> Result<Option<F>, Error> {
+        let (body, drive) = self.at(shares)?;
+        let response = Response::new(drive.ratios(&body)?);
+        let unit = output.unit(&Scales::new(&body, &drive)?);
+        Ok(output.of(&response).map(|y| y * unit))
+    }
+
+    fn is_damped(&self) -> bool {
+        self.damping.high > F::int(0)
+    }
+
     fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
+        if self.is_damped() {
+            return Ok(None);
+        }
         let ratios = self.ratios()?;
         if output == Output::MinForceRatio {
             // r_y has no part in Ω: the two factors are independent.

@@ -58,10 +58,10 @@ struct OnBorder<F> {
 }
 
 /// The frequency ratios, in hundredths, and the damping ratios, in thousandths: below ζ = 1, there, and above.
-const OMEGA: [i32; 12] = [18, 24, 29, 34, 41, 47, 70, 95, 100, 105, 150, 400];
-const ZETA: [i32; 6] = [10, 50, 200, 700, 1000, 1600];
+pub(super) const OMEGA: [i32; 12] = [18, 24, 29, 34, 41, 47, 70, 95, 100, 105, 150, 400];
+pub(super) const ZETA: [i32; 6] = [10, 50, 200, 700, 1000, 1600];
 /// α over the border, in hundredths, in turn.
-const OVER: [i32; 3] = [101, 150, 400];
+pub(super) const OVER: [i32; 3] = [101, 150, 400];
 
 /// How many points there are.
 pub(super) const POINTS: usize = OMEGA.len() * ZETA.len();

@@ -8,9 +8,11 @@
 //! |---|---|
 //! | `point` | the points, and the answers there in balls |
 //! | `claims` | what holds besides the identities for any arithmetic |
+//! | `damped` | points with damping, and what holds there |
 //! | `proved` | the motions that are proved |
 
 mod claims;
+mod damped;
 #[cfg(test)]
 mod mutants;
 mod point;
@@ -103,13 +105,22 @@ fn residues<const W: usize>(
     Some(rows::<W>().iter().map(|row| residual(row).map(|r| Residue::of(r, terms.scale))).collect())
 }
 
+/// What is left with the library's own formulae and answers.
+fn left<const W: usize>(place: &Place) -> Option<Vec<Option<Residue>>> {
+    if place.is_damped() {
+        damped::residues::<W>(place, |found| found)
+    } else {
+        residues::<W>(place, &Library, |found| found)
+    }
+}
+
 /// The same with as many bits as it takes for residuals of one unit in the last of `bits`.
 fn sharp_residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     let mut last = Vec::new();
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64
-                && let Some(found) = residues::<$width>(place, &Library, |found| found)
+                && let Some(found) = left::<$width>(place)
             {
                 // What excludes 0 needs no more bits.
                 let is_sharp = |residue: &Residue| residue.is_small(bits) || !residue.has_zero;
@@ -150,11 +161,14 @@ impl Tally {
     }
 }
 
+/// An equation's number, a statement, and whether it is to hold.
+type Statement = (&'static str, &'static str, Standing);
+
 /// Holds every identity among closed forms, and those of the exact motion, at a spread of points in ball arithmetic.
 ///
 /// Passed is what holds at every point with a ball that has 0 in it and reaches no farther from it than one unit in the last of `bits` bits of the
 /// identity's terms; [`Verdict::worst`] is the farthest reach in those units. A statement that is wrong as printed passes where every ball
-/// is without 0, and `worst` is the least relative residual that it certainly has. Points and `step` are as of [`super::verify`], without damping.
+/// is without 0, and `worst` is the least relative residual that it certainly has. Points and `step` are as of [`super::verify`].
 ///
 /// # Errors
 /// Where `bits` is not in [1, 4096].
@@ -163,20 +177,42 @@ pub fn verify_enclosed<B>(
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
 ) -> Result<ControlFlow<B, Vec<Verdict>>, Error> {
     within(Quantity::Precision, f64::from(bits), 1.0, f64::from(MOST))?;
-    let places = places();
+    let (plain, with_damping) = (places(), damped::places());
+    let all = plain.len().saturating_add(with_damping.len());
     let of_forms: Vec<_> =
         rows::<2>().iter().map(|row| (row.equation, row.statement, row.standing)).collect();
-    let statements: Vec<_> = of_forms
+    let of_damped: Vec<_> = damped::claims::<2>()
         .iter()
-        .copied()
-        .chain(proved::ROWS.map(|(equation, statement)| (equation, statement, Standing::Holds)))
+        .map(|claim| (claim.equation, claim.statement, Standing::Holds))
         .collect();
+    let verdicts = verdicts(&plain, &of_forms, &proved::ROWS, bits, |done| step(done, all));
+    let mut verdicts = match verdicts {
+        ControlFlow::Continue(verdicts) => verdicts,
+        ended @ ControlFlow::Break(_) => return Ok(ended),
+    };
+    let more = self::verdicts(&with_damping, &of_damped, &proved::DAMPED, bits, |done| {
+        step(plain.len().saturating_add(done), all)
+    });
+    Ok(more.map_continue(|more| {
+        verdicts.extend(more);
+        verdicts
+    }))
+}
+
+/// What comes of statements on closed forms and on motions at these points; `step` is told how many are done.
+fn verdicts<B>(
+    places: &[Place],
+    of_forms: &[Statement],
+    of_motions: &[(&'static str, &'static str)],
+    bits: u32,
+    mut step: impl FnMut(usize) -> ControlFlow<B>,
+) -> ControlFlow<B, Vec<Verdict>> {
+    let holding = of_motions.iter().map(|&(equation, statement)| (equation, statement, Standing::Holds));
+    let statements: Vec<Statement> = of_forms.iter().copied().chain(holding).collect();
     let mut tallies: Vec<_> =
         statements.iter().map(|_| Tally { points: 0, worst: None, all_pass: true }).collect();
     for (number, place) in places.iter().enumerate() {
-        if let ControlFlow::Break(ended) = step(number, places.len()) {
-            return Ok(ControlFlow::Break(ended));
-        }
+        step(number)?;
         let mut found = sharp_residues(place, bits);
         // Answers that no width finds are undecided.
         found.resize(
@@ -190,26 +226,25 @@ pub fn verify_enclosed<B>(
             }
         }
     }
-    if let ControlFlow::Break(ended) = step(places.len(), places.len()) {
-        return Ok(ControlFlow::Break(ended));
-    }
+    step(places.len())?;
     let verdicts = statements.into_iter().zip(tallies).map(|((equation, statement, standing), tally)| {
         let worst = tally.worst.map_or(0.0, |(residue, _)| match standing {
             Standing::Holds => residue.most.scaled(i64::from(bits)).value::<1>().to_f64(),
             Standing::Refuted => residue.least.value::<1>().to_f64(),
         });
+        let at = tally.worst.and_then(|(_, at)| places.get(at));
         Verdict {
             equation,
             statement,
             standing,
             points: tally.points,
             worst,
-            at: tally.worst.and_then(|(_, at)| places.get(at)).map(Place::written),
-            damping_ratio: None,
+            at: at.map(Place::written),
+            damping_ratio: at.and_then(Place::written_damping),
             passed: tally.all_pass && tally.points > 0,
         }
     });
-    Ok(ControlFlow::Continue(verdicts.collect()))
+    ControlFlow::Continue(verdicts.collect())
 }
 
 #[cfg(test)]

@@ -125,6 +125,12 @@ fn with_a_damper() {
         number(&back["best_force_ratio"]).max(number(&back["min_force_ratio"])),
         number(&best["force_ratio"]),
     );
+    let of_all = json("design dissipation --omega 0.3 --damping-ratio 0.05 --sticking");
+    let alpha = number(&of_all["force_ratio"]);
+    let steady = json(&format!("steady --omega 0.3 --damping-ratio 0.05 --alpha {alpha}"));
+    assert_eq!(of_all["optimum"], "sticking");
+    let size = 2.0 * number(&steady["energy_out"]) / (alpha * alpha);
+    assert!((size / number(&of_all["loop_size_stiffness"]) - 1.0).abs() < 1e-9, "{of_all}");
     let machine = "--mass 50 --friction 5 --frequency 6 --force 12 --damping 20";
     let stiff = json(&format!("design stiffness {machine} --from 500 --to 3000"));
     assert_eq!(stiff["found_by"], "search");
@@ -137,7 +143,6 @@ fn with_a_damper() {
     for (arguments, says) in [
         ("force --no-stop --omega 0.7", "this calculation does not include viscous damping"),
         ("bands --no-stop --alpha 12 --from 0.1 --to 2", "this calculation does not include viscous damping"),
-        ("dissipation --sticking --omega 0.7", "this calculation does not include viscous damping"),
         (
             "stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 900",
             "give the damping constant",

@@ -77,6 +77,14 @@ fn a_motion_with_stops_is_proved() {
     // By an independent event-driven simulation.
     let displacement: f64 = damped["max_displacement"]["mid"].as_str().unwrap().parse().unwrap();
     assert!((displacement - 3.339_881_800_0).abs() < 1e-9, "{displacement}");
+    // Above critical damping, and one of a mirror pair.
+    let text = stdout("steady --omega 0.5 --alpha 3 --damping-ratio 2 --enclose");
+    assert!(text.starts_with("Proved: a periodic motion with 2 stops a cycle exists."), "{text}");
+    let pair = "steady --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --enclose";
+    let pair = json(&format!("{pair} --format json"));
+    assert_eq!((pair["symmetric"].as_bool(), pair["sticks_per_cycle"].as_u64()), (Some(false), Some(1)));
+    let unproved = json("steady --omega 0.7 --alpha 0.9 --enclose --format json");
+    assert!(unproved["proved"] == false && unproved["reason"].as_str().unwrap().contains("does not become"));
     assert!(stdout("steady --omega 0.5 --alpha 3 --enclose").starts_with("Not proved"));
 }
 
@@ -108,6 +116,6 @@ fn bad_input_is_refused() {
     refused("response --omega 1 --alpha 3 --enclose --bits 9000", &["--bits 9000", "≤ 8192"]);
     refused("border --omega 1 --enclose --no-stop", &["--enclose", "--no-stop"]);
     refused("steady --omega 1 --alpha 3 --enclose --x0 1", &["--enclose", "--x0"]);
-    refused("steady --omega 0.5 --alpha 3 --damping-ratio 2 --enclose", &["--damping-ratio 2", "ζ"]);
+    refused("steady --omega 0.5 --alpha 3 --damping-ratio -2 --enclose", &["--damping-ratio -2", "ζ"]);
     refused("response --points FILE --enclose", &["--enclose"]);
 }

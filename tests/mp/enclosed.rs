@@ -296,10 +296,16 @@ fn steady_motions_are_proved() {
         ("0.6", "2.2", "0.05", "1.3", 2),
         ("0.3", "4", "0.1", "1.3", 2),
         ("0.8", "1.5", "0.05", "1.25", 0),
+        // At and above critical damping.
+        ("0.6", "1.7", "1", "1", 2),
+        ("0.4", "1.6", "3", "1.2", 2),
+        ("0.9", "9", "1.5", "1", 0),
+        // One of a mirror pair.
+        ("0.5", "4", "0.02", "1.3", 1),
     ] {
         let known = |text: &str| text.parse::<Known>().unwrap();
         let found = enclosed::steady(&known(omega), &known(alpha), &known(zeta), &known(eta), 128).unwrap();
-        let found = found.unwrap_or_else(|| panic!("{omega} {alpha} {zeta}: not proved"));
+        let found = found.unwrap_or_else(|why| panic!("{omega} {alpha} {zeta}: {why}"));
         let ratios = Ratios::new(omega.parse::<Mp<4>>().unwrap(), alpha.parse().unwrap()).unwrap();
         let ratios = ratios.with_damping_ratio(zeta.parse().unwrap()).unwrap();
         let ratios = ratios.with_static_friction_ratio(eta.parse().unwrap()).unwrap();
@@ -315,7 +321,14 @@ fn steady_motions_are_proved() {
             );
         };
         near(&found.max_displacement, exact.max_displacement(), "max_displacement");
+        near(&found.min_displacement, exact.min_displacement(), "min_displacement");
         near(&found.max_velocity, exact.max_velocity(), "max_velocity");
+        near(&found.min_velocity, exact.min_velocity(), "min_velocity");
+        assert_eq!(
+            (found.is_symmetric, found.turns_per_cycle),
+            (exact.is_symmetric(), exact.turns_per_cycle()),
+            "{omega} {alpha} {zeta}"
+        );
         near(&found.stick_fraction, exact.stick_fraction(), "stick_fraction");
         assert_eq!(
             (found.sticks_per_cycle, exact.sticks_per_cycle()),
@@ -337,24 +350,28 @@ fn steady_motions_are_proved() {
     }
 }
 
-/// What only touches is not claimed: on the border, and at a stop of no length.
+/// What only touches is not claimed: the reason is given, and at a decision the event.
 #[test]
 fn what_cannot_be_proved_is_not_claimed() {
+    use enclosed::{Event, Unproved};
     let known = |text: &str| text.parse::<Known>().unwrap();
-    let at =
-        |omega, alpha| enclosed::steady(&known(omega), &known(alpha), &known("0"), &known("1"), 64).unwrap();
-    assert!(at("0.5", "3").is_none());
-    assert!(at("0.7", "0.9").is_none());
-    // Six reversals a cycle are a motion like any other, an endless number of slides is not.
-    assert_eq!(at("0.331", "61.6").map(|motion| motion.velocity_zeros_per_cycle), Some(6));
-    assert!(at("1e-4", "3").is_none());
-    let fails = |omega, zeta, eta| {
-        enclosed::steady(&known(omega), &known("3"), &known(zeta), &known(eta), 64).is_err()
+    let with = |[omega, alpha, zeta, eta]: [&str; 4]| {
+        enclosed::steady(&known(omega), &known(alpha), &known(zeta), &known(eta), 64)
     };
-    assert!(fails("1e10", "0", "1") && fails("0.5", "1", "1") && fails("0.5", "0", "0.99"));
-    // A mirror pair: neither is symmetric.
-    let pair = enclosed::steady(&known("0.5"), &known("4"), &known("0.02"), &known("1.3"), 64).unwrap();
-    assert!(pair.is_none());
+    let reason = |omega, alpha| with([omega, alpha, "0", "1"]).unwrap().unwrap_err();
+    assert_eq!(reason("0.7", "0.9"), Unproved::NotPeriodic);
+    assert_eq!(reason("1", "2"), Unproved::NotPeriodic);
+    assert_eq!(reason("1e-4", "3"), Unproved::TooManySlides);
+    assert_eq!(reason("0.5", "3"), Unproved::Family);
+    // Force ratios on both sides of the border: the slides of some end earlier than those of others, and no number of bits tells which.
+    let both = Known::between(&known("1.5679"), &known("1.5681")).unwrap();
+    let both = enclosed::steady(&known("0.7"), &both, &known("0.05"), &known("1"), 64).unwrap();
+    let Err(Unproved::Undecided { event, bits, .. }) = both else { panic!("{both:?}") };
+    assert_eq!((event, bits), (Event::End, 4160));
+    // Six reversals a cycle are a motion like any other.
+    let six = with(["0.331", "61.6", "0", "1"]).unwrap();
+    assert_eq!(six.unwrap().velocity_zeros_per_cycle, 6);
+    assert!(with(["1e10", "3", "0", "1"]).is_err() && with(["0.5", "3", "0", "0.99"]).is_err());
 }
 
 /// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`. `STICKSLIP_SEED`,

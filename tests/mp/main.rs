@@ -11,6 +11,7 @@ mod enclosed;
 #[cfg(feature = "matching")]
 mod field;
 mod formulae;
+mod machines;
 mod text;
 mod traits;
 

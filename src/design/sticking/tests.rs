@@ -2,7 +2,7 @@
 
 use super::{
     LoopSize, bound_between, doubt_of_way, loop_size_of_motion, most_dissipating_force_ratio_of_all,
-    most_dissipating_friction_of_all,
+    most_dissipating_force_ratio_of_all_with_damping, most_dissipating_friction_of_all,
 };
 use crate::design::OptimumKind;
 use crate::exact::{LongRun, State, Trajectory};
@@ -14,7 +14,7 @@ fn more_friction_less_way() {
         let mut last = f64::INFINITY;
         for i in 1..200 {
             let share = 0.005 * f64::from(i);
-            let way = loop_size_of_motion::<f64>(omega, 1.0 / share).unwrap().found / share;
+            let way = loop_size_of_motion::<f64>(omega, 1.0 / share, 0.0).unwrap().found / share;
             assert!(way <= last * (1.0 + 1e-12), "{omega} {share}: {way} after {last}");
             last = way;
         }
@@ -55,7 +55,7 @@ fn the_way_of_a_motion_known_within_d() {
     assert!(worst > 1.0, "{worst}");
     // Found with its own doubt, at the tolerance that leaves least room for it.
     let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
-    let again = loop_size_of_motion(0.3, best.at).unwrap();
+    let again = loop_size_of_motion(0.3, best.at, 0.0).unwrap();
     assert!(best.bound >= again.most && again.most > again.found);
 }
 
@@ -73,7 +73,7 @@ fn a_long_cycle_is_known_as_well() {
 #[test]
 fn far_below_one_a_motion_is_known() {
     for alpha in [1.7, 2.0, 32.0] {
-        let size = loop_size_of_motion::<f64>(2e-4, alpha).unwrap();
+        let size = loop_size_of_motion::<f64>(2e-4, alpha, 0.0).unwrap();
         assert!(size.most <= size.found * (1.0 + 1e-8), "{alpha}: {size:?}");
     }
 }
@@ -81,7 +81,7 @@ fn far_below_one_a_motion_is_known() {
 /// The bound holds, and is nearly met where friction hardly shortens the way.
 #[test]
 fn no_loop_between_two_frictions_exceeds_the_bound() {
-    let loop_size = |omega: f64, share: f64| loop_size_of_motion(omega, 1.0 / share).unwrap();
+    let loop_size = |omega: f64, share: f64| loop_size_of_motion(omega, 1.0 / share, 0.0).unwrap();
     let mut nearest = 0.0f64;
     for omega in [0.13, 0.22, 0.3, 0.4, 0.7, 1.3, 4.0] {
         for i in 1..25 {
@@ -107,15 +107,39 @@ fn none_of_all_is_better() {
         let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
         assert!(best.bound >= best.value && best.bound <= best.value * 1.0001, "{best:?}");
         assert!(best.value >= best.non_sticking.value && best.motions < 3000, "{omega} {best:?}");
-        let again = loop_size_of_motion(omega, best.at * (1.0 + 1e-14)).unwrap().found;
+        let again = loop_size_of_motion(omega, best.at * (1.0 + 1e-14), 0.0).unwrap().found;
         assert!((again / best.value - 1.0).abs() < 1e-10, "{omega} {again} {best:?}");
         for i in 1..300 {
-            let other = loop_size_of_motion(omega, 300.0 / f64::from(i)).unwrap().found;
+            let other = loop_size_of_motion(omega, 300.0 / f64::from(i), 0.0).unwrap().found;
             assert!(other <= best.bound, "{omega} {i} {other} {best:?}");
         }
         let answer = Response::new(Ratios::new(omega, best.at * (1.0 + 1e-14)).unwrap());
         assert_eq!(answer.cycle().is_none(), best.kind == OptimumKind::Sticking, "{omega} {best:?}");
     }
+}
+
+/// With a damper, at Ω = 1 and above critical damping, too.
+#[test]
+fn with_a_damper_none_of_all_is_better() {
+    let mut optima = Vec::new();
+    for (omega, zeta) in [(0.13, 0.02), (0.3, 0.05), (0.4, 0.3), (0.7, 0.02), (1.0, 0.05), (0.6, 1.2)] {
+        let best = most_dissipating_force_ratio_of_all_with_damping::<f64>(omega, zeta, 1e-4).unwrap();
+        assert!(best.bound >= best.value && best.bound <= best.value * 1.0001, "{best:?}");
+        let mut last = 0.0;
+        for i in 1..300 {
+            let share = f64::from(i) / 300.0;
+            let other = loop_size_of_motion(omega, 1.0 / share, zeta).unwrap().found;
+            assert!(other <= best.bound, "{omega} {zeta} {i} {other} {best:?}");
+            // More friction, less way.
+            assert!(i == 1 || other / share <= last * (1.0 + 1e-12), "{omega} {zeta} {i}");
+            last = other / share;
+        }
+        let ratios = Ratios::new(omega, best.at * (1.0 + 1e-14)).unwrap();
+        let answer = Response::new(ratios.with_damping_ratio(zeta).unwrap());
+        assert_eq!(answer.cycle().is_none(), best.kind == OptimumKind::Sticking, "{omega} {zeta} {best:?}");
+        optima.push(best.kind);
+    }
+    assert!(optima.contains(&OptimumKind::Sticking) && optima.contains(&OptimumKind::Interior), "{optima:?}");
 }
 
 /// The tolerance is one of the bound: the place is refined beyond it.
@@ -146,6 +170,10 @@ fn in_physical_units() {
     let drive = Drive::force(12.0, 0.6).unwrap();
     let best = most_dissipating_friction_of_all::<f64>(&body, &drive, 1e-3).unwrap();
     let ratios = most_dissipating_force_ratio_of_all(0.3, 1e-3).unwrap();
+    let damped = body.with_damping_ratio(0.05).unwrap();
+    let with_damper = most_dissipating_friction_of_all::<f64>(&damped, &drive, 1e-3).unwrap();
+    let loop_size = most_dissipating_force_ratio_of_all_with_damping(0.3, 0.05, 1e-3).unwrap().value;
+    assert!((with_damper.value / (loop_size * 9.0) - 1.0).abs() < 1e-9 && with_damper.value < best.value);
     assert!((best.at * ratios.at / 12.0 - 1.0).abs() < 1e-6);
     assert!((best.value / (ratios.value * 9.0) - 1.0).abs() < 1e-9 && best.kind == OptimumKind::Sticking);
 }

@@ -1,5 +1,6 @@
 //! The order of events of a steady motion, and roughly when they are: found at f64, proved by nothing here.
 
+use super::unproved::{Event, Unproved};
 use crate::error::Error;
 use crate::exact::{Direction, End, Kind, LongRun, Phase, State, SteadyState, Trajectory};
 use crate::ratios::Ratios;
@@ -15,7 +16,7 @@ pub(super) struct Part {
     pub(super) release: Option<f64>,
 }
 
-/// Half a turn of the drive.
+/// The part of a motion that repeats.
 #[derive(Debug, Clone)]
 pub(super) struct Outline {
     /// Phase of the drive at the start: a release, where the body stops.
@@ -23,72 +24,97 @@ pub(super) struct Outline {
     /// Place at the start.
     pub(super) place: f64,
     pub(super) stops: bool,
+    /// After so many half turns of the drive the motion repeats, upside down where that is odd.
+    pub(super) half_turns: u32,
     pub(super) parts: Vec<Part>,
 }
 
-/// Slides in half a turn, at most.
-const MOST: usize = 512;
-
-/// Half a turn of the steady motion from rest; `None` where there is none, or none that is symmetric and clear of grazing.
-///
-/// # Errors
-/// As of [`LongRun::from_start`].
-pub(super) fn outline(ratios: Ratios<f64>) -> Result<Option<Outline>, Error> {
-    LongRun::from_start(ratios, State::rest()).map(|run| half_turn(ratios, run.steady_state()?))
+impl Outline {
+    /// −1 where the motion repeats upside down, else 1.
+    pub(super) const fn image(&self) -> i32 {
+        if self.half_turns % 2 == 1 { -1 } else { 1 }
+    }
 }
 
-fn half_turn(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Option<Outline> {
+/// Slides in the part that repeats, at most.
+const MOST: usize = 512;
+
+/// How far the motion found at f64 may be from one that repeats: it only has to be recognised.
+const RECOGNISED: f64 = 1e-6;
+
+/// The part of the steady motion from rest that repeats.
+///
+/// # Errors
+/// As of [`LongRun::from_start`]. Within, why there is no such motion.
+pub(super) fn outline(ratios: Ratios<f64>) -> Result<Result<Outline, Unproved>, Error> {
+    Ok(match LongRun::from_start(ratios, State::rest())? {
+        LongRun::Periodic(steady) => of_steady(ratios, &steady),
+        LongRun::Family(_) => Err(Unproved::Family),
+        LongRun::Rest(_)
+        | LongRun::Irregular(_)
+        | LongRun::Unbounded { .. }
+        | LongRun::NotConverged { .. } => Err(Unproved::NotPeriodic),
+    })
+}
+
+fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, Unproved> {
     let stops = steady.sticks_per_cycle() > 0;
-    let mut phases = Trajectory::new(ratios, steady.state()).ok()?;
+    let phases = Trajectory::new(ratios, steady.state()).map_err(|_| Unproved::NotPeriodic)?;
+    let mut phases = phases.map_while(Result::ok);
     // The first slide that begins at rest: after a stop, where there are any.
-    let mut last = phases.next()?.ok()?;
+    let mut last = phases.next().ok_or(Unproved::NotPeriodic)?;
     let first = loop {
-        let next = phases.next()?.ok()?;
+        let next = phases.next().ok_or(Unproved::NotPeriodic)?;
         let begins = if stops { last.kind() == Kind::Stick } else { last.ends_by() == End::Reversal };
         if begins && matches!(next.kind(), Kind::Slide(_)) {
             break next;
         }
         last = next;
     };
-    let start = first.start();
+    let (start, half_turns) = (first.start(), steady.half_turns);
+    let span = core::f64::consts::PI * f64::from(half_turns);
     let since = |phase: &Phase<f64>| phase.start().phase.since(start.phase);
-    let mut parts = vec![part(&first, ratios.omega())?];
+    let mut outline =
+        Outline { phase: start.phase.reduced(), place: start.x, stops, half_turns, parts: Vec::new() };
+    outline.parts.push(part(&first, ratios.omega())?);
     for phase in phases.take(2 * MOST) {
-        let phase = phase.ok()?;
-        // The mirror image of the first slide.
-        if since(&phase) > core::f64::consts::PI - 1e-6 && matches!(phase.kind(), Kind::Slide(_)) {
-            let is_mirrored = (since(&phase) - core::f64::consts::PI).abs() < 1e-6
-                && phase.kind() != first.kind()
-                && (phase.start().x + start.x).abs() < 1e-6;
-            return is_mirrored.then(|| Outline {
-                phase: start.phase.reduced(),
-                place: start.x,
-                stops,
-                parts,
-            });
+        let place = phase.start().x;
+        // The image of the first slide.
+        if since(&phase) > span - RECOGNISED && matches!(phase.kind(), Kind::Slide(_)) {
+            let is_image = (since(&phase) - span).abs() < RECOGNISED
+                && (phase.kind() == first.kind()) == (outline.image() > 0)
+                && (place - f64::from(outline.image()) * start.x).abs() < RECOGNISED;
+            return if is_image { Ok(outline) } else { Err(Unproved::NotPeriodic) };
         }
         match phase.kind() {
             Kind::Stick => {
-                parts.last_mut()?.release = Some(start.phase.reduced() + since_end(&phase, &first)?)
+                let end = phase.end().ok_or(Unproved::NotPeriodic)?.phase.since(start.phase);
+                if let Some(last) = outline.parts.last_mut() {
+                    last.release = Some(outline.phase + end);
+                }
             }
-            Kind::Slide(_) => parts.push(part(&phase, ratios.omega())?),
+            Kind::Slide(_) => outline.parts.push(part(&phase, ratios.omega())?),
         }
     }
-    None
+    Err(Unproved::TooManySlides)
 }
 
-/// The phase of the end of a phase, from the start of another.
-fn since_end(phase: &Phase<f64>, first: &Phase<f64>) -> Option<f64> {
-    phase.end().map(|end| end.phase.since(first.start().phase))
-}
-
-/// A slide as a part; `None` of one that grazes.
-fn part(phase: &Phase<f64>, omega: f64) -> Option<Part> {
+/// A slide as a part; not of one that grazes.
+fn part(phase: &Phase<f64>, omega: f64) -> Result<Part, Unproved> {
     let sign = match phase.kind() {
         Kind::Slide(Direction::Forward) => 1,
         Kind::Slide(Direction::Backward) => -1,
-        Kind::Stick => return None,
+        Kind::Stick => return Err(Unproved::NotPeriodic),
     };
-    let duration = phase.duration()? / omega;
-    matches!(phase.ends_by(), End::Reversal | End::Stop).then_some(Part { sign, duration, release: None })
+    let grazes = Unproved::Undecided {
+        event: Event::Slide,
+        phase: phase.start().phase.reduced(),
+        bits: f64::MANTISSA_DIGITS,
+    };
+    match (phase.duration(), phase.ends_by()) {
+        (Some(duration), End::Reversal | End::Stop) => {
+            Ok(Part { sign, duration: duration / omega, release: None })
+        }
+        _ => Err(grazes),
+    }
 }

@@ -3,14 +3,18 @@
 //! In natural time, units of B, with σ the sign of the velocity and θ = θ₀ + Ωφ:
 //!
 //! ```text
-//! x″ + 2ζx′ + x + σ = α sin θ,   x = P sin θ + Q cos θ − σ + e^{−ζφ} (a cos dφ + b sin dφ),   d = √(1 − ζ²),
+//! x″ + 2ζx′ + x + σ = α sin θ,   x = P sin θ + Q cos θ − σ + f(φ),   f″ + 2ζf′ + f = 0,
 //! (P, Q) = α (1 − Ω², −2ζΩ)/q²,   q² = (1 − Ω²)² + (2ζΩ)².
 //! ```
+//!
+//! The free vibration f is that of the closed forms ([`Free`]), below, at and above ζ = 1.
 
+use super::super::damped::{free, waves};
 use super::super::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
+use crate::nonsticking::damped::free::{Free, Waves};
 
 /// The oscillator and its drive.
 #[derive(Clone, Copy)]
@@ -20,8 +24,7 @@ pub(super) struct Machine<const W: usize> {
     pub(super) zeta: Ball<W>,
     /// Static friction over the kinetic one, η.
     pub(super) eta: Ball<W>,
-    /// d = √(1 − ζ²).
-    free: Ball<W>,
+    free: Free<Ball<W>>,
     /// (P, Q).
     forced: (Ball<W>, Ball<W>),
 }
@@ -31,8 +34,7 @@ impl<const W: usize> Machine<W> {
         let one = Ball::int(1);
         let (detuning, damper) = ((one - omega) * (one + omega), zeta * omega * Ball::int(2));
         let scale = alpha / (detuning.square() + damper.square());
-        let free = ((one - zeta) * (one + zeta)).sqrt();
-        Self { omega, alpha, zeta, eta, free, forced: (scale * detuning, -(scale * damper)) }
+        Self { omega, alpha, zeta, eta, free: free(zeta), forced: (scale * detuning, -(scale * damper)) }
     }
 
     /// The force that friction has to hold, α sin θ − x.
@@ -61,11 +63,11 @@ pub(super) struct Motion<const W: usize> {
 pub(super) struct Slide<const W: usize> {
     machine: Machine<W>,
     pub(super) sign: Ball<W>,
-    phase: Ball<W>,
+    pub(super) phase: Ball<W>,
     /// The acceleration at the start: σ(η − 1) at a release.
     pub(super) start: Ball<W>,
-    a: Ball<W>,
-    b: Ball<W>,
+    /// (f, f′) at the start.
+    free: (Ball<W>, Ball<W>),
 }
 
 /// The end of a slide, and its derivatives by phase and place of the start.
@@ -91,31 +93,17 @@ impl<const W: usize> Slide<W> {
         let sign = Ball::int(sign);
         let (s, c) = phase.sin_cos();
         let (p, q) = machine.forced;
-        let a = place + sign - (p * s + q * c);
-        let b = (machine.zeta * a - machine.omega * (p * c - q * s)) / machine.free;
+        let free = (place + sign - (p * s + q * c), -(machine.omega * (p * c - q * s)));
         let start =
             if released { sign * (machine.eta - Ball::int(1)) } else { machine.alpha * s - place - sign };
-        Self { machine, sign, phase, start, a, b }
-    }
-
-    /// e^{−ζφ} (sin dφ, cos dφ).
-    fn free_waves(&self, phi: Ball<W>) -> (Ball<W>, Ball<W>) {
-        let Machine { zeta, free, .. } = self.machine;
-        let (s, c) = (free * phi).sin_cos();
-        if zeta.sign() == Some(core::cmp::Ordering::Equal) {
-            return (s, c);
-        }
-        let decay = (-(zeta * phi)).exp();
-        (decay * s, decay * c)
+        Self { machine, sign, phase, start, free }
     }
 
     pub(super) fn at(&self, phi: Ball<W>) -> Motion<W> {
         let Machine { omega, alpha, zeta, free, forced: (p, q), .. } = self.machine;
         let (s, c) = (self.phase + omega * phi).sin_cos();
-        let (fs, fc) = self.free_waves(phi);
-        let x = p * s + q * c - self.sign + self.a * fc + self.b * fs;
-        let w = omega * (p * c - q * s) + (self.b * free - zeta * self.a) * fc
-            - (zeta * self.b + free * self.a) * fs;
+        let f = free.after(waves(&free, phi), self.free.0, self.free.1);
+        let (x, w) = (p * s + q * c - self.sign + f.x, omega * (p * c - q * s) + f.v);
         let two_zeta = zeta * Ball::int(2);
         let acceleration = alpha * s - x - self.sign - two_zeta * w;
         let jerk = alpha * omega * c - w - two_zeta * acceleration;
@@ -132,10 +120,9 @@ impl<const W: usize> Slide<W> {
     pub(super) fn end(&self, guess: Mp<W>) -> Option<End<W>> {
         let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
         let Machine { omega, zeta, free, .. } = self.machine;
-        let (at, (fs, fc)) = (self.at(duration), self.free_waves(duration));
+        let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
         // What is left of a unit of velocity, as place s and velocity s′; and of a unit of place, c.
-        let (s, lean) = (fs / free, zeta * fs / free);
-        let (change, c) = (fc - lean, fc + lean);
+        let (change, c) = (cosine - zeta * s, cosine + zeta * s);
         // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time: the motion from a later phase is the same motion later, less what its own start leaves.
         let (by_phase, by_place) = ((at.acceleration - self.start * change) / omega, -s);
         let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));

@@ -2,26 +2,35 @@
 
 use super::super::root::only_zero;
 use super::super::{Enclosure, Known, valid};
-use super::half_turn::{HalfTurn, Map, Start};
+use super::map::{Followed, Map, Start};
 use super::outline::outline;
 use super::slide::{Machine, Slide};
-use crate::error::{Error, Number, Quantity, written};
+use super::unproved::Unproved;
+use crate::error::{Error, Quantity, written};
+use crate::float::Field;
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
-use crate::float::{Field, Real};
 use crate::ratios::Ratios;
 use core::cmp::Ordering;
 
-/// A symmetric periodic motion that exists, with all that is asked of it enclosed.
+/// A periodic motion that exists, with all that is asked of it enclosed.
 ///
 /// Displacements in units of B = r_y/k, velocities in B ω_d, phases ω_d t in rad.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Steady {
-    /// Maximum displacement x/B; the minimum is its negative.
+    /// Maximum displacement x/B.
     pub max_displacement: Enclosure,
-    /// Maximum velocity x′/(Bω_d); the minimum is its negative.
+    /// Minimum displacement x/B.
+    pub min_displacement: Enclosure,
+    /// Maximum velocity x′/(Bω_d).
     pub max_velocity: Enclosure,
+    /// Minimum velocity x′/(Bω_d).
+    pub min_velocity: Enclosure,
+    /// Whether each half of a cycle is the other turned upside down.
+    pub is_symmetric: bool,
+    /// Turns of the drive in a cycle.
+    pub turns_per_cycle: u32,
     /// The part of a cycle that the body is at rest.
     pub stick_fraction: Enclosure,
     /// Stops in a cycle.
@@ -38,31 +47,23 @@ pub struct Steady {
     pub bits: u32,
 }
 
-/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction over the kinetic one; `None` where it
-/// is not proved: it grazes, is not symmetric, does not settle, has more than 512 slides in half a turn, or Ω = 1 without damping.
+/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction over the kinetic one; or why it
+/// is not proved.
 ///
 /// With η > 1 other starts may lead to other motions.
 ///
 /// # Errors
-/// Where a ratio or `bits` is outside its domain ([`crate::exact::Trajectory::new`] for Ω), or ζ ≥ 1, for which there is no enclosure.
+/// Where a ratio or `bits` is outside its domain ([`crate::exact::Trajectory::new`] for Ω).
 pub fn steady(
     omega: &Known,
     alpha: &Known,
     damping_ratio: &Known,
     static_friction_ratio: &Known,
     bits: u32,
-) -> Result<Option<Steady>, Error> {
+) -> Result<Result<Steady, Unproved>, Error> {
     let omega = omega.within(Quantity::FrequencyRatio, true)?;
     let alpha = alpha.within(Quantity::ForceRatio, false)?;
     let bits = valid(bits)?;
-    if *damping_ratio.high() >= 1 {
-        return Err(Error::OutOfRange {
-            quantity: Quantity::DampingRatio,
-            value: written(damping_ratio.high().to_f64()),
-            least: written(0.0),
-            greatest: Number::spelled(1f64.next_down(), "0.999…"),
-        });
-    }
     let ratios = Ratios::new(omega.middle().to_f64(), alpha.middle().to_f64())?;
     let ratios = ratios.with_damping_ratio(damping_ratio.middle().to_f64())?;
     let eta = static_friction_ratio;
@@ -71,32 +72,38 @@ pub fn steady(
         return Err(Error::BelowKineticFriction { static_friction_ratio });
     }
     let ratios = ratios.with_static_friction_ratio(eta.middle().to_f64())?;
-    let Some(outline) = outline(ratios)? else { return Ok(None) };
-    let mut last = None;
+    let outline = match outline(ratios)? {
+        Ok(outline) => outline,
+        Err(why) => return Ok(Err(why)),
+    };
+    let mut last: Option<Result<Steady, Unproved>> = None;
     macro_rules! at {
         ($($width:literal)*) => {$(
-            if Mp::<$width>::BITS >= bits + 64 {
+            if Mp::<$width>::BITS >= bits + 64 || $width == WIDEST {
                 let machine = Machine::<$width>::new(omega.ball(), alpha.ball(), damping_ratio.ball(), eta.ball());
                 let found = proved(&Map { machine, outline: &outline });
-                if let Some(found) = &found && found.is_sharp(bits) {
-                    return Ok(Some(found.answer(bits)));
-                }
+                let is_sharp = found.as_ref().is_ok_and(|found| found.is_sharp(bits));
                 let found = found.map(|found| found.answer(bits));
-                if last.is_some() && found.is_some() {
+                if is_sharp || (found.is_ok() && matches!(last, Some(Ok(_)))) {
                     return Ok(found);
                 }
-                last = found;
+                last = Some(found);
             }
         )*};
     }
     at!(3 5 9 17 65);
-    Ok(last)
+    Ok(last.unwrap_or(Err(Unproved::NotAlone { bits })))
 }
+
+/// The last of the widths tried, in words of 64 bits.
+const WIDEST: usize = 65;
 
 /// What is found at one width.
 struct Found<const W: usize> {
-    max_displacement: Ball<W>,
-    max_velocity: Ball<W>,
+    half_turns: u32,
+    /// Minimum and maximum.
+    displacement: (Ball<W>, Ball<W>),
+    velocity: (Ball<W>, Ball<W>),
     stick_fraction: Ball<W>,
     sticks: u32,
     zeros: u32,
@@ -106,8 +113,9 @@ struct Found<const W: usize> {
 }
 
 impl<const W: usize> Found<W> {
-    fn values(&self) -> [&Ball<W>; 3] {
-        [&self.max_displacement, &self.max_velocity, &self.start.place]
+    fn values(&self) -> [&Ball<W>; 5] {
+        let Self { displacement, velocity, start, .. } = self;
+        [&displacement.0, &displacement.1, &velocity.0, &velocity.1, &start.place]
     }
 
     fn is_sharp(&self, bits: u32) -> bool {
@@ -120,9 +128,14 @@ impl<const W: usize> Found<W> {
     fn answer(&self, bits: u32) -> Steady {
         let of = |ball: &Ball<W>| Enclosure::of(ball).unwrap_or_default().rounded(bits);
         let reach = |r: Radius| of(&Ball::exact(r.value()));
+        let is_symmetric = self.half_turns % 2 == 1;
         Steady {
-            max_displacement: of(&self.max_displacement),
-            max_velocity: of(&self.max_velocity),
+            max_displacement: of(&self.displacement.1),
+            min_displacement: of(&self.displacement.0),
+            max_velocity: of(&self.velocity.1),
+            min_velocity: of(&self.velocity.0),
+            is_symmetric,
+            turns_per_cycle: if is_symmetric { self.half_turns } else { self.half_turns / 2 },
             stick_fraction: of(&self.stick_fraction),
             sticks_per_cycle: self.sticks,
             velocity_zeros_per_cycle: self.zeros,
@@ -137,8 +150,8 @@ impl<const W: usize> Found<W> {
     }
 }
 
-/// The zero of the half-turn map less its mirror image, and the proof.
-fn proved<const W: usize>(map: &Map<'_, W>) -> Option<Found<W>> {
+/// The start that the map takes to its image, and the proof.
+fn proved<const W: usize>(map: &Map<'_, W>) -> Result<Found<W>, Unproved> {
     let outline = map.outline;
     let mut middle = (Mp::of_f64(outline.phase), Mp::of_f64(outline.place));
     let start =
@@ -147,7 +160,7 @@ fn proved<const W: usize>(map: &Map<'_, W>) -> Option<Found<W>> {
     let mut step = None;
     for _ in 0..12 {
         let at = map.follow(start(middle))?;
-        let (by_phase, by_place) = newton(&at, &at)?;
+        let (by_phase, by_place) = newton(map, &at, &at)?;
         let is_small = |x: Ball<W>| Radius::above(x.mid()) <= x.rad().scaled(2);
         step = Some((by_phase, by_place));
         if is_small(by_place) && (outline.stops || is_small(by_phase)) {
@@ -155,22 +168,41 @@ fn proved<const W: usize>(map: &Map<'_, W>) -> Option<Found<W>> {
         }
         middle = (middle.0 - by_phase.mid(), middle.1 - by_place.mid());
     }
-    let (by_phase, by_place) = step?;
+    let (by_phase, by_place) = step.ok_or_else(alone_is_not_shown::<W>)?;
     let least = Radius::power_of_two(8 - i64::from(Mp::<W>::BITS));
     let size = |x: Ball<W>| Radius::above(x.mid()).plus(x.rad()).plus(least);
     let at = map.follow(start(middle))?;
     // A small box for the motion, then a large one in which it is the only one.
     let smallest = (size(by_phase), size(by_place));
-    let found = (1..8).find_map(|n| only_in(map, &at, (smallest.0.scaled(n), smallest.1.scaled(n))))?;
-    let half = map.follow(found)?;
+    // The reason why the certificate fails says more than that a box is too small or too large.
+    let mut why = alone_is_not_shown::<W>();
+    let found = (1..8).find_map(|n| match only_in(map, &at, (smallest.0.scaled(n), smallest.1.scaled(n))) {
+        Ok(found) => Some(found),
+        Err(reason) => {
+            if !matches!(reason, Unproved::NotAlone { .. }) {
+                why = reason;
+            }
+            None
+        }
+    });
+    let followed = map.follow(found.ok_or(why)?)?;
     let large = |n: i64| Radius::power_of_two(-n);
-    let reach = (5..40).step_by(3).find(|&n| only_in(map, &at, (large(n), large(n))).is_some()).map(large);
+    let reach = (5..40).step_by(3).find(|&n| only_in(map, &at, (large(n), large(n))).is_ok()).map(large);
     let reach = reach.map_or(smallest, |reach| (reach, reach));
-    described(map, &half, ((!outline.stops).then_some(reach.0), reach.1))
+    described(map, &followed, ((!outline.stops).then_some(reach.0), reach.1))
 }
 
-/// Where the zero is that is the only one in the box of these half widths around the start of `at`; `None` where that is not shown.
-fn only_in<const W: usize>(map: &Map<'_, W>, at: &HalfTurn<W>, reach: (Radius, Radius)) -> Option<Start<W>> {
+/// That the motion is the only one around is not shown at this width.
+const fn alone_is_not_shown<const W: usize>() -> Unproved {
+    Unproved::NotAlone { bits: Mp::<W>::BITS }
+}
+
+/// Where the zero is that is the only one in the box of these half widths around the start of `at`.
+fn only_in<const W: usize>(
+    map: &Map<'_, W>,
+    at: &Followed<W>,
+    reach: (Radius, Radius),
+) -> Result<Start<W>, Unproved> {
     let stops = map.outline.stops;
     let middle = at.start;
     let around = Start {
@@ -178,55 +210,84 @@ fn only_in<const W: usize>(map: &Map<'_, W>, at: &HalfTurn<W>, reach: (Radius, R
         place: Ball::new(middle.place.mid(), reach.1),
     };
     let over = map.follow(around)?;
-    let (by_phase, by_place) = newton(at, &over)?;
+    let (by_phase, by_place) = newton(map, at, &over)?;
     let found = Start { phase: middle.phase - by_phase, place: middle.place - by_place };
     let is_inside = found.place.is_inside(&around.place) && (stops || found.phase.is_inside(&around.phase));
-    (is_inside && over.is_the_motion(map)).then_some(found)
+    if !is_inside {
+        return Err(alone_is_not_shown::<W>());
+    }
+    over.is_the_motion(map)?;
+    Ok(found)
 }
 
-/// Newton's step: what start less mirrored end is at `at`, over the derivatives of `over`.
-fn newton<const W: usize>(at: &HalfTurn<W>, over: &HalfTurn<W>) -> Option<(Ball<W>, Ball<W>)> {
+/// Newton's step: what start less image of the end is at `at`, over the derivatives of `over`.
+fn newton<const W: usize>(
+    map: &Map<'_, W>,
+    at: &Followed<W>,
+    over: &Followed<W>,
+) -> Result<(Ball<W>, Ball<W>), Unproved> {
     let one = Ball::int(1);
-    // F = (θ₁ − π − θ₀, x₁ + x₀)
+    // F = (θ₁ − nπ − θ₀, x₀ ∓ x₁)
     let (f, g) = (at.end.phase - at.start.phase, at.start.place - at.end.place);
     let [[a, b], [c, d]] = over.derivatives;
-    if c.sign() == Some(Ordering::Equal) && a.sign() == Some(Ordering::Equal) {
+    let (c, d) = (-(map.image() * c), one - map.image() * d);
+    let (by_phase, by_place) = if map.outline.stops {
         // From a stop the place alone decides.
-        let step = g / (d + one);
-        return (!step.is_entire()).then_some((Ball::int(0), step));
+        (Ball::int(0), g / d)
+    } else {
+        let a = a - one;
+        let determinant = a * d - b * c;
+        ((f * d - b * g) / determinant, (a * g - c * f) / determinant)
+    };
+    if by_phase.is_entire() || by_place.is_entire() {
+        return Err(alone_is_not_shown::<W>());
     }
-    let (a, d) = (a - one, d + one);
-    let determinant = a * d - b * c;
-    let (by_phase, by_place) = ((f * d - b * g) / determinant, (a * g - c * f) / determinant);
-    (!by_phase.is_entire() && !by_place.is_entire()).then_some((by_phase, by_place))
+    Ok((by_phase, by_place))
 }
 
 /// What the motion is like.
 fn described<const W: usize>(
     map: &Map<'_, W>,
-    half: &HalfTurn<W>,
+    followed: &Followed<W>,
     only_within: (Option<Radius>, Radius),
-) -> Option<Found<W>> {
+) -> Result<Found<W>, Unproved> {
     let zero = Ball::int(0);
-    let mut max_displacement = half.start.place.abs();
-    let (mut max_velocity, mut at_rest, mut stops) = (zero, zero, 0);
-    for step in &half.steps {
-        max_displacement = max_displacement.larger(&step.end.place.abs());
-        max_velocity = max_velocity.larger(&fastest(&step.slide, &step.end.duration)?);
+    let mut displacement = (followed.start.place, followed.start.place);
+    let (mut velocity, mut at_rest, mut stops) = ((zero, zero), zero, 0);
+    let smaller = |a: &Ball<W>, b: &Ball<W>| -(-*a).larger(&-*b);
+    for (step, part) in followed.steps.iter().zip(&map.outline.parts) {
+        displacement = (smaller(&displacement.0, &step.end.place), displacement.1.larger(&step.end.place));
+        let speed = fastest(&step.slide, &step.end.duration).ok_or_else(alone_is_not_shown::<W>)?;
+        velocity = if part.sign > 0 {
+            (velocity.0, velocity.1.larger(&speed))
+        } else {
+            (smaller(&velocity.0, &-speed), velocity.1)
+        };
         if let Some(release) = step.release {
             at_rest = at_rest + (release - step.end.phase);
             stops += 1;
         }
     }
-    let zeros = u32::try_from(half.steps.len()).ok()?;
-    Some(Found {
-        max_displacement,
-        max_velocity: max_velocity / map.machine.omega,
-        stick_fraction: at_rest / Ball::pi(),
-        sticks: 2 * stops,
-        zeros: 2 * zeros,
-        multipliers: multipliers(&half.derivatives, map.outline.stops),
-        start: half.start,
+    let mut zeros = u32::try_from(followed.steps.len()).map_err(|_| Unproved::TooManySlides)?;
+    if map.outline.image() < 0 {
+        // The other half is the same upside down.
+        let symmetric = |(low, high): (Ball<W>, Ball<W>)| {
+            let greatest = high.larger(&-low);
+            (-greatest, greatest)
+        };
+        (displacement, velocity) = (symmetric(displacement), symmetric(velocity));
+        (stops, zeros) = (2 * stops, 2 * zeros);
+    }
+    let omega = map.machine.omega;
+    Ok(Found {
+        half_turns: map.outline.half_turns,
+        displacement,
+        velocity: (velocity.0 / omega, velocity.1 / omega),
+        stick_fraction: at_rest / map.span(),
+        sticks: stops,
+        zeros,
+        multipliers: multipliers(map, &followed.derivatives),
+        start: followed.start,
         only_within,
     })
 }
@@ -273,33 +334,35 @@ fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<
     None
 }
 
-/// The multipliers of a whole turn, from the derivatives over half a turn, in which the mirror image changes the sign of the place.
-fn multipliers<const W: usize>(derivatives: &[[Ball<W>; 2]; 2], stops: bool) -> [(Ball<W>, Ball<W>); 2] {
-    let (zero, two) = (Ball::int(0), Ball::int(2));
+/// The multipliers of a cycle: those of the map with its image, squared where a cycle is twice what the map takes.
+fn multipliers<const W: usize>(map: &Map<'_, W>, derivatives: &[[Ball<W>; 2]; 2]) -> [(Ball<W>, Ball<W>); 2] {
+    let (zero, two, image) = (Ball::int(0), Ball::int(2), map.image());
+    let is_half = map.outline.image() < 0;
     let [[a, b], [c, d]] = *derivatives;
-    if stops {
-        return [(d.square(), zero), (zero, zero)];
+    let real = |x: Ball<W>| (if is_half { x.square() } else { x }, zero);
+    if map.outline.stops {
+        return [real(d), real(zero)];
     }
-    let (trace, determinant) = (a - d, b * c - a * d);
+    let complex = |(re, im): (Ball<W>, Ball<W>)| {
+        if is_half { (re.square() - im.square(), two * re * im) } else { (re, im) }
+    };
+    let (trace, determinant) = (a + image * d, image * (a * d - b * c));
     let discriminant = trace.square() - determinant * Ball::int(4);
     match discriminant.sign() {
         Some(Ordering::Less) => {
-            let (re, im) = (trace / two, (-discriminant).sqrt() / two);
-            let (square, twice) = (re.square() - im.square(), (two * re * im).abs());
-            [(square, twice), (square, -twice)]
+            let (re, im) = complex((trace / two, (-discriminant).sqrt() / two));
+            [(re, im.abs()), (re, -im.abs())]
         }
         Some(_) => {
             let root = discriminant.sqrt();
-            let of = |x: Ball<W>| ((x / two).square(), zero);
-            let (plus, minus) = (of(trace + root), of(trace - root));
-            if plus.0.is_below(&minus.0) { [minus, plus] } else { [plus, minus] }
+            let (plus, minus) = (real((trace + root) / two), real((trace - root) / two));
+            if plus.0.abs().is_below(&minus.0.abs()) { [minus, plus] } else { [plus, minus] }
         }
         // Beside a double root: both within its reach of the middle.
         None => {
             let reach = discriminant.abs().upper().sqrt();
             let around = Ball::between(-reach, reach) / two;
-            let (re, im) = (trace / two + around, around);
-            let all = (re.square() - im.square(), two * re * im);
+            let all = complex((trace / two + around, around));
             [all, all]
         }
     }

@@ -35,6 +35,18 @@ impl<F: Field> Rising<F> {
     }
 }
 
+/// Bounds of the derivatives of x for a time.
+struct Together<F> {
+    acceleration: F,
+    jerk: F,
+    snap: F,
+}
+
+/// The smaller of two bounds.
+fn less<F: Float>(a: F, b: F) -> F {
+    if a < b { a } else { b }
+}
+
 impl<F: Float> DampedCycle<F> {
     /// Greatest |x″|, in B ω_n².
     pub(crate) fn max_acceleration(&self) -> F {
@@ -42,12 +54,16 @@ impl<F: Float> DampedCycle<F> {
         let (square, swing) = (half.omega.square(), self.rising.swing());
         let most = swing * square * half.omega;
         let bound = |a: F, b: F| {
-            let (free, middle) = (half.at(a).free, half.at((a + b) / F::int(2)));
+            let (start, middle) = (half.at(a), half.at((a + b) / F::int(2)));
             let (v, slope) = self.rising.driven(&middle);
             let driven = Jet { value: slope, slope: -(square * v), second: most };
+            let together = self.together(&start, b - a);
             Bound {
-                curvature: most + free.jerk_bound(),
-                value: driven.reach((b - a) / F::int(2)) + free.acceleration_bound(),
+                curvature: less(most + start.free.jerk_bound(), together.snap),
+                value: less(
+                    driven.reach((b - a) / F::int(2)) + start.free.acceleration_bound(),
+                    together.acceleration,
+                ),
             }
         };
         self.greatest(bound, |at| self.rising.acceleration(at))
@@ -60,16 +76,21 @@ impl<F: Float> DampedCycle<F> {
         // The driven part of f has the amplitude s √(1/Ω² + 4ζ²), and the free part is −h″.
         let amplitude = swing * (F::int(1) / half.omega).hypot(damper);
         let bound = |a: F, b: F| {
-            let (free, middle) = (half.at(a).free, half.at((a + b) / F::int(2)));
+            let (start, middle) = (half.at(a), half.at((a + b) / F::int(2)));
             let (v, slope) = self.rising.driven(&middle);
             let driven = Jet {
                 value: damper * v - slope / square,
                 slope: v + damper * slope,
                 second: square * amplitude,
             };
+            let together = self.together(&start, b - a);
             Bound {
-                curvature: square * amplitude + free.jerk_bound(),
-                value: driven.reach((b - a) / F::int(2)) + free.acceleration_bound(),
+                // f″ = x″ + 2ζx‴
+                curvature: less(
+                    square * amplitude + start.free.jerk_bound(),
+                    together.acceleration + damper * together.jerk,
+                ),
+                value: driven.reach((b - a) / F::int(2)) + start.free.acceleration_bound(),
             }
         };
         self.greatest(bound, |at| self.rising.force(at, self.rising.displacement(at)))
@@ -84,6 +105,21 @@ impl<F: Float> DampedCycle<F> {
             |_, _| Bound { curvature: most, value: one / F::int(0) },
             |at| self.rising.absolute(at, self.rising.displacement(at)),
         )
+    }
+
+    /// No derivative is larger than this until `time` after a moment.
+    ///
+    /// The velocity v obeys `v″ + 2ζv′ + v = αΩ cos θ`, so that √(v² + v′²) grows by αΩ in a unit of time at most, and so for its
+    /// derivatives by αΩ² and αΩ³. Beside resonance driven and free part are large and opposite, and this is far less than the sum of both.
+    fn together(&self, at: &Moment<F>, time: F) -> Together<F> {
+        let omega = self.rising.half.omega;
+        let ([_, a, jerk], Jet { second: snap, .. }) =
+            (self.rising.velocity(at), self.rising.acceleration(at));
+        // α Ω = s q
+        let growth = self.rising.swing() * self.rising.half.stiffness * omega * time;
+        let acceleration = a.hypot(jerk) + growth;
+        let jerk = jerk.hypot(snap) + growth * omega;
+        Together { acceleration, jerk, snap: jerk }
     }
 
     /// The greatest of the half cycle, that of the other being the same.
@@ -169,6 +205,24 @@ mod tests {
             let found =
                 [cycle.max_acceleration(), cycle.transmitted_force(), cycle.max_absolute_displacement()];
             assert!(found.iter().all(|x| x.is_finite() && *x > 0.0), "{found:?}");
+        }
+    }
+
+    /// On the border at Ω = 1 driven and free part are 1/ζ times as large as their sum, and nothing grows with that but the rounding.
+    #[test]
+    fn at_resonance_on_the_border_the_search_ends() {
+        let peaks = |zeta: f64| {
+            let damped = |alpha| Ratios::new(1.0, alpha).and_then(|r| r.with_damping_ratio(zeta)).unwrap();
+            let alpha: f64 = Response::new(damped(2.0)).border().min_force_ratio();
+            let cycle = Cycle::new(damped(alpha)).unwrap();
+            [cycle.max_acceleration(), cycle.transmitted_force(), cycle.max_absolute_displacement()]
+        };
+        let usual = peaks(1e-6);
+        for zeta in [1e-9, 1e-12, 1e-15, 1e-16] {
+            for (found, usual) in peaks(zeta).into_iter().zip(usual) {
+                let rounding = 100.0 * f64::EPSILON / zeta;
+                assert!((found - usual).abs() <= 1e-5 + rounding, "{zeta}: {found} {usual}");
+            }
         }
     }
 }

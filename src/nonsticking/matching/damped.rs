@@ -23,8 +23,8 @@ use super::step::{
     MatchingError, Solution, in_order, iterate, largest, most_iterations, newton_step, positive, unknowns,
 };
 use crate::error::written;
-use crate::float::{Field, Float};
-use crate::nonsticking::damped::free::Free;
+use crate::float::{Field, Float, Real};
+use crate::nonsticking::damped::free::{self, Free};
 use crate::ratios::Ratios;
 use nalgebra::RealField;
 
@@ -47,7 +47,13 @@ struct Waves<F> {
     slope: F,
 }
 
-impl<F: Float> Waves<F> {
+impl<F: Field> Waves<F> {
+    /// From `e^{−ζt} cos dt` and `e^{−ζt} sin(dt)/d`.
+    fn of(at: free::Waves<F>, zeta: F) -> Self {
+        let turned = zeta * at.sine;
+        Self { s: at.sine, c: at.cosine + turned, slope: at.cosine - turned }
+    }
+
     /// Displacement, velocity and acceleration from (x, w).
     fn from(&self, (x, w): (F, F), damping: F) -> [F; 3] {
         let (to, rate) = (x * self.c + w * self.s, w * self.slope - x * self.s);
@@ -55,7 +61,7 @@ impl<F: Float> Waves<F> {
     }
 }
 
-impl<F: Float> System<F> {
+impl<F: Real> System<F> {
     pub(crate) fn new(omega: F, zeta: F, friction: F) -> Self {
         let (spring, damper) = ((F::int(1) - omega) * (F::int(1) + omega), F::int(2) * zeta * omega);
         let square = spring.square() + damper.square();
@@ -72,19 +78,18 @@ impl<F: Float> System<F> {
         (p * sine - q * cosine, self.omega * (p * cosine + q * sine))
     }
 
-    fn waves(&self, tau: F) -> Waves<F> {
-        let at = self.free.waves(tau);
-        let turned = self.free.zeta * at.sine;
-        Waves { s: at.sine, c: at.cosine + turned, slope: at.cosine - turned }
-    }
-
-    /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁.
-    pub(crate) fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
+    /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁; by free vibration after a time.
+    pub(crate) fn equations_by(
+        &self,
+        u: &Unknowns<F>,
+        waves: impl Fn(&Free<F>, F) -> free::Waves<F>,
+    ) -> ([F; 5], [[F; 5]; 5]) {
         let (zero, one, omega, damping) = (F::int(0), F::int(1), self.omega, self.damping());
         let (f1, g1) = self.forced_at(u.velocity_phase);
         let (f2, g2) = self.forced_at(u.displacement_phase);
         let tau = (u.displacement_phase - u.velocity_phase) / omega;
-        let (near, far) = (self.waves(tau), self.waves(F::pi() / omega - tau));
+        let after = |t: F| Waves::of(waves(&self.free, t), self.free.zeta);
+        let (near, far) = (after(tau), after(F::pi() / omega - tau));
         // From t₁ to t₂, and what t₁ changes of the start: F′ = dF/dφ, dθ = Ω dφ.
         let [x, w, a] = near.from((u.deviation + self.friction - f1, u.max_velocity - g1), damping);
         let [dx1, dw1, _] = near.from((-(g1 / omega), omega * f1), damping);
@@ -109,13 +114,31 @@ impl<F: Float> System<F> {
         (residuals, jacobian)
     }
 
-    /// Displacement and velocity of the falling half at the phase since t₂.
-    pub(crate) fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
+    /// Displacement and velocity of the falling half at the phase since t₂, by free vibration after a time.
+    pub(crate) fn falling_by(
+        &self,
+        u: &Unknowns<F>,
+        turn: F,
+        waves: impl Fn(&Free<F>, F) -> free::Waves<F>,
+    ) -> (F, F) {
         let (f2, g2) = self.forced_at(u.displacement_phase);
         let start = (u.max_displacement - self.friction - f2, -g2);
         let (f, g) = self.forced_at(u.displacement_phase + turn);
-        let [x, w, _] = self.waves(turn / self.omega).from(start, self.damping());
+        let after = Waves::of(waves(&self.free, turn / self.omega), self.free.zeta);
+        let [x, w, _] = after.from(start, self.damping());
         (f + self.friction + x, g + w)
+    }
+}
+
+impl<F: Float> System<F> {
+    /// Eq. 21–25: left less right, and the derivatives by t₁, t₂, V₀, Δ₀, Δ₁.
+    pub(crate) fn equations(&self, u: &Unknowns<F>) -> ([F; 5], [[F; 5]; 5]) {
+        self.equations_by(u, Free::waves)
+    }
+
+    /// Displacement and velocity of the falling half at the phase since t₂.
+    pub(crate) fn falling(&self, u: &Unknowns<F>, turn: F) -> (F, F) {
+        self.falling_by(u, turn, Free::waves)
     }
 
     /// The same cycle with t₁ at the fastest instant of a grid over the rising half, where that is faster.

@@ -2,6 +2,7 @@
 
 use super::super::formulae::Answers;
 use super::super::terms::Point;
+use super::proved::Answered;
 use crate::enclosed::Known;
 use crate::enclosed::angle::Angle;
 use crate::enclosed::border::Border;
@@ -15,10 +16,11 @@ use crate::nonsticking::{loop_size_inertia, loop_size_stiffness};
 use core::cmp::Ordering;
 use rug::{Integer, Rational, ops::Pow};
 
-/// A frequency ratio and a force ratio, both exact.
+/// A frequency ratio, a force ratio and a damping ratio, all exact.
 pub(super) struct Place {
     pub(super) omega: Known,
     pub(super) alpha: Known,
+    pub(super) zeta: Known,
     /// Whether the motion is proved there: not beside the poles.
     pub(super) with_motion: bool,
     /// Whether the motions beside the border are.
@@ -28,9 +30,21 @@ pub(super) struct Place {
 impl Place {
     /// Ω and α, to forty digits.
     pub(super) fn written(&self) -> (String, String) {
-        let text = |x: &Known| Mp::<2>::from_rational(&x.middle()).to_string();
-        (text(&self.omega), text(&self.alpha))
+        (written(&self.omega), written(&self.alpha))
     }
+
+    /// ζ, if there is a damper.
+    pub(super) fn written_damping(&self) -> Option<String> {
+        self.is_damped().then(|| written(&self.zeta))
+    }
+
+    pub(super) fn is_damped(&self) -> bool {
+        *self.zeta.high() > 0
+    }
+}
+
+fn written(x: &Known) -> String {
+    Mp::<2>::from_rational(&x.middle()).to_string()
 }
 
 /// The points of [`super::super::points`], with exact ratios.
@@ -56,7 +70,8 @@ pub(super) fn places() -> Vec<Place> {
         let at = move |(i, times): (usize, Ball<5>)| {
             let alpha = Mp::<1>::rounded((least * times).mid()).to_rational()?;
             let (omega, alpha) = (omega.clone(), Known::rational(alpha));
-            Some(Place { omega, alpha, with_motion: ordinary, with_border: ordinary && i == 0 })
+            let zeta = Known::rational(Rational::new());
+            Some(Place { omega, alpha, zeta, with_motion: ordinary, with_border: ordinary && i == 0 })
         };
         times.into_iter().enumerate().filter_map(at)
     };
@@ -130,5 +145,21 @@ impl<const W: usize> Found<W> {
                 phase: border.phase?,
             },
         })
+    }
+
+    /// What the proofs of motions are held against.
+    pub(super) fn answered(&self) -> Answered<W> {
+        let (point, answers, one) = (&self.point, &self.answers, Ball::int(1));
+        let s = multiplier_product(point.given.omega, answers.max_displacement);
+        Answered {
+            scale: one + answers.max_displacement + point.given.amplitude.abs(),
+            max_displacement: answers.max_displacement,
+            displacement_phase: answers.displacement_phase,
+            max_velocity: answers.max_velocity,
+            sum: -((one + s) * pi_1(point.given.omega).cos()),
+            product: s,
+            contraction: answers.contraction,
+            min_force_ratio: self.edge.min_force_ratio,
+        }
     }
 }

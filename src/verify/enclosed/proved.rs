@@ -1,29 +1,66 @@
 //! The closed forms against motions that are proved to exist from the equation of motion alone.
 
-use super::Residue;
 use super::point::{Found, Place};
+use super::{Residue, damped};
 use crate::enclosed::{Enclosure, Known, Steady, steady};
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
-use crate::nonsticking::{matching::pi_1, stability::multiplier_product};
 use rug::Rational;
 
-/// Equations and statements.
-pub(super) const ROWS: [(&str, &str); 5] = [
+/// Equations and statements without damping.
+pub(super) const ROWS: [(&str, &str); 7] = [
     ("44", "Δ₀ is that of a motion proved to exist"),
+    ("43", "ω_d t₂ is that of its maximum"),
     ("49", "V₀ is the greatest velocity of that motion"),
     ("62", "that motion has two reversals a cycle and no stop"),
     ("λ", "the sum and the product of λ² are those of its linearised cycle"),
+    ("λ", "the contraction is the larger |λ| of that cycle"),
     ("62", "just below the border a motion with stops is proved, and one without above"),
 ];
+
+/// The same with damping.
+pub(super) const DAMPED: [(&str, &str); 7] = [
+    ("44, ζ", "with damping Δ₀ is that of a motion proved to exist"),
+    ("43, ζ", "with damping ω_d t₂ is that of its maximum"),
+    ("49, ζ", "with damping V₀ is the greatest velocity of that motion"),
+    ("62, ζ", "with damping that motion has two reversals a cycle and no stop"),
+    ("λ, ζ", "with damping the sum and the product of λ² are those of its linearised cycle"),
+    ("λ, ζ", "with damping the contraction is the larger |λ| of that cycle"),
+    ("62, ζ", "just below the damped border a motion with stops is proved, and one without above"),
+];
+
+/// What the closed forms say of a motion.
+pub(super) struct Answered<const W: usize> {
+    /// The amplitudes.
+    pub(super) scale: Ball<W>,
+    pub(super) max_displacement: Ball<W>,
+    pub(super) displacement_phase: Ball<W>,
+    pub(super) max_velocity: Ball<W>,
+    /// Sum and product of the multipliers of half a cycle.
+    pub(super) sum: Ball<W>,
+    pub(super) product: Ball<W>,
+    pub(super) contraction: Ball<W>,
+    pub(super) min_force_ratio: Ball<W>,
+}
+
+impl<const W: usize> Answered<W> {
+    /// By the closed forms with damping or without.
+    fn at(place: &Place) -> Option<Self> {
+        if place.is_damped() {
+            damped::Found::at(place).map(|found| found.answered())
+        } else {
+            Found::at(place).map(|found| found.answered())
+        }
+    }
+}
 
 /// The residues at a point, in the order of [`ROWS`].
 pub(super) fn residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 {
-                return at_width::<$width>(place, bits);
+                return against(place, bits, Answered::<$width>::at(place));
             }
         )*};
     }
@@ -36,47 +73,50 @@ fn count<const W: usize>(is_right: bool) -> Residue {
     Residue::of(Ball::<W>::int(i32::from(!is_right)), Ball::int(1))
 }
 
-fn motion(omega: &Known, alpha: &Known, bits: u32) -> Option<Steady> {
-    steady(omega, alpha, &Known::rational(Rational::new()), &Known::rational(Rational::from(1)), bits)
-        .ok()
-        .flatten()
+fn motion(place: &Place, alpha: &Known, bits: u32) -> Option<Steady> {
+    let one = Known::rational(Rational::from(1));
+    steady(&place.omega, alpha, &place.zeta, &one, bits).ok()?.ok()
 }
 
-fn at_width<const W: usize>(place: &Place, bits: u32) -> Vec<Option<Residue>> {
+/// What the answers leave of the motion at the point.
+pub(super) fn against<const W: usize>(
+    place: &Place,
+    bits: u32,
+    answered: Option<Answered<W>>,
+) -> Vec<Option<Residue>> {
     let unknown = Residue { most: Radius::INFINITE, least: Radius::ZERO, has_zero: true };
     if !place.with_motion {
         return vec![None; ROWS.len()];
     }
-    let border = place.with_border.then(|| beside_the_border::<W>(place)).flatten();
-    let (Some(found), Some(motion)) =
-        (Found::<W>::at(place), motion(&place.omega, &place.alpha, bits.saturating_add(8)))
-    else {
-        return vec![Some(unknown), Some(unknown), Some(unknown), Some(unknown), border];
+    let (Some(found), Some(motion)) = (answered, motion(place, &place.alpha, bits.saturating_add(8))) else {
+        return vec![Some(unknown); ROWS.len()];
     };
-    let (answers, one) = (&found.answers, Ball::int(1));
+    let border = place.with_border.then(|| beside_the_border(place, found.min_force_ratio)).flatten();
+    let (scale, one, two) = (found.scale, Ball::int(1), Ball::int(2));
     let ball =
         |x: &Enclosure| Ball::<W>::new(Mp::from_rug(x.mid()), Radius::above(Mp::<2>::from_rug(x.rad())));
-    let scale = one + answers.max_displacement + found.point.given.amplitude.abs();
+    // The motion begins with a reversal: sin of what is left to t₂, or to t₂ and half a turn.
+    let late = (found.displacement_phase - ball(&motion.start.0)).sin();
     // λ₁² + λ₂² = (λ₁ + λ₂)² − 2 λ₁λ₂
     let [(a, b), (p, q)] = motion.multipliers.each_ref().map(|(re, im)| (ball(re), ball(im)));
-    let s = multiplier_product(found.point.given.omega, answers.max_displacement);
-    let sum = (one + s) * pi_1(found.point.given.omega).cos();
     let (trace, product) = (a + p, a * p - b * q);
-    let by_trace = sum.square() - Ball::int(2) * s - trace;
-    let by_product = s.square() - product;
+    let by_trace = found.sum.square() - two * found.product - trace;
+    let by_product = found.product.square() - product;
+    let largest = a.hypot(b).larger(&p.hypot(q));
     let slides = motion.sticks_per_cycle == 0 && motion.velocity_zeros_per_cycle == 2;
     vec![
-        Some(Residue::of(ball(&motion.max_displacement) - answers.max_displacement, scale)),
-        Some(Residue::of(ball(&motion.max_velocity) - answers.max_velocity, scale)),
+        Some(Residue::of(ball(&motion.max_displacement) - found.max_displacement, scale)),
+        Some(Residue::of(late * found.max_displacement, scale)),
+        Some(Residue::of(ball(&motion.max_velocity) - found.max_velocity, scale)),
         Some(count::<W>(slides)),
         Some(Residue::of(by_trace.abs() + by_product.abs(), scale)),
+        Some(Residue::of(found.contraction.square() - largest, one)),
         border,
     ]
 }
 
 /// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), but next to a pole, where the body need not stop below the border.
-fn beside_the_border<const W: usize>(place: &Place) -> Option<Residue> {
-    let least = Found::<W>::at(place)?.edge.min_force_ratio;
+fn beside_the_border<const W: usize>(place: &Place, least: Ball<W>) -> Option<Residue> {
     let turns = place.omega.middle().recip();
     let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;
     if (turns - nearest).abs() * 128u32 <= 1 {
@@ -84,7 +124,7 @@ fn beside_the_border<const W: usize>(place: &Place) -> Option<Residue> {
     }
     let beside = |share: Ball<W>| {
         let alpha = Mp::<1>::rounded((least * share).mid()).to_rational()?;
-        motion(&place.omega, &Known::rational(alpha), 64).map(|motion| motion.sticks_per_cycle)
+        motion(place, &Known::rational(alpha), 64).map(|motion| motion.sticks_per_cycle)
     };
     let (one, little) = (Ball::int(1), Ball::ratio(1, 1 << 16));
     let (below, above) = (beside(one - little), beside(one + little));

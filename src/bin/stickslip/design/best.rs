@@ -32,8 +32,8 @@ impl<F: Value> Asked<'_, F> {
     fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
-            self.undamped()?;
-            let best = design::most_dissipating_force_ratio_of_all(self.omega()?, tolerance);
+            let (omega, zeta) = (self.omega()?, self.damping_ratio());
+            let best = design::most_dissipating_force_ratio_of_all_with_damping(omega, zeta, tolerance);
             let best = best.map_err(|e| self.fail(e))?;
             let (at, bound) = (("force_ratio", Kind::Ratio, best.at), Some(best.bound));
             return Ok(best_ratio(

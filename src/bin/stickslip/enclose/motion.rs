@@ -8,15 +8,15 @@ use crate::response::single_format;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::enclosed::{self, Enclosure, Steady};
+use stickslip::enclosed::{self, Enclosure, Steady, Unproved};
 
-/// What was typed, and the motion, where one is proved.
+/// What was typed, and the motion, or why it is not proved.
 struct Answer<'a> {
     omega: &'a str,
     alpha: &'a str,
     damping_ratio: Option<&'a str>,
     static_friction_ratio: Option<&'a str>,
-    found: Option<Steady>,
+    found: Result<Steady, Unproved>,
 }
 
 pub(crate) fn steady(
@@ -45,17 +45,27 @@ pub(crate) fn steady(
 
 impl Answer<'_> {
     fn text(&self, out: &mut impl Write) -> Outcome {
-        let Some(found) = &self.found else {
-            let verdict = "Not proved: the motion from rest does not settle, is not symmetric, or grazes.";
-            return Ok(writeln!(out, "{}", style::verdict(verdict))?);
+        let found = match &self.found {
+            Ok(found) => found,
+            Err(why) => return Ok(writeln!(out, "{}", style::verdict(&format!("Not proved: {why}.")))?),
         };
         let stops = match found.sticks_per_cycle {
             0 => "without a stop".to_owned(),
+            1 => "with one stop a cycle".to_owned(),
             n => format!("with {n} stops a cycle"),
         };
         writeln!(out, "{}\n", style::verdict(&format!("Proved: a periodic motion {stops} exists.")))?;
+        if found.turns_per_cycle > 1 {
+            writeln!(out, "  turns_per_cycle       {}", found.turns_per_cycle)?;
+        }
         writeln!(out, "  max_displacement      {} B", found.max_displacement)?;
+        if !found.is_symmetric {
+            writeln!(out, "  min_displacement      {} B", found.min_displacement)?;
+        }
         writeln!(out, "  max_velocity          {} B ω_d", found.max_velocity)?;
+        if !found.is_symmetric {
+            writeln!(out, "  min_velocity          {} B ω_d", found.min_velocity)?;
+        }
         writeln!(out, "  stick_fraction        {}", found.stick_fraction)?;
         for (n, (re, im)) in (1..).zip(&found.multipliers) {
             writeln!(out, "  multiplier {n}          {re}, {im} i")?;
@@ -65,9 +75,10 @@ impl Answer<'_> {
         writeln!(out, "                        at {} B", found.start.1)?;
         writeln!(
             out,
-            "\nEach value lies within ± of the number printed. Within {:e} B of that place there is no other symmetric\n\
+            "\nEach value lies within ± of the number printed. Within {:e} B of that place there is no other {}\n\
              motion of this kind. Computed at {} bits.",
             found.only_within.1.mid().to_f64(),
+            if found.is_symmetric { "symmetric" } else { "periodic" },
             found.bits
         )?;
         Ok(())
@@ -85,11 +96,16 @@ impl Serialize for Answer<'_> {
         if let Some(eta) = self.static_friction_ratio {
             map.serialize_entry("static_friction_ratio", eta)?;
         }
-        let found = self.found.as_ref();
+        let found = self.found.as_ref().ok();
         let value = |of: fn(&Steady) -> &Enclosure| found.map(of).map(MidRad);
         map.serialize_entry("proved", &found.is_some())?;
+        map.serialize_entry("reason", &self.found.as_ref().err().map(Unproved::to_string))?;
+        map.serialize_entry("symmetric", &found.map(|found| found.is_symmetric))?;
+        map.serialize_entry("turns_per_cycle", &found.map(|found| found.turns_per_cycle))?;
         map.serialize_entry("max_displacement", &value(|found| &found.max_displacement))?;
+        map.serialize_entry("min_displacement", &value(|found| &found.min_displacement))?;
         map.serialize_entry("max_velocity", &value(|found| &found.max_velocity))?;
+        map.serialize_entry("min_velocity", &value(|found| &found.min_velocity))?;
         map.serialize_entry("sticks_per_cycle", &found.map(|found| found.sticks_per_cycle))?;
         map.serialize_entry("velocity_zeros_per_cycle", &found.map(|found| found.velocity_zeros_per_cycle))?;
         map.serialize_entry("stick_fraction", &value(|found| &found.stick_fraction))?;

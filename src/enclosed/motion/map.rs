@@ -1,0 +1,152 @@
+//! The map of the motion: from a reversal, or from a release, to the next one that is the same, or its mirror image.
+
+use super::certificate::{is_one_slide, is_one_stop, reverses};
+use super::outline::Outline;
+use super::slide::{End, Machine, Slide};
+use super::unproved::{Event, Unproved};
+use crate::float::ball::Ball;
+use crate::float::mp::Mp;
+use crate::float::{Field, Real};
+
+/// Where the motion starts. With stops the place alone decides, and the phase is that of the release.
+#[derive(Clone, Copy)]
+pub(super) struct Start<const W: usize> {
+    pub(super) phase: Ball<W>,
+    pub(super) place: Ball<W>,
+}
+
+/// One slide, with its end and, after a stop, the phase of the release.
+#[derive(Clone, Copy)]
+pub(super) struct Step<const W: usize> {
+    pub(super) slide: Slide<W>,
+    pub(super) end: End<W>,
+    pub(super) release: Option<Ball<W>>,
+}
+
+/// The part of a motion that repeats, followed.
+pub(super) struct Followed<const W: usize> {
+    pub(super) start: Start<W>,
+    pub(super) steps: Vec<Step<W>>,
+    /// Phase and place at the end, less the half turns, and mirrored after an odd number of them.
+    pub(super) end: Start<W>,
+    /// The derivatives of phase and place at the end (not mirrored) by those at the start.
+    pub(super) derivatives: [[Ball<W>; 2]; 2],
+}
+
+/// The map of an outline.
+pub(super) struct Map<'a, const W: usize> {
+    pub(super) machine: Machine<W>,
+    pub(super) outline: &'a Outline,
+}
+
+impl<const W: usize> Map<'_, W> {
+    /// The phase of the drive that the map takes.
+    pub(super) fn span(&self) -> Ball<W> {
+        Ball::pi() * Ball::int(i32::try_from(self.outline.half_turns).unwrap_or(i32::MAX))
+    }
+
+    /// −1 where the motion repeats upside down, else 1.
+    pub(super) fn image(&self) -> Ball<W> {
+        Ball::int(self.outline.image())
+    }
+
+    /// The phase at which a body at rest at `place` is released in the direction `sign`.
+    fn release(&self, guess: f64, place: Ball<W>, sign: i32, from: Ball<W>) -> Result<Ball<W>, Unproved> {
+        let release = self.machine.release(Mp::of_f64(guess), place, Ball::int(sign));
+        release.ok_or_else(|| undecided(Event::Release, from))
+    }
+
+    /// The start with its phase, where the place alone is free.
+    pub(super) fn start(&self, start: Start<W>) -> Result<Start<W>, Unproved> {
+        match self.outline.parts.first() {
+            Some(first) if self.outline.stops => {
+                let phase = self.release(self.outline.phase, start.place, first.sign, start.phase)?;
+                Ok(Start { phase, ..start })
+            }
+            _ => Ok(start),
+        }
+    }
+
+    /// Follows the motion from a start.
+    pub(super) fn follow(&self, start: Start<W>) -> Result<Followed<W>, Unproved> {
+        let start = self.start(start)?;
+        let (zero, one) = (Ball::int(0), Ball::int(1));
+        let Start { mut phase, mut place } = start;
+        // Derivatives of phase and place by those of the start; with a stop the phase follows the place.
+        let mut derivatives = if self.outline.stops {
+            [[zero, self.by_place(phase)], [zero, one]]
+        } else {
+            [[one, zero], [zero, one]]
+        };
+        let mut released = self.outline.stops;
+        let mut steps = Vec::new();
+        let mut parts = self.outline.parts.iter().peekable();
+        while let Some(part) = parts.next() {
+            let slide = Slide::new(self.machine, part.sign, phase, place, released);
+            let end = slide.end(Mp::of_f64(part.duration)).ok_or_else(|| undecided(Event::End, phase))?;
+            derivatives = product(&end.derivatives, &derivatives);
+            (phase, place) = (end.phase, end.place);
+            released = false;
+            // The last stop ends with the image of the first release.
+            let mut release = None;
+            if let (Some(guess), Some(next)) = (part.release, parts.peek()) {
+                phase = self.release(guess, place, next.sign, phase)?;
+                let [_, [a, b]] = derivatives;
+                let slope = self.by_place(phase);
+                derivatives = [[slope * a, slope * b], [a, b]];
+                released = true;
+                release = Some(phase);
+            } else if part.release.is_some() {
+                release = Some(start.phase + self.span());
+            }
+            steps.push(Step { slide, end, release });
+        }
+        let end = Start { phase: phase - self.span(), place: self.image() * place };
+        Ok(Followed { start, steps, end, derivatives })
+    }
+
+    /// dθ/dx of a release, where α sin θ = x ± η.
+    fn by_place(&self, phase: Ball<W>) -> Ball<W> {
+        Ball::int(1) / (self.machine.alpha * phase.cos())
+    }
+}
+
+impl<const W: usize> Followed<W> {
+    /// Whether the motion of every start in the ball is this one: no event is passed, none is left out.
+    pub(super) fn is_the_motion(&self, map: &Map<'_, W>) -> Result<(), Unproved> {
+        let outline = map.outline;
+        let Some(first) = outline.parts.first() else { return Err(Unproved::NotPeriodic) };
+        // After the last slide comes the image of the first one.
+        let next_signs =
+            outline.parts.iter().skip(1).map(|part| part.sign).chain([outline.image() * first.sign]);
+        for (Step { slide, end, release }, sign) in self.steps.iter().zip(next_signs) {
+            let shown = |holds: bool, event: Event, phase: Ball<W>| {
+                if holds { Ok(()) } else { Err(undecided(event, phase)) }
+            };
+            shown(is_one_slide(slide, &end.duration), Event::Slide, slide.phase)?;
+            match release {
+                Some(release) => shown(
+                    is_one_stop(&map.machine, end.place, end.phase, *release, sign),
+                    Event::Stop,
+                    end.phase,
+                )?,
+                None => {
+                    shown(reverses(&map.machine, end.place, end.phase, sign), Event::Reversal, end.phase)?
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What cannot be told at a phase in balls of this width.
+fn undecided<const W: usize>(event: Event, phase: Ball<W>) -> Unproved {
+    let phase = phase.mid().to_f64().rem_euclid(core::f64::consts::TAU);
+    Unproved::Undecided { event, phase, bits: Mp::<W>::BITS }
+}
+
+/// The product of two matrices.
+fn product<const W: usize>(a: &[[Ball<W>; 2]; 2], b: &[[Ball<W>; 2]; 2]) -> [[Ball<W>; 2]; 2] {
+    let [[b11, b12], [b21, b22]] = *b;
+    a.map(|[x, y]| [x * b11 + y * b21, x * b12 + y * b22])
+}

@@ -1,0 +1,139 @@
+//! Ranges over a box of machines.
+
+use super::parts::{self, Ends, Over};
+use super::{bounds, ends, guaranteed, over, response};
+use crate::enclosed::{Enclosure, Known};
+use crate::error::Error;
+use crate::float::ball::Ball;
+use crate::float::{Field, Float};
+use crate::oscillator::Scales;
+use crate::output::Output;
+use crate::uncertainty::{MachineBox, Range};
+
+/// A ball that the parameters' own rounding does not widen.
+type B = Ball<4>;
+
+impl<F: Float> MachineBox<F> {
+    /// The range of any output over the box in physical units ([`Output::unit`]), with its damper, proved in ball arithmetic: as
+    /// [`super::RatioBox::enclosed`].
+    ///
+    /// The margin tells whether the body sticks: nowhere in the box where its range is above 1.
+    ///
+    /// # Errors
+    /// As there.
+    ///
+    /// ```
+    /// use stickslip::Output;
+    /// use stickslip::uncertainty::{Interval, MachineBox};
+    /// // Friction known to ±5 %, a damper to ±20 %.
+    /// let machine = MachineBox::force(
+    ///     Interval::exactly(50.0),
+    ///     Interval::exactly(1000.0),
+    ///     Interval::relative(5.0, 0.05)?,
+    ///     Interval::exactly(12.0),
+    ///     Interval::exactly(6.0),
+    /// )?
+    /// .with_damping(Interval::relative(20.0, 0.2)?)?;
+    /// let stroke = machine.enclosed(Output::MaxDisplacement, 100)?.unwrap();
+    /// assert!(stroke.is_guaranteed() && 0.01 < stroke.low && stroke.high < 0.012);
+    /// assert!(machine.enclosed(Output::Margin, 100)?.unwrap().low > 1.0);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
+        let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
+        let Some(mut whole) = whole else { return Ok(None) };
+        // The border is the same at every amplitude.
+        if !(output.is_of_cycle() || matches!(output, Output::Margin | Output::BestLoopSize))
+            && let Some((low, high)) = whole.get_mut(AMPLITUDE)
+        {
+            high.clone_from(low);
+        }
+        let found = parts::range(whole, pieces, |part| {
+            let Some(machine) = Machine::of(part, self.is_base_motion()) else { return Ok(Over::Undecided) };
+            let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
+            let found = response(output, [&omega, &alpha, &zeta])?;
+            let unit = output.unit(&machine.scales());
+            Ok(over(output, &found, |value| physical(value, unit)))
+        })?;
+        Ok(found.map(guaranteed))
+    }
+}
+
+/// The place of the amplitude among the parameters.
+const AMPLITUDE: usize = 3;
+
+/// m, k, r_y, the amplitude, ω_d and c in intervals.
+struct Machine<'a> {
+    mass: &'a Ends,
+    stiffness: &'a Ends,
+    friction: &'a Ends,
+    /// p₀.
+    force: Ends,
+    frequency: &'a Ends,
+    damping: &'a Ends,
+}
+
+impl<'a> Machine<'a> {
+    fn of(part: &'a [Ends], is_base_motion: bool) -> Option<Self> {
+        let [mass, stiffness, friction, amplitude, frequency, damping] = part else { return None };
+        let force = if is_base_motion { times(amplitude, stiffness) } else { amplitude.clone() };
+        Some(Self { mass, stiffness, friction, force, frequency, damping })
+    }
+
+    /// `Ω = ω_d √(m/k)`, `α = p₀/r_y` and `ζ = c/(2√(km))`.
+    fn ratios(&self) -> Option<[Ends; 3]> {
+        let square = over_positive(self.mass, self.stiffness);
+        let root = |x: &Ends| -> Option<Ends> {
+            let (low, high) = (ball(&(x.0.clone(), x.0.clone())), ball(&(x.1.clone(), x.1.clone())));
+            Some((low.sqrt().lower().to_rational()?, high.sqrt().upper().to_rational()?))
+        };
+        let omega = times(self.frequency, &root(&square)?);
+        let zeta = if self.damping.1 == 0 {
+            self.damping.clone()
+        } else {
+            let (low, high) = over_positive(self.damping, &root(&times(self.stiffness, self.mass))?);
+            (low / 2u32, high / 2u32)
+        };
+        Some([omega, over_positive(&self.force, self.friction), zeta])
+    }
+
+    /// The scales of the answers, as of [`Scales::new`].
+    fn scales(&self) -> Scales<B> {
+        let length = over_positive(self.friction, self.stiffness);
+        let static_energy = |stiffness: &Ends| {
+            let energy = over_positive(&times(&self.force, &self.force), stiffness);
+            ball(&(energy.0 / 2u32, energy.1 / 2u32))
+        };
+        let inertia = times(self.mass, &times(self.frequency, self.frequency));
+        Scales {
+            length: ball(&length),
+            velocity: ball(&times(&length, self.frequency)),
+            time: B::int(1) / ball(self.frequency),
+            force: ball(self.friction),
+            energy_stiffness: static_energy(self.stiffness),
+            energy_inertia: static_energy(&inertia),
+            mean_displacement: B::int(0),
+        }
+    }
+}
+
+fn ball(x: &Ends) -> B {
+    Known::of_ends(x.0.clone(), x.1.clone()).ball()
+}
+
+/// The product of two intervals of numbers not below zero.
+fn times(a: &Ends, b: &Ends) -> Ends {
+    ((&a.0 * &b.0).into(), (&a.1 * &b.1).into())
+}
+
+/// The quotient of an interval of numbers not below zero and one of numbers above.
+fn over_positive(a: &Ends, b: &Ends) -> Ends {
+    ((&a.0 / &b.1).into(), (&a.1 / &b.0).into())
+}
+
+/// The ends of an enclosed value in a unit.
+fn physical(value: &Enclosure, unit: B) -> Option<Ends> {
+    let (low, high) = bounds(value)?;
+    let found = ball(&(low, high)) * unit;
+    Some((found.lower().to_rational()?, found.upper().to_rational()?))
+}

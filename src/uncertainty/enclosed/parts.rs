@@ -1,0 +1,140 @@
+//! The range of a function over a box, from enclosures over its parts.
+
+use crate::error::Error;
+use rug::Rational;
+
+/// An interval of rational numbers, from low to high.
+pub(super) type Ends = (Rational, Rational);
+
+/// What is known of a function over a part of the box.
+#[derive(Debug, Clone)]
+pub(super) enum Over {
+    /// All its values lie between these.
+    Values(Ends),
+    /// It has no value anywhere in the part.
+    Nowhere,
+    /// The part is too large to tell.
+    Undecided,
+}
+
+/// The range over the whole box, cut into `most` parts at most; `None` where the function has no value somewhere, or that remains undecided.
+///
+/// Cut next is a part that is undecided, otherwise one that has an end of the range, across the parameter that is relatively widest there.
+pub(super) fn range(
+    whole: Vec<Ends>,
+    most: u32,
+    over: impl Fn(&[Ends]) -> Result<Over, Error>,
+) -> Result<Option<Ends>, Error> {
+    let mut parts = vec![(over(&whole)?, whole)];
+    loop {
+        if parts.iter().any(|(found, _)| matches!(found, Over::Nowhere)) {
+            return Ok(None);
+        }
+        let next = if parts.len() < most as usize { next(&parts) } else { None };
+        let Some((index, side)) = next else { return Ok(hull(&parts)) };
+        let (_, part) = parts.swap_remove(index);
+        for half in halves(&part, side) {
+            parts.push((over(&half)?, half));
+        }
+    }
+}
+
+/// The part to be cut, and which of its sides; `None` where no cut would help.
+fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
+    let undecided = parts.iter().position(|(found, _)| matches!(found, Over::Undecided));
+    let low = |(_, (found, _)): &(usize, &(Over, Vec<Ends>))| match found {
+        Over::Values((low, _)) => Some(low.clone()),
+        Over::Nowhere | Over::Undecided => None,
+    };
+    let high = |(_, (found, _)): &(usize, &(Over, Vec<Ends>))| match found {
+        Over::Values((_, high)) => Some(high.clone()),
+        Over::Nowhere | Over::Undecided => None,
+    };
+    let numbered = || parts.iter().enumerate();
+    let lowest = || numbered().min_by_key(low).map(|(index, _)| index);
+    let highest = || numbered().max_by_key(high).map(|(index, _)| index);
+    // In turn at the one end of the range and at the other.
+    let index = undecided.or_else(|| if parts.len() & 1 == 1 { highest() } else { lowest() })?;
+    let (_, part) = parts.get(index)?;
+    let width = |(low, high): &Ends| {
+        let size = Rational::from(low + high);
+        if size == 0 { size } else { Rational::from(high - low) / size }
+    };
+    let widths = part.iter().map(width).enumerate();
+    let (side, width) = widths.max_by(|(_, a), (_, b)| a.cmp(b))?;
+    (width > 0).then_some((index, side))
+}
+
+/// The part cut in two across one of its sides.
+fn halves(part: &[Ends], side: usize) -> [Vec<Ends>; 2] {
+    let cut = |is_upper: bool| {
+        let end = |(index, (low, high)): (usize, &Ends)| {
+            let middle = || Rational::from(low + high) / 2u32;
+            match (index == side, is_upper) {
+                (false, _) => (low.clone(), high.clone()),
+                (true, false) => (low.clone(), middle()),
+                (true, true) => (middle(), high.clone()),
+            }
+        };
+        part.iter().enumerate().map(end).collect()
+    };
+    [cut(false), cut(true)]
+}
+
+/// From the least to the greatest value over all parts, where each has values.
+fn hull(parts: &[(Over, Vec<Ends>)]) -> Option<Ends> {
+    let mut all: Option<Ends> = None;
+    for (found, _) in parts {
+        let Over::Values((low, high)) = found else { return None };
+        all = Some(match all {
+            None => (low.clone(), high.clone()),
+            Some((least, greatest)) => (least.min(low.clone()), greatest.max(high.clone())),
+        });
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ends, Over, range};
+    use rug::Rational;
+
+    fn ends(low: i32, high: i32) -> Ends {
+        (Rational::from(low), Rational::from(high))
+    }
+
+    /// y − x, by the ends of the part.
+    fn difference(part: &[Ends]) -> Over {
+        let [(x1, x2), (y1, y2)] = part else { panic!("two sides") };
+        Over::Values((Rational::from(y1 - x2), Rational::from(y2 - x1)))
+    }
+
+    #[test]
+    fn the_ends_close_in_as_the_box_is_cut() {
+        // x² − x by interval arithmetic on [1, 3]: from 0 to 6, and −2 to 8 in one part.
+        let over = |part: &[Ends]| {
+            let (low, high) = &part[0];
+            Ok(Over::Values((Rational::from(low * low) - high, Rational::from(high * high) - low)))
+        };
+        let one = range(vec![ends(1, 3)], 1, over).unwrap().unwrap();
+        assert_eq!(one, ends(-2, 8));
+        let (low, high) = range(vec![ends(1, 3)], 40, over).unwrap().unwrap();
+        assert!(low > -0.001 && low <= 0 && high >= 6 && high < 6.02, "{low} {high}");
+    }
+
+    #[test]
+    fn a_part_without_a_value_ends_it_and_an_undecided_one_is_cut() {
+        let square = vec![ends(1, 2), ends(5, 7)];
+        let nowhere = |part: &[Ends]| Ok(if part[0].1 < 2 { Over::Nowhere } else { Over::Undecided });
+        assert_eq!(range(square.clone(), 100, nowhere).unwrap(), None);
+        let narrow = |part: &[Ends]| {
+            let is_wide = Rational::from(&part[1].1 - &part[1].0) > 0.5;
+            Ok(if is_wide { Over::Undecided } else { difference(part) })
+        };
+        assert_eq!(range(square.clone(), 3, narrow).unwrap(), None);
+        assert_eq!(range(square.clone(), 20, narrow).unwrap(), Some(ends(3, 6)));
+        // One number needs one part.
+        let exact = range(vec![ends(1, 1), ends(2, 2)], 50, |part| Ok(difference(part)));
+        assert_eq!(exact.unwrap(), Some(ends(1, 1)));
+    }
+}
