@@ -7,10 +7,12 @@
 //! | file | content |
 //! |---|---|
 //! | `point` | the points, and the answers there in balls |
+//! | `answered` | what the closed forms say of a motion |
 //! | `claims` | what holds besides the identities for any arithmetic |
 //! | `damped` | points with damping, and what holds there |
 //! | `proved` | the motions that are proved |
 
+mod answered;
 mod claims;
 mod damped;
 #[cfg(test)]

@@ -6,8 +6,8 @@
 mod mutants;
 
 use super::Residue;
+use super::answered::Answered;
 use super::point::Place;
-use super::proved::Answered;
 use crate::enclosed::Known;
 use crate::enclosed::angle::Angle;
 use crate::enclosed::damped::{at_border, displacement, half_period, moment, outputs, waves};

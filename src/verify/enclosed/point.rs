@@ -2,7 +2,7 @@
 
 use super::super::formulae::Answers;
 use super::super::terms::Point;
-use super::proved::Answered;
+use super::answered::Answered;
 use crate::enclosed::Known;
 use crate::enclosed::angle::Angle;
 use crate::enclosed::border::Border;

@@ -1,5 +1,6 @@
 //! The closed forms against motions that are proved to exist from the equation of motion alone.
 
+use super::answered::Answered;
 use super::point::{Found, Place};
 use super::{Residue, damped};
 use crate::enclosed::{Enclosure, Known, Steady, steady};
@@ -30,28 +31,12 @@ pub(super) const DAMPED: [(&str, &str); 7] = [
     ("62, ζ", "just below the damped border a motion with stops is proved, and one without above"),
 ];
 
-/// What the closed forms say of a motion.
-pub(super) struct Answered<const W: usize> {
-    /// The amplitudes.
-    pub(super) scale: Ball<W>,
-    pub(super) max_displacement: Ball<W>,
-    pub(super) displacement_phase: Ball<W>,
-    pub(super) max_velocity: Ball<W>,
-    /// Sum and product of the multipliers of half a cycle.
-    pub(super) sum: Ball<W>,
-    pub(super) product: Ball<W>,
-    pub(super) contraction: Ball<W>,
-    pub(super) min_force_ratio: Ball<W>,
-}
-
-impl<const W: usize> Answered<W> {
-    /// By the closed forms with damping or without.
-    fn at(place: &Place) -> Option<Self> {
-        if place.is_damped() {
-            damped::Found::at(place).map(|found| found.answered())
-        } else {
-            Found::at(place).map(|found| found.answered())
-        }
+/// What the closed forms say, with damping or without.
+fn answered<const W: usize>(place: &Place) -> Option<Answered<W>> {
+    if place.is_damped() {
+        damped::Found::at(place).map(|found| found.answered())
+    } else {
+        Found::at(place).map(|found| found.answered())
     }
 }
 
@@ -60,7 +45,7 @@ pub(super) fn residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 {
-                return against(place, bits, Answered::<$width>::at(place));
+                return against(place, bits, answered::<$width>(place));
             }
         )*};
     }
