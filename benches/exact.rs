@@ -10,6 +10,18 @@ use stickslip::{Cycle, Ratios};
 const POINTS: [(f64, f64); 8] =
     [(1.5, 2.5), (0.7, 3.0), (1.02, 2.0), (1.0001, 2.0), (2.5, 3.0), (0.6, 4.0), (0.4, 6.0), (0.7, 1.2)];
 
+/// With stops, (Ω, α, ζ).
+const WITH_STOPS: [(f64, f64, f64); 8] = [
+    (0.7, 1.2, 0.0),
+    (0.4, 6.0, 0.0),
+    (0.15, 3.0, 0.0),
+    (0.9, 1.1, 0.0),
+    (0.7, 1.2, 0.05),
+    (0.4, 6.0, 0.05),
+    (0.15, 3.0, 0.05),
+    (0.9, 1.1, 0.05),
+];
+
 fn exact(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("exact");
     for (omega, alpha) in POINTS {
@@ -25,6 +37,11 @@ fn exact(criterion: &mut Criterion) {
                 b.iter(|| motions::steady_from_cycle(black_box(&cycle)));
             });
         }
+    }
+    for (omega, alpha, zeta) in WITH_STOPS {
+        group.bench_function(BenchmarkId::new("steady_with_stops", format!("{omega},{alpha},{zeta}")), |b| {
+            b.iter(|| motions::steady_with_damping(black_box(omega), black_box(alpha), black_box(zeta)));
+        });
     }
     group.finish();
 }

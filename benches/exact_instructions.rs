@@ -12,6 +12,31 @@ mod points;
 use std::hint::black_box;
 use stickslip::{Cycle, Ratios};
 
+/// Motions with stops, (Ω, α, ζ): the numbers of a kernel's name.
+fn with_stops(kernel: &str) -> Option<(f64, f64, f64)> {
+    let mut numbers = kernel.strip_prefix("steady-with-stops-")?.split('-').map(|n| n.parse().ok());
+    Some((numbers.next()??, numbers.next()??, numbers.next()??))
+}
+
+/// Cells of a map of 1,000 × 500 steady states, Ω from 0.1 to 2 and α from 1.05 to 10: every 97th, in order.
+#[cfg(feature = "batch")]
+fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
+    let cell = |i: usize| ((97 * i) / 500 % 1000, 97 * i % 500);
+    let at = |i: usize| {
+        let (column, row) = cell(i);
+        (0.1 + 1.9 * column as f64 / 999.0, 1.05 + 8.95 * row as f64 / 499.0)
+    };
+    (0..n).map(at).unzip()
+}
+
+/// Their greatest displacements, summed.
+#[cfg(feature = "batch")]
+#[inline(never)]
+fn steady_map(omega: &[f64], alpha: &[f64]) -> f64 {
+    let motions = stickslip::batch::Batch::new().steady(omega, alpha).unwrap_or_default();
+    motions.iter().flatten().filter_map(|m| Some(m.steady_state()?.max_displacement())).sum()
+}
+
 fn main() {
     let points = points::points(2000);
     let mut args = std::env::args().skip(1).filter(|a| a != "--bench");
@@ -41,6 +66,17 @@ fn main() {
                 .sum()
         }
         "twenty-slides" => over(|omega, alpha| motions::twenty_slides(omega, alpha)[0]),
+        #[cfg(feature = "batch")]
+        "steady-map" => {
+            let (omega, alpha) = map(n);
+            black_box(steady_map(&omega, &alpha))
+        }
+        other if let Some((omega, alpha, zeta)) = with_stops(other) => (0..n)
+            .map(|_| {
+                let [omega, alpha, zeta] = [omega, alpha, zeta].map(black_box);
+                black_box(motions::steady_with_damping(omega, alpha, zeta))[0]
+            })
+            .sum(),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

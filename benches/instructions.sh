@@ -35,6 +35,10 @@ all() {
         esac
         report "$kernel" "$(count "*motions::$function*" "$exact" "$kernel" 2000)" 2000
     done
+    for point in {0.7-1.2,0.4-6,0.15-3,0.9-1.1}-{0,0.05}; do
+        report "steady-with-stops-$point" "$(count '*motions::steady_with_damping*' "$exact" "steady-with-stops-$point" 20)" 20
+    done
+    report steady-map "$(count '*steady_map*' "$exact" steady-map 5000)" 5000
     batch=$(program batch_instructions)
     for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
         # The difference of two numbers of rounds, so that start-up does not count.

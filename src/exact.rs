@@ -21,7 +21,8 @@
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
-//! | `walk`, `matrix`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `walk`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
 //! | `confirm` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
@@ -60,6 +61,7 @@ mod period_map;
 mod periodic;
 mod rest;
 mod samples;
+mod section;
 mod shooting;
 mod short;
 mod slide;
@@ -68,6 +70,8 @@ mod state;
 mod steady;
 mod steady_outputs;
 mod stick;
+mod stop_map;
+mod stops;
 mod stretch;
 mod symmetry;
 mod trajectory;

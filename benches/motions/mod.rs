@@ -22,6 +22,16 @@ pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
     }
 }
 
+/// The same with the damping ratio ζ.
+#[inline(never)]
+pub(crate) fn steady_with_damping(omega: f64, alpha: f64, zeta: f64) -> [f64; 4] {
+    let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
+    match ratios.and_then(|r| LongRun::from_start(r, State::rest())) {
+        Ok(motion) => answer(&motion),
+        Err(_) => [f64::NAN; 4],
+    }
+}
+
 /// The exact steady state from the closed-form cycle.
 #[inline(never)]
 pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {

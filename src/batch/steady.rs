@@ -11,7 +11,7 @@ use crate::ratios::Ratios;
 /// closer than rest.
 pub(crate) fn steady(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
     let ratios = Ratios::new(omega, alpha)?;
-    if let Ok(cycle) = Cycle::new(ratios)
+    if let Some(cycle) = Cycle::find(ratios)
         && let Ok(found @ LongRun::Periodic(_)) = SteadyState::from_cycle(&cycle)
     {
         return Ok(found);

@@ -129,7 +129,8 @@ mod tests {
     use super::confirmed;
     use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
-    use crate::exact::long_run::{LongRun, fastest_point};
+    use crate::exact::long_run::LongRun;
+    use crate::exact::section::fastest_point;
     use crate::exact::shooting::{Budget, Residual};
     use crate::exact::slide::{Direction, Slide};
     use crate::exact::walk::walk;

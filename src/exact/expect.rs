@@ -25,19 +25,30 @@ impl<F: Float> VelocityZero<F> {
 
 impl<F: Float> Slide<F> {
     /// The length expected of the slide back that follows this one, if that begins almost as this one did, upside down and half a turn on.
+    #[inline]
+    pub(crate) fn expected_next(&self, zero: &VelocityZero<F>, next: &Self) -> F {
+        self.expected_of(zero, next, next.start.since(self.start) - F::pi(), -F::int(1))
+    }
+
+    /// The length expected of a slide that begins almost as this one did.
+    #[inline]
+    pub(crate) fn expected_again(&self, zero: &VelocityZero<F>, next: &Self) -> F {
+        self.expected_of(zero, next, next.start.since(self.start), F::int(1))
+    }
+
+    /// The length expected of a slide that begins later by an angle of the drive; with −1 for `upright` it is the one upside down.
     ///
     /// Extrapolated to where this one began, at w = 0, it differs from it by a free vibration.
     #[inline]
-    pub(crate) fn expected_next(&self, zero: &VelocityZero<F>, next: &Self) -> F {
-        let omega = self.equation.omega;
-        let late = (next.start.since(self.start) - F::pi()) / omega;
+    fn expected_of(&self, zero: &VelocityZero<F>, next: &Self, later: F, upright: F) -> F {
+        let late = later / self.equation.omega;
         if self.w != F::int(0) || late.abs() * F::int(4) > zero.phi {
             return zero.phi;
         }
-        let (acceleration, jerk) = (next.acceleration, next.jerk_at_start());
+        let (acceleration, jerk) = (upright * next.acceleration, upright * next.jerk_at_start());
         let (half, third) = (late / F::int(2), late / F::int(3));
-        let x = -next.x - self.x - late * half * (acceleration - third * jerk);
-        let w = late * (acceleration - half * jerk);
+        let x = upright * next.x - self.x + late * half * (acceleration - third * jerk);
+        let w = -(late * (acceleration - half * jerk));
         zero.expected((x, w), self.equation.damping) - late
     }
 }

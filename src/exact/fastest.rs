@@ -47,11 +47,12 @@ impl<F: Float> Slide<F> {
         if is_damped && self.has_many_extrema(end) {
             return Ok(self.fastest_of_damped(end, arrival));
         }
-        if (omega * two >= one && omega <= two) || is_damped {
+        let fast = two * F::pi() / one.or_larger(omega);
+        // A fast period from both ends can be all there is.
+        if (omega * two >= one && omega <= two) || is_damped || end <= two * fast {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
         }
-        let fast = two * F::pi() / one.or_larger(omega);
         let crest = self.slow_crest();
         let motion = |phi: F| {
             if phi == zero {
@@ -82,7 +83,7 @@ impl<F: Float> Slide<F> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, damping, .. } = self.equation;
         let middle = omega * two >= one && omega <= two && damping < one;
-        !middle && end * one.or_larger(omega) > F::int(10)
+        !middle && end * one.or_larger(omega) > F::int(16)
     }
 
     /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form cycle.
@@ -114,7 +115,7 @@ impl<F: Float> Slide<F> {
     fn slow_crest(&self) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let omega = self.equation.omega;
-        let (sine, cosine) = self.start.sin_cos();
+        let (sine, cosine) = self.sin_cos_start();
         let sign = self.direction.sign::<F>();
         let crest = if omega < one {
             // s cos θ = 1

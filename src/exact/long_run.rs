@@ -1,19 +1,19 @@
 //! What a motion tends to, by name.
 
 use super::broken::Broken;
-use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::family;
 use super::followed;
 use super::irregular::Irregular;
 use super::measures::Tally;
 use super::rest::{Rest, come_to_rest};
+use super::section::{Settled, cycle_guess, on_six_reversals, settle_in};
 use super::shooting::{Budget, Guess, Shot, shoot};
-use super::slide::Slide;
 use super::state::Point;
 use super::state::State;
 use super::steady::{SteadyState, Summary};
-use super::trajectory::{Body, Trajectory, resolved};
+use super::stops::Sticking;
+use super::trajectory::resolved;
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::{Cycle, SixReversals};
@@ -58,6 +58,9 @@ pub enum LongRun<F> {
 
 impl<F: Float> LongRun<F> {
     /// What the motion at (Ω, α) tends to from a start.
+    ///
+    /// With η = 1 the limit is the same from every start, but for a family and for rest, and a motion with stops is found from stop to stop without
+    /// following this one.
     ///
     /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127, if it is symmetric), rest, or an irregular motion.
     ///
@@ -113,17 +116,33 @@ impl<F: Float> LongRun<F> {
             return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
         }
         let equation = Equation::new(ratios);
-        let (section, hint) = settle_in(equation, start, &mut budget)?;
-        if family::is_one(ratios) {
+        let sticking = Sticking::new(equation);
+        let is_family = !sticking.is_below() && family::is_one(ratios);
+        if sticking.is_below()
+            && let Some(limit) = sticking.limit(&mut budget)?
+        {
+            return Ok(limit);
+        }
+        let at_stop = |budget: &mut Budget<'_>| {
+            if sticking.is_open() { sticking.limit(budget) } else { Ok(None) }
+        };
+        let (section, hint) = match settle_in(equation, start, &mut budget, at_stop)? {
+            Settled::Here(section, hint) => (section, hint),
+            Settled::Known(limit) => return Ok(*limit),
+        };
+        if is_family {
             return family::member(equation, section, hint, budget);
         }
-        let guess = || match Cycle::new(ratios) {
-            Ok(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
-            Err(_) => {
+        let guess = || match Cycle::find(ratios) {
+            Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
+            None => {
                 // Below the border, of six reversals or with stops: then the limit is that from rest.
                 let (at, hint) = match SixReversals::new(ratios) {
                     Some(cycle) => on_six_reversals(equation, &cycle),
-                    None => settle_in(equation, State::rest(), &mut Budget::of(0))?,
+                    None => match settle_in(equation, State::rest(), &mut Budget::of(0), |_| Ok(None))? {
+                        Settled::Here(at, hint) => (at, hint),
+                        Settled::Known(_) => return Ok(None),
+                    },
                 };
                 Ok(Some(Guess { at, hint, is_limit: false }))
             }
@@ -227,91 +246,11 @@ pub(crate) fn unsettled<F: Float>(
     }
 }
 
-/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from.
-///
-/// # Errors
-/// [`Error::SearchBound`], [`Error::Interrupted`].
-fn settle_in<F: Float>(
-    equation: Equation<F>,
-    start: State<F>,
-    budget: &mut Budget<'_>,
-) -> Result<(Point<F>, F), Broken> {
-    let mut longest: Option<(Slide<F>, F)> = None;
-    let begin = start.phase;
-    let turn = F::pi();
-    for phase in Trajectory::of(equation, start) {
-        let phase = phase?;
-        budget.ask()?;
-        let Body::Slide(slide, end) = &phase.body else { continue };
-        let longer = longest.as_ref().is_none_or(|(_, length)| end.phi >= *length);
-        let after = end.phase.since(begin);
-        if longer || after < turn {
-            longest = Some((*slide, end.phi));
-        }
-        if after >= F::int(2) * turn {
-            break;
-        }
-    }
-    budget.walked(2);
-    let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
-    let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
-    let half = length / F::int(2);
-    Ok((slide.point(half), half))
-}
-
-/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force. With
-/// damping every disturbance dies out, and its residual judges it.
-pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
-    let (at, hint) = fastest_point(equation, cycle);
-    Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
-}
-
-/// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.
-pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
-    let lag = cycle.displacement_phase() - cycle.velocity_phase();
-    let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
-    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase());
-    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity() * equation.omega };
-    (point, lag / equation.omega)
-}
-
-/// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to that.
-fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
-    let [first, _, third] = cycle.reversal_phases();
-    let next = first + F::pi();
-    let theta = (third + next) / F::int(2);
-    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);
-    let (x, w) = (cycle.displacement_at(theta), cycle.velocity_at(theta) * equation.omega);
-    (Point { phase, x, w }, (next - theta) / equation.omega)
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{LongRun, fastest_point};
+    use super::LongRun;
     use crate::exact::State;
-    use crate::exact::equation::Equation;
-    use crate::exact::slide::{Direction, Slide};
-    use crate::nonsticking::Cycle;
     use crate::{Border, Ratios};
-
-    /// From the fastest point of a cycle the body comes to its maximum displacement in the time named.
-    #[test]
-    fn from_the_fastest_point_to_the_farthest() {
-        for (omega, alpha) in
-            [(0.3f64, 13.0f64), (0.4, 9.0), (0.7, 2.0), (1.0 + 1e-6, 2.0), (1.3, 3.0), (5.0, 2.0)]
-        {
-            let ratios = Ratios::new(omega, alpha).unwrap();
-            let (equation, cycle) = (Equation::new(ratios), Cycle::new(ratios).unwrap());
-            let (point, time) = fastest_point(equation, &cycle);
-            let slide = Slide::new(equation, point.phase, point.x, point.w, Direction::Forward);
-            let at = slide.motion(time);
-            let size = cycle.max_displacement();
-            assert!(
-                time > 0.0 && at.w.abs() < 1e-12 * size && (at.x - size).abs() < 1e-12 * size,
-                "{omega}: {at:?}"
-            );
-        }
-    }
 
     /// The periods walked over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
     #[test]

@@ -33,6 +33,12 @@ impl<F: Float> Stick<F> {
     }
 
     fn until(equation: Equation<F>, start: DrivePhase<F>, x: F, falling: bool) -> Self {
+        let rising = if start.is_even() { Direction::Forward } else { Direction::Backward };
+        let here = if falling { None } else { release(&equation, start, x, rising, false) };
+        // In the present half turn the force rises to one bound only.
+        if let Some(phase) = here {
+            return Self { equation, start, x, release: Some((phase, rising)) };
+        }
         let forward = release(&equation, start, x, Direction::Forward, falling);
         let backward = release(&equation, start, x, Direction::Backward, falling);
         let first = match (forward, backward) {
@@ -56,11 +62,29 @@ pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
     F::int(4) * F::epsilon() * (equation.alpha + x.abs() + equation.static_friction)
 }
 
+/// The angle of its half turn at which friction gives way in one direction; `None` where the force never exceeds it.
+///
+/// `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its rounding moves the body by nothing
+/// that x can resolve, and does not count.
+pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: Direction) -> Option<F> {
+    let Equation { alpha, static_friction, .. } = *equation;
+    let sign = direction.sign::<F>();
+    let y = static_friction + sign * x;
+    // Without the rounding of y, which counts where α is next to η.
+    let above = (alpha - static_friction) - sign * x;
+    let exceeds = above > force_rounding(equation, x);
+    if !exceeds {
+        return None;
+    }
+    let below = alpha + y;
+    let product = if below > F::int(0) { above * below } else { F::int(0) };
+    Some(y.atan2(product.sqrt()))
+}
+
 /// When friction gives way in one direction, from the phase `now` on.
 ///
 /// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0 has one
-/// solution in each even half turn, where y < α. A maximum of the force that exceeds the bound by no more than its
-/// rounding moves the body by nothing that x can resolve, and does not count. `falling`: nor does the present half turn.
+/// solution in each even half turn, where y < α. `falling`: the present half turn does not count.
 fn release<F: Float>(
     equation: &Equation<F>,
     now: DrivePhase<F>,
@@ -68,18 +92,9 @@ fn release<F: Float>(
     direction: Direction,
     falling: bool,
 ) -> Option<DrivePhase<F>> {
-    let Equation { alpha, static_friction, .. } = *equation;
-    let y = static_friction + direction.sign::<F>() * x;
     let rounding = force_rounding(equation, x);
-    // Without the rounding of y, which counts where α is next to η.
-    let above = (alpha - static_friction) - direction.sign::<F>() * x;
-    let exceeds = above > rounding;
-    if !exceeds {
-        return None;
-    }
-    let below = alpha + y;
-    let product = if below > F::int(0) { above * below } else { F::int(0) };
-    let angle = y.atan2(product.sqrt());
+    let y = equation.static_friction + direction.sign::<F>() * x;
+    let angle = release_angle(equation, x, direction)?;
     let rises = now.is_even() == (direction == Direction::Forward);
     if !rises {
         return Some(now.in_half_turn(1, angle));
@@ -88,7 +103,7 @@ fn release<F: Float>(
         return Some(now.in_half_turn(2, angle));
     }
     // Within rounding of the bound and rising: now.
-    let force = alpha * now.angle().sin();
+    let force = equation.alpha * now.angle().sin();
     if y - force <= rounding {
         return Some(now);
     }

@@ -54,7 +54,14 @@ impl<F: Float> Cycle<F> {
         if ratios.has_higher_static_friction() {
             return Self::with_static_friction(ratios);
         }
-        F::fused(NewCycle(ratios))
+        F::fused(NewCycle(ratios)).map_err(|least| no_cycle(ratios, least))
+    }
+
+    /// The same without a reason where there is none.
+    #[inline]
+    pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
+        let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
+        if is_plain { F::fused(NewCycle(ratios)).ok() } else { Self::new(ratios).ok() }
     }
 
     /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a
@@ -271,7 +278,8 @@ impl<F: Float> Cycle<F> {
 struct NewCycle<F>(Ratios<F>);
 
 impl<F: Float> Task for NewCycle<F> {
-    type Output = Result<Cycle<F>, Error>;
+    /// The cycle, or the least force ratio without sticking.
+    type Output = Result<Cycle<F>, F>;
 
     #[inline(always)]
     fn run(self) -> Self::Output {
@@ -279,7 +287,7 @@ impl<F: Float> Task for NewCycle<F> {
         let p = PhaseFunction::of_valid(ratios.omega());
         let least = Border::least_force_ratio(&p);
         if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            Err(no_cycle(ratios, least))
+            Err(least)
         } else {
             Ok(Cycle::at(&p, ratios))
         }

@@ -1,0 +1,109 @@
+//! From one stop to the next half a turn later: a map of one number.
+//!
+//! A body at rest has forgotten how it came. The displacement x of its stop says when friction gives way, `α sin θ = x ± η` in
+//! closed form, and with it everything after: the stop half a turn later, at X. A symmetric motion with a stop is a fixed point of
+//! `G(x) = −X`. A disturbance δx is let go as (δx, 0), and is what the slides make of it when the body stops again:
+//! `G′ = −M₁₁`, M the product of their free vibrations and reversals (`matrix`).
+
+use super::broken::Broken;
+use super::drive::DrivePhase;
+use super::equation::Equation;
+use super::matrix::{Matrix, reversal_ratio};
+use super::shooting::{Budget, Residual};
+use super::slide::{Direction, Slide};
+use super::state::Point;
+use super::stick::{Stick, release_angle};
+use super::trajectory::Next;
+use super::velocity_zero::{Lost, VelocityZero};
+use super::walk::Part;
+use crate::float::Float;
+
+/// Where stops are looked for: let go in one direction, in one half turn of the drive.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Station {
+    pub(crate) half_turn: i64,
+    pub(crate) direction: Direction,
+}
+
+/// The motion from one stop to the next, half a turn later.
+#[derive(Debug)]
+pub(crate) struct Passage<F> {
+    /// Displacement of the stop that it begins with.
+    pub(crate) from: F,
+    /// What it is let go at.
+    pub(crate) release: DrivePhase<F>,
+    /// Slides and stops in between.
+    pub(crate) parts: Vec<Part<F>>,
+    /// The stop half a turn later.
+    pub(crate) stop: Stick<F>,
+    /// `G(x) − x`, and the rounding of it.
+    pub(crate) left: Residual<F>,
+    /// `G′(x)`.
+    pub(crate) rate: F,
+}
+
+/// Parts of a passage, at the most: one of more is left to `shooting`.
+const MOST_PARTS: usize = 64;
+
+/// The passage from a stop at x; `None` where there is no such stop, at the beginning or half a turn later.
+///
+/// `like` is a passage from a stop nearby, by which the ends of slides are expected.
+///
+/// # Errors
+/// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
+pub(crate) fn passage<F: Float>(
+    equation: Equation<F>,
+    station: Station,
+    x: F,
+    like: Option<&Passage<F>>,
+    mut parts: Vec<Part<F>>,
+    budget: &mut Budget<'_>,
+) -> Result<Option<Passage<F>>, Broken> {
+    parts.clear();
+    let Some(angle) = release_angle(&equation, x, station.direction) else { return Ok(None) };
+    let release = DrivePhase::of_half_turn(station.half_turn, angle);
+    let next_half_turn = station.half_turn.saturating_add(1);
+    let usual = F::pi() / equation.omega;
+    let mut slide = Slide::released(equation, release, x, station.direction);
+    let mut monodromy = Matrix::identity();
+    budget.walked(1);
+    while parts.len() < MOST_PARTS {
+        budget.ask()?;
+        let hint = match like.and_then(|like| like.parts.get(parts.len())) {
+            Some(Part::Slide(before, zero)) if before.direction == slide.direction => {
+                before.expected_again(zero, &slide)
+            }
+            _ => usual,
+        };
+        let zero: VelocityZero<F> =
+            slide.velocity_zero(hint).map_err(|Lost| slide.lost("the velocity zero"))?;
+        parts.push(Part::Slide(slide, zero));
+        let next = Next::after(&slide, &zero).0;
+        let ratio = match &next {
+            Next::Slide(on) if on.direction == slide.direction => F::int(1),
+            Next::Slide(back) => reversal_ratio(back.acceleration),
+            Next::Stick(_) => F::int(0),
+        };
+        monodromy = monodromy.after_slide(zero.rotation, equation.damping).after_zero(ratio);
+        match next {
+            Next::Slide(on) => slide = on,
+            Next::Stick(stop) => {
+                let Some((phase, direction)) = stop.release else { return Ok(None) };
+                if phase.half_turns() == next_half_turn && direction != station.direction {
+                    let (zero, rest) = (F::int(0), Point { phase: release, x, w: F::int(0) });
+                    let left = Residual::new(&equation, &rest, (-stop.x - x, zero));
+                    return Ok(Some(Passage { from: x, release, parts, stop, left, rate: -monodromy.a }));
+                }
+                if phase.half_turns() > station.half_turn {
+                    return Ok(None);
+                }
+                parts.push(Part::Stick(stop, phase.since(stop.start)));
+                slide = Slide::released(equation, phase, stop.x, direction);
+            }
+        }
+        if zero.phase.half_turns() > next_half_turn {
+            return Ok(None);
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,250 @@
+//! The periodic motion with stops, by the map from stop to stop (`stop_map`).
+//!
+//! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G is sought in the whole range
+//! of displacements that a body can rest at and be let go from, `−(1 + α) < x < α − 1` for a release forward.
+//!
+//! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half a turn later, have not moved
+//! apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a zero. In the bracket the zero of the cubic through the last two
+//! points with their slopes G′ − 1 is tried next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket
+//! is halved. Stops that do not overlap in time can break the bracket: that costs a search, and never an answer.
+//!
+//! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where there are no such stops half a turn
+//! apart there is no answer here, and `shooting` has to find the motion.
+
+use super::broken::Broken;
+use super::equation::Equation;
+use super::long_run::LongRun;
+use super::measures::Tally;
+use super::shooting::{Budget, Residual};
+use super::slide::Direction;
+use super::state::Point;
+use super::steady::{SteadyState, Summary};
+use super::stick::Stick;
+use super::stop_map::{Passage, Station, passage};
+use super::walk::Part;
+use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::nonsticking::damped::border::turning_point;
+use crate::nonsticking::damped::half_period::HalfPeriod;
+use crate::nonsticking::displacement::max_displacement;
+use crate::phase_function::{PhaseFunction, one_minus_square};
+
+/// Stops are looked for where they are let go forward, around θ = 0.
+const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };
+
+/// Passages that are tried.
+const MOST_PASSAGES: u32 = 40;
+
+/// What the closed form of the cycle without stops says of a motion that may stick.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sticking<F> {
+    equation: Equation<F>,
+    /// `a = √(α² − K²)/q`; NaN where α < |K|, infinite at Ω = 1.
+    amplitude: F,
+    /// G, by which the extremum a − G is less.
+    shift: F,
+    is_below: bool,
+    is_open: bool,
+}
+
+impl<F: Float> Sticking<F> {
+    /// At η = 1 and α > 1.
+    #[inline]
+    pub(crate) fn new(equation: Equation<F>) -> Self {
+        if equation.is_damped() { Self::damped(equation) } else { Self::undamped(equation) }
+    }
+
+    #[inline]
+    fn undamped(equation: Equation<F>) -> Self {
+        let Equation { omega, alpha, .. } = equation;
+        let p = PhaseFunction::of_valid(omega);
+        let amplitude = max_displacement(p.value(), alpha, one_minus_square(omega));
+        // Where a is below 1/Ω² by more than rounding no border has to be searched for.
+        let is_far = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
+        let is_below = is_far || alpha < Border::least_force_ratio(&p);
+        Self { equation, amplitude, shift: F::int(0), is_below, is_open: false }
+    }
+
+    /// Beyond `Ω = √(1 − ζ²)/2` the turning point decides.
+    #[cold]
+    #[inline(never)]
+    fn damped(equation: Equation<F>) -> Self {
+        let half = HalfPeriod::new(equation.omega, equation.zeta());
+        let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
+        let has_cycle = amplitude >= turning_point(&half);
+        let is_low =
+            F::int(4) * equation.omega.square() < (F::int(1) - half.free.zeta) * (F::int(1) + half.free.zeta);
+        Self { equation, amplitude, shift: half.shift, is_below: !has_cycle, is_open: has_cycle && is_low }
+    }
+
+    /// Whether it is known that the motion sticks, or reverses more than twice.
+    pub(crate) const fn is_below(&self) -> bool {
+        self.is_below
+    }
+
+    /// Whether it may be so although that is not known here: with damping and at a low frequency, where the border takes a search.
+    pub(crate) const fn is_open(&self) -> bool {
+        self.is_open
+    }
+
+    /// The limit, where it has stops half a turn apart that are found.
+    ///
+    /// # Errors
+    /// As for [`passage`].
+    pub(crate) fn limit(&self, budget: &mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken> {
+        let equation = self.equation;
+        let found = fixed_point(equation, self.guess(), budget)?;
+        found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
+    }
+
+    /// The minimum that the motion would have, were the closed form right although it sticks a little; where it has none, what a slow drive
+    /// would leave it at.
+    fn guess(&self) -> F {
+        let (one, alpha) = (F::int(1), self.equation.alpha);
+        let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
+        if by_cycle > -(one + alpha) && by_cycle < slow { by_cycle } else { slow }
+    }
+}
+
+/// `G(x) − x` at a point, and its slope.
+#[derive(Clone, Copy)]
+struct Miss<F> {
+    x: F,
+    value: F,
+    slope: F,
+}
+
+/// The passage from the fixed point of G.
+fn fixed_point<F: Float>(
+    equation: Equation<F>,
+    guess: F,
+    budget: &mut Budget<'_>,
+) -> Result<Option<Passage<F>>, Broken> {
+    let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+    let (mut low, mut high) = (-(one + equation.alpha), equation.alpha - one);
+    let mut x = guess;
+    let mut best: Option<Passage<F>> = None;
+    let mut before: Option<Miss<F>> = None;
+    let mut spare = Vec::with_capacity(8);
+    let mut failures = 0..MOST_FAILURES;
+    for _ in 0..MOST_PASSAGES {
+        if budget.half_turns > budget.most {
+            break;
+        }
+        let Some(tried) = passage(equation, STATION, x, best.as_ref(), spare, budget)? else {
+            // No such stop here: back towards the last one.
+            let (Some(last), Some(_)) = (&best, failures.next()) else { break };
+            if x > last.from {
+                high = x;
+            } else {
+                low = x;
+            }
+            x = (x + last.from) / two;
+            spare = Vec::new();
+            continue;
+        };
+        if tried.left.is_rounding(1) {
+            return Ok(Some(tried));
+        }
+        let here = Miss { x, value: tried.left.x, slope: tried.rate - one };
+        if here.value > zero {
+            low = x;
+        } else {
+            high = x;
+        }
+        let halves = best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
+        let next = x + here.step(before);
+        x = if halves && next > low && next < high { next } else { (low + high) / two };
+        let is_closed = x <= low || x >= high;
+        before = Some(here);
+        let last = best.replace(tried);
+        if is_closed {
+            // Rounding is left, a little more of it than expected.
+            let nearest = last.filter(|last| last.left.x.abs() < here.value.abs()).or(best);
+            return Ok(nearest.filter(|found| found.left.is_rounding(64)));
+        }
+        spare = last.map_or_else(Vec::new, |passage| passage.parts);
+    }
+    Ok(None)
+}
+
+/// Displacements without a stop that are met before the search is given up.
+const MOST_FAILURES: u32 = 4;
+
+impl<F: Float> Miss<F> {
+    /// The step to the zero of the cubic through this point and the one before, with their slopes; Newton's step without one.
+    fn step(&self, before: Option<Self>) -> F {
+        let (two, three) = (F::int(2), F::int(3));
+        let newton = -(self.value / self.slope);
+        let Some(before) = before else { return newton };
+        // value + slope t + a t² + b t³, t from here
+        let back = self.x - before.x;
+        let secant = (self.value - before.value) / back;
+        let a = (two * self.slope + before.slope - three * secant) / back;
+        let b = (self.slope + before.slope - two * secant) / back.square();
+        // The zero next to here of the parabola, then Newton's steps for the cubic.
+        let discriminant = self.slope.square() - F::int(4) * a * self.value;
+        let bends_away = discriminant <= F::int(0) || !discriminant.is_finite();
+        if bends_away {
+            return newton;
+        }
+        let mut t = -(two * self.value) / (self.slope - discriminant.sqrt());
+        for _ in 0..3 {
+            let value = self.value + t * (self.slope + t * (a + t * b));
+            let slope = self.slope + t * (two * a + three * t * b);
+            t = t - value / slope;
+        }
+        t
+    }
+}
+
+/// The steady state that a fixed point of G is.
+fn steady<F: Float>(
+    equation: Equation<F>,
+    found: &Passage<F>,
+    budget: &Budget<'_>,
+) -> Result<Option<LongRun<F>>, Broken> {
+    let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+    // The stop that the passage begins with is that at its end, upside down.
+    let stop = Stick {
+        start: found.stop.start.later_by_half_turns(-1),
+        x: -found.stop.x,
+        release: Some((found.release, STATION.direction)),
+        ..found.stop
+    };
+    let mut tally = Tally::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
+    let length = found.release.since(stop.start);
+    tally.add(&Part::Stick(stop, length))?;
+    let mut longest = None;
+    for part in &found.parts {
+        tally.add(part)?;
+        if let Part::Slide(slide, end) = part
+            && longest.is_none_or(|(_, most)| end.phi > most)
+        {
+            longest = Some((slide, end.phi));
+        }
+    }
+    let Some((slide, phi)) = longest else { return Ok(None) };
+    let off = (found.left.bounds().0 / (one - found.rate)).abs();
+    // The middle of the longest slide, with its own rounding.
+    let middle = slide.motion(phi / two);
+    let y = Point { phase: slide.start.advanced(equation.omega * phi / two), x: middle.x, w: middle.w };
+    let distance = Residual::new(&equation, &y, (off, off)).bounds();
+    let size = y.x.abs() + y.w.abs();
+    let is_known = F::int(16) * distance.0 <= size && F::int(16) * distance.1 <= size;
+    if !is_known || length < zero {
+        return Ok(None);
+    }
+    Ok(Some(LongRun::Periodic(SteadyState {
+        equation,
+        start: y,
+        half_turns: 1,
+        tally: Summary::of(&tally.doubled(), 1),
+        multipliers: [(found.rate.square(), zero), (zero, zero)],
+        distance,
+        periods: F::from_f64(budget.half_turns as f64) / two,
+    })))
+}
+
+#[cfg(test)]
+mod tests;
