@@ -226,9 +226,10 @@ fn steady<F: Float>(
     }
     let Some((slide, phi)) = longest else { return Ok(None) };
     let off = (found.left.bounds().0 / (one - found.rate)).abs();
-    // The middle of the longest slide, with its own rounding.
+    // The middle of the longest slide, with its own rounding; upside down, half a turn on, so that the next stop is this one again.
     let middle = slide.motion(phi / two);
-    let y = Point { phase: slide.start.advanced(equation.omega * phi / two), x: middle.x, w: middle.w };
+    let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
+    let y = Point { phase, x: -middle.x, w: -middle.w };
     let distance = Residual::new(&equation, &y, (off, off)).bounds();
     let size = y.x.abs() + y.w.abs();
     let is_known = F::int(16) * distance.0 <= size && F::int(16) * distance.1 <= size;
