@@ -218,7 +218,7 @@ pub use error::{Error, Number, Quantity};
 pub use float::{Field, Float, Real};
 pub use nonsticking::{Border, Cycle};
 pub use oscillator::{Drive, Excitation, Oscillator, Scales};
-pub use output::Output;
+pub use output::{Output, UnknownOutput};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
 pub use regime::{Place, Regime, Verdict, regime};

@@ -53,6 +53,32 @@ pub enum Output {
     MaxAbsoluteDisplacement,
 }
 
+/// No output has this name.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("output `{name}` must be one of Output::ALL by its name, such as max_displacement")]
+#[non_exhaustive]
+pub struct UnknownOutput {
+    /// The name.
+    pub name: String,
+}
+
+/// By its name.
+impl core::str::FromStr for Output {
+    type Err = UnknownOutput;
+
+    fn from_str(name: &str) -> Result<Self, UnknownOutput> {
+        let found = Self::ALL.into_iter().find(|output| output.name() == name);
+        found.ok_or_else(|| UnknownOutput { name: name.to_owned() })
+    }
+}
+
+/// Its name.
+impl core::fmt::Display for Output {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 impl Output {
     /// All of them, in order.
     pub const ALL: [Self; 20] = [
@@ -206,6 +232,18 @@ impl Output {
 mod tests {
     use super::Output;
     use crate::{Ratios, Response, Scales};
+
+    #[test]
+    fn each_is_read_by_its_name() {
+        for output in Output::ALL {
+            assert_eq!(output.to_string().parse(), Ok(output));
+        }
+        let error = "velocity".parse::<Output>().unwrap_err();
+        assert_eq!(
+            error.to_string(),
+            "output `velocity` must be one of Output::ALL by its name, such as max_displacement"
+        );
+    }
 
     /// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by hand.
     #[test]

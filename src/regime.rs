@@ -40,6 +40,13 @@ pub enum Regime {
     Unbounded,
 }
 
+/// Its name.
+impl core::fmt::Display for Regime {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 impl Regime {
     /// The regime's name as the command prints it.
     #[must_use]
@@ -157,5 +164,6 @@ mod tests {
     fn names() {
         let all = [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded];
         assert_eq!(all.map(Regime::name), ["stuck", "sticking", "non-sticking", "unbounded"]);
+        assert_eq!(format!("{:>9}", Regime::Sticking), " sticking");
     }
 }
