@@ -65,7 +65,7 @@ impl<F: Float> LongRun<F> {
     /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127, if it is symmetric), rest, or an irregular motion.
     ///
     /// # Errors
-    /// As for [`Trajectory::new`].
+    /// As for [`super::Trajectory::new`].
     pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         Self::within(ratios, start, DEFAULT_BUDGET)
     }
@@ -73,7 +73,7 @@ impl<F: Float> LongRun<F> {
     /// The same, following the motion for at most `periods` periods of the drive.
     ///
     /// # Errors
-    /// As for [`Trajectory::new`].
+    /// As for [`super::Trajectory::new`].
     pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
         Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)))
     }
@@ -93,7 +93,7 @@ impl<F: Float> LongRun<F> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Interrupted`] where it breaks off, and as for [`Trajectory::new`].
+    /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
     pub fn within_while(
         ratios: Ratios<F>,
         start: State<F>,
