@@ -54,14 +54,14 @@ impl<F: Float> Cycle<F> {
         if ratios.has_higher_static_friction() {
             return Self::with_static_friction(ratios);
         }
-        F::fused(NewCycle(ratios)).map_err(|least| no_cycle(ratios, least))
+        F::fused(NewCycle(ratios))
     }
 
     /// The same without a reason where there is none.
     #[inline]
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
         let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
-        if is_plain { F::fused(NewCycle(ratios)).ok() } else { Self::new(ratios).ok() }
+        if is_plain { F::fused(FindCycle(ratios)) } else { Self::new(ratios).ok() }
     }
 
     /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a
@@ -278,20 +278,31 @@ impl<F: Float> Cycle<F> {
 struct NewCycle<F>(Ratios<F>);
 
 impl<F: Float> Task for NewCycle<F> {
-    /// The cycle, or the least force ratio without sticking.
-    type Output = Result<Cycle<F>, F>;
+    type Output = Result<Cycle<F>, Error>;
 
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let ratios = self.0;
-        let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::least_force_ratio(&p);
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            Err(least)
-        } else {
-            Ok(Cycle::at(&p, ratios))
-        }
+        cycle_or_least(self.0).map_err(|least| no_cycle(self.0, least))
     }
+}
+
+struct FindCycle<F>(Ratios<F>);
+
+impl<F: Float> Task for FindCycle<F> {
+    type Output = Option<Cycle<F>>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        cycle_or_least(self.0).ok()
+    }
+}
+
+/// The cycle, or the least force ratio without sticking.
+#[inline(always)]
+fn cycle_or_least<F: Float>(ratios: Ratios<F>) -> Result<Cycle<F>, F> {
+    let p = PhaseFunction::of_valid(ratios.omega());
+    let least = Border::least_force_ratio(&p);
+    if ratios.alpha() < least || ratios.omega() == F::int(1) { Err(least) } else { Ok(Cycle::at(&p, ratios)) }
 }
 
 /// Why there is no cycle where the least force ratio without sticking is `least`.
