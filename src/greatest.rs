@@ -99,6 +99,10 @@ pub(crate) fn greatest<F: Float>(
     let slack = F::int(1) + F::int(4) * F::epsilon();
     while let Some(Piece { low, high, middle, at, reach, rest }) = pieces.pop() {
         best = best.or_larger(at.value.abs());
+        if !reach.is_finite() {
+            // Not a number, or beyond the range of the type: no division would tell more.
+            return reach;
+        }
         if reach <= best * slack {
             break;
         }

@@ -168,7 +168,7 @@ fn damped_velocity_target<F: Float>(
     // V₀/(Bω_d) and its derivative by a.
     let reached = |amplitude: F| {
         let rising = Rising { half, amplitude };
-        let moment = half.at(fastest_time(&rising.vibration()));
+        let moment = rising.at(fastest_time(&rising.vibration()));
         let [speed, ..] = rising.velocity(&moment);
         (speed / half.omega, moment.drive.0)
     };
@@ -177,8 +177,8 @@ fn damped_velocity_target<F: Float>(
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, half.omega));
     }
-    let middle = half.at(half.period / F::int(2));
-    let mut amplitude = (velocity - middle.free.v / half.omega).or_larger(least);
+    // V₀ is convex in a and grows by no more than a does.
+    let mut amplitude = least + (velocity - least_velocity);
     for _ in 0..F::PRECISION {
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;

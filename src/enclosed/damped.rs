@@ -95,6 +95,8 @@ pub(crate) fn half_period<const W: usize>(
         cosine,
         sine,
         static_excess: Ball::int(0),
+        // A ball tells how much of both parts is lost.
+        is_resonant: false,
     };
     half.with_static_friction(eta.ball())
 }

@@ -102,6 +102,7 @@ impl<F: Float> Slide<F> {
             driven: (-(sign * x), h),
             start: (sign * free_x, sign * free_w),
             end,
+            whole: None,
         };
         let phi = fastest_time(&motion);
         let found = if phi >= end { arrival.w } else { self.motion(phi).w };

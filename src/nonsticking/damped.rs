@@ -19,6 +19,7 @@ pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
 mod peaks;
+pub(crate) mod resonance;
 pub(crate) mod rising;
 
 use super::Border;
@@ -57,7 +58,7 @@ impl<F: Float> DampedCycle<F> {
         // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
         let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));
         let tau = fastest::fastest_time(&rising.vibration());
-        let moment = half.at(tau);
+        let moment = rising.at(tau);
         let [velocity, ..] = rising.velocity(&moment);
         Self {
             rising,
@@ -121,7 +122,7 @@ impl<F: Float> DampedCycle<F> {
     /// Displacement x/B and velocity x′/(Bω_d) of the rising half cycle, at the phase since its start.
     pub(crate) fn rising_at(&self, phase: F) -> (F, F) {
         let half = &self.rising.half;
-        let moment = half.at(phase / half.omega);
+        let moment = self.rising.at(phase / half.omega);
         (self.rising.displacement(&moment), self.rising.velocity(&moment)[0] / half.omega)
     }
 

@@ -1,22 +1,9 @@
-//! The functions of natural time with viscous damping.
-//!
-//! Let s and c be the free vibrations from (x, w) = (0, 1) and (1, 0), and λ = −ζ + id, d = √(1 − ζ²). The motion that the
-//! right side `e^{iΩφ}` brings about from rest is C + iS, the solution of `E″ + 2ζE′ + E = e^{iΩφ}`:
-//!
-//! ```text
-//! C + iS = (e^{iΩφ} − c − iΩs)/(1 − Ω² + 2iζΩ),   S′ = ΩC,   D = C′ = s − ΩS.
-//! ```
-//!
-//! The divisor vanishes as Ω → 1 and ζ → 0 together. It is `z z′` with z = iΩ − λ, z′ = iΩ − λ̄, and because
-//! `c = e^{λφ} + (ζ − id) s`, the numerator is z times a difference without cancellation:
-//!
-//! ```text
-//! C + iS = (Q − s)/z′,   Q = (e^{iΩφ} − e^{λφ})/z = −e^{iΩφ} (e^{−zφ} − 1)/z.
-//! ```
+//! The functions of natural time with viscous damping; beside resonance those of `nonsticking::damped::resonance`.
 
 use super::{Equation, Waves};
 use crate::float::Float;
 use crate::nonsticking::damped::free::Free;
+use crate::nonsticking::damped::resonance::Responses;
 
 impl<F: Float> Equation<F> {
     /// ζ.
@@ -80,7 +67,9 @@ impl<F: Float> Equation<F> {
         let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
         let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
         if near && phi * eight <= F::int(1000) {
-            return self.waves_beside_resonance(phi);
+            let Responses { free, versine, drive, c, s, d } =
+                Responses::new(self.omega, &self.vibration(), phi);
+            return Waves { free, versine, drive, c, s, d };
         }
         let free = self.vibration();
         let at = free.waves(phi);
@@ -127,51 +116,6 @@ impl<F: Float> Equation<F> {
             power = power * phi / F::from_f64(f64::from(n));
         }
         sum
-    }
-
-    /// The same by Q, for Ω in [1/2, 2] and ζ < 1/8.
-    ///
-    /// `Ω − d = (Ω² − 1 + ζ²)/(Ω + d)`, and dφ is Ωφ less that times φ: two circular functions in all.
-    #[cold]
-    #[inline(never)]
-    fn waves_beside_resonance(&self, phi: F) -> Waves<F> {
-        let (one, two) = (F::int(1), F::int(2));
-        let Free { zeta, frequency: d, .. } = self.vibration();
-        let sum = self.omega + d;
-        let gap = ((self.omega - one) * (self.omega + one) + zeta.square()) / sum;
-        let (sin_drive, cos_drive) = (self.omega * phi).sin_cos();
-        // b = (Ω − d) φ by its half.
-        let (sin_half, cos_half) = (gap * phi / two).sin_cos();
-        let (sin_b, versine_b) = (two * sin_half * cos_half, two * sin_half.square());
-        let fall = (-(zeta * phi)).exp_m1();
-        let decay = one + fall;
-        let cos_b = one - versine_b;
-        // e^{−zφ} − 1
-        let (re, im) = (fall * cos_b - versine_b, -(decay * sin_b));
-        // Divided by −z = −(ζ + i(Ω − d)), and turned by Ωφ.
-        let size = zeta.hypot(gap);
-        let (unit_re, unit_im) = (zeta / size, gap / size);
-        let (re, im) = (-(re * unit_re + im * unit_im) / size, -(im * unit_re - re * unit_im) / size);
-        let (q_re, q_im) = (re * cos_drive - im * sin_drive, im * cos_drive + re * sin_drive);
-        // The free vibrations at dφ = Ωφ − b.
-        let sine = decay * (sin_drive * cos_b - cos_drive * sin_b) / d;
-        let cosine = decay * (cos_drive * cos_b + sin_drive * sin_b);
-        let c = cosine + zeta * sine;
-        // Divided by z′ = ζ + i(Ω + d).
-        let square = zeta.square() + sum.square();
-        let above = q_re - sine;
-        let s_part = (q_im * zeta - above * sum) / square;
-        // 1 − e^{−ζφ} cos dφ = −fall cos dφ + 2 sin²(dφ/2), and sin² dφ = (1 − cos)(1 + cos)
-        let (sin_d, cos_d) = (sine * d / decay, cosine / decay);
-        let versine_d = if cos_d > F::int(0) { sin_d.square() / (one + cos_d) } else { one - cos_d };
-        Waves {
-            free: (sine, c),
-            versine: versine_d - fall * cos_d - zeta * sine,
-            drive: (sin_drive, cos_drive),
-            c: (above * zeta + q_im * sum) / square,
-            s: s_part,
-            d: sine - self.omega * s_part,
-        }
     }
 }
 

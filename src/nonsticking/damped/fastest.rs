@@ -24,7 +24,8 @@ pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let polished = newton(start, F::int(0), motion.end, slope);
     // Where the velocity is so flat that a step goes astray, the start is as good as the type can tell.
     let speed = |tau: F| motion.velocity(&motion.at(tau))[0];
-    let noise = F::int(64) * F::epsilon() * motion.swing();
+    let start_bound = motion.at(F::int(0)).free.velocity_bound();
+    let noise = F::int(64) * F::epsilon() * (motion.swing() + start_bound);
     let time = if speed(polished) + noise >= speed(start) { polished } else { start };
     time.implicit_root(slope)
 }
@@ -116,7 +117,7 @@ impl<'a, F: Float> Search<'a, F> {
         let least = self.best.velocity[0] + self.noise;
         // No more than the drive alone and the free vibration give.
         let turns = |tau: F| (omega * (tau - self.turn) / (two * F::pi())).floor();
-        let driven = if turns(left.at.tau) < turns(right.at.tau) {
+        let driven = if self.motion.whole.is_some() || turns(left.at.tau) < turns(right.at.tau) {
             self.swing
         } else {
             left.driven.or_larger(right.driven)

@@ -39,6 +39,8 @@ pub(crate) struct HalfPeriod<F> {
     pub(crate) sine: F,
     /// `η − 1`, by how much the static friction is above the kinetic one, in r_y.
     pub(crate) static_excess: F,
+    /// Whether driven and free vibration nearly cancel over the half period.
+    pub(crate) is_resonant: bool,
 }
 
 impl<F: Float> HalfPeriod<F> {
@@ -70,6 +72,8 @@ impl<F: Float> HalfPeriod<F> {
             cosine: c.square() - free.square * s.square(),
             sine: two * s * c,
             static_excess: F::int(0),
+            // H = K/q exceeds T.
+            is_resonant: stiffness * period < F::int(1) && zeta * F::int(8) < F::int(1),
         }
     }
 }
@@ -90,6 +94,7 @@ impl<F: Field> HalfPeriod<F> {
             cosine: to(self.cosine),
             sine: to(self.sine),
             static_excess: to(self.static_excess),
+            is_resonant: self.is_resonant,
         }
     }
 }

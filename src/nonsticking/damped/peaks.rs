@@ -51,19 +51,17 @@ impl<F: Float> DampedCycle<F> {
     /// Greatest |x″|, in B ω_n².
     pub(crate) fn max_acceleration(&self) -> F {
         let half = &self.rising.half;
-        let (square, swing) = (half.omega.square(), self.rising.swing());
+        let (square, swing) = (half.omega.square(), self.rising.vibration().swing());
         let most = swing * square * half.omega;
         let bound = |a: F, b: F| {
-            let (start, middle) = (half.at(a), half.at((a + b) / F::int(2)));
+            let (start, middle) = (self.rising.at(a), self.rising.at((a + b) / F::int(2)));
             let (v, slope) = self.rising.driven(&middle);
             let driven = Jet { value: slope, slope: -(square * v), second: most };
             let together = self.together(&start, b - a);
+            let apart = self.apart(driven, (b - a) / F::int(2), start.free.acceleration_bound());
             Bound {
                 curvature: less(most + start.free.jerk_bound(), together.snap),
-                value: less(
-                    driven.reach((b - a) / F::int(2)) + start.free.acceleration_bound(),
-                    together.acceleration,
-                ),
+                value: less(apart, together.acceleration),
             }
         };
         self.greatest(bound, |at| self.rising.acceleration(at))
@@ -72,11 +70,11 @@ impl<F: Float> DampedCycle<F> {
     /// Greatest |f|, in r_y.
     pub(crate) fn transmitted_force(&self) -> F {
         let half = &self.rising.half;
-        let (square, damper, swing) = (half.omega.square(), self.damper(), self.rising.swing());
+        let (square, damper, swing) = (half.omega.square(), self.damper(), self.rising.vibration().swing());
         // The driven part of f has the amplitude s √(1/Ω² + 4ζ²), and the free part is −h″.
         let amplitude = swing * (F::int(1) / half.omega).hypot(damper);
         let bound = |a: F, b: F| {
-            let (start, middle) = (half.at(a), half.at((a + b) / F::int(2)));
+            let (start, middle) = (self.rising.at(a), self.rising.at((a + b) / F::int(2)));
             let (v, slope) = self.rising.driven(&middle);
             let driven = Jet {
                 value: damper * v - slope / square,
@@ -90,7 +88,7 @@ impl<F: Float> DampedCycle<F> {
                     square * amplitude + start.free.jerk_bound(),
                     together.acceleration + damper * together.jerk,
                 ),
-                value: driven.reach((b - a) / F::int(2)) + start.free.acceleration_bound(),
+                value: self.apart(driven, (b - a) / F::int(2), start.free.acceleration_bound()),
             }
         };
         self.greatest(bound, |at| self.rising.force(at, self.rising.displacement(at)))
@@ -122,10 +120,15 @@ impl<F: Float> DampedCycle<F> {
         Together { acceleration, jerk, snap: jerk }
     }
 
+    /// No more than the driven and the free part give, where they are computed apart.
+    fn apart(&self, driven: Jet<F>, radius: F, free: F) -> F {
+        if self.rising.half.is_resonant { F::int(1) / F::int(0) } else { driven.reach(radius) + free }
+    }
+
     /// The greatest of the half cycle, that of the other being the same.
     fn greatest(&self, bound: impl Fn(F, F) -> Bound<F>, jet: impl Fn(&Moment<F>) -> Jet<F>) -> F {
         let half = &self.rising.half;
-        greatest(F::int(0), half.period, F::int(0), bound, |tau| jet(&half.at(tau)))
+        greatest(F::int(0), half.period, F::int(0), bound, |tau| jet(&self.rising.at(tau)))
     }
 
     /// 2ζ.

@@ -8,6 +8,7 @@
 
 use super::free::{Free, State, Waves};
 use super::half_period::HalfPeriod;
+use super::resonance::Responses;
 use crate::float::{Field, Float};
 
 /// One half cycle: the half period and the amplitude a.
@@ -60,6 +61,8 @@ pub(crate) struct Vibration<F> {
     pub(crate) start: (F, F),
     /// How long it lasts.
     pub(crate) end: F,
+    /// Where both parts nearly cancel, x and x′ at the start: there they are computed as one, which takes the place of the free part.
+    pub(crate) whole: Option<(F, F)>,
 }
 
 impl<F: Float> Vibration<F> {
@@ -71,12 +74,16 @@ impl<F: Float> Vibration<F> {
             driven: (to(self.driven.0), to(self.driven.1)),
             start: (to(self.start.0), to(self.start.1)),
             end: to(self.end),
+            whole: self.whole.map(|(x, v)| (to(x), to(v))),
         }
     }
 
     /// The vibration at τ ≥ 0.
     #[inline]
     pub(crate) fn at(&self, tau: F) -> Moment<F> {
+        if let Some(start) = self.whole {
+            return self.whole_at(tau, start);
+        }
         let waves = self.free.waves(tau);
         let free = self.free.after(waves, self.start.0, self.start.1);
         Moment { tau, drive: (self.omega * tau).sin_cos(), waves, free }
@@ -87,6 +94,9 @@ impl<F: Field> Vibration<F> {
     /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
     #[inline]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
+        if self.whole.is_some() {
+            return (F::int(0), F::int(0));
+        }
         let ((s, c), omega, (a, h)) = (at.drive, self.omega, self.driven);
         (omega * (a * s - h * c), omega.square() * (a * c + h * s))
     }
@@ -98,10 +108,54 @@ impl<F: Field> Vibration<F> {
         let curvature = -(self.omega.square() * value);
         [value + at.free.v, slope + at.free.a, curvature + at.free.jerk]
     }
+}
 
-    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone.
+impl<F: Float> Vibration<F> {
+    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone, or where it is resonant a bound of what it adds.
     pub(crate) fn swing(&self) -> F {
+        if self.whole.is_some() {
+            return self.driven_bound();
+        }
         self.omega * self.driven.0.hypot(self.driven.1)
+    }
+}
+
+impl<F: Field> Vibration<F> {
+    /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part `−a cos Ωτ − H sin Ωτ` up: `(f_c, f_s)`.
+    fn force(&self) -> (F, F) {
+        let (one, two) = (F::int(1), F::int(2));
+        let (real, imaginary) = ((one - self.omega) * (one + self.omega), two * self.free.zeta * self.omega);
+        let (a, h) = self.driven;
+        (-(a * real + h * imaginary), a * imaginary - h * real)
+    }
+}
+
+impl<F: Float> Vibration<F> {
+    /// The whole vibration at τ from (x₀, v₀), and by the drive: it takes the place of the free part, and the driven part is none.
+    fn whole_at(&self, tau: F, (x0, v0): (F, F)) -> Moment<F> {
+        let (two, zeta, omega) = (F::int(2), self.free.zeta, self.omega);
+        let Responses { free: (sine, cosine), drive, c, s, d, .. } = Responses::new(omega, &self.free, tau);
+        let (along, across) = self.force();
+        let x = x0 * cosine + v0 * sine + along * c + across * s;
+        let v = v0 * (cosine - two * zeta * sine) - x0 * sine + along * d + across * omega * c;
+        // x″ = f − x − 2ζx′, and its derivatives.
+        let force = along * drive.1 + across * drive.0;
+        let rate = omega * (across * drive.1 - along * drive.0);
+        let a = force - x - two * zeta * v;
+        let jerk = rate - v - two * zeta * a;
+        let snap = -(omega.square() * force) - a - two * zeta * jerk;
+        let waves = Waves { cosine: cosine - zeta * sine, sine };
+        Moment { tau, drive, waves, free: State { x, v, a, jerk, snap } }
+    }
+
+    /// A bound of what the drive adds to any of these in half a period, each as often as it is derived by Ωτ: 2π times its amplitude,
+    /// and by 1/Ω more for Ω < 1.
+    ///
+    /// x′ obeys the equation of motion with the right side f′: the size √(x′² + x″²) grows by no more than Ω|f| in a unit of time, and so on.
+    fn driven_bound(&self) -> F {
+        let (along, across) = self.force();
+        let bound = F::int(2) * F::pi() * along.hypot(across);
+        bound.or_larger(bound / self.omega)
     }
 }
 
@@ -120,6 +174,8 @@ impl<F: Field> Rising<F> {
             driven: (self.amplitude, half.h),
             start: (F::int(1) + half.shift, half.omega * half.h),
             end: half.period,
+            // 1 − Δ₀/B, without the sum 1 + G.
+            whole: half.is_resonant.then(|| (F::int(1) - (self.amplitude - half.shift), F::int(0))),
         }
     }
 
@@ -142,11 +198,20 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Float> Rising<F> {
+    /// The half cycle at τ in [0, T].
+    #[inline]
+    pub(crate) fn at(&self, tau: F) -> Moment<F> {
+        self.vibration().at(tau)
+    }
+
     /// x/B.
     ///
     /// `h − 1 = G + (1 + G)(e^{−ζτ} cos dτ − 1) + (b + ζ(1 + G)) e^{−ζτ} sin(dτ)/d`: far above Ω = 1 it is
     /// small.
     pub(crate) fn displacement(&self, at: &Moment<F>) -> F {
+        if self.half.is_resonant {
+            return at.free.x - F::int(1);
+        }
         let ((s, c), half) = (at.drive, &self.half);
         let start = F::int(1) + half.shift;
         let sine = (half.omega * half.h + half.free.zeta * start) * at.waves.sine;
