@@ -167,7 +167,7 @@ fn damped_velocity_target<F: Float>(
     let velocity = positive(quantity, target)? / scale;
     // V₀/(Bω_d) and its derivative by a.
     let reached = |amplitude: F| {
-        let rising = Rising { half, amplitude };
+        let rising = Rising::new(half, amplitude);
         let moment = rising.at(fastest_time(&rising.vibration()));
         let [speed, ..] = rising.velocity(&moment);
         (speed / half.omega, moment.drive.0)

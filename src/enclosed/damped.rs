@@ -119,7 +119,7 @@ pub(crate) fn outputs<const W: usize>(
 ) -> Option<Outputs<W>> {
     let omega = half.omega;
     let amplitude = max_displacement(half.k, alpha, half.stiffness);
-    let rising = Rising { half, amplitude };
+    let rising = Rising::new(half, amplitude);
     let delta = amplitude - half.shift;
     // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
     let lag = if half.lag.0.sign() != Some(Ordering::Equal) {
@@ -239,7 +239,7 @@ pub(super) fn undamped_peaks<const W: usize>(
 ) -> Outputs<W> {
     let (zero, one) = (Known::rational(0.into()), Known::rational(1.into()));
     let half = half_period(angle, &zero, &one);
-    let rising = Rising { half, amplitude: delta };
+    let rising = Rising::new(half, delta);
     let absolute = |tau: Ball<W>| {
         let at = moment(&half, tau);
         rising.absolute(&at, displacement(&rising, &at))

@@ -28,7 +28,7 @@ use super::phase::reduce;
 use super::stability::MultiplierPair;
 use crate::float::{Field, Float};
 use crate::ratios::Ratios;
-use border::{supremum, turning_point};
+use border::{least_displacement, supremum, turning_point};
 use half_period::HalfPeriod;
 use rising::Rising;
 
@@ -49,12 +49,13 @@ impl<F: Float> DampedCycle<F> {
         // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
         // turning points, which beside Ω = 1 is all that is left of the difference.
         let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
-        Self::of_amplitude(half, amplitude)
+        let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
+        Self::of(Rising { half, amplitude, max_displacement })
     }
 
-    /// The cycle of equations 21–25 whose displacement from its mean reaches a = `amplitude`, stops or none.
-    pub(crate) fn of_amplitude(half: HalfPeriod<F>, amplitude: F) -> Self {
-        let rising = Rising { half, amplitude };
+    /// The cycle of equations 21–25 whose half is given, stops or none.
+    pub(crate) fn of(rising: Rising<F>) -> Self {
+        let Rising { half, amplitude, max_displacement } = rising;
         // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
         let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));
         let tau = fastest::fastest_time(&rising.vibration());
@@ -62,7 +63,7 @@ impl<F: Float> DampedCycle<F> {
         let [velocity, ..] = rising.velocity(&moment);
         Self {
             rising,
-            max_displacement: amplitude - half.shift,
+            max_displacement,
             displacement_phase,
             max_velocity: velocity / half.omega,
             velocity_phase: reduce(displacement_phase - F::pi() + half.omega * tau),

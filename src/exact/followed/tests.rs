@@ -226,7 +226,7 @@ fn beside_the_border(points: u32) {
                 let half = damped::half_period(&ratios);
                 // Not `DampedCycle::at`, which below the border takes the cycle on it.
                 let amplitude = max_displacement(half.k, ratios.alpha(), half.stiffness);
-                let cycle = damped::DampedCycle::of_amplitude(half, amplitude);
+                let cycle = damped::DampedCycle::of(damped::rising::Rising::new(half, amplitude));
                 (cycle.max_displacement, cycle.displacement_phase)
             } else {
                 let cycle = Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios);

@@ -84,6 +84,13 @@ mod tests {
         Cycle::new(Ratios::new(to(omega), to(alpha)).unwrap().with_damping_ratio(to(zeta)).unwrap()).unwrap()
     }
 
+    #[cfg(feature = "mp")]
+    fn outputs<F: crate::Float>(cycle: &Cycle<F>) -> [F; 5] {
+        let force = cycle.transmitted_force();
+        let (acceleration, absolute) = (cycle.max_acceleration(), cycle.max_absolute_displacement());
+        [cycle.max_velocity(), cycle.velocity_phase(), acceleration, force, absolute]
+    }
+
     /// However little damping there is: the greatest velocity and the peaks keep their digits, and take no longer to find.
     #[cfg(feature = "mp")]
     #[test]
@@ -93,22 +100,27 @@ mod tests {
         {
             for zeta in [1e-18, 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
                 let (found, wide) = (cycle::<f64>(omega, alpha, zeta), cycle::<Mp<4>>(omega, alpha, zeta));
-                let outputs: [(fn(&Cycle<f64>) -> f64, fn(&Cycle<Mp<4>>) -> Mp<4>); 5] = [
-                    (Cycle::max_velocity, Cycle::max_velocity),
-                    (Cycle::velocity_phase, Cycle::velocity_phase),
-                    (Cycle::max_acceleration, Cycle::max_acceleration),
-                    (Cycle::transmitted_force, Cycle::transmitted_force),
-                    (Cycle::max_absolute_displacement, Cycle::max_absolute_displacement),
-                ];
                 // Of the displacement, whose condition it is.
                 let k = crate::PhaseFunction::new(omega).unwrap().value();
                 let condition = alpha * alpha / (alpha * alpha - k * k);
-                for (i, (of, of_wide)) in outputs.into_iter().enumerate() {
-                    let (found, wide) = (of(&found), crate::Float::to_f64(of_wide(&wide)));
+                let wide = outputs(&wide).map(crate::Float::to_f64);
+                for (i, (found, wide)) in outputs(&found).into_iter().zip(wide).enumerate() {
                     let ulps = ((found - wide) / wide / f64::EPSILON).abs() / condition;
                     assert!(ulps < 8.0, "{omega} {alpha} {zeta} {i}: {found} {wide} {ulps}");
                 }
             }
+        }
+    }
+
+    /// On the border Δ₀ is 1 but for ζ, and V₀ tends to that of Ω → 1 without damping.
+    #[test]
+    fn on_the_border_at_resonance_the_limit_is_reached() {
+        for zeta in [1e-20, 1e-18, 1e-15, 1e-12, 1e-9] {
+            let at = |alpha: f64| Ratios::new(1.0, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+            let least = crate::Border::of(&at(2.0)).min_force_ratio();
+            let cycle: Cycle<f64> = Cycle::new(at(least)).unwrap();
+            assert!((cycle.max_displacement() - 1.0).abs() < 4.0 * zeta + 4e-16, "{zeta}: {cycle:?}");
+            assert!((cycle.max_velocity() - 1.158_460_65).abs() < 1e-8, "{zeta}: {cycle:?}");
         }
     }
 

@@ -17,6 +17,8 @@ pub(crate) struct Rising<F> {
     pub(crate) half: HalfPeriod<F>,
     /// a.
     pub(crate) amplitude: F,
+    /// Δ₀/B = a − G, of which a difference would leave nothing beside Ω = 1, where both are large.
+    pub(crate) max_displacement: F,
 }
 
 /// The half cycle at one time: sine and cosine of Ωτ, and the free vibration.
@@ -160,9 +162,18 @@ impl<F: Float> Vibration<F> {
 }
 
 impl<F: Field> Rising<F> {
+    /// The half cycle of amplitude a.
+    pub(crate) fn new(half: HalfPeriod<F>, amplitude: F) -> Self {
+        Self { half, amplitude, max_displacement: amplitude - half.shift }
+    }
+
     /// The same in another number type.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Rising<G> {
-        Rising { amplitude: to(self.amplitude), half: self.half.map(to) }
+        Rising {
+            amplitude: to(self.amplitude),
+            max_displacement: to(self.max_displacement),
+            half: self.half.map(to),
+        }
     }
 
     /// The half cycle as a vibration.
@@ -174,8 +185,7 @@ impl<F: Field> Rising<F> {
             driven: (self.amplitude, half.h),
             start: (F::int(1) + half.shift, half.omega * half.h),
             end: half.period,
-            // 1 − Δ₀/B, without the sum 1 + G.
-            whole: half.is_resonant.then(|| (F::int(1) - (self.amplitude - half.shift), F::int(0))),
+            whole: half.is_resonant.then(|| (F::int(1) - self.max_displacement, F::int(0))),
         }
     }
 

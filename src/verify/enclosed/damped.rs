@@ -143,7 +143,7 @@ impl<const W: usize> Found<W> {
         // λ₁ + λ₂ = −(M₁₁ + sM₂₂), λ₁λ₂ = s e^{−2ζT}, s = (R − 1)/(R + 1)
         let one = Ball::int(1);
         let amplitude = get(Output::MaxDisplacement) + half.shift;
-        let r = Rising { half: *half, amplitude }.deceleration();
+        let r = Rising::new(*half, amplitude).deceleration();
         let s = (r - one) / (r + one);
         let turned = half.free.zeta * half.sine;
         Answered {
@@ -179,7 +179,7 @@ pub(super) fn claims<const W: usize>() -> Vec<Claim<W>> {
             let turn = Ball::pi() / Ball::int(3);
             let (x, w) = f.system(f.alpha).falling_by(&f.unknowns(), turn, waves);
             // The rising half upside down, with a = Δ₀/B + G.
-            let rising = Rising { half: f.half, amplitude: f.get(Output::MaxDisplacement) + f.half.shift };
+            let rising = Rising::new(f.half, f.get(Output::MaxDisplacement) + f.half.shift);
             let at = moment(&f.half, turn / f.half.omega);
             let [velocity, ..] = rising.velocity(&at);
             Some((displacement(&rising, &at) + x * f.alpha).abs() + (velocity + w * f.alpha).abs())
