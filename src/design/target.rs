@@ -177,8 +177,9 @@ fn damped_velocity_target<F: Float>(
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, half.omega));
     }
-    // V₀ is convex in a and grows by no more than a does.
-    let mut amplitude = least + (velocity - least_velocity);
+    let rising = Rising::new(half, least);
+    let [middle, ..] = rising.velocity(&rising.at(half.period / F::int(2)));
+    let mut amplitude = least + (velocity - middle / half.omega).or_larger(F::int(0));
     for _ in 0..F::PRECISION {
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;
