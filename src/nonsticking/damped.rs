@@ -21,6 +21,7 @@ pub(crate) mod half_period;
 mod peaks;
 pub(crate) mod resonance;
 pub(crate) mod rising;
+mod work;
 
 use super::Border;
 use super::displacement::max_displacement;
@@ -106,18 +107,6 @@ impl<F: Float> DampedCycle<F> {
             }
             MultiplierPair::Real(larger, _) => larger.abs(),
         }
-    }
-
-    /// The energy that the damper takes in a cycle, in units of r_y B.
-    ///
-    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both.
-    pub(crate) fn damper_work(&self) -> F {
-        let (half, two) = (&self.rising.half, F::int(2));
-        let q2 = half.stiffness.square();
-        let driven = self.rising.swing().square();
-        let mixed = two * half.omega * (half.h * half.lag.1 - half.lag.0 * self.rising.amplitude) / q2;
-        let zeta = half.free.zeta;
-        two * zeta * half.period * driven + F::int(4) * half.shift + F::int(8) * zeta * mixed
     }
 
     /// Displacement x/B and velocity x′/(Bω_d) of the rising half cycle, at the phase since its start.
