@@ -21,9 +21,9 @@
 //! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
-//! | `walk`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
+//! | `propagation`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
 //! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
-//! | `confirm` | the closed-form cycle shown to be that fixed point |
+//! | `validate` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
 //! | `period_map` | m half turns with their derivative, and Newton's method for what they bring back |
@@ -38,7 +38,6 @@ mod accounts;
 mod attractors;
 mod broken;
 mod budget;
-mod confirm;
 mod cover;
 mod drive;
 mod equation;
@@ -59,6 +58,7 @@ mod orbit;
 mod peaks;
 mod period_map;
 mod periodic;
+mod propagation;
 mod rest;
 mod samples;
 mod section;
@@ -75,8 +75,8 @@ mod stops;
 mod stretch;
 mod symmetry;
 mod trajectory;
+mod validate;
 mod velocity_zero;
-mod walk;
 mod window;
 mod work;
 

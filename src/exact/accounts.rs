@@ -2,10 +2,10 @@
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
-use super::measures::Tally;
+use super::measures::CycleStatistics;
+use super::propagation::follow;
 use super::shooting::Budget;
 use super::state::Point;
-use super::walk::follow;
 use super::{LongRun, State, SteadyState, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
 use std::f64::consts::{PI, TAU};
@@ -27,13 +27,14 @@ fn the_works_balance_the_energy() {
             w: 4.0 * part(0.324_718) - 2.0,
         };
         let equation = Equation::new(ratios(omega, alpha));
-        let mut tally = Tally::at(&start, omega);
+        let mut statistics = CycleStatistics::at(&start, omega);
         let mut free = Budget::of(0);
-        let (end, _) = follow(equation, start, 2, PI / omega, &mut free, |part| tally.add(&part)).unwrap();
+        let (end, _) =
+            follow(equation, start, 2, PI / omega, &mut free, |part| statistics.add(&part)).unwrap();
         let energy = |x: f64, w: f64| (x * x + w * w) / 2.0;
         let change = energy(end.x, end.w) - energy(start.x, start.w);
-        let left = tally.work_in - tally.work_out - change;
-        assert!(left.abs() < 1e-11 * (1.0 + tally.work_out), "{omega} {alpha}: {left:e} {tally:?}");
+        let left = statistics.work_in - statistics.work_out - change;
+        assert!(left.abs() < 1e-11 * (1.0 + statistics.work_out), "{omega} {alpha}: {left:e} {statistics:?}");
         assert!(change.abs() > 1e-9, "{omega} {alpha}: {change:e}");
     }
 }

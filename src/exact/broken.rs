@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 
-/// Why a walk broke off: an [`Error`], boxed, so that what every slide returns stays small.
+/// Why a motion broke off: an [`Error`], boxed, so that what every slide returns stays small.
 #[derive(Debug)]
 pub(crate) struct Broken(Box<Error>);
 

@@ -4,7 +4,7 @@ use super::broken::Broken;
 use crate::error::Error;
 use core::ops::ControlFlow;
 
-/// What a search may cost: half turns walked, counted over all attempts, and whether its caller still waits.
+/// What a search may cost: half turns propagated, counted over all attempts, and whether its caller still waits.
 pub(crate) struct Budget<'a> {
     pub(crate) half_turns: u64,
     pub(crate) most: u64,
@@ -23,7 +23,7 @@ impl<'a> Budget<'a> {
     }
 
     /// Counts half turns.
-    pub(crate) fn walked(&mut self, half_turns: u64) {
+    pub(crate) fn spend(&mut self, half_turns: u64) {
         self.half_turns = self.half_turns.saturating_add(half_turns);
     }
 

@@ -11,12 +11,12 @@
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::long_run::{LongRun, unsettled};
-use super::measures::Tally;
+use super::measures::CycleStatistics;
+use super::propagation::{Propagation, propagate};
 use super::shooting::{Budget, Residual, rate_noise};
 use super::slide::{Direction, Slide};
 use super::state::Point;
 use super::steady::{SteadyState, Summary};
-use super::walk::{Walk, walk};
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -39,7 +39,7 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 /// `d μ/(1 − μ)`; it is added once it is small enough for the motion to be linear in it.
 ///
 /// # Errors
-/// As for [`walk`].
+/// As for [`propagate`].
 pub(crate) fn member<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
@@ -51,8 +51,8 @@ pub(crate) fn member<F: Float>(
     let mut parts = Vec::new();
     let mut added = false;
     loop {
-        let cycle = walk(equation, y, 2, hint, parts, &mut budget)?;
-        budget.walked(2);
+        let cycle = propagate(equation, y, 2, hint, parts, &mut budget)?;
+        budget.spend(2);
         let (dx, dw) = (cycle.end.x - y.x, cycle.end.w - y.w);
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
@@ -72,7 +72,7 @@ pub(crate) fn member<F: Float>(
             let edge = nearest_edge(equation, &y);
             let off = (edge.x - y.x).hypot(edge.w - y.w);
             if off * F::int(16) < size {
-                let cycle = walk(equation, edge, 2, hint, cycle.parts, &mut budget)?;
+                let cycle = propagate(equation, edge, 2, hint, cycle.parts, &mut budget)?;
                 return finish(equation, edge, &cycle, (off, off), &mut budget);
             }
         }
@@ -123,24 +123,28 @@ fn nearest_edge<F: Float>(equation: Equation<F>, y: &Point<F>) -> Point<F> {
 fn finish<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
-    walk: &Walk<F>,
+    propagation: &Propagation<F>,
     distance: (F, F),
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
     // A member reverses twice in a cycle and never stops. The outermost touches the bound of sticking, and what is seen of a stop there is
     // rounding, or the way that is left to creep.
-    let tally =
-        Tally { sticks: 0, zeros: 2, rest: zero, ..Tally::of_periodic(equation, start, 2, walk, budget)? };
+    let statistics = CycleStatistics {
+        sticks: 0,
+        zeros: 2,
+        rest: zero,
+        ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
+    };
     // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see beside the force.
-    let other = walk.monodromy.determinant();
+    let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
-    let shift = (tally.max_x.value + tally.min_x.value).abs();
+    let shift = (statistics.max_x.value + statistics.min_x.value).abs();
     Ok(LongRun::Family(SteadyState {
         equation,
         start,
         half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },
-        tally: Summary::of(&tally, 1),
+        statistics: Summary::of(&statistics, 1),
         multipliers: [(one, zero), (other, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),

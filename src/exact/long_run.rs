@@ -5,7 +5,7 @@ use super::equation::Equation;
 use super::family;
 use super::followed;
 use super::irregular::Irregular;
-use super::measures::Tally;
+use super::measures::CycleStatistics;
 use super::rest::{Rest, come_to_rest};
 use super::section::{Settled, cycle_guess, on_six_reversals, settle_in};
 use super::shooting::{Budget, Guess, Shot, shoot};
@@ -160,13 +160,15 @@ impl<F: Float> LongRun<F> {
         match shoot(equation, section, hint, guess, &mut budget)? {
             Shot::Settled(fixed) => {
                 let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
-                let multipliers = fixed.walk.monodromy.squared_eigenvalues();
-                let tally = Tally::of_periodic(equation, fixed.start, 1, &fixed.walk, &mut budget)?.doubled();
+                let multipliers = fixed.propagation.monodromy.squared_eigenvalues();
+                let statistics =
+                    CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
+                        .doubled();
                 Ok(Self::Periodic(SteadyState {
                     equation,
                     start: fixed.start,
                     half_turns: 1,
-                    tally: Summary::of(&tally, 1),
+                    statistics: Summary::of(&statistics, 1),
                     multipliers,
                     distance: fixed.distance,
                     periods,
@@ -252,7 +254,7 @@ mod tests {
     use crate::exact::State;
     use crate::{Border, Ratios};
 
-    /// The periods walked over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
+    /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
     #[test]
     fn the_way_to_the_limit_is_short() {
         let (mut periods, mut most) = (0.0, 0.0f64);

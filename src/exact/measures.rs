@@ -4,11 +4,11 @@ use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::motion::Motion;
+use super::propagation::{Part, Propagation, follow};
 use super::shooting::Budget;
 use super::slide::Slide;
 use super::state::Point;
 use super::velocity_zero::VelocityZero;
-use super::walk::{Part, Walk, follow};
 use crate::float::Float;
 
 /// An extreme value and its phase.
@@ -30,7 +30,7 @@ impl<F: Float> Extreme<F> {
 
 /// Extrema, stops and work over some time.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Tally<F> {
+pub(crate) struct CycleStatistics<F> {
     pub(crate) max_x: Extreme<F>,
     pub(crate) min_x: Extreme<F>,
     pub(crate) max_v: Extreme<F>,
@@ -47,7 +47,7 @@ pub(crate) struct Tally<F> {
     pub(crate) damper: F,
 }
 
-impl<F: Float> Tally<F> {
+impl<F: Float> CycleStatistics<F> {
     /// Nothing yet: at `start`.
     pub(crate) fn at(start: &Point<F>, omega: F) -> Self {
         let zero = F::int(0);
@@ -67,7 +67,7 @@ impl<F: Float> Tally<F> {
         }
     }
 
-    /// The tally of `half_turns` of a periodic motion through `start`, `walk` being those from there.
+    /// The statistics of `half_turns` of a periodic motion through `start`, `propagation` being those from there.
     ///
     /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at the seam: there a stop is cut
     /// in two, and rounding says on which side of it a velocity zero is.
@@ -78,19 +78,22 @@ impl<F: Float> Tally<F> {
         equation: Equation<F>,
         start: Point<F>,
         half_turns: i64,
-        walk: &Walk<F>,
+        propagation: &Propagation<F>,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
         let omega = equation.omega;
-        let mut tally = Self::at(&start, omega);
-        walk.each_part(equation, start, half_turns, budget, |part| tally.add(part))?;
-        let most =
-            if tally.max_v.value > -tally.min_v.value { tally.max_v.value } else { -tally.min_v.value };
+        let mut statistics = Self::at(&start, omega);
+        propagation.each_part(equation, start, half_turns, budget, |part| statistics.add(part))?;
+        let most = if statistics.max_v.value > -statistics.min_v.value {
+            statistics.max_v.value
+        } else {
+            -statistics.min_v.value
+        };
         if start.w.abs() * F::int(1024) > most * omega {
-            return Ok(tally);
+            return Ok(statistics);
         }
         let mut longest: Option<(Slide<F>, F)> = None;
-        walk.each_part(equation, start, half_turns, budget, |part| {
+        propagation.each_part(equation, start, half_turns, budget, |part| {
             if let Part::Slide(slide, VelocityZero { phi, .. }) | Part::Onward(slide, phi, ..) = part
                 && longest.is_none_or(|(_, length)| *phi > length)
             {
@@ -98,12 +101,12 @@ impl<F: Float> Tally<F> {
             }
             Ok(())
         })?;
-        let Some((slide, length)) = longest else { return Ok(tally) };
+        let Some((slide, length)) = longest else { return Ok(statistics) };
         let half = length / F::int(2);
         let seam = slide.point(half);
-        let mut tally = Self::at(&seam, omega);
-        follow(equation, seam, half_turns, half, budget, |part| tally.add(&part))?;
-        Ok(tally)
+        let mut statistics = Self::at(&seam, omega);
+        follow(equation, seam, half_turns, half, budget, |part| statistics.add(&part))?;
+        Ok(statistics)
     }
 
     /// Counts a part of the motion in.
@@ -164,7 +167,7 @@ impl<F: Float> Tally<F> {
         }
     }
 
-    /// The tally of a whole turn from that of its first half, the second being the first turned upside down.
+    /// The statistics of a whole turn from those of its first half, the second being the first turned upside down.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
         for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
@@ -224,7 +227,7 @@ pub struct ErrorMeasures<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Extreme, Tally};
+    use super::{CycleStatistics, Extreme};
     use crate::exact::drive::DrivePhase;
     use crate::exact::state::Point;
 
@@ -236,23 +239,26 @@ mod tests {
     fn error_measures_of_a_lopsided_cycle() {
         let start = Point { phase: phase(0.0), x: 0.0, w: 0.0 };
         let extreme = |value, theta| Extreme { value, phase: phase(theta) };
-        let tally = Tally {
+        let statistics = CycleStatistics {
             max_x: extreme(4.0, 1.0),
             min_x: extreme(-3.0, 1.0 + 1.5 * std::f64::consts::PI),
             max_v: extreme(2.0, 5.0),
             min_v: extreme(-2.5, 5.0 - std::f64::consts::PI),
-            ..Tally::at(&start, 0.5)
+            ..CycleStatistics::at(&start, 0.5)
         };
-        let errors = tally.errors(1);
+        let errors = statistics.errors(1);
         assert_eq!((errors.error_1, errors.error_3), (0.25, 0.25));
         assert!((errors.error_2 - 0.25).abs() < 1e-15 && errors.error_4.abs() < 1e-15, "{errors:?}");
     }
 
     #[test]
     fn a_tally_begins_at_the_start() {
-        let tally = Tally::at(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
+        let statistics = CycleStatistics::at(&Point { phase: phase(0.3), x: 1.5, w: 2.0 }, 0.5);
         let (x, v) = (Extreme { value: 1.5, phase: phase(0.3) }, Extreme { value: 4.0, phase: phase(0.3) });
-        assert_eq!((tally.max_x, tally.min_x, tally.max_v, tally.min_v), (x, x, v, v));
-        assert_eq!((tally.sticks, tally.zeros, tally.work_in, tally.work_out), (0, 0, 0.0, 0.0));
+        assert_eq!((statistics.max_x, statistics.min_x, statistics.max_v, statistics.min_v), (x, x, v, v));
+        assert_eq!(
+            (statistics.sticks, statistics.zeros, statistics.work_in, statistics.work_out),
+            (0, 0, 0.0, 0.0)
+        );
     }
 }

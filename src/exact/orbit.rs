@@ -1,10 +1,10 @@
 //! The states that a periodic motion passes at the phases nπ of the drive, by which it is told from others.
 
 use super::drive::DrivePhase;
+use super::propagation::follow;
 use super::shooting::Budget;
 use super::state::Point;
 use super::steady::SteadyState;
-use super::walk::follow;
 use crate::error::Error;
 use crate::float::Float;
 

@@ -3,12 +3,12 @@
 use super::broken::Broken;
 use super::equation::Equation;
 use super::matrix::Matrix;
-use super::measures::Tally;
+use super::measures::CycleStatistics;
+use super::propagation::{Part, follow, propagate};
 use super::shooting::{Budget, Residual, is_known};
 use super::slide::Direction;
 use super::state::Point;
 use super::steady::{SteadyState, Summary};
-use super::walk::{Part, follow, walk};
 use crate::float::Float;
 
 /// Some half turns of a motion.
@@ -49,7 +49,7 @@ pub(crate) fn half_turns<F: Float>(
         visit(&part);
         Ok(())
     })?;
-    budget.walked(m);
+    budget.spend(m);
     Ok(if m % 2 == 1 {
         let end = Point { phase: from.phase, x: -end.x, w: -end.w };
         Step { end, derivative: derivative.negated(), rest, pattern }
@@ -69,14 +69,14 @@ pub(crate) fn steady<F: Float>(
 ) -> Result<SteadyState<F>, Broken> {
     let half_turns = u32::try_from(m).unwrap_or(u32::MAX);
     let usual = F::pi() / equation.omega;
-    let once = walk(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
-    let tally = Tally::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
-    let tally = if m % 2 == 1 { tally.doubled() } else { tally };
+    let once = propagate(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
+    let statistics = CycleStatistics::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
+    let statistics = if m % 2 == 1 { statistics.doubled() } else { statistics };
     Ok(SteadyState {
         equation,
         start,
         half_turns,
-        tally: Summary::of(&tally, half_turns),
+        statistics: Summary::of(&statistics, half_turns),
         multipliers,
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),

@@ -55,7 +55,7 @@ pub(crate) fn settle_in<F: Float>(
             break;
         }
     }
-    budget.walked(2);
+    budget.spend(2);
     let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
     let Some((slide, length)) = longest else { return Ok(Settled::Here(here, turn / equation.omega)) };
     let half = length / F::int(2);

@@ -20,15 +20,15 @@ use super::broken::Broken;
 pub(crate) use super::budget::Budget;
 use super::equation::Equation;
 use super::matrix::Matrix;
+use super::propagation::{Part, Propagation, propagate};
 use super::state::Point;
-use super::walk::{Part, Walk, walk};
 use crate::float::Float;
 
-/// A fixed point of the half-turn map, with the walk of half a turn from it.
+/// A fixed point of the half-turn map, with the propagation of half a turn from it.
 #[derive(Debug)]
 pub(crate) struct Fixed<F> {
     pub(crate) start: Point<F>,
-    pub(crate) walk: Walk<F>,
+    pub(crate) propagation: Propagation<F>,
     /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by entry.
     pub(crate) distance: (F, F),
 }
@@ -94,13 +94,13 @@ impl<F: Float> Residual<F> {
     }
 }
 
-fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, walk: &Walk<F>) -> Residual<F> {
-    Residual::new(equation, y, (-walk.end.x - y.x, -walk.end.w - y.w))
+fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, propagation: &Propagation<F>) -> Residual<F> {
+    Residual::new(equation, y, (-propagation.end.x - y.x, -propagation.end.w - y.w))
 }
 
-/// Natural time to the first velocity zero that is expected of a walk from a point that differs by (δx, δw) from that of `walk`.
-fn first_zero<F: Float>(walk: &Walk<F>, usual: F, change: (F, F)) -> F {
-    match walk.parts.first() {
+/// Natural time to the first velocity zero that is expected from a point that differs by (δx, δw) from that of `propagation`.
+fn first_zero<F: Float>(propagation: &Propagation<F>, usual: F, change: (F, F)) -> F {
+    match propagation.parts.first() {
         Some(Part::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
         Some(Part::Onward(..) | Part::Stick(..)) | None => usual,
     }
@@ -127,7 +127,7 @@ pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
 /// and where it leads is the limit of every start.
 ///
 /// # Errors
-/// As for [`walk`].
+/// As for [`propagate`].
 pub(crate) fn shoot<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
@@ -137,12 +137,12 @@ pub(crate) fn shoot<F: Float>(
 ) -> Result<Shot<F>, Broken> {
     let two = F::int(2);
     let mut guess = Some(guess);
-    let mut best = walk(equation, start, 1, hint, Vec::with_capacity(4), budget)?;
+    let mut best = propagate(equation, start, 1, hint, Vec::with_capacity(4), budget)?;
     let mut y = start;
     let mut left = residual(&equation, &y, &best);
     let mut spare = Vec::new();
     let mut follow = 1;
-    budget.walked(1);
+    budget.spend(1);
     loop {
         let inverse = best.monodromy.inverse_of_one_plus();
         if budget.half_turns > budget.most {
@@ -156,8 +156,8 @@ pub(crate) fn shoot<F: Float>(
         let (dx, dw) = inverse.times((left.x, left.w));
         let trial = Point { x: y.x + dx, w: y.w + dw, ..y };
         if dx.is_finite() && dw.is_finite() {
-            let tried = walk(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare, budget)?;
-            budget.walked(1);
+            let tried = propagate(equation, trial, 1, first_zero(&best, hint, (dx, dw)), spare, budget)?;
+            budget.spend(1);
             let after = residual(&equation, &trial, &tried);
             // Where the rounding of w is more than all of x, the norm does not see that x has settled.
             let is_less = after.norm() * two <= left.norm() && !left.is_rounding(1);
@@ -175,14 +175,18 @@ pub(crate) fn shoot<F: Float>(
         }
         let other = guess.take().map_or(Ok(None), |guess| guess())?;
         if let Some(Guess { at: elsewhere, hint, is_limit }) = other {
-            let tried = walk(equation, elsewhere, 1, hint, spare, budget)?;
-            budget.walked(1);
+            let tried = propagate(equation, elsewhere, 1, hint, spare, budget)?;
+            budget.spend(1);
             let after = residual(&equation, &elsewhere, &tried);
             // Beside 1/(2n) no residual can tell the limit from its neighbours; a proof can.
             let seen = F::int(1) - tried.monodromy.determinant().abs() > rate_noise(tried.count);
             let proved = is_limit && seen && after.is_rounding(4);
             if proved && !is_known(&elsewhere, tried.monodromy.inverse_of_one_plus(), &after) {
-                return Ok(Shot::Settled(Fixed { start: elsewhere, walk: tried, distance: after.bounds() }));
+                return Ok(Shot::Settled(Fixed {
+                    start: elsewhere,
+                    propagation: tried,
+                    distance: after.bounds(),
+                }));
             }
             if after.norm() < left.norm() || after.is_rounding(1) || !known {
                 (y, left) = (elsewhere, after);
@@ -196,9 +200,9 @@ pub(crate) fn shoot<F: Float>(
             let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
             let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));
             y = to;
-            let next = walk(equation, y, 1, hint, spare, budget)?;
+            let next = propagate(equation, y, 1, hint, spare, budget)?;
             spare = core::mem::replace(&mut best, next).parts;
-            budget.walked(1);
+            budget.spend(1);
         }
         left = residual(&equation, &y, &best);
         follow = if follow < LONGEST_FOLLOW { follow.saturating_mul(2) } else { follow };
@@ -217,6 +221,11 @@ pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residu
     F::int(16) * x <= size && F::int(16) * w <= size
 }
 
-fn settled<F: Float>(start: Point<F>, walk: Walk<F>, inverse: Matrix<F>, left: &Residual<F>) -> Fixed<F> {
-    Fixed { start, walk, distance: inverse.absolute().times(left.bounds()) }
+fn settled<F: Float>(
+    start: Point<F>,
+    propagation: Propagation<F>,
+    inverse: Matrix<F>,
+    left: &Residual<F>,
+) -> Fixed<F> {
+    Fixed { start, propagation, distance: inverse.absolute().times(left.bounds()) }
 }

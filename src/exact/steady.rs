@@ -1,17 +1,17 @@
 //! The motion in the long run.
 
-use super::confirm::confirmed;
 use super::equation::Equation;
 use super::family;
 use super::followed;
 use super::long_run::{DEFAULT_BUDGET, LongRun};
-use super::measures::{ErrorMeasures, Extreme, Tally};
+use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
+use super::propagation::follow;
 use super::section::{cycle_guess, fastest_point};
 use super::shooting::Budget;
 use super::state::Point;
 use super::state::State;
 use super::trajectory::resolved;
-use super::walk::follow;
+use super::validate::validated;
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
@@ -23,7 +23,7 @@ fn turns<F: Float>(half_turns: u32) -> F {
     F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
 }
 
-/// The parts of a tally that a steady state keeps.
+/// The parts of the statistics of a cycle that a steady state keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Summary<F> {
     max_x: Extreme<F>,
@@ -39,19 +39,19 @@ pub(crate) struct Summary<F> {
 }
 
 impl<F: Float> Summary<F> {
-    /// Of the tally of one whole cycle, which the half-turn map repeats after so many half turns.
-    pub(crate) fn of(tally: &Tally<F>, half_turns: u32) -> Self {
+    /// Of the statistics of one whole cycle, which the half-turn map repeats after so many half turns.
+    pub(crate) fn of(statistics: &CycleStatistics<F>, half_turns: u32) -> Self {
         Self {
-            max_x: tally.max_x,
-            min_x: tally.min_x,
-            max_v: tally.max_v,
-            min_v: tally.min_v,
-            sticks: tally.sticks,
-            zeros: tally.zeros,
-            stick_fraction: tally.rest / (F::int(2) * F::pi() * turns(half_turns)),
-            energy_in: tally.work_in,
-            energy_out: tally.work_out,
-            damper_work: tally.damper,
+            max_x: statistics.max_x,
+            min_x: statistics.min_x,
+            max_v: statistics.max_v,
+            min_v: statistics.min_v,
+            sticks: statistics.sticks,
+            zeros: statistics.zeros,
+            stick_fraction: statistics.rest / (F::int(2) * F::pi() * turns(half_turns)),
+            energy_in: statistics.work_in,
+            energy_out: statistics.work_out,
+            damper_work: statistics.damper,
         }
     }
 
@@ -93,15 +93,15 @@ pub struct SteadyState<F> {
     pub(crate) start: Point<F>,
     /// After how many half turns the state is the same again, upside down after an odd number.
     pub(crate) half_turns: u32,
-    pub(crate) tally: Summary<F>,
+    pub(crate) statistics: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
     pub(crate) distance: (F, F),
     pub(crate) periods: F,
 }
 
 impl<F: Float> SteadyState<F> {
-    /// The exact motion that the closed forms of the non-sticking cycle lead to: confirmed where they hold, from half a cycle
-    /// of the motion itself. That a motion so confirmed is nowhere faster than at ω_d t₁ is the cycle's own proof.
+    /// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from half a cycle
+    /// of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the cycle's own proof.
     ///
     /// # Errors
     /// As for [`crate::exact::Trajectory::new`].
@@ -109,7 +109,7 @@ impl<F: Float> SteadyState<F> {
         let ratios = resolved(cycle.ratios())?;
         let equation = Equation::new(ratios);
         let is_family = family::is_one(ratios);
-        if !is_family && let Some(steady) = confirmed(equation, cycle) {
+        if !is_family && let Some(steady) = validated(equation, cycle) {
             return Ok(LongRun::Periodic(steady));
         }
         let mut budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
@@ -143,76 +143,76 @@ impl<F: Float> SteadyState<F> {
 
     /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
     pub const fn max_displacement(&self) -> F {
-        self.tally.max_x.value
+        self.statistics.max_x.value
     }
 
     /// Minimum displacement x/B.
     pub const fn min_displacement(&self) -> F {
-        self.tally.min_x.value
+        self.statistics.min_x.value
     }
 
     /// Maximum velocity x′/(Bω_d).
     pub const fn max_velocity(&self) -> F {
-        self.tally.max_v.value
+        self.statistics.max_v.value
     }
 
     /// Minimum velocity x′/(Bω_d).
     pub const fn min_velocity(&self) -> F {
-        self.tally.min_v.value
+        self.statistics.min_v.value
     }
 
     /// Phase of the maximum displacement: where the body arrives at it.
     pub fn max_displacement_phase(&self) -> F {
-        self.tally.max_x.phase.reduced()
+        self.statistics.max_x.phase.reduced()
     }
 
     /// Phase of the minimum displacement: where the body arrives at it.
     pub fn min_displacement_phase(&self) -> F {
-        self.tally.min_x.phase.reduced()
+        self.statistics.min_x.phase.reduced()
     }
 
     /// Phase of the maximum velocity.
     pub fn max_velocity_phase(&self) -> F {
-        self.tally.max_v.phase.reduced()
+        self.statistics.max_v.phase.reduced()
     }
 
     /// Phase of the minimum velocity.
     pub fn min_velocity_phase(&self) -> F {
-        self.tally.min_v.phase.reduced()
+        self.statistics.min_v.phase.reduced()
     }
 
     /// Stops in a cycle.
     pub const fn sticks_per_cycle(&self) -> u32 {
-        self.tally.sticks
+        self.statistics.sticks
     }
 
     /// Velocity zeros in a cycle: ends of slides. A stop counts once.
     pub const fn velocity_zeros_per_cycle(&self) -> u32 {
-        self.tally.zeros
+        self.statistics.zeros
     }
 
     /// The part of a cycle that the body is at rest, in [0, 1).
     pub const fn stick_fraction(&self) -> F {
-        self.tally.stick_fraction
+        self.statistics.stick_fraction
     }
 
     /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps its digits, so that its
     /// agreement with [`SteadyState::energy_out`], with damping together with [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near Ω = 1, and where a
     /// motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
-        self.tally.energy_in
+        self.statistics.energy_in
     }
 
     /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are reversals. As accurate as the
     /// displacements are.
     pub const fn energy_out(&self) -> F {
-        self.tally.energy_out
+        self.statistics.energy_out
     }
 
     /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum with
     /// [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
     pub const fn damper_work(&self) -> F {
-        self.tally.damper_work
+        self.statistics.damper_work
     }
 
     /// The multipliers of the cycle, each (re, im): what a small disturbance is multiplied by in one period. One is zero
@@ -237,7 +237,7 @@ impl<F: Float> SteadyState<F> {
         (x, w / self.equation.omega)
     }
 
-    /// Periods of the drive that were walked to find it.
+    /// Periods of the drive that were followed to find it.
     pub const fn periods(&self) -> F {
         self.periods
     }
@@ -263,10 +263,10 @@ fn error_measures<F: Float>(
     turns: u32,
 ) -> Result<ErrorMeasures<F>, Error> {
     let usual = F::pi() / equation.omega;
-    let mut tally = Tally::at(start, equation.omega);
+    let mut statistics = CycleStatistics::at(start, equation.omega);
     let half_turns = i64::from(turns).saturating_mul(2);
-    follow(equation, *start, half_turns, usual, &mut Budget::of(0), |part| tally.add(&part))?;
-    Ok(tally.errors(turns))
+    follow(equation, *start, half_turns, usual, &mut Budget::of(0), |part| statistics.add(&part))?;
+    Ok(statistics.errors(turns))
 }
 
 /// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of them from a start,

@@ -9,13 +9,13 @@ use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
 use super::matrix::{Matrix, reversal_ratio};
+use super::propagation::Part;
 use super::shooting::{Budget, Residual};
 use super::slide::{Direction, Slide};
 use super::state::Point;
 use super::stick::{Stick, release_angle};
 use super::trajectory::Next;
 use super::velocity_zero::{Lost, VelocityZero};
-use super::walk::Part;
 use crate::float::Float;
 
 /// Where stops are looked for: let go in one direction, in one half turn of the drive.
@@ -66,7 +66,7 @@ pub(crate) fn passage<F: Float>(
     let usual = F::pi() / equation.omega;
     let mut slide = Slide::released(equation, release, x, station.direction);
     let mut monodromy = Matrix::identity();
-    budget.walked(1);
+    budget.spend(1);
     while parts.len() < MOST_PARTS {
         budget.ask()?;
         let hint = match like.and_then(|like| like.parts.get(parts.len())) {

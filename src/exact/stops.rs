@@ -14,14 +14,14 @@
 use super::broken::Broken;
 use super::equation::Equation;
 use super::long_run::LongRun;
-use super::measures::Tally;
+use super::measures::CycleStatistics;
+use super::propagation::Part;
 use super::shooting::{Budget, Residual};
 use super::slide::Direction;
 use super::state::Point;
 use super::steady::{SteadyState, Summary};
 use super::stick::Stick;
 use super::stop_map::{Passage, Station, passage};
-use super::walk::Part;
 use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::nonsticking::damped::border::turning_point;
@@ -212,12 +212,13 @@ fn steady<F: Float>(
         release: Some((found.release, STATION.direction)),
         ..found.stop
     };
-    let mut tally = Tally::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
+    let mut statistics =
+        CycleStatistics::at(&Point { phase: stop.start, x: stop.x, w: zero }, equation.omega);
     let length = found.release.since(stop.start);
-    tally.add(&Part::Stick(stop, length))?;
+    statistics.add(&Part::Stick(stop, length))?;
     let mut longest = None;
     for part in &found.parts {
-        tally.add(part)?;
+        statistics.add(part)?;
         if let Part::Slide(slide, end) = part
             && longest.is_none_or(|(_, most)| end.phi > most)
         {
@@ -240,7 +241,7 @@ fn steady<F: Float>(
         equation,
         start: y,
         half_turns: 1,
-        tally: Summary::of(&tally.doubled(), 1),
+        statistics: Summary::of(&statistics.doubled(), 1),
         multipliers: [(found.rate.square(), zero), (zero, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / two,

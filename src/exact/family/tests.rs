@@ -4,9 +4,9 @@ use super::{is_near, is_one, member, nearest_edge};
 use crate::exact::DrivePhase;
 use crate::exact::equation::Equation;
 use crate::exact::long_run::LongRun;
+use crate::exact::propagation::propagate;
 use crate::exact::shooting::Budget;
 use crate::exact::state::Point;
-use crate::exact::walk::walk;
 use crate::{Border, Ratios};
 
 /// The equation at Ω = 2⁻ⁿ, some times above the border, with α/(1 − Ω²) and the greatest |c|.
@@ -32,7 +32,7 @@ fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
 fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f64>, bool) {
     let mut sticks = false;
     for _ in 0..cycles {
-        let cycle = walk(equation, y, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
+        let cycle = propagate(equation, y, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
         sticks = cycle.sticks;
         y = Point { phase: y.phase, ..cycle.end };
     }
@@ -173,7 +173,7 @@ fn the_edge_is_a_member() {
             for side in [1.0, -1.0] {
                 // Some way outside, at the same phase.
                 let (outside, _) = followed(equation, at_maximum(amplitude + side * room, 0.0), 1);
-                let on = walk(equation, outside, 4, 1.0, Vec::new(), &mut Budget::of(0)).unwrap().end;
+                let on = propagate(equation, outside, 4, 1.0, Vec::new(), &mut Budget::of(0)).unwrap().end;
                 assert!((on.x - amplitude - side * room).abs() < 1e-9 * amplitude);
                 let edge = nearest_edge(equation, &Point { phase, x: side * 1e6, w: 0.0 });
                 let (back, _) = followed(equation, edge, 1);

@@ -3,9 +3,9 @@
 use crate::exact::equation::Equation;
 use crate::exact::irregular::Irregular;
 use crate::exact::matrix::Matrix;
+use crate::exact::propagation::Part;
 use crate::exact::shooting::Budget;
 use crate::exact::state::{Point, State};
-use crate::exact::walk::Part;
 use crate::float::Float;
 use crate::ratios::Ratios;
 

@@ -1,4 +1,4 @@
-//! The closed-form cycle without damping confirmed as a motion, from one slide.
+//! The closed-form cycle without damping validated as a motion, from one slide.
 //!
 //! The rising half of the cycle begins at its least displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide of natural length
 //! `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular function, and the free one,
@@ -37,7 +37,7 @@ use crate::nonsticking::Cycle;
 
 /// The steady state that the cycle is, where one half turn shows that it is one to within rounding.
 #[inline]
-pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Option<SteadyState<F>> {
+pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Option<SteadyState<F>> {
     let (zero, two) = (F::int(0), F::int(2));
     if equation.is_damped() {
         return None;
@@ -80,7 +80,7 @@ pub(crate) fn confirmed<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         equation,
         start: y,
         half_turns: 1,
-        tally: Summary::of_reversals(
+        statistics: Summary::of_reversals(
             greatest,
             max_v,
             two * slide.work_of_drive(&arrival),
@@ -126,14 +126,14 @@ impl<F: Float> Slide<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::confirmed;
+    use super::validated;
     use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::long_run::LongRun;
+    use crate::exact::propagation::propagate;
     use crate::exact::section::fastest_point;
     use crate::exact::shooting::{Budget, Residual};
     use crate::exact::slide::{Direction, Slide};
-    use crate::exact::walk::walk;
     use crate::nonsticking::Cycle;
     use crate::phase_function::PhaseFunction;
     use crate::{Border, Ratios};
@@ -152,7 +152,7 @@ mod tests {
             let omega = 0.13 * 1.0013f64.powi(i);
             let (equation, cycle) = cycle(omega, 1.0 + 0.003 * f64::from(1 + i % 97));
             all += 1;
-            let Some(here) = confirmed(equation, &cycle) else { continue };
+            let Some(here) = validated(equation, &cycle) else { continue };
             found += 1;
             let (section, hint) = fastest_point(equation, &cycle);
             let there = LongRun::shot(equation, section, hint, || Ok(None), Budget::of(100)).unwrap();
@@ -186,7 +186,7 @@ mod tests {
         assert!(found * 10 > all * 9, "{found} of {all}");
     }
 
-    /// Of the cycle of a slightly other force and phase what is confirmed comes back to where it began, by a walk.
+    /// Of the cycle of a slightly other force and phase what is validated comes back to where it began, as the motion goes.
     #[test]
     fn what_is_confirmed_comes_back() {
         let (mut found, mut all) = (0, 0);
@@ -207,10 +207,10 @@ mod tests {
             let phase = other.displacement_phase();
             let other = other.map(|x| if x == phase { x + b } else { x });
             all += 1;
-            let Some(here) = confirmed(equation, &other) else { continue };
+            let Some(here) = validated(equation, &other) else { continue };
             found += 1;
             let (_, hint) = fastest_point(equation, &cycle);
-            let back = walk(equation, here.start, 1, hint, Vec::new(), &mut Budget::of(0)).unwrap().end;
+            let back = propagate(equation, here.start, 1, hint, Vec::new(), &mut Budget::of(0)).unwrap().end;
             let left =
                 Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
             assert!(left.is_rounding(4), "Ω = {omega}, {a:e}, {b:e}: {left:?}");
@@ -226,7 +226,7 @@ mod tests {
             let (equation, cycle) = cycle(omega, 1.3);
             let moved = |by: f64| {
                 let other = |x| if x == cycle.velocity_phase() { x + by } else { x };
-                confirmed(equation, &cycle.map(other)).is_some()
+                validated(equation, &cycle.map(other)).is_some()
             };
             assert!(!moved(1e-2) && !moved(-1e-2) && !moved(1e-4) && !moved(3.1), "Ω = {omega}");
         }
@@ -237,7 +237,7 @@ mod tests {
         let mut found = 0;
         for i in 0..200 {
             let (equation, cycle) = cycle(0.51 * 1.01f64.powi(i), 2f64.powi(i % 20));
-            found += i32::from(confirmed(equation, &cycle).is_some());
+            found += i32::from(validated(equation, &cycle).is_some());
         }
         assert!(found > 160, "{found}");
     }
@@ -298,7 +298,7 @@ mod tests {
                 continue;
             }
             let (equation, cycle) = cycle(omega, 1.0 - below);
-            assert_eq!(confirmed(equation, &cycle), None, "Ω = {omega}, 1 − {below} times the border");
+            assert_eq!(validated(equation, &cycle), None, "Ω = {omega}, 1 − {below} times the border");
         }
     }
 }

@@ -13,7 +13,7 @@ use super::trajectory::Next;
 use super::velocity_zero::{Lost, Outcome, VelocityZero};
 use crate::float::Float;
 
-/// A part of the walk: a slide or a stop, or as much of it as lies within.
+/// A part of the motion: a slide or a stop, or as much of it as lies within.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Part<F> {
     /// A slide, and the velocity zero that ends it.
@@ -24,9 +24,9 @@ pub(crate) enum Part<F> {
     Stick(Stick<F>, F),
 }
 
-/// A walk of some half turns.
+/// The motion over some half turns.
 #[derive(Debug)]
-pub(crate) struct Walk<F> {
+pub(crate) struct Propagation<F> {
     pub(crate) end: Point<F>,
     /// (δx, δw) at the end for that at the beginning.
     pub(crate) monodromy: Matrix<F>,
@@ -40,10 +40,10 @@ pub(crate) struct Walk<F> {
     pub(crate) hint: F,
 }
 
-/// Parts of a walk that are kept: all where Ω is above some 1/30. A walk of more is walked again where its parts are asked for.
+/// Parts that are kept: all where Ω is above some 1/30. More are propagated again where its parts are asked for.
 const MOST_KEPT: usize = 256;
 
-impl<F: Float> Walk<F> {
+impl<F: Float> Propagation<F> {
     /// All its parts, in order.
     ///
     /// # Errors
@@ -63,18 +63,18 @@ impl<F: Float> Walk<F> {
     }
 }
 
-/// The walk of `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
+/// The motion over `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
 ///
 /// # Errors
 /// As for [`follow`].
-pub(crate) fn walk<F: Float>(
+pub(crate) fn propagate<F: Float>(
     equation: Equation<F>,
     from: Point<F>,
     half_turns: i64,
     hint: F,
     mut parts: Vec<Part<F>>,
     budget: &mut Budget<'_>,
-) -> Result<Walk<F>, Broken> {
+) -> Result<Propagation<F>, Broken> {
     parts.clear();
     let (mut left_out, mut sticks) = (0u64, false);
     let (end, monodromy) = follow(equation, from, half_turns, hint, budget, |part| {
@@ -87,7 +87,7 @@ pub(crate) fn walk<F: Float>(
         Ok(())
     })?;
     let count = left_out.saturating_add(parts.len() as u64);
-    Ok(Walk { end, monodromy, parts, count, sticks, hint })
+    Ok(Propagation { end, monodromy, parts, count, sticks, hint })
 }
 
 /// Follows the motion for `half_turns` from a point on, part by part: where it is then, with (δx, δw) there for that at the beginning.
@@ -176,7 +176,7 @@ impl<F: Float> Slide<F> {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOST_KEPT, Part, follow, walk};
+    use super::{MOST_KEPT, Part, follow, propagate};
     use crate::Error;
     use crate::Ratios;
     use crate::exact::DrivePhase;
@@ -199,8 +199,9 @@ mod tests {
             let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
             let equation = Equation::new(ratios);
             let phase = DrivePhase::new(theta).unwrap();
-            let at =
-                |x, w| walk(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
+            let at = |x, w| {
+                propagate(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap()
+            };
             let m = at(x, w).monodromy;
             let h = 1e-6;
             let (right, left) = (at(x + h, w).end, at(x - h, w).end);
@@ -221,17 +222,17 @@ mod tests {
             Equation::new(Ratios::new(1.319_799_361_868_836_2e-6f64, 8.987_385_541_686_157e62).unwrap());
         let phase = DrivePhase::of_half_turn(1, 2.606_010_784_944_601e-7);
         let from = Point { phase, x: -2.342_122_367_685_313_4e56, w: -1.186_154_571_116_979_4e57 };
-        let walk = walk(equation, from, 1, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
-        assert!((walk.monodromy.determinant() - 1.0).abs() < 1e-15, "{:?}", walk.monodromy);
+        let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut Budget::of(0)).unwrap();
+        assert!((propagation.monodromy.determinant() - 1.0).abs() < 1e-15, "{:?}", propagation.monodromy);
     }
 
-    /// Of a walk of many parts the first are kept, and all are met again where they are asked for.
+    /// Of many parts the first are kept, and all are met again where they are asked for.
     #[test]
     fn parts_that_are_not_kept_are_met_again() {
         let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
         let from = Point { phase: DrivePhase::new(0.1).unwrap(), x: 0.2, w: 0.3 };
         let mut budget = Budget::of(0);
-        let walk = walk(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
+        let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
         let mut starts = Vec::new();
         let visit = |part: &Part<f64>| {
             starts.push(match part {
@@ -240,9 +241,13 @@ mod tests {
             });
             Ok(())
         };
-        walk.each_part(equation, from, 1, &mut budget, visit).unwrap();
-        assert!(walk.parts.len() == MOST_KEPT && walk.count > 300 && walk.sticks, "{}", walk.count);
-        assert_eq!(starts.len() as u64, walk.count);
+        propagation.each_part(equation, from, 1, &mut budget, visit).unwrap();
+        assert!(
+            propagation.parts.len() == MOST_KEPT && propagation.count > 300 && propagation.sticks,
+            "{}",
+            propagation.count
+        );
+        assert_eq!(starts.len() as u64, propagation.count);
         assert!(starts.windows(2).all(|pair| pair[1].since(pair[0]) > 0.0));
     }
 
@@ -286,13 +291,14 @@ mod tests {
                 let w = w * (1.0 + f64::from(by) * f64::EPSILON);
                 for half_turns in 1..=4 {
                     let (from, free) = (Point { phase, x, w }, &mut Budget::of(0));
-                    let walk = walk(Equation::new(ratios), from, half_turns, 1.0, Vec::new(), free).unwrap();
+                    let propagation =
+                        propagate(Equation::new(ratios), from, half_turns, 1.0, Vec::new(), free).unwrap();
                     assert!(
-                        walk.end.x.is_finite() && walk.end.w.is_finite(),
-                        "{ratios:?} {x:e} {w:e}: {walk:?}"
+                        propagation.end.x.is_finite() && propagation.end.w.is_finite(),
+                        "{ratios:?} {x:e} {w:e}: {propagation:?}"
                     );
-                    assert!(walk.parts.len() < 16, "{walk:?}");
-                    assert!(matches!(walk.parts.last(), Some(Part::Onward(..) | Part::Stick(..))));
+                    assert!(propagation.parts.len() < 16, "{propagation:?}");
+                    assert!(matches!(propagation.parts.last(), Some(Part::Onward(..) | Part::Stick(..))));
                 }
             }
         }
