@@ -159,11 +159,7 @@ pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
             let least = turning_point.or_larger(force_ratio(found.amplitude));
             Border::of_parts(least, turning_point, touch.phase(half.omega), found.amplitude - half.shift)
         }
-        None => {
-            // S − G = [η + G (1 − Ω²) + 2ζΩH]/Ω²
-            let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
-            Border::of_parts(turning_point, turning_point, F::int(0), held / half.omega.square())
-        }
+        None => Border::of_parts(turning_point, turning_point, F::int(0), least_displacement(half)),
     }
 }
 

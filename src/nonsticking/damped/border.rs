@@ -96,10 +96,10 @@ pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
     (half.holding() + half.static_excess) / half.omega.square()
 }
 
-/// The least Δ₀/B with which it does not stick at its turning points, less G what [`turning_point`] gives: `(η + 2ζΩH + G(1 − Ω²))/Ω²`.
+/// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.
 pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
-    let (one, square) = (F::int(1), half.omega.square());
-    (one + half.static_excess + half.lag.0 * half.h + half.shift * half.lag.1) / square
+    let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
+    held / half.omega.square()
 }
 
 /// The search at a lower precision.
