@@ -12,7 +12,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
 
     /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's; and no
     /// value is beyond ±1.
-    #[inline]
+    #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
         if self.rad >= Radius::ONE.scaled(1) {
             let all = Self { mid: Mp::ZERO, rad: Radius::ONE };
@@ -29,7 +29,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         (of(sine, cosine), of(cosine, sine))
     }
 
-    #[inline]
+    #[inline(never)]
     fn sin(self) -> Self {
         if self.rad >= Radius::ONE.scaled(1) {
             return Self { mid: Mp::ZERO, rad: Radius::ONE };
@@ -38,7 +38,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self::new(mid, bound([self.rad, self.odd_rounding(mid)]))
     }
 
-    #[inline]
+    #[inline(never)]
     fn cos(self) -> Self {
         if self.rad >= Radius::ONE.scaled(1) {
             return Self { mid: Mp::ZERO, rad: Radius::ONE };
@@ -51,7 +51,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
     /// `tan δ ≤ δ/(1 − δ²/2)` since sin δ ≤ δ and cos δ ≥ 1 − δ²/2 > 0. There is no pole between a and x where |t| tan r < 1.
     ///
     /// The whole line where a pole may be in the ball.
-    #[inline]
+    #[inline(never)]
     fn tan(self) -> Self {
         let r = self.rad;
         let mid = self.mid.tan();
@@ -69,7 +69,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
     /// an abscissa within s of b, and `|p| ≤ r + s`.
     ///
     /// All angles, 0 ± π, where the origin or the cut at the negative abscissae may be met.
-    #[inline]
+    #[inline(never)]
     fn atan2(self, x: Self) -> Self {
         let all = || {
             let pi = Self::pi();
@@ -97,7 +97,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
     }
 
     /// `self · a + b`, its midpoint rounded once.
-    #[inline]
+    #[inline(never)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         if self.is_entire() || a.is_entire() || b.is_entire() {
             return Self::entire();
@@ -111,7 +111,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
 
 impl<const LIMBS: usize> Ball<LIMBS> {
     /// The rounding of a function's value that is zero at zero alone, and exactly.
-    #[inline]
+    #[inline(never)]
     fn odd_rounding(self, value: Mp<LIMBS>) -> Radius {
         if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }
     }

@@ -6,11 +6,12 @@ use crate::float::Field;
 use crate::float::mp::Mp;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+// Not inlined: each is calls into MPFR many times as long as its own, and there is a copy for each width.
 impl<const LIMBS: usize> Add for Ball<LIMBS> {
     type Output = Self;
 
     /// `|(x + y) − (a + b)| ≤ r + s`.
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let mid = self.mid + other.mid;
         // Numbers that cancel leave an exact zero.
@@ -22,7 +23,7 @@ impl<const LIMBS: usize> Add for Ball<LIMBS> {
 impl<const LIMBS: usize> Sub for Ball<LIMBS> {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn sub(self, other: Self) -> Self {
         self + -other
     }
@@ -31,7 +32,7 @@ impl<const LIMBS: usize> Sub for Ball<LIMBS> {
 impl<const LIMBS: usize> Neg for Ball<LIMBS> {
     type Output = Self;
 
-    #[inline]
+    #[inline(never)]
     fn neg(self) -> Self {
         Self { mid: -self.mid, rad: self.rad }
     }
@@ -41,7 +42,7 @@ impl<const LIMBS: usize> Mul for Ball<LIMBS> {
     type Output = Self;
 
     /// `xy − ab = a(y − b) + b(x − a) + (x − a)(y − b)`.
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         if self.is_entire() || other.is_entire() {
             return Self::entire();
@@ -59,7 +60,7 @@ impl<const LIMBS: usize> Div for Ball<LIMBS> {
     type Output = Self;
 
     /// `x/y − a/b = [(x − a) − (a/b)(y − b)]/y`, and `|y| ≥ |b| − s`.
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         if self.is_entire() || other.is_entire() || other.contains_zero() {
             return Self::entire();
@@ -75,14 +76,14 @@ impl<const LIMBS: usize> Div for Ball<LIMBS> {
 }
 
 impl<const LIMBS: usize> Field for Ball<LIMBS> {
-    #[inline]
+    #[inline(never)]
     fn int(n: i32) -> Self {
         Self { mid: Mp::of_int(n), rad: Radius::ZERO }
     }
 
     /// `|√x − √a| = |x − a|/(√x + √a)`, and `√x ≥ √(a − r) ≥ √a (1 − r/a)`. The whole line where a radicand
     /// may be negative.
-    #[inline]
+    #[inline(never)]
     fn sqrt(self) -> Self {
         if self.rad.is_zero() && self.mid.is_zero() {
             return self;
@@ -99,7 +100,7 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
     }
 
     /// From 0 to |a| + r where the sign is not certain.
-    #[inline]
+    #[inline(never)]
     fn abs(self) -> Self {
         if self.is_entire() || !self.contains_zero() || self.rad.is_zero() {
             return Self { mid: self.mid.abs(), rad: self.rad };
@@ -108,7 +109,7 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
     }
 
     /// `x² − a² = (x − a)(2a + (x − a))`.
-    #[inline]
+    #[inline(never)]
     fn square(self) -> Self {
         if self.is_entire() {
             return self;
@@ -119,7 +120,7 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
     }
 
     /// `|hypot(x, y) − hypot(a, b)| ≤ hypot(x − a, y − b) ≤ r + s`: the inequality of the triangle.
-    #[inline]
+    #[inline(never)]
     fn hypot(self, other: Self) -> Self {
         let mid = self.mid.hypot(other.mid);
         let rounding = if mid.is_zero() { Radius::ZERO } else { half_unit(mid) };
