@@ -4,6 +4,8 @@ use super::broken::Broken;
 use super::drive::DrivePhase;
 use crate::error::{Error, written};
 use crate::float::Float;
+// The functions of natural time that a slide is made of: without damping, too.
+pub(crate) use crate::nonsticking::damped::resonance::Responses as Waves;
 use crate::ratios::Ratios;
 
 mod damped;
@@ -156,19 +158,6 @@ struct Parts<F> {
 fn versine<F: Float>((sine, cosine): (F, F)) -> F {
     let one = F::int(1);
     if cosine > F::int(0) { sine.square() / (one + cosine) } else { one - cosine }
-}
-
-/// The functions of natural time that a slide is made of, at one time.
-pub(crate) struct Waves<F> {
-    /// The free vibrations from (x, w) = (0, 1) and (1, 0): (sin φ, cos φ) without damping.
-    pub(crate) free: (F, F),
-    /// 1 less the second of them.
-    pub(crate) versine: F,
-    /// (sin Ωφ, cos Ωφ)
-    pub(crate) drive: (F, F),
-    pub(crate) c: F,
-    pub(crate) s: F,
-    pub(crate) d: F,
 }
 
 #[cfg(test)]

@@ -205,7 +205,7 @@ impl<F: Float> Cycle<F> {
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
     /// `docs/theory/damping.md`; the integral itself where these cancel, beside Ω = 1 with little damping.
-    /// Accuracy at f64: 16 ulp times the condition number of Δ₀.
+    /// On the border at Ω = 1 it is right to 1e-7 at f64 down to ζ = 1e-18, where it tends to 7.10434086 ζ.
     pub fn damper_work(&self) -> F {
         match &self.motion {
             Motion::Undamped { .. } => F::int(0),

@@ -3,7 +3,6 @@
 use super::{Equation, Waves};
 use crate::float::Float;
 use crate::nonsticking::damped::free::Free;
-use crate::nonsticking::damped::resonance::Responses;
 
 impl<F: Float> Equation<F> {
     /// ζ.
@@ -67,9 +66,7 @@ impl<F: Float> Equation<F> {
         let (one, two, eight) = (F::int(1), F::int(2), F::int(8));
         let near = self.omega * two >= one && self.omega <= two && self.damping * F::int(4) < one;
         if near && phi * eight <= F::int(1000) {
-            let Responses { free, versine, drive, c, s, d } =
-                Responses::new(self.omega, &self.vibration(), phi);
-            return Waves { free, versine, drive, c, s, d };
+            return Waves::new(self.omega, &self.vibration(), phi);
         }
         let free = self.vibration();
         let at = free.waves(phi);
