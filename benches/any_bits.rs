@@ -94,8 +94,8 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
         stickslip::regime(omega, alpha).map(|r| f64::from(u8::from(r == Regime::NonSticking))),
         Some(known && moved),
     );
-    count.value("V₀ for", input, design::force_ratio_for_velocity(omega, third), None);
-    count.value("Δ₀ for", input, design::force_ratio_for_displacement(omega, third), None);
+    count.value("V₀ for", input, design::force_ratio_for_velocity(omega, 0.0, third), None);
+    count.value("Δ₀ for", input, design::force_ratio_for_displacement(omega, 0.0, third), None);
     count.value("ratios", input, ratios.clone().map(|r| r.alpha()), Some(known && moved));
     let Ok(ratios) = ratios else { return };
     count.value("cycle", input, Cycle::new(ratios).map(|c| c.max_velocity()), Some(slides));
@@ -144,7 +144,7 @@ fn machine(count: &mut Count, random: &mut Random) {
     let (Ok(body), Ok(drive)) = (body, drive) else { return };
     count.value("scales", input, Scales::new(&body, &drive).map(|s| s.energy_inertia), None);
     count.value("α", input, drive.ratios(&body).map(|r| r.alpha()), None);
-    count.value("friction", input, design::greatest_friction(&body, &drive), None);
+    count.value("friction", input, design::max_friction(&body, &drive), None);
 }
 
 /// Calls of one thread until there are `most`.

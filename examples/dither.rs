@@ -11,7 +11,7 @@
 
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::{Cycle, Drive, Oscillator, Scales, design};
+use stickslip::{Cycle, Drive, Excitation, Oscillator, Scales, design};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     answer(&mut std::io::stdout().lock())
@@ -21,7 +21,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     let spool = Oscillator::new(0.050, 20e3, 6.0)?; // kg, N/m, N
     writeln!(out, "frequency  least force  with 20 % more: shakes by")?;
     for hertz in [40.0, 60.0, 90.0, 120.0, 200.0] {
-        let least = design::least_force(&spool, TAU * hertz)?;
+        let least = design::min_amplitude(&spool, Excitation::Force, TAU * hertz)?;
         let dither = Drive::force(1.2 * least, TAU * hertz)?;
         let cycle = Cycle::new(dither.ratios(&spool)?)?;
         let shake = cycle.max_displacement() * Scales::new(&spool, &dither)?.length;

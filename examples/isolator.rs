@@ -14,7 +14,7 @@
 
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::{Drive, Oscillator, Response, Scales, design};
+use stickslip::{Drive, Excitation, Oscillator, Response, Scales, design};
 
 const MASS: f64 = 800.0; // kg
 const FRICTION: f64 = 0.06 * MASS * 9.81; // N
@@ -35,7 +35,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
         let cycle = response.cycle().ok_or("it sticks: the exact motion has the answer")?;
         let slide = cycle.max_displacement() * Scales::new(&cabinet, &drive)?.length;
         let felt = (stiffness * slide + FRICTION) / MASS;
-        let least = design::least_force(&cabinet, frequency)? / MASS;
+        let least = design::min_amplitude(&cabinet, Excitation::Force, frequency)? / MASS;
         writeln!(out, "{hertz:>5} Hz   {slide:>7.4} m   {felt:>8.3} m/s²   {least:>10.3} m/s²")?;
     }
     Ok(())

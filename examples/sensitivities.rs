@@ -11,7 +11,7 @@
 
 use std::f64::consts::TAU;
 use std::io::Write;
-use stickslip::sensitivity::{AMPLITUDE, ANGULAR_FREQUENCY, FRICTION_BOUND, MASS, STIFFNESS, Sensitivities};
+use stickslip::sensitivity::Sensitivities;
 use stickslip::{Drive, Oscillator, Output};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -26,21 +26,20 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     let stroke = answer.of(Output::MaxDisplacement).ok_or("it sticks")?;
     writeln!(out, "stroke ± {:.2} mm", 1e3 * stroke.value)?;
     writeln!(out, "parameter  known to  % of stroke for 1 %  so the stroke to")?;
-    let mut deviations = [0.0; 5];
-    for (index, name, value, percent) in [
-        (MASS, "mass", mass, 1.0),
-        (STIFFNESS, "stiffness", stiffness, 3.0),
-        (FRICTION_BOUND, "friction", friction, 15.0),
-        (AMPLITUDE, "force", force, 2.0),
-        (ANGULAR_FREQUENCY, "frequency", frequency, 0.1),
-    ] {
-        let elasticity = stroke.elasticity(index, value);
-        deviations[index] = percent / 100.0 * value;
+    let parameters = [mass, stiffness, friction, force, frequency];
+    let known_to = [1.0, 3.0, 15.0, 2.0, 0.1];
+    let names = ["mass", "stiffness", "friction", "force", "frequency"];
+    let elasticities = stroke.elasticities(parameters);
+    for ((name, percent), elasticity) in names.iter().zip(known_to).zip(elasticities) {
         writeln!(
             out,
             "{name:<9}  {percent:>6} %  {elasticity:>19.3}  {:>14.2} %",
             (elasticity * percent).abs()
         )?;
+    }
+    let mut deviations = parameters;
+    for (deviation, percent) in deviations.iter_mut().zip(known_to) {
+        *deviation *= percent / 100.0;
     }
     writeln!(out, "all together {:.2} %", 100.0 * stroke.deviation(deviations) / stroke.value)?;
     Ok(())

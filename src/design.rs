@@ -2,8 +2,8 @@
 //!
 //! | question | in ratios | in physical units | file |
 //! |---|---|---|---|
-//! | least force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`least_force`], [`least_base_amplitude`] | `force.rs` |
-//! | greatest friction that lets it slide | the same, p₀/α_min | [`greatest_friction`] | `friction.rs` |
+//! | minimum force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`min_amplitude`] | `force.rs` |
+//! | maximum friction that lets it slide | the same, p₀/α_min | [`max_friction`] | `friction.rs` |
 //! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
 //! | forces without any stop, two or six reversals | [`crate::regime::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
 //! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
@@ -13,15 +13,15 @@
 //! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! With a damper: all but those without any stop, which refuse it ([`crate::Error::Damped`]); in ratios by the
-//! functions `…_with_damping`. Force, friction, displacement, velocity and the friction that dissipates most are then unique answers by proofs of
+//! With a damper: all but those without any stop, which refuse it ([`crate::Error::Damped`]); in ratios the
+//! damping ratio ζ is an argument, 0 without a damper. Force, friction, displacement, velocity and the friction that dissipates most are then unique answers by proofs of
 //! their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
 //!
 //! Each other answer is the only one, or the best of all, by an argument that stands beside it; none is found by sampling. With
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
-//! beside a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. An answer on the border of sticking is just that: real friction needs a margin, see [`crate::Place`].
+//! beside a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. On the border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
 
 mod band;
 mod bands;
@@ -39,23 +39,16 @@ mod target;
 mod tuning;
 
 pub use band::{Band, Edge};
-pub use bands::{Bands, bands, bands_with_damping, frequency_bands};
-pub use dissipation::{
-    most_dissipating_force_ratio, most_dissipating_force_ratio_with_damping, most_dissipating_friction,
-};
-pub use force::{least_amplitude, least_base_amplitude, least_force};
-pub use friction::greatest_friction;
+pub use bands::{Bands, bands, frequency_bands};
+pub use dissipation::{most_dissipating_force_ratio, most_dissipating_friction};
+pub use force::min_amplitude;
+pub use friction::max_friction;
 #[cfg(feature = "dual")]
-pub use identify::{Estimate, Identified, Measurement, identify};
+pub use identify::{Identified, Measurement, identify};
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
-pub use sticking::{
-    most_dissipating_force_ratio_of_all, most_dissipating_force_ratio_of_all_with_damping,
-    most_dissipating_friction_of_all,
-};
+pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};
 pub use target::{
-    force_for_displacement, force_for_velocity, force_ratio_for_displacement,
-    force_ratio_for_displacement_with_damping, force_ratio_for_velocity,
-    force_ratio_for_velocity_with_damping,
+    force_for_displacement, force_for_velocity, force_ratio_for_displacement, force_ratio_for_velocity,
 };
 pub use tuning::{most_dissipating_frequency_ratio, most_dissipating_stiffness};

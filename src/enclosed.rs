@@ -26,7 +26,7 @@
 //!
 //! ```
 //! use stickslip::{Output, enclosed};
-//! let found = enclosed::response(&"0.4".parse()?, &"9".parse()?, 128)?;
+//! let found = enclosed::response(&"0.4".parse()?, &"9".parse()?, &"0".parse()?, &"1".parse()?, 128)?;
 //! let velocity = found.get(Output::MaxVelocity).unwrap();
 //! assert_eq!(velocity.to_string(), "13.6968608268773571362677089591797754027 ± 3.9e-38");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -117,14 +117,6 @@ impl Response {
     }
 }
 
-/// The closed forms at (Ω, α), enclosed: to `bits` bits where the ratios are exact.
-///
-/// # Errors
-/// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
-pub fn response(omega: &Known, alpha: &Known, bits: u32) -> Result<Response, Error> {
-    response_with(omega, alpha, &Known::rational(0.into()), &Known::rational(1.into()), bits)
-}
-
 /// [`response`] with the damping ratio where one output is asked for: what takes long for others is left out.
 pub(crate) fn response_for(
     only: Output,
@@ -138,13 +130,14 @@ pub(crate) fn response_for(
     At { only: Some(only), ..At::new(omega, alpha, zeta, &eta)? }.answered(bits)
 }
 
-/// [`response`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, each of which may be an interval.
+/// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, enclosed: to `bits`
+/// bits where the ratios are exact. Each of them may be an interval.
 ///
 /// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to other motions.
 ///
 /// # Errors
-/// As of [`response`].
-pub fn response_with(
+/// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
+pub fn response(
     omega: &Known,
     alpha: &Known,
     damping_ratio: &Known,
@@ -155,20 +148,13 @@ pub fn response_with(
     At::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
-/// The border at Ω, enclosed: [`Output::MinForceRatio`], [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`],
-/// [`Output::TouchingPhase`], [`Output::BestForceRatio`] and [`Output::BestLoopSize`], without a regime.
+/// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed: [`Output::MinForceRatio`],
+/// [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`], [`Output::TouchingPhase`], [`Output::BestForceRatio`] and
+/// [`Output::BestLoopSize`], without a regime.
 ///
 /// # Errors
-/// As of [`response`].
-pub fn border(omega: &Known, bits: u32) -> Result<Response, Error> {
-    border_with(omega, &Known::rational(0.into()), &Known::rational(1.into()), bits)
-}
-
-/// [`border()`] with the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one.
-///
-/// # Errors
-/// As of [`response`].
-pub fn border_with(
+/// As for [`response`].
+pub fn border(
     omega: &Known,
     damping_ratio: &Known,
     static_friction_ratio: &Known,

@@ -83,7 +83,7 @@
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
 //! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
-//! | τ* | [`Place::touching_phase`] | where the velocity first touches zero | rad |
+//! | τ* | [`Border::phase`] | where the velocity first touches zero | rad |
 //!
 //! # Features
 //!

@@ -44,7 +44,7 @@ pub(crate) mod stability;
 mod velocity;
 mod waves;
 
-pub use border::{Border, BorderRange, Lobe, Minimum, Shortfall, border_range};
+pub use border::{Border, Lobe, Minimum, Shortfall};
 pub use cycle::Cycle;
 #[cfg(any(test, feature = "matching"))]
 pub use matching::Unknowns;
@@ -54,7 +54,7 @@ pub use matching::newton::{BorderSolution, MatchingError, Solution, Solvable};
 #[doc(hidden)]
 pub use reversal::Reversal;
 pub use six_reversals::SixReversals;
-pub use stability::{MultiplierPair, Multipliers};
+pub use stability::Multipliers;
 
 pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
 #[cfg(feature = "batch")]

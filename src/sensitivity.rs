@@ -7,14 +7,15 @@
 //! point is on.
 //!
 //! ```
-//! use stickslip::sensitivity::{MASS, Sensitivities};
+//! use stickslip::sensitivity::Sensitivities;
 //! use stickslip::{Drive, Oscillator, Output};
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Sensitivities::by_parameters(&body, &drive)?;
 //! let stroke = answer.of(Output::MaxDisplacement).unwrap();
 //! // A percent more mass: 2.08 percent less displacement.
-//! assert!((stroke.elasticity(MASS, 50.0) + 2.084325).abs() < 1e-6);
+//! let [by_mass, ..] = stroke.elasticities([50.0, 1000.0, 5.0, 12.0, std::f64::consts::TAU]);
+//! assert!((by_mass + 2.084325).abs() < 1e-6);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
 
@@ -25,21 +26,6 @@ use crate::output::Output;
 use crate::ratios::Ratios;
 use crate::regime::Regime;
 use crate::response::Response;
-
-/// Index of the frequency ratio Ω in [`Sensitivities::by_ratios`].
-pub const OMEGA: usize = 0;
-/// Index of the force ratio α in [`Sensitivities::by_ratios`].
-pub const ALPHA: usize = 1;
-/// Index of the mass m in [`Sensitivities::by_parameters`].
-pub const MASS: usize = 0;
-/// Index of the stiffness k in [`Sensitivities::by_parameters`].
-pub const STIFFNESS: usize = 1;
-/// Index of the friction bound r_y in [`Sensitivities::by_parameters`].
-pub const FRICTION_BOUND: usize = 2;
-/// Index of the amplitude in [`Sensitivities::by_parameters`]: p₀ of a force, u_g0 of a base motion.
-pub const AMPLITUDE: usize = 3;
-/// Index of the angular frequency ω_d in [`Sensitivities::by_parameters`].
-pub const ANGULAR_FREQUENCY: usize = 4;
 
 /// A value and its derivatives by N parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -53,11 +39,14 @@ pub struct Sensitivity<const N: usize> {
 }
 
 impl<const N: usize> Sensitivity<N> {
-    /// Percents of change for a percent of the parameter, `(p/y) ∂y/∂p`, where the parameter is p; NaN for an
-    /// index beyond N.
+    /// Percents of change for a percent of each parameter, `(p/y) ∂y/∂p`, where the parameters are p.
     #[must_use]
-    pub fn elasticity(&self, index: usize, parameter: f64) -> f64 {
-        self.by.get(index).map_or(f64::NAN, |slope| slope * parameter / self.value)
+    pub fn elasticities(&self, parameters: [f64; N]) -> [f64; N] {
+        let mut found = self.by;
+        for (slope, parameter) in found.iter_mut().zip(parameters) {
+            *slope = *slope * parameter / self.value;
+        }
+        found
     }
 
     /// The change of the value, to first order, for changes of the parameters.
@@ -86,7 +75,7 @@ pub struct Sensitivities<const N: usize> {
 }
 
 impl Sensitivities<2> {
-    /// The dimensionless outputs and their derivatives by Ω and α, [`OMEGA`] and [`ALPHA`].
+    /// The dimensionless outputs and their derivatives by Ω and α, in this order.
     ///
     /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few
     /// units in the last place of the larger of p ∂y/∂p and y, away from the corners named above; measured
@@ -103,7 +92,7 @@ impl Sensitivities<2> {
 
 impl Sensitivities<5> {
     /// The outputs in physical units ([`Output::unit`]) and their derivatives by m, k, r_y, the amplitude and
-    /// ω_d: [`MASS`], [`STIFFNESS`], [`FRICTION_BOUND`], [`AMPLITUDE`], [`ANGULAR_FREQUENCY`].
+    /// ω_d, in this order.
     ///
     /// Everything else being constant, the damping constant c too; under base motion a change of stiffness
     /// changes the force, too. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`, by two ways.
@@ -153,14 +142,13 @@ impl<const N: usize> Sensitivities<N> {
 
 #[cfg(test)]
 mod tests {
-    use super::{ALPHA, AMPLITUDE, FRICTION_BOUND, OMEGA, STIFFNESS, Sensitivities, Sensitivity};
+    use super::{Sensitivities, Sensitivity};
     use crate::{Border, Cycle, Drive, Oscillator, Output, Ratios, Regime};
 
     #[test]
     fn percents_changes_and_deviations() {
         let s = Sensitivity { value: 8.0, by: [2.0, -3.0] };
-        assert_eq!((s.elasticity(0, 10.0), s.elasticity(1, 4.0)), (2.5, -1.5));
-        assert!(s.elasticity(2, 1.0).is_nan());
+        assert_eq!(s.elasticities([10.0, 4.0]), [2.5, -1.5]);
         assert_eq!(s.change([0.5, 0.25]), 0.25);
         // Legs 6 and 2.5 of a right triangle.
         assert_eq!(s.deviation([3.0, -2.5 / 3.0]), 6.5);
@@ -175,10 +163,7 @@ mod tests {
         let h = 1e-6;
         let by_omega = (at(0.7 + h, 2.0) - at(0.7 - h, 2.0)) / (2.0 * h);
         let by_alpha = (at(0.7, 2.0 + h) - at(0.7, 2.0 - h)) / (2.0 * h);
-        assert!(
-            (delta.by[OMEGA] / by_omega - 1.0).abs() < 1e-8
-                && (delta.by[ALPHA] / by_alpha - 1.0).abs() < 1e-8
-        );
+        assert!((delta.by[0] / by_omega - 1.0).abs() < 1e-8 && (delta.by[1] / by_alpha - 1.0).abs() < 1e-8);
         let border = found.of(Output::MinForceRatio).unwrap();
         assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio());
         let all: Vec<_> = found.iter().collect();
@@ -195,12 +180,13 @@ mod tests {
         let delta = found.of(Output::MaxDisplacement).unwrap();
         let cycle = Cycle::new(Ratios::new(0.75, 3.0).unwrap()).unwrap();
         assert!((delta.value / (cycle.max_displacement() * 3.0 / 8.0) - 1.0).abs() < 1e-14);
-        let grown = delta.elasticity(FRICTION_BOUND, 3.0) + delta.elasticity(AMPLITUDE, 9.0);
+        let [_, _, by_friction, by_force, _] = delta.elasticities([2.0, 8.0, 3.0, 9.0, 1.5]);
+        let grown = by_friction + by_force;
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
         // A base that moves pushes more on a stiffer body.
         let based =
             Sensitivities::by_parameters(&body, &Drive::base_motion(9.0 / 8.0, 1.5).unwrap()).unwrap();
-        let more = based.of(Output::MaxDisplacement).unwrap().by[STIFFNESS] - delta.by[STIFFNESS];
-        assert!((more / (delta.by[AMPLITUDE] * 9.0 / 8.0) - 1.0).abs() < 1e-12, "{more}");
+        let more = based.of(Output::MaxDisplacement).unwrap().by[1] - delta.by[1];
+        assert!((more / (delta.by[3] * 9.0 / 8.0) - 1.0).abs() < 1e-12, "{more}");
     }
 }

@@ -1,6 +1,6 @@
 //! Results with private fields as maps, by the names that the command's JSON has. Results with public fields derive it.
 
-use crate::exact::{Irregular, SteadyState};
+use crate::exact::SteadyState;
 use crate::float::Float;
 use crate::nonsticking::{Border, Cycle};
 use crate::output::Output;
@@ -66,21 +66,6 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
         for (name, output) in Self::OUTPUTS {
             map.serialize_entry(name, &output(self))?;
         }
-        map.serialize_entry("periods", &self.periods())?;
-        map.serialize_entry("state", &self.state())?;
-        map.end()
-    }
-}
-
-impl<F: Float + Serialize> Serialize for Irregular<F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("lyapunov_exponent", &self.lyapunov_exponent())?;
-        map.serialize_entry("lyapunov_exponent_error", &self.lyapunov_exponent_error())?;
-        map.serialize_entry("max_displacement", &self.max_displacement())?;
-        map.serialize_entry("min_displacement", &self.min_displacement())?;
-        map.serialize_entry("stops", &self.stops())?;
-        map.serialize_entry("turns_observed", &self.turns())?;
         map.serialize_entry("periods", &self.periods())?;
         map.serialize_entry("state", &self.state())?;
         map.end()

@@ -20,7 +20,7 @@
 //!
 //! | output | monotone in | so that its range is |
 //! |---|---|---|
-//! | α_min | neither: one minimum in each lobe | known exactly ([`crate::nonsticking::border_range`]), sticking or not |
+//! | α_min | neither: one minimum in each lobe | known exactly (one minimum in each lobe), sticking or not |
 //! | α/α_min | α | enclosed by the ends of α and of α_min, sticking or not |
 //! | Δ₀ | α (rising); physical: p₀ (rising), r_y (falling) | enclosed over pieces of Ω, see below |
 //! | 4 r_y Δ₀ | p₀ (rising); in r_y one maximum, r_y = p₀/(√2 \|K\|) | enclosed likewise |
@@ -65,12 +65,16 @@
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of rational numbers"))]
 mod enclosed;
 mod enclosure;
+#[cfg(any(feature = "dual", feature = "random"))]
+mod estimate;
 mod machine;
 #[cfg(feature = "random")]
 pub mod random;
 mod ratios;
 mod samples;
 
+#[cfg(any(feature = "dual", feature = "random"))]
+pub use estimate::Estimate;
 pub use machine::MachineBox;
 pub use ratios::RatioBox;
 

@@ -90,17 +90,17 @@ fn row<'py>(
     found: &Attractor<f64>,
     starts: &[State<f64>],
 ) -> PyResult<Bound<'py, PyDict>> {
-    let limit = found.limit();
+    let limit = &found.limit;
     let (steady, irregular) = (limit.steady_state(), limit.irregular());
-    let first = starts.get(found.first_start());
+    let first = starts.get(found.first_start);
     let dict = PyDict::new(py);
     dict.set_item("attractor", place)?;
     dict.set_item("limit", limit.name())?;
-    dict.set_item("share", found.starts() as f64 / all.starts() as f64)?;
-    dict.set_item("starts", found.starts())?;
+    dict.set_item("share", found.starts as f64 / all.starts() as f64)?;
+    dict.set_item("starts", found.starts)?;
     dict.set_item("first_x", first.map(|start| start.x))?;
     dict.set_item("first_v", first.map(|start| start.v))?;
-    dict.set_item("mirror", found.mirror())?;
+    dict.set_item("mirror", found.mirror)?;
     dict.set_item("symmetric", steady.map(SteadyState::is_symmetric))?;
     dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
     dict.set_item("max_displacement", limit.extrema().map(|(_, most)| most))?;
@@ -109,10 +109,10 @@ fn row<'py>(
     dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
     dict.set_item("stick_fraction", steady.map(|s| s.stick_fraction()))?;
     dict.set_item("multipliers", steady.map(|s| s.multipliers().to_vec()))?;
-    dict.set_item("lyapunov_exponent", irregular.map(|m| m.lyapunov_exponent()))?;
-    dict.set_item("lyapunov_exponent_error", irregular.map(|m| m.lyapunov_exponent_error()))?;
-    dict.set_item("rest_from", found.range().map(|(low, _)| low))?;
-    dict.set_item("rest_to", found.range().map(|(_, high)| high))?;
+    dict.set_item("lyapunov_exponent", irregular.map(|m| m.lyapunov_exponent))?;
+    dict.set_item("lyapunov_exponent_error", irregular.map(|m| m.lyapunov_exponent_error))?;
+    dict.set_item("rest_from", found.range.map(|(low, _)| low))?;
+    dict.set_item("rest_to", found.range.map(|(_, high)| high))?;
     Ok(dict)
 }
 

@@ -10,9 +10,9 @@ use stickslip::{Drive, Error, figures};
 
 /// The least amplitude of an excitation with which the body does not stick at a frequency.
 #[pyfunction]
-fn least_amplitude(of: Body, kind: &str, angular_frequency: f64) -> PyResult<f64> {
+fn min_amplitude(of: Body, kind: &str, angular_frequency: f64) -> PyResult<f64> {
     let kind = excitation(kind)?;
-    body(of).and_then(|body| design::least_amplitude(&body, kind, angular_frequency)).map_err(refused)
+    body(of).and_then(|body| design::min_amplitude(&body, kind, angular_frequency)).map_err(refused)
 }
 
 /// The force whose cycle has a given maximum displacement or velocity.
@@ -35,9 +35,9 @@ fn drive(kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<Drive<f
 
 /// The greatest friction bound with which the body does not stick.
 #[pyfunction]
-fn greatest_friction(of: Body, kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<f64> {
+fn max_friction(of: Body, kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<f64> {
     let drive = drive(kind, amplitude, angular_frequency)?;
-    body(of).and_then(|body| design::greatest_friction(&body, &drive)).map_err(refused)
+    body(of).and_then(|body| design::max_friction(&body, &drive)).map_err(refused)
 }
 
 /// The friction bound that dissipates most, the energy of a cycle, and the reason.
@@ -113,8 +113,8 @@ fn figure(py: Python<'_>, name: &str) -> PyResult<(String, String, String)> {
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add("FIGURES", figures::NAMES.to_vec())?;
-    module.add_function(wrap_pyfunction!(least_amplitude, module)?)?;
-    module.add_function(wrap_pyfunction!(greatest_friction, module)?)?;
+    module.add_function(wrap_pyfunction!(min_amplitude, module)?)?;
+    module.add_function(wrap_pyfunction!(max_friction, module)?)?;
     module.add_function(wrap_pyfunction!(best_friction, module)?)?;
     module.add_function(wrap_pyfunction!(force_for, module)?)?;
     module.add_function(wrap_pyfunction!(bands, module)?)?;

@@ -37,7 +37,7 @@ fn four([omega, alpha, zeta, eta]: &[String; 4]) -> PyResult<[Known; 4]> {
 #[pyfunction]
 fn enclosed_response<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;
-    dict(py, interruptible(py, |_| enclosed::response_with(&omega, &alpha, &zeta, &eta, bits))?)
+    dict(py, interruptible(py, |_| enclosed::response(&omega, &alpha, &zeta, &eta, bits))?)
 }
 
 /// The border.
@@ -46,7 +46,7 @@ fn enclosed_border<'py>(py: Python<'py>, ratios: [String; 3], bits: u32) -> PyRe
     let [omega, zeta, eta] = &ratios;
     let (omega, zeta) = (known("omega", omega)?, known("damping_ratio", zeta)?);
     let eta = known("static_friction_ratio", eta)?;
-    dict(py, interruptible(py, |_| enclosed::border_with(&omega, &zeta, &eta, bits))?)
+    dict(py, interruptible(py, |_| enclosed::border(&omega, &zeta, &eta, bits))?)
 }
 
 /// A steady motion that is proved to exist, or why it is not proved.

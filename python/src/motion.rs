@@ -61,8 +61,8 @@ const NUMBERS: [(&str, Number); 2] =
 
 /// Those of a motion with a static friction above the kinetic one.
 const OF_STATIC_FRICTION: [(&str, Number); 2] = [
-    ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent())),
-    ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error())),
+    ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent)),
+    ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error)),
 ];
 
 /// A number of a cycle, or the extremes of an irregular motion.
@@ -116,7 +116,7 @@ fn steady_at<'py>(
     dict.set_item("reversals_per_cycle", found.seen.reversals)?;
     dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
     dict.set_item("symmetric", steady.map(SteadyState::is_symmetric))?;
-    dict.set_item("turns_observed", limit.irregular().map(|m| m.turns()))?;
+    dict.set_item("turns_observed", limit.irregular().map(|m| m.turns))?;
     // The waves of a cycle under a slow drive are so many that their peaks take seconds.
     let peaks = match steady.copied() {
         Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
@@ -201,7 +201,7 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
         }
         table.count("turns_per_cycle", of_cycle(SteadyState::turns_per_cycle));
         table.count("symmetric", of_cycle(|steady| u32::from(steady.is_symmetric())));
-        table.count("turns_observed", counts(&|f| f.limit.irregular().map(|m| m.turns())));
+        table.count("turns_observed", counts(&|f| f.limit.irregular().map(|m| m.turns)));
     }
     Ok(table)
 }
@@ -341,8 +341,8 @@ fn decay_at(
     damping_ratio: f64,
     static_friction_ratio: f64,
 ) -> PyResult<Bound<'_, PyDict>> {
-    let decay = FreeDecay::with_frictions(displacement, velocity, damping_ratio, static_friction_ratio)
-        .map_err(refused)?;
+    let decay =
+        FreeDecay::new(displacement, velocity, damping_ratio, static_friction_ratio).map_err(refused)?;
     let dict = PyDict::new(py);
     dict.set_item("half_cycles", decay.half_cycles())?;
     dict.set_item("first_turn", decay.first_turn())?;

@@ -129,8 +129,8 @@ fn steady<F: Float>(
             ("min_displacement", digits(least)),
             ("turns_per_cycle", Cell::Count(steady.map(SteadyState::turns_per_cycle))),
             ("symmetric", Cell::Flag(steady.map(SteadyState::is_symmetric))),
-            ("lyapunov_exponent", digits(irregular.map(|m| m.lyapunov_exponent()))),
-            ("lyapunov_exponent_error", digits(irregular.map(|m| m.lyapunov_exponent_error()))),
+            ("lyapunov_exponent", digits(irregular.map(|m| m.lyapunov_exponent))),
+            ("lyapunov_exponent_error", digits(irregular.map(|m| m.lyapunov_exponent_error))),
         ]);
     }
     Ok(cells)

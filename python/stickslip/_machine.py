@@ -279,18 +279,18 @@ class Machine:
         return Decay({**found.to_dict(), "physical": Physical(physical, units)})
 
     def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
-        """The border at an angular frequency, in ratios; `least_force` is the same in units of force."""
+        """The border at an angular frequency, in ratios; `min_force` is the same in units of force."""
         drive = Drive(force=self.friction, angular_frequency=angular_frequency, units=self.units)
         _, ratios, _ = self._ratios(drive)
         return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
 
-    def least_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
+    def min_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
         """The least amplitude with which the body does not stick, of a force or of another excitation by its name in `Drive`."""
-        return _native.least_amplitude(self._body, excitation, self._frequency(angular_frequency))
+        return _native.min_amplitude(self._body, excitation, self._frequency(angular_frequency))
 
-    def greatest_friction(self, drive: Drive) -> float:
+    def max_friction(self, drive: Drive) -> float:
         """The greatest friction bound with which the body does not stick under a drive."""
-        return _native.greatest_friction(self._body, *self._single(drive))
+        return _native.max_friction(self._body, *self._single(drive))
 
     def best_friction(self, drive: Drive) -> "BestFriction":
         """The friction bound with which friction dissipates most under a drive, of those that do not stick."""

@@ -74,13 +74,13 @@ def test_design_answers_hold_on_both_sides():
     machine = isolator()
     frequency = 1.7 * HERTZ
     for excitation in ("force", "base_acceleration", "foot_displacement", "base_displacement"):
-        least = machine.least_force(frequency, excitation)
+        least = machine.min_force(frequency, excitation)
         regime = lambda share: machine.response(
             ss.Drive(**{excitation: least * share}, angular_frequency=frequency)
         ).regime
         assert (regime(1 + 1e-12), regime(1 - 1e-12)) == ("non-sticking", "sticking")
     drive = ss.Drive(force=900.0, angular_frequency=frequency)
-    greatest = machine.greatest_friction(drive)
+    greatest = machine.max_friction(drive)
     assert machine.response(ss.Drive(force=900.0, angular_frequency=frequency)).physical.force_amplitude == 900.0
     softer = ss.Machine(machine.mass, machine.stiffness, greatest * (1 - 1e-12))
     assert softer.response(drive).regime == "non-sticking"

@@ -100,7 +100,7 @@ def test_machines_and_design():
     drive = ss.Drive(force=16.0, angular_frequency=[1.0, 1.2])
     found = machine.steady(drive)
     np.testing.assert_allclose(found.max_displacement, ss.steady(drive.angular_frequency / 2, 4, 0.02, 1.3).max_displacement, rtol=1e-12)
-    least = machine.least_force(3.0)
+    least = machine.min_force(3.0)
     regime = lambda share: machine.response(ss.Drive(force=least * share, angular_frequency=3.0)).regime
     assert (regime(1 + 1e-12), regime(1 - 1e-12)) == ("non-sticking", "sticking")
     assert len(machine.attractors(ss.Drive(force=16.0, angular_frequency=1.0), starts=40).attractors) == 2

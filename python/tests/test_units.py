@@ -50,7 +50,7 @@ def test_arrays_are_in_the_named_system():
 
 def test_questions_of_design_take_units():
     machine = ss.Machine(mass="800 kg", period="2.2 s", friction_coefficient="5 %")
-    assert machine.least_force("1.7 Hz") == pytest.approx(machine.least_force(1.7 * 2 * math.pi), rel=1e-14)
+    assert machine.min_force("1.7 Hz") == pytest.approx(machine.min_force(1.7 * 2 * math.pi), rel=1e-14)
     assert machine.force_for_displacement("1.7 Hz", "10 mm") == pytest.approx(
         machine.force_for_displacement(1.7 * 2 * math.pi, 0.01), rel=1e-12
     )

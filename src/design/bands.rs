@@ -54,12 +54,19 @@ struct Frequency<F> {
 /// band narrower than two floats beside an end of the range may be missing, and those in lobes beyond the
 /// resolution of the type near a pole are known to rounding only.
 ///
+/// **With a damping ratio ζ > 0**, the same at every frequency, they are searched, not proved: the border is followed on a mesh
+/// that is fine near its peaks, each of its extrema next to α is looked for, and the ends are exact. A band or a gap may
+/// be missed that is far narrower than any structure of the border known. That there is none below Ω = 1/√(1 + α) is proved
+/// (`src/design/damped.rs`).
+///
 /// ```
 /// use stickslip::design::{Edge, bands};
-/// let found = bands(12.0f64, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// let found = bands(12.0f64, 0.0, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
 /// assert_eq!(found.len(), 2); // around 0.2971, and from 0.3707 on
 /// assert!((found[0].low - 0.280666).abs() < 1e-6 && (found[0].high - 0.301070).abs() < 1e-6);
 /// assert!((found[1].low - 0.370699).abs() < 1e-6 && found[1].high_edge == Edge::Range);
+/// let damped = bands(12.0f64, 0.05, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
+/// assert!(damped.len() == 1 && (damped[0].low - 0.378354).abs() < 1e-6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -67,39 +74,10 @@ struct Frequency<F> {
 /// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last [`Lobe`]
 /// and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe
 /// whose minimum is so close to α that the type cannot tell whether there is a band in it.
-pub fn bands<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
-    Ratios::new(low, alpha)?;
-    let lowest = Lobe::new(u16::MAX).low_pole();
-    // Below the last lobe there is nothing to find for an α below its pole's 1/Ω² − 1.
-    let is_beyond = low < lowest && alpha < F::int(1) / lowest.square() - F::int(1);
-    let (first, last) = ordered_lobes(if is_beyond { lowest.or_larger(low) } else { low }, high)?;
-    // The casts of a float to an integer saturate.
-    let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
-    let next = first.min(Lobe::new(reachable)).max(last);
-    Ok(Bands { alpha, low, high, source: Source::Lobes(Some(next), last), frequency: None })
-}
-
-/// The same with damping, the damping ratio ζ being the same at every frequency; as [`bands`] for ζ = 0.
-///
-/// **Searched, not proved**: the border is followed on a mesh that is fine beside its peaks, each of its
-/// extrema next to α is looked for, and the ends are exact; a band or a gap may be missed that is far
-/// narrower than any structure of the border known. Proved is that there is none below Ω = 1/√(1 + α)
-/// (`src/design/damped.rs`).
-///
-/// ```
-/// use stickslip::design::bands_with_damping;
-/// let found = bands_with_damping(12.0f64, 0.05, 0.1, 2.0)?.collect::<Result<Vec<_>, _>>()?;
-/// assert_eq!(found.len(), 1);
-/// assert!((found[0].low - 0.378354).abs() < 1e-6);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-///
-/// # Errors
-/// As [`bands`], and where ζ is not in its domain.
-pub fn bands_with_damping<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
+pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
     let ratios = Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
     if !ratios.is_damped() {
-        return bands(alpha, low, high);
+        return bands_by_lobes(alpha, low, high);
     }
     Ratios::new(high, alpha)?;
     if low > high {
@@ -110,10 +88,22 @@ pub fn bands_with_damping<F: Float>(alpha: F, damping_ratio: F, low: F, high: F)
     Ok(Bands { alpha, low, high, source, frequency: None })
 }
 
+/// Without damping: lobe by lobe.
+fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
+    let lowest = Lobe::new(u16::MAX).low_pole();
+    // Below the last lobe there is nothing to find for an α below its pole's 1/Ω² − 1.
+    let is_beyond = low < lowest && alpha < F::int(1) / lowest.square() - F::int(1);
+    let (first, last) = ordered_lobes(if is_beyond { lowest.or_larger(low) } else { low }, high)?;
+    // The casts of a float to an integer saturate.
+    let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
+    let next = first.min(Lobe::new(reachable)).max(last);
+    Ok(Bands { alpha, low, high, source: Source::Lobes(Some(next), last), frequency: None })
+}
+
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
 /// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as
-/// [`bands`], with a damper as [`bands_with_damping`].
+/// [`bands`].
 ///
 /// # Errors
 /// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions.
@@ -129,7 +119,7 @@ pub fn frequency_bands<F: Float>(
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
     let ratio = |frequency: F| Ok::<F, Error>(ratios_of(body, frequency)?.omega());
-    let found = bands_with_damping(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
+    let found = bands(alpha, body.damping_ratio(), ratio(low)?, ratio(high)?)?;
     Ok(Bands { frequency: Some(Frequency { natural, low, high }), ..found })
 }
 

@@ -19,16 +19,21 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω, of those that do not stick:
-/// `max(√2 |K|, α_min)`.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, of those that do not stick:
+/// `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where the loop of friction alone counts.
 ///
-/// For Ω ≥ 1/2 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously: where
-/// they meet, rounding may name either. Accuracy at f64: 8 ulp.
+/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously: where
+/// they meet, rounding may name either. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
-/// [`Error::AtResonance`] at Ω = 1, where the loop grows without bound, and where Ω is outside the domain of
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside the domain of
 /// [`crate::Ratios`].
-pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
+pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
+    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
+    if ratios.is_damped() { Ok(optimum_with_damping(&ratios)) } else { optimum_without_damping(omega) }
+}
+
+fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
     let p = PhaseFunction::new(omega)?;
     if omega == F::int(1) {
         return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
@@ -50,29 +55,12 @@ pub fn most_dissipating_force_ratio<F: Float>(omega: F) -> Result<Optimum<F>, Er
     })
 }
 
-/// The same with a damping ratio ζ, where the loop of friction alone counts: `max(√(2Q(Q + qG)), α_min)`; at
-/// Ω = 1, too.
-///
-/// # Errors
-/// Where Ω or ζ is outside the domain of [`crate::Ratios`]; at ζ = 0 as [`most_dissipating_force_ratio`].
-pub fn most_dissipating_force_ratio_with_damping<F: Float>(
-    omega: F,
-    damping_ratio: F,
-) -> Result<Optimum<F>, Error> {
-    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    if ratios.is_damped() {
-        Ok(most_dissipating_with_damping(&ratios))
-    } else {
-        most_dissipating_force_ratio(omega)
-    }
-}
-
 /// The same at Ω and ζ > 0.
 ///
 /// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one
 /// change of sign for y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there
 /// on, as without damping.
-fn most_dissipating_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
+fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
     let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
     let least = border.min_force_ratio();
@@ -101,9 +89,9 @@ pub fn most_dissipating_friction<F: Float>(
 ) -> Result<Optimum<F>, Error> {
     let ratios = ratios_of(body, drive.angular_frequency())?;
     let best = if ratios.is_damped() {
-        most_dissipating_with_damping(&ratios)
+        optimum_with_damping(&ratios)
     } else {
-        most_dissipating_force_ratio(ratios.omega())?
+        optimum_without_damping(ratios.omega())?
     };
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let energy = best.value * (p0 / F::int(2) * (p0 / body.stiffness()));
@@ -128,7 +116,7 @@ mod tests {
     fn none_that_does_not_stick_is_better() {
         for i in 1..400 {
             let omega = 0.01 * f64::from(i) + 0.003;
-            let best = most_dissipating_force_ratio(omega).unwrap();
+            let best = most_dissipating_force_ratio(omega, 0.0).unwrap();
             let found = loop_size(omega, best.at * (1.0 + 1e-15));
             assert!((found / best.value - 1.0).abs() < 1e-12, "{omega}");
             let least = crate::Border::new(omega).unwrap().min_force_ratio();
@@ -141,14 +129,14 @@ mod tests {
 
     #[test]
     fn which_one_it_is() {
-        let optimum = |omega| most_dissipating_force_ratio::<f64>(omega).unwrap().kind;
+        let optimum = |omega| most_dissipating_force_ratio::<f64>(omega, 0.0).unwrap().kind;
         // Ω|T| ≥ 1 at 1.5, not at 0.6, and K = 0 at 0.5.
         assert_eq!(optimum(1.5), OptimumKind::Interior);
         assert_eq!(optimum(0.6), OptimumKind::Border);
         assert_eq!(optimum(0.5), OptimumKind::Border);
-        let at_half = most_dissipating_force_ratio(0.5f64).unwrap();
+        let at_half = most_dissipating_force_ratio(0.5f64, 0.0).unwrap();
         assert_eq!((at_half.at, at_half.value), (3.0, 8.0 * 4.0 / 9.0));
-        assert!(matches!(most_dissipating_force_ratio(1.0), Err(Error::AtResonance { .. })));
+        assert!(matches!(most_dissipating_force_ratio(1.0, 0.0), Err(Error::AtResonance { .. })));
     }
 
     #[test]

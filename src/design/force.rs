@@ -1,4 +1,4 @@
-//! The least drive that keeps the body sliding at a given frequency.
+//! The minimum drive that keeps the body sliding at a given frequency.
 
 use crate::error::{Error, Quantity};
 use crate::float::Float;
@@ -6,47 +6,29 @@ use crate::nonsticking::Border;
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, positive};
 
-/// The least force amplitude p₀ that keeps `body` sliding at the angular frequency ω_d: `p₀ = r_y α_min(Ω)`.
-///
-/// Unit of force. Sliding from it on, and not just below it: α_min is the exact border. With a static
-/// friction above the kinetic one it keeps a body sliding that already slides; one that begins at rest may
-/// settle on another motion. At Ω = 1 the motion grows without bound from there on. Relative accuracy at f64:
-/// that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times [`Border::sensitivity`].
-///
-/// # Errors
-/// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or p₀ over- or underflows.
-pub fn least_force<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
-    let border = border_of(body, angular_frequency)?;
-    positive(Quantity::ForceAmplitude, body.friction_bound() * border.min_force_ratio())
-}
-
-/// The least amplitude u_g0 of a base motion that keeps `body` sliding at ω_d: `u_g0 = p₀/k = B α_min(Ω)`.
-///
-/// Unit of length; otherwise as [`least_force`].
-///
-/// # Errors
-/// As [`least_force`].
-pub fn least_base_amplitude<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
-    let border = border_of(body, angular_frequency)?;
-    positive(Quantity::BaseAmplitude, body.friction_displacement() * border.min_force_ratio())
-}
-
-/// The least amplitude of an excitation that keeps `body` sliding at ω_d, whatever shakes it: that with
+/// The minimum amplitude of an excitation that keeps `body` sliding at the angular frequency ω_d: that with
 /// `p₀ = r_y α_min(Ω)`.
 ///
-/// In the unit of the amplitude, such as that of an acceleration. Every excitation is proportional to its
-/// amplitude, and the border does not depend on it: otherwise as [`least_force`].
+/// In the unit of the amplitude, such as that of a force or of an acceleration. α_min is the exact border: the body slides
+/// from this amplitude on, and sticks just below it. With a static friction above the kinetic one it keeps a body sliding
+/// that already slides; one that begins at rest may settle on another motion. At Ω = 1 without damping the motion grows
+/// without bound from there on.
+///
+/// Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times the elasticity
+/// `(Ω/α_min) dα_min/dΩ`.
 ///
 /// # Errors
-/// As [`least_force`].
-pub fn least_amplitude<F: Float>(
+/// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or the force or the amplitude over- or
+/// underflows.
+pub fn min_amplitude<F: Float>(
     body: &Oscillator<F>,
     excitation: Excitation,
     angular_frequency: F,
 ) -> Result<F, Error> {
     let unit = Drive::new(excitation, F::int(1), angular_frequency)?.force_amplitude(body);
-    let amplitude = least_force(body, angular_frequency)? / unit;
-    Ok(Drive::new(excitation, amplitude, angular_frequency)?.amplitude())
+    let border = border_of(body, angular_frequency)?;
+    let force = positive(Quantity::ForceAmplitude, body.friction_bound() * border.min_force_ratio())?;
+    Ok(Drive::new(excitation, force / unit, angular_frequency)?.amplitude())
 }
 
 /// The border of `body`, with its damping and its static friction, at ω_d.
@@ -66,7 +48,7 @@ pub(super) fn frequency_ratio_of<F: Float>(body: &Oscillator<F>, angular_frequen
 
 #[cfg(test)]
 mod tests {
-    use super::{least_amplitude, least_base_amplitude, least_force};
+    use super::min_amplitude;
     use crate::{Border, Drive, Error, Excitation, Oscillator, Quantity};
 
     #[test]
@@ -74,7 +56,7 @@ mod tests {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
         for omega in [0.4, 0.7, 1.0, 3.0] {
             let least = Border::with_damping(omega, 0.05).unwrap().min_force_ratio();
-            let force: f64 = least_force(&body, 2.0 * omega).unwrap();
+            let force: f64 = min_amplitude(&body, Excitation::Force, 2.0 * omega).unwrap();
             assert!((force / (3.0 * least) - 1.0).abs() < 1e-13, "{omega}: {force}");
             for excitation in [
                 Excitation::Force,
@@ -82,7 +64,7 @@ mod tests {
                 Excitation::SurfaceMotion,
                 Excitation::SurfaceAcceleration,
             ] {
-                let amplitude = least_amplitude(&body, excitation, 2.0 * omega).unwrap();
+                let amplitude = min_amplitude(&body, excitation, 2.0 * omega).unwrap();
                 let drive = Drive::new(excitation, amplitude, 2.0 * omega).unwrap();
                 assert!((drive.force_amplitude(&body) / force - 1.0).abs() < 1e-14, "{omega}");
             }
@@ -99,9 +81,9 @@ mod tests {
             (0.5, 3.0),
             (1.0, 4.0 / std::f64::consts::PI),
         ] {
-            let force: f64 = least_force(&body, 2.0 * omega).unwrap();
+            let force: f64 = min_amplitude(&body, Excitation::Force, 2.0 * omega).unwrap();
             assert!((force / (3.0 * border) - 1.0).abs() < 1e-14, "{omega}: {force}");
-            let base: f64 = least_base_amplitude(&body, 2.0 * omega).unwrap();
+            let base: f64 = min_amplitude(&body, Excitation::FootMotion, 2.0 * omega).unwrap();
             assert!((base * 8.0 / force - 1.0).abs() < 1e-15);
         }
     }
@@ -110,10 +92,16 @@ mod tests {
     fn what_is_wrong_is_named() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
         let quantity = |e: Error| e.quantity();
-        assert_eq!(quantity(least_force(&body, -1.0).unwrap_err()), Some(Quantity::AngularFrequency));
-        assert_eq!(quantity(least_force(&body, 1e300).unwrap_err()), Some(Quantity::FrequencyRatio));
+        assert_eq!(
+            quantity(min_amplitude(&body, Excitation::Force, -1.0).unwrap_err()),
+            Some(Quantity::AngularFrequency)
+        );
+        assert_eq!(
+            quantity(min_amplitude(&body, Excitation::Force, 1e300).unwrap_err()),
+            Some(Quantity::FrequencyRatio)
+        );
         let stiff = Oscillator::new(1e200, 1e200, 1e-200).unwrap();
-        let error = least_base_amplitude(&stiff, 1.0).unwrap_err();
+        let error = min_amplitude(&stiff, Excitation::FootMotion, 1.0).unwrap_err();
         assert_eq!(quantity(error), Some(Quantity::BaseAmplitude));
     }
 }

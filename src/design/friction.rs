@@ -1,4 +1,4 @@
-//! The greatest friction that lets the body slide under a given drive.
+//! The maximum friction that lets the body slide under a given drive.
 
 use super::force::border_of;
 use crate::error::{Error, Quantity};
@@ -6,22 +6,22 @@ use crate::float::Float;
 use crate::oscillator::{Drive, Oscillator};
 use crate::ratios::positive;
 
-/// The greatest friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
+/// The maximum friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
 /// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. Any smaller
 /// bound slides, and no greater one, because Ω does not depend on friction. Accuracy as
-/// [`super::least_force`].
+/// [`super::min_amplitude`].
 ///
 /// # Errors
 /// Where Ω leaves the domain of [`crate::Ratios`], or r_y over- or underflows.
-pub fn greatest_friction<F: Float>(body: &Oscillator<F>, drive: &Drive<F>) -> Result<F, Error> {
+pub fn max_friction<F: Float>(body: &Oscillator<F>, drive: &Drive<F>) -> Result<F, Error> {
     let border = border_of(body, drive.angular_frequency())?;
     positive(Quantity::FrictionBound, drive.force_amplitude(body) / border.min_force_ratio())
 }
 
 #[cfg(test)]
 mod tests {
-    use super::greatest_friction;
+    use super::max_friction;
     use crate::{Drive, Oscillator, Regime, Response};
 
     #[test]
@@ -30,7 +30,7 @@ mod tests {
             let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
             for drive in [Drive::force(12.0, 2.0 * omega), Drive::base_motion(1.5, 2.0 * omega)] {
                 let drive = drive.unwrap();
-                let friction: f64 = greatest_friction(&body, &drive).unwrap();
+                let friction: f64 = max_friction(&body, &drive).unwrap();
                 let regime = |share: f64| {
                     let body = Oscillator::new(2.0, 8.0, friction * share).unwrap();
                     Response::new(drive.ratios(&body).unwrap()).regime()

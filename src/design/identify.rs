@@ -20,6 +20,7 @@ use crate::float::{Field, dual::Dual};
 use crate::nonsticking::damped;
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, finite, positive};
+use crate::uncertainty::Estimate;
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,32 +33,6 @@ pub struct Measurement {
     /// Phase ω_d t₂ of the maximum displacement, if it was measured: radians behind that of the force at ω_d
     /// t = 0.
     pub phase: Option<f64>,
-}
-
-/// An estimate with its standard error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-#[must_use]
-pub struct Estimate {
-    /// The value that explains the measurements best.
-    pub value: f64,
-    /// Its standard error.
-    pub standard_error: f64,
-    degrees_of_freedom: usize,
-}
-
-impl Estimate {
-    /// The interval that holds the true value in 95 % of such measurements, if their errors are independent
-    /// and normal.
-    ///
-    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 %
-    /// from 3 of them on.
-    #[must_use]
-    pub fn interval(&self) -> (f64, f64) {
-        let half = student(self.degrees_of_freedom) * self.standard_error;
-        (self.value - half, self.value + half)
-    }
 }
 
 /// What a measured response curve says of friction and damping.
@@ -267,8 +242,8 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
 /// The estimates with their errors.
 fn report(points: &[Point], used: &[bool], parameters: Parameters, force: f64) -> Identified {
     let n = normal(points, used, parameters);
-    let degrees_of_freedom = n.count.saturating_sub(2);
-    let variance = n.sum / degrees_of_freedom as f64;
+    let degrees_of_freedom = n.count.saturating_sub(2) as f64;
+    let variance = n.sum / degrees_of_freedom;
     let [a, b, c] = n.matrix;
     let determinant = a * c - b * b;
     let estimate =
@@ -284,16 +259,6 @@ fn report(points: &[Point], used: &[bool], parameters: Parameters, force: f64) -
         noise: variance.sqrt(),
         residuals: points.iter().zip(used).map(residual).collect(),
     }
-}
-
-/// The 97.5 % quantile of Student's distribution (Abramowitz and Stegun, 26.7.5).
-fn student(degrees_of_freedom: usize) -> f64 {
-    let (z, n) = (1.959_963_984_540_054_f64, degrees_of_freedom as f64);
-    let square = z * z;
-    let first = z * (square + 1.0) / 4.0;
-    let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
-    let third = z * (((3.0 * square + 19.0) * square + 17.0) * square - 15.0) / 384.0;
-    z + first / n + second / (n * n) + third / (n * n * n)
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ use crate::root;
 /// Unit of force. Proved and searched as there.
 ///
 /// # Errors
-/// As [`super::least_force`].
+/// As [`super::min_amplitude`].
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
     let found = no_stop_force_ratios(frequency_ratio_of(body, angular_frequency)?)?;
     let forces = found.map(|x| body.friction_bound() * x);
@@ -64,7 +64,7 @@ pub struct NoStopBand<F> {
 /// As [`bands`].
 pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoStopBand<F>>, Error> {
     let mut found = Vec::new();
-    for band in bands(alpha, low, high)? {
+    for band in bands(alpha, F::int(0), low, high)? {
         let band = band?;
         found.push(NoStopBand {
             low: band.low,

@@ -32,7 +32,7 @@
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
 
-use super::dissipation::most_dissipating_force_ratio_with_damping;
+use super::dissipation::most_dissipating_force_ratio;
 use super::force::ratios_of;
 use super::optimum::{BoundedOptimum, Optimum, OptimumKind};
 use crate::error::{Error, Quantity, written};
@@ -188,8 +188,10 @@ impl<F: Float> Search<F> {
 /// Intervals of the first look.
 const COARSE: i32 = 32;
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω, sticking allowed: the global maximum to within a relative
-/// `tolerance` in A₁, by the bound of the module's head. [`Error::NotSettled`] where a motion is not known that well.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, sticking allowed: the global
+/// maximum to within a relative `tolerance` in A₁, by the bound of the module's head.
+///
+/// With a damper only the loop of friction counts.
 ///
 /// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the precision, as any point
 /// of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick for the best, it is
@@ -197,34 +199,24 @@ const COARSE: i32 = 32;
 ///
 /// ```
 /// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
-/// let best = most_dissipating_force_ratio_of_all(0.3_f64, 1e-4)?;
+/// let best = most_dissipating_force_ratio_of_all(0.3_f64, 0.0, 1e-4)?;
 /// assert_eq!(best.kind, OptimumKind::Sticking);
 /// assert!(best.value > 2.0 * best.non_sticking.value && best.bound < best.value * 1.0001);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
 /// # Errors
-/// [`Error::AtResonance`] at Ω = 1, [`Error::NotSettled`] where a motion creeps too long for its work to be known (Ω beside 1/n), where
-/// `tolerance` is not in [ε^½, 1], and as for [`crate::exact::Trajectory::new`].
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its work to be known
+/// (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of [`Ratios`], and as for
+/// [`crate::exact::Trajectory::new`].
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
-    omega: F,
-    tolerance: F,
-) -> Result<BoundedOptimum<F>, Error> {
-    most_dissipating_force_ratio_of_all_with_damping(omega, F::int(0), tolerance)
-}
-
-/// The same with a damping ratio ζ, where the loop of friction alone counts, at Ω = 1, too: with a damper the bound of the module's head holds as well.
-///
-/// # Errors
-/// As there, and where ζ is outside the domain of [`Ratios`].
-pub fn most_dissipating_force_ratio_of_all_with_damping<F: Float>(
     omega: F,
     damping_ratio: F,
     tolerance: F,
 ) -> Result<BoundedOptimum<F>, Error> {
     let (one, zeta) = (F::int(1), damping_ratio);
     let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
-    let non_sticking = most_dissipating_force_ratio_with_damping(omega, zeta)?;
+    let non_sticking = most_dissipating_force_ratio(omega, zeta)?;
     let border = Border::with_damping(omega, zeta)?;
     let least = border.min_force_ratio();
     let share = one / least;
@@ -244,10 +236,11 @@ pub fn most_dissipating_force_ratio_of_all_with_damping<F: Float>(
     Ok(BoundedOptimum { at, value, kind, bound, non_sticking, motions: sticking.motions })
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle, sticking allowed: [`most_dissipating_force_ratio_of_all`] in
-/// physical units.
+/// The friction bound with which `drive` dissipates most in a cycle, sticking allowed:
+/// [`most_dissipating_force_ratio_of_all`] in physical units.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is the energy that friction takes.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is the energy
+/// that friction takes.
 ///
 /// # Errors
 /// As there, and where r_y or the energy over- or underflows.
@@ -258,7 +251,7 @@ pub fn most_dissipating_friction_of_all<F: Float>(
 ) -> Result<BoundedOptimum<F>, Error> {
     let ratios = ratios_of(body, drive.angular_frequency())?;
     let (omega, zeta) = (ratios.omega(), ratios.damping_ratio());
-    let best = most_dissipating_force_ratio_of_all_with_damping(omega, zeta, tolerance)?;
+    let best = most_dissipating_force_ratio_of_all(omega, zeta, tolerance)?;
     let p0 = positive(Quantity::ForceAmplitude, drive.force_amplitude(body))?;
     let unit = p0 / F::int(2) * (p0 / body.stiffness());
     let (sliding, friction) = (best.non_sticking, |alpha| positive(Quantity::FrictionBound, p0 / alpha));

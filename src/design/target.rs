@@ -11,19 +11,28 @@ use crate::ratios::{Ratios, positive};
 
 /// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
 ///
-/// `α = hypot(K, (1 − Ω²) Δ₀/B)`: closed form, and the only one, Δ₀ growing with α. Accuracy at f64: 8 ulp.
+/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`: closed forms, and the only
+/// solutions, because Δ₀ grows with α. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
-/// [`Error::TargetSticks`] where Δ₀/B is below `S(Ω)`, [`Error::AtResonance`] at Ω = 1, and where an argument is not finite
-/// or not > 0.
-pub fn force_ratio_for_displacement<F: Float>(omega: F, max_displacement: F) -> Result<F, Error> {
-    displacement_target(omega, max_displacement, F::int(1), Quantity::MaxDisplacementRatio)
+/// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at Ω = 1 for ζ = 0,
+/// and where an argument is outside its domain.
+pub fn force_ratio_for_displacement<F: Float>(
+    omega: F,
+    damping_ratio: F,
+    max_displacement: F,
+) -> Result<F, Error> {
+    let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxDisplacementRatio);
+    if ratios.is_damped() {
+        damped_displacement_target(&ratios, max_displacement, F::int(1), quantity)
+    } else {
+        displacement_target(omega, max_displacement, F::int(1), quantity)
+    }
 }
 
 /// The force amplitude p₀ with which `body` at ω_d has the maximum displacement Δ₀ (unit of length).
 ///
-/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k. With a damper `α = hypot(K, q (Δ₀/B + G))`, at
-/// Ω = 1 too.
+/// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
 /// As there, the values in physical units.
@@ -42,64 +51,41 @@ pub fn force_for_displacement<F: Float>(
     positive(Quantity::ForceAmplitude, alpha * body.friction_bound())
 }
 
-/// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d).
+/// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
-/// V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0 (`src/nonsticking/velocity.rs`),
-/// so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its value at ψ = 0. So the target itself, as Δ₀, is
-/// at or beyond the only solution, and Newton's method falls on it from there without a bracket. Accuracy at f64: 16 ulp.
-///
-/// # Errors
-/// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, otherwise as [`force_ratio_for_displacement`].
-pub fn force_ratio_for_velocity<F: Float>(omega: F, max_velocity: F) -> Result<F, Error> {
-    velocity_target(omega, max_velocity, F::int(1), Quantity::MaxVelocityRatio)
-}
-
-/// The force ratio whose non-sticking cycle with the damping ratio ζ has the maximum displacement Δ₀/B: `α = hypot(K, q (Δ₀/B + G))`, the only
-/// one, at Ω = 1, too.
-///
-/// # Errors
-/// As [`force_ratio_for_displacement`], and where ζ is not in its domain.
-pub fn force_ratio_for_displacement_with_damping<F: Float>(
-    omega: F,
-    damping_ratio: F,
-    max_displacement: F,
-) -> Result<F, Error> {
-    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    if !ratios.is_damped() {
-        return force_ratio_for_displacement(omega, max_displacement);
-    }
-    damped_displacement_target(&ratios, max_displacement, F::int(1), Quantity::MaxDisplacementRatio)
-}
-
-/// The force ratio whose non-sticking cycle with the damping ratio ζ has the maximum velocity V₀/(Bω_d): the only one, as without
-/// damping, because V₀ grows with the amplitude a of the driven part and is convex in it; at Ω = 1, too.
+/// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
+/// (`src/nonsticking/velocity.rs`), so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its value at ψ = 0.
+/// The target itself, as Δ₀, is therefore at or beyond the only solution, and Newton's method descends to it without a
+/// bracket. With damping V₀ grows with the amplitude of the driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
-/// let alpha: f64 = stickslip::design::force_ratio_for_velocity_with_damping(1.0, 0.05, 8.0)?;
+/// let alpha: f64 = stickslip::design::force_ratio_for_velocity(1.0, 0.05, 8.0)?;
 /// let cycle = Cycle::new(Ratios::new(1.0, alpha)?.with_damping_ratio(0.05)?)?;
 /// assert!((cycle.max_velocity() - 8.0).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
 /// # Errors
-/// As [`force_ratio_for_velocity`], and where ζ is not in its domain.
-pub fn force_ratio_for_velocity_with_damping<F: Float>(
-    omega: F,
-    damping_ratio: F,
-    max_velocity: F,
-) -> Result<F, Error> {
-    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    if !ratios.is_damped() {
-        return force_ratio_for_velocity(omega, max_velocity);
+/// [`Error::TargetSticks`] where V₀ is below that of the cycle on the border, otherwise as
+/// [`force_ratio_for_displacement`].
+pub fn force_ratio_for_velocity<F: Float>(omega: F, damping_ratio: F, max_velocity: F) -> Result<F, Error> {
+    let (ratios, quantity) = (ratios_at(omega, damping_ratio)?, Quantity::MaxVelocityRatio);
+    if ratios.is_damped() {
+        damped_velocity_target(&ratios, max_velocity, F::int(1), quantity)
+    } else {
+        velocity_target(omega, max_velocity, F::int(1), quantity)
     }
-    damped_velocity_target(&ratios, max_velocity, F::int(1), Quantity::MaxVelocityRatio)
+}
+
+/// Ω and ζ, with a force ratio of 1.
+fn ratios_at<F: Float>(omega: F, damping_ratio: F) -> Result<Ratios<F>, Error> {
+    Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)
 }
 
 /// The force amplitude p₀ with which `body` at ω_d has the maximum velocity V₀ (unit of velocity).
 ///
-/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k. With a damper
-/// [`force_ratio_for_velocity_with_damping`].
+/// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
 /// As there, the values in physical units.
@@ -244,9 +230,9 @@ mod tests {
     #[test]
     fn at_the_reference_point() {
         // (1.5, 2.5): Δ₀/B and V₀/(Bω_d) to 16 digits.
-        let alpha: f64 = force_ratio_for_displacement(1.5, 1.632_993_161_855_452).unwrap();
+        let alpha: f64 = force_ratio_for_displacement(1.5, 0.0, 1.632_993_161_855_452).unwrap();
         assert!((alpha - 2.5).abs() < 1e-15);
-        let alpha: f64 = force_ratio_for_velocity(1.5, 1.654_152_276_482_076).unwrap();
+        let alpha: f64 = force_ratio_for_velocity(1.5, 0.0, 1.654_152_276_482_076).unwrap();
         assert!((alpha - 2.5).abs() < 1e-15, "{alpha}");
     }
 
@@ -267,12 +253,12 @@ mod tests {
     #[test]
     fn a_target_that_would_stick() {
         // S(0.4) (1 − Ω²) is √(α_min² − K²).
-        let error = force_ratio_for_displacement(0.7, 2.0).unwrap_err();
+        let error = force_ratio_for_displacement(0.7, 0.0, 2.0).unwrap_err();
         assert!(error.to_string().starts_with("maximum displacement Δ₀/B = 2 must be ≥ 2.04"), "{error}");
-        assert!(matches!(force_ratio_for_velocity(0.7, 2.0), Err(Error::TargetSticks { .. })));
-        assert!(matches!(force_ratio_for_velocity(1.0, 9.0), Err(Error::AtResonance { .. })));
-        assert!(force_ratio_for_displacement(0.7, f64::NAN).is_err());
-        assert!(force_ratio_for_displacement(0.7, 1e300).is_err());
+        assert!(matches!(force_ratio_for_velocity(0.7, 0.0, 2.0), Err(Error::TargetSticks { .. })));
+        assert!(matches!(force_ratio_for_velocity(1.0, 0.0, 9.0), Err(Error::AtResonance { .. })));
+        assert!(force_ratio_for_displacement(0.7, 0.0, f64::NAN).is_err());
+        assert!(force_ratio_for_displacement(0.7, 0.0, 1e300).is_err());
     }
 
     #[test]

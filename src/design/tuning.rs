@@ -43,7 +43,7 @@ use crate::root;
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range contains Ω = 1,
 /// at which A₂ is infinite, and as [`bands`].
 pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
-    bands(alpha, low, high)?;
+    bands(alpha, F::int(0), low, high)?;
     let lowest = low.or_larger(Lobe::new(u16::MAX).low_pole());
     let (first, last) = ordered_lobes(lowest, high)?;
     let mut best: Option<Optimum<F>> = None;

@@ -16,49 +16,35 @@ pub(crate) use signature::at_zero;
 
 /// A limit, and how many starts lead to it.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[non_exhaustive]
 #[must_use]
 pub struct Attractor<F> {
-    limit: LongRun<F>,
-    first_start: usize,
-    starts: u64,
-    mirror: Option<usize>,
-    range: Option<(F, F)>,
-    /// Of a periodic motion.
-    orbit: Option<Orbit<F>>,
-}
-
-impl<F: Float> Attractor<F> {
     /// The limit, as the first of its starts led to it.
-    pub const fn limit(&self) -> &LongRun<F> {
-        &self.limit
-    }
-
+    pub limit: LongRun<F>,
     /// The first of its starts, by its place in the list.
-    pub const fn first_start(&self) -> usize {
-        self.first_start
-    }
-
+    pub first_start: usize,
     /// How many of the starts lead to it.
-    pub const fn starts(&self) -> u64 {
-        self.starts
-    }
-
-    /// The limit that is this one turned upside down, by its place among those found; `None` where it is symmetric, and where no start
-    /// led to that one.
-    pub const fn mirror(&self) -> Option<usize> {
-        self.mirror
-    }
-
-    /// From the least to the greatest place of rest x/B, or middle of a member of a family, that was found; `None` for all other limits.
-    pub const fn range(&self) -> Option<(F, F)> {
-        self.range
-    }
+    pub starts: u64,
+    /// The limit that is this one turned upside down, by its place among those found; `None` where it is symmetric, and
+    /// where no start led to that one.
+    pub mirror: Option<usize>,
+    /// The lowest and the highest place of rest x/B, or middle of a member of a family, that was found; `None` for all other
+    /// limits.
+    pub range: Option<(F, F)>,
+    /// Of a periodic motion.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    orbit: Option<Orbit<F>>,
 }
 
 /// The limits of a set of starts, each once, in the order of their first starts.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
 #[must_use]
 pub struct Attractors<F> {
+    #[cfg_attr(feature = "serde", serde(rename = "limits"))]
     found: Vec<Attractor<F>>,
     of_start: Vec<Option<usize>>,
 }
@@ -74,7 +60,7 @@ pub struct Attractors<F> {
 /// let found = attractors(ratios, &starts, 1000)?;
 /// // A motion and its mirror image, one stop in each cycle.
 /// assert_eq!(found.limits().len(), 2);
-/// assert_eq!((found.limits()[0].mirror(), found.limits()[1].mirror()), (Some(1), Some(0)));
+/// assert_eq!((found.limits()[0].mirror, found.limits()[1].mirror), (Some(1), Some(0)));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -200,7 +186,7 @@ impl<F: Float> Attractor<F> {
                 None => Likeness::Other,
             },
             (LongRun::Irregular(own), &Signature::Irregular { max_displacement, min_displacement }) => {
-                alike((own.max_displacement(), own.min_displacement()), (max_displacement, min_displacement))
+                alike((own.max_displacement, own.min_displacement), (max_displacement, min_displacement))
             }
             (LongRun::Family(_), Signature::Family { .. })
             | (LongRun::Rest(_), Signature::Rest { .. })

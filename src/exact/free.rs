@@ -29,10 +29,10 @@ use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 ///
 /// ```
 /// use stickslip::exact::FreeDecay;
-/// let decay = FreeDecay::new(12.0f64, 6.0)?;
+/// let decay = FreeDecay::new(12.0f64, 6.0, 0.0, 1.0)?;
 /// assert_eq!(decay.half_cycles(), 8);
 /// assert!((decay.rest_position() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
-/// let damped = FreeDecay::with_damping(12.0f64, 6.0, 0.05)?;
+/// let damped = FreeDecay::new(12.0f64, 6.0, 0.05, 1.0)?;
 /// assert_eq!(damped.half_cycles(), 6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -50,32 +50,18 @@ pub struct FreeDecay<F> {
 }
 
 impl<F: Float> FreeDecay<F> {
-    /// Free vibration without damping from the displacement x₀/B and the velocity v₀/(Bω_n).
+    /// Free vibration from the displacement x₀/B and the velocity v₀/(Bω_n), with the damping ratio ζ (0 without a damper) and a
+    /// static friction of η ≥ 1 times the kinetic one (1 for one friction).
     ///
     /// # Errors
-    /// Where one of them is not finite or too large for the type.
-    pub fn new(x: F, v: F) -> Result<Self, Error> {
-        Self::with_damping(x, v, F::int(0))
-    }
-
-    /// The same with viscous damping of the ratio ζ.
-    ///
-    /// # Errors
-    /// As for [`FreeDecay::new`], and where ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`, e = [`Float::RATIO_EXPONENT`].
-    pub fn with_damping(x: F, v: F, zeta: F) -> Result<Self, Error> {
-        Self::with_frictions(x, v, zeta, F::int(1))
-    }
-
-    /// The same with a static friction of η times the kinetic one, too.
-    ///
-    /// # Errors
-    /// As for [`FreeDecay::with_damping`], and where η is not within `[1, 2²⁰]`.
-    pub fn with_frictions(x: F, v: F, zeta: F, static_friction_ratio: F) -> Result<Self, Error> {
+    /// Where x₀ or v₀ is not finite or too large for the type, ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`,
+    /// e = [`Float::RATIO_EXPONENT`], or η is not within `[1, 2²⁰]`.
+    pub fn new(x: F, v: F, damping_ratio: F, static_friction_ratio: F) -> Result<Self, Error> {
         let start = State::new(F::int(0), x, v)?;
         let eta = valid_static_friction_ratio(static_friction_ratio)?;
         crate::ratios::within(Quantity::StaticFrictionRatio, eta, F::int(1), F::exp2i(20))?;
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-        let zeta = valid_damping_ratio(zeta)?;
+        let zeta = valid_damping_ratio(damping_ratio)?;
         if zeta > zero {
             crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(20))?;
         }
@@ -249,7 +235,7 @@ mod tests {
             (2.0, 0.0),
         ];
         for (x, v) in starts {
-            let decay = FreeDecay::new(x, v).unwrap();
+            let decay = FreeDecay::new(x, v, 0.0, 1.0).unwrap();
             let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
             let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
             let last = phases.last().unwrap();
@@ -276,7 +262,7 @@ mod tests {
                 (-2.5, 0.0),
                 (900.0, 1.0),
             ] {
-                let decay = FreeDecay::with_damping(x, v, zeta).unwrap();
+                let decay = FreeDecay::new(x, v, zeta, 1.0).unwrap();
                 let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
                 let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
                 let last = phases.last().unwrap();
@@ -302,7 +288,7 @@ mod tests {
         for (x, v) in [(12.0f64, 6.0f64), (0.3, 0.0), (5.5, -2.0), (-40.0, 17.0), (1.2, 0.0), (2.4, 0.0)] {
             for zeta in [0.0f64, 0.01, 0.2] {
                 for eta in [1.0f64, 1.3, 2.5, 7.0] {
-                    let decay = FreeDecay::with_frictions(x, v, zeta, eta).unwrap();
+                    let decay = FreeDecay::new(x, v, zeta, eta).unwrap();
                     let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
                     let slides = phases.iter().filter(|p| p.kind() != Kind::Stick).count() as u64;
                     let last = phases.last().unwrap();
@@ -314,7 +300,7 @@ mod tests {
                 }
             }
         }
-        let message = |eta| FreeDecay::with_frictions(1.0, 0.0, 0.0, eta).unwrap_err().to_string();
+        let message = |eta| FreeDecay::new(1.0, 0.0, 0.0, eta).unwrap_err().to_string();
         assert!(message(0.9).starts_with("static friction ratio η = 0.9 must be ≥ 1"));
     }
 
@@ -323,7 +309,7 @@ mod tests {
     fn far_out_the_decrement_is_the_viscous_one() {
         let (zeta, x) = (0.1f64, 1e9);
         let ratio = (-std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
-        let decay = FreeDecay::with_damping(x, 0.0, zeta).unwrap();
+        let decay = FreeDecay::new(x, 0.0, zeta, 1.0).unwrap();
         let turns = decay.half_cycles() as f64;
         // κⁿx = coth(ζπ/2d) + 1 or a little less at rest.
         let last = x * ratio.powf(turns);
@@ -333,7 +319,7 @@ mod tests {
     #[test]
     fn the_textbook_case() {
         // m = k = r_y = 1, x₀ = 12, v₀ = 6
-        let decay = FreeDecay::new(12.0f64, 6.0).unwrap();
+        let decay = FreeDecay::new(12.0f64, 6.0, 0.0, 1.0).unwrap();
         assert_eq!(decay.half_cycles(), 8);
         assert!((decay.rest_position() - 0.682_178_936_723_647).abs() < 1e-14);
     }
@@ -344,21 +330,21 @@ mod tests {
         for (x, rest) in
             [(1.5, 0.5), (-1.5, -0.5), (1.01, 0.99), (2.0, 0.0), (-2.0, 0.0), (2.5, -0.5), (-3.0, 1.0)]
         {
-            let decay = FreeDecay::new(x, 0.0f64).unwrap();
+            let decay = FreeDecay::new(x, 0.0f64, 0.0, 1.0).unwrap();
             assert_eq!((decay.half_cycles(), decay.rest_time()), (1, std::f64::consts::PI), "{x}");
             let found = decay.rest_position();
             assert!((found - rest).abs() < 1e-15 && found.signum() == rest.signum(), "{x}: {found}");
         }
         for x in [1.0, -1.0, 0.999, 0.0] {
-            let decay = FreeDecay::new(x, 0.0f64).unwrap();
+            let decay = FreeDecay::new(x, 0.0f64, 0.0, 1.0).unwrap();
             assert_eq!((decay.half_cycles(), decay.rest_position(), decay.rest_time()), (0, x, 0.0));
         }
     }
 
     #[test]
     fn bad_starts_are_named() {
-        let message = |x: f64, v: f64| FreeDecay::new(x, v).unwrap_err().to_string();
-        let damped = FreeDecay::with_damping(1.0, 0.0, -0.5).unwrap_err().to_string();
+        let message = |x: f64, v: f64| FreeDecay::new(x, v, 0.0, 1.0).unwrap_err().to_string();
+        let damped = FreeDecay::new(1.0, 0.0, -0.5, 1.0).unwrap_err().to_string();
         assert_eq!(damped, "damping ratio ζ = -0.5 must be ≥ 0");
         assert_eq!(message(f64::NAN, 0.0), "displacement x/B = NaN must be finite");
         assert_eq!(message(0.0, f64::INFINITY), "velocity v = inf must be finite");

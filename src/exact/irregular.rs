@@ -8,64 +8,36 @@ use crate::float::Float;
 /// All of it is observed over the turns followed, after a quarter of them: no proof that the motion stays irregular for ever. Displacements in
 /// units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[non_exhaustive]
 #[must_use]
 pub struct Irregular<F> {
-    pub(crate) state: State<F>,
-    pub(crate) exponent: F,
-    pub(crate) exponent_error: F,
-    pub(crate) max_displacement: F,
-    pub(crate) min_displacement: F,
-    pub(crate) stops: u64,
-    pub(crate) turns: u64,
-    pub(crate) periods: F,
+    /// The larger Lyapunov exponent per turn of the drive: on average a small distance grows by `e^λ` in a turn. From the
+    /// exact linearised motion, by a disturbance that is carried along.
+    pub lyapunov_exponent: F,
+    /// The standard error of that average, from the means of 32 parts of the time.
+    pub lyapunov_exponent_error: F,
+    /// The maximum displacement x/B over the turns observed.
+    pub max_displacement: F,
+    /// The minimum displacement x/B over the turns observed.
+    pub min_displacement: F,
+    /// Stops over the turns observed.
+    pub stops: u64,
+    /// Turns of the drive over which exponent, extrema and stops were observed.
+    #[cfg_attr(feature = "serde", serde(rename = "turns_observed"))]
+    pub turns: u64,
+    /// Periods of the drive that were followed in all.
+    pub periods: F,
+    /// The state reached in the end.
+    pub state: State<F>,
 }
 
 impl<F: Float> Irregular<F> {
-    /// The greater Lyapunov exponent by turn of the drive: a small distance grows by `e^λ` in a turn, on average. From the exact linearised
-    /// motion, by a disturbance that is carried along.
-    pub const fn lyapunov_exponent(&self) -> F {
-        self.exponent
-    }
-
-    /// Whether neighbours leave it exponentially: the exponent is above four times its standard error. Otherwise they neither leave nor approach
-    /// it, as in a quasi-periodic motion.
+    /// Whether neighbours leave it exponentially: the exponent is above four times its standard error. Otherwise they neither
+    /// leave nor approach it, as in a quasi-periodic motion.
     pub fn is_chaotic(&self) -> bool {
-        self.exponent > F::int(4) * self.exponent_error
-    }
-
-    /// The standard error of that average, from the means of 32 parts of the time.
-    pub const fn lyapunov_exponent_error(&self) -> F {
-        self.exponent_error
-    }
-
-    /// The greatest displacement x/B that was met.
-    pub const fn max_displacement(&self) -> F {
-        self.max_displacement
-    }
-
-    /// The least displacement x/B that was met.
-    pub const fn min_displacement(&self) -> F {
-        self.min_displacement
-    }
-
-    /// Stops that were met.
-    pub const fn stops(&self) -> u64 {
-        self.stops
-    }
-
-    /// Turns of the drive over which exponent, extrema and stops were observed.
-    pub const fn turns(&self) -> u64 {
-        self.turns
-    }
-
-    /// Periods of the drive that were followed in all.
-    pub const fn periods(&self) -> F {
-        self.periods
-    }
-
-    /// The state reached in the end.
-    pub const fn state(&self) -> State<F> {
-        self.state
+        self.lyapunov_exponent > F::int(4) * self.lyapunov_exponent_error
     }
 }
 
@@ -115,7 +87,7 @@ mod tests {
                 let start = State::new(0.0, x, v).unwrap();
                 let limit = LongRun::within(ratios, start, 16_000).unwrap();
                 let LongRun::Irregular(motion) = limit else { panic!("{limit:?}") };
-                let (found, error) = (motion.lyapunov_exponent(), motion.lyapunov_exponent_error());
+                let (found, error) = (motion.lyapunov_exponent, motion.lyapunov_exponent_error);
                 assert!(motion.is_chaotic() && (found - expected).abs() < 0.03 * expected, "{motion:?}");
                 assert!(error < 0.02 * expected, "{motion:?}");
                 let parting = growth(ratios, start, 3000);

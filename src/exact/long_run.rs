@@ -206,7 +206,7 @@ impl<F: Float> LongRun<F> {
         match self {
             Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods()),
             Self::Rest(rest) => Some(rest.periods),
-            Self::Irregular(motion) => Some(motion.periods()),
+            Self::Irregular(motion) => Some(motion.periods),
             Self::Unbounded { .. } => None,
             Self::NotConverged { periods, .. } => Some(*periods),
         }
@@ -226,7 +226,7 @@ impl<F: Float> LongRun<F> {
     /// observed.
     pub fn extrema(&self) -> Option<(F, F)> {
         let of_cycle = |steady: &SteadyState<F>| (steady.min_displacement(), steady.max_displacement());
-        let irregular = self.irregular().map(|motion| (motion.min_displacement(), motion.max_displacement()));
+        let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
         irregular.or_else(|| self.steady_state().map(of_cycle))
     }
 }

@@ -15,24 +15,18 @@ use core::ops::ControlFlow;
 
 /// A periodic motion, found by a search.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[non_exhaustive]
 #[must_use]
 pub struct PeriodicMotion<F> {
-    steady: SteadyState<F>,
-    mirror: Option<usize>,
-    orbit: Orbit<F>,
-}
-
-impl<F: Float> PeriodicMotion<F> {
     /// The motion; [`SteadyState::is_stable`] says whether its neighbours approach it.
-    pub const fn steady_state(&self) -> &SteadyState<F> {
-        &self.steady
-    }
-
-    /// The motion that is this one turned upside down, by its place among those found; `None` where it is symmetric, and where the search
-    /// did not meet that one.
-    pub const fn mirror(&self) -> Option<usize> {
-        self.mirror
-    }
+    pub steady_state: SteadyState<F>,
+    /// The motion that is this one turned upside down, by its place among those found; `None` where it is symmetric, and
+    /// where the search did not meet that one.
+    pub mirror: Option<usize>,
+    #[cfg_attr(feature = "serde", serde(skip))]
+    orbit: Orbit<F>,
 }
 
 /// The periodic motions that a search found, each once, in the order it met them.
@@ -73,7 +67,7 @@ impl<F: Float> PeriodicMotions<F> {
             other.mirror = Some(place);
         }
         let orbit = Orbit::of(&steady, state)?;
-        self.found.push(PeriodicMotion { steady, mirror, orbit });
+        self.found.push(PeriodicMotion { steady_state: steady, mirror, orbit });
         Ok(())
     }
 }

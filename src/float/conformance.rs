@@ -23,31 +23,15 @@ use super::Float;
 
 /// A promise that a number type breaks.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 #[error("{method} at {argument} breaks its promise: {promise}")]
 pub struct Broken {
-    method: &'static str,
-    argument: String,
-    promise: &'static str,
-}
-
-impl Broken {
     /// The method, with its trait: `Float::floor`, `Add::add`.
-    #[must_use]
-    pub const fn method(&self) -> &'static str {
-        self.method
-    }
-
+    pub method: &'static str,
     /// The argument, or both, at which the promise is broken.
-    #[must_use]
-    pub fn argument(&self) -> &str {
-        &self.argument
-    }
-
-    /// What the method has to give.
-    #[must_use]
-    pub const fn promise(&self) -> &'static str {
-        self.promise
-    }
+    pub argument: String,
+    /// The promise: what the method has to give.
+    pub promise: &'static str,
 }
 
 /// Holds `F` to the promises of its traits: integers, order, rounding of the five operations and of the fused

@@ -50,7 +50,7 @@ pub use lobe::{Lobe, Minimum};
 #[cfg(feature = "batch")]
 pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;
-pub use range::{BorderRange, border_range};
+pub(crate) use range::{BorderRange, border_range};
 pub use shortfall::Shortfall;
 use stationary::inner_maximum;
 #[cfg(feature = "mp")]

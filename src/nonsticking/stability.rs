@@ -68,8 +68,7 @@ pub(crate) fn real_contraction<R: Field>(g: R, g_cosine: R, spread: R) -> R {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-#[must_use]
-pub enum MultiplierPair<F> {
+pub(crate) enum MultiplierPair<F> {
     /// `re ± i im`, im > 0.
     Complex {
         /// Real part.
@@ -83,8 +82,7 @@ pub enum MultiplierPair<F> {
 
 impl<F: Float> MultiplierPair<F> {
     /// The two as (real, imaginary) parts.
-    #[must_use]
-    pub fn parts(self) -> [(F, F); 2] {
+    pub(crate) fn parts(self) -> [(F, F); 2] {
         let zero = F::int(0);
         match self {
             Self::Complex { re, im } => [(re, im), (re, -im)],
@@ -104,8 +102,7 @@ impl<F: Float> MultiplierPair<F> {
     }
 
     /// The larger modulus.
-    #[must_use]
-    pub fn modulus(self) -> F {
+    pub(crate) fn modulus(self) -> F {
         match self {
             Self::Complex { re, im } => re.hypot(im),
             Self::Real(a, _) => a.abs(),
@@ -156,14 +153,23 @@ impl<F: Float> Multipliers<F> {
         Self { half_cycle }
     }
 
-    /// Of half a cycle, from one reversal to the next: λ.
-    pub const fn half_cycle(&self) -> MultiplierPair<F> {
-        self.half_cycle
+    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the one with im > 0
+    /// first; of two real ones the one of larger modulus is first.
+    #[must_use]
+    pub fn half_cycle(&self) -> [(F, F); 2] {
+        self.half_cycle.parts()
     }
 
-    /// Of a whole cycle: λ².
-    pub fn cycle(&self) -> MultiplierPair<F> {
-        self.half_cycle.squared()
+    /// Of a whole cycle: λ², in the same form.
+    #[must_use]
+    pub fn cycle(&self) -> [(F, F); 2] {
+        self.half_cycle.squared().parts()
+    }
+
+    /// λ, with its kind.
+    #[cfg(any(test, feature = "matching"))]
+    pub(crate) const fn pair(&self) -> MultiplierPair<F> {
+        self.half_cycle
     }
 
     /// What is left of a small disturbance after a cycle, in the long run: `max |λ|²`.

@@ -41,7 +41,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
         LongRun::Rest(_) => return by_name(Regime::Stuck),
-        LongRun::Irregular(motion) if motion.stops() > 0 => return by_name(Regime::Sticking),
+        LongRun::Irregular(motion) if motion.stops > 0 => return by_name(Regime::Sticking),
         LongRun::Irregular(_) => return by_name(Regime::NonSticking),
         LongRun::Unbounded { .. } => return by_name(Regime::Unbounded),
         LongRun::NotConverged { .. } => {

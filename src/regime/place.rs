@@ -17,11 +17,12 @@ use crate::ratios::Ratios;
 /// **Undecided.** The border is known to 8 units in the last place, its error bound
 /// ([`Place::BORDER_ERROR`]); where α is closer to it than that the verdict is [`Verdict::Undecided`], and a
 /// wider number type decides. Ω and α are taken as exact by [`Place::new`]. [`Place::of`] and
-/// [`Place::within`] know that they are not: their verdict holds for every Ω and α in the given intervals,
-/// over which the range of the border is known ([`border_range`]). Beside a pole 1/(2n+1) that matters more
+/// [`crate::uncertainty::RatioBox`] know that they are not: their verdict holds for every Ω and α in the given intervals,
+/// over which the range of the border is known. Near a pole 1/(2n+1) that matters more
 /// than rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
 ///
 /// ```
+/// use stickslip::uncertainty::{Interval, RatioBox};
 /// use stickslip::{Place, Ratios, Regime, Verdict};
 /// let place = Place::new(Ratios::new(0.4, 6.0)?);
 /// assert_eq!(place.verdict(), Verdict::Sticking);
@@ -31,8 +32,9 @@ use crate::ratios::Ratios;
 /// let verdict = Place::new(Ratios::new(0.4, border)?).verdict();
 /// assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
 /// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 says nothing, twice the force does.
-/// assert_eq!(Place::within((0.4, 0.4), (6.0 / 1.2, 6.0 / 0.8))?.verdict().regime(), None);
-/// assert_eq!(Place::within((0.4, 0.4), (12.0 / 1.2, 12.0 / 0.8))?.verdict(), Verdict::NonSticking);
+/// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
+/// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
+/// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -132,7 +134,7 @@ impl<F: Float> Place<F> {
     /// [`Verdict::Unbounded`].
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`Ratios`] or of [`border_range`]; [`Error::Damped`] for a body
+    /// Where a ratio leaves the domain of [`Ratios`] or of the border; [`Error::Damped`] for a body
     /// with a damper, for which the range of the border is not known; [`Error::StaticFriction`] for one whose
     /// static friction is above the kinetic one.
     pub fn of(body: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
@@ -148,8 +150,8 @@ impl<F: Float> Place<F> {
     /// The margin and the border are those of the middle.
     ///
     /// # Errors
-    /// Where an interval is empty or leaves the domain of [`Ratios`] or of [`border_range`].
-    pub fn within(omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
+    /// Where an interval is empty or leaves the domain of [`Ratios`].
+    pub(crate) fn within(omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
         let middle = |(low, high): (F, F)| low + (high - low) / F::int(2);
         Ratios::new(omega.0, alpha.0)?;
         Ratios::new(omega.1, alpha.1)?;
@@ -183,12 +185,6 @@ impl<F: Float> Place<F> {
     /// The margin α/α_min: the force in units of the least that does not stick.
     pub fn margin(&self) -> F {
         self.ratios.alpha() / self.border.min_force_ratio()
-    }
-
-    /// The limiting phase `τ* = ω_d(t − t₂)` where the velocity first touches zero as α falls to the border;
-    /// 0 where it is at the turning point.
-    pub const fn touching_phase(&self) -> F {
-        self.border.phase()
     }
 }
 

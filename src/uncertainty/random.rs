@@ -8,7 +8,7 @@
 //!
 //! ```
 //! use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
-//! use stickslip::{Output, Regime};
+//! use stickslip::{Excitation, Output, Regime};
 //! use rand_distr::{LogNormal, Normal};
 //! let machine = Independent {
 //!     mass: Exactly(50.0),
@@ -17,7 +17,7 @@
 //!     amplitude: Exactly(12.0),
 //!     angular_frequency: Exactly(6.0),
 //! };
-//! let found = MonteCarlo::force(&machine, &[Output::MaxDisplacement], 20_000, 7)?;
+//! let found = MonteCarlo::new(&machine, Excitation::Force, &[Output::MaxDisplacement], 20_000, 7)?;
 //! let sticking = found.probability(Regime::Sticking);
 //! // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
 //! assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
@@ -28,10 +28,11 @@
 //! ```
 
 use crate::error::{Error, Quantity, written};
-use crate::oscillator::{Drive, Oscillator, Scales};
+use crate::oscillator::{Drive, Excitation, Oscillator, Scales};
 use crate::output::Output;
 use crate::regime::Regime;
 use crate::response::Response;
+use crate::uncertainty::Estimate;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::Distribution;
@@ -45,7 +46,7 @@ pub struct Parameters {
     pub stiffness: f64,
     /// Friction bound r_y.
     pub friction_bound: f64,
-    /// Amplitude: p₀ of a force, u_g0 of a base motion.
+    /// Amplitude: p₀ of a force, that of the motion otherwise.
     pub amplitude: f64,
     /// Angular frequency ω_d.
     pub angular_frequency: f64,
@@ -60,7 +61,7 @@ pub struct Independent<M, K, R, A, W> {
     pub stiffness: K,
     /// Of the friction bound r_y.
     pub friction_bound: R,
-    /// Of the amplitude: p₀ of a force, u_g0 of a base motion.
+    /// Of the amplitude: p₀ of a force, that of the motion otherwise.
     pub amplitude: A,
     /// Of the angular frequency ω_d.
     pub angular_frequency: W,
@@ -95,17 +96,6 @@ impl Distribution<f64> for Exactly {
     }
 }
 
-/// An estimate and its standard error.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Estimate {
-    /// The estimate.
-    pub value: f64,
-    /// Its standard error.
-    pub standard_error: f64,
-}
-
 /// What came of the draws.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MonteCarlo {
@@ -116,39 +106,17 @@ pub struct MonteCarlo {
 }
 
 impl MonteCarlo {
-    /// A machine under a force, drawn `draws` times; `outputs` are kept, in physical units
+    /// A machine shaken by a force or a motion, drawn `draws` times; `outputs` are kept, in physical units
     /// ([`Output::unit`]).
     ///
     /// # Errors
     /// Where `draws` is zero.
-    pub fn force(
+    pub fn new(
         machine: &impl Distribution<Parameters>,
+        excitation: Excitation,
         outputs: &[Output],
         draws: u32,
         seed: u64,
-    ) -> Result<Self, Error> {
-        Self::of(machine, outputs, draws, seed, Drive::force)
-    }
-
-    /// The same for a machine on a moving base.
-    ///
-    /// # Errors
-    /// As [`MonteCarlo::force`].
-    pub fn base_motion(
-        machine: &impl Distribution<Parameters>,
-        outputs: &[Output],
-        draws: u32,
-        seed: u64,
-    ) -> Result<Self, Error> {
-        Self::of(machine, outputs, draws, seed, Drive::base_motion)
-    }
-
-    fn of(
-        machine: &impl Distribution<Parameters>,
-        outputs: &[Output],
-        draws: u32,
-        seed: u64,
-        drive: impl Fn(f64, f64) -> Result<Drive<f64>, Error>,
     ) -> Result<Self, Error> {
         if draws == 0 {
             return Err(Error::NotPositive { quantity: Quantity::Draws, value: written(f64::from(draws)) });
@@ -159,7 +127,7 @@ impl MonteCarlo {
         let mut outputs: Vec<_> = outputs.iter().map(|&output| (output, Vec::new())).collect();
         for _ in 0..draws {
             let p = machine.sample(&mut rng);
-            let Ok((response, scales)) = answer(&p, &drive) else { continue };
+            let Ok((response, scales)) = answer(&p, excitation) else { continue };
             for (regime, count) in &mut regimes {
                 *count = u32::saturating_add(*count, u32::from(*regime == response.regime()));
             }
@@ -202,11 +170,11 @@ impl MonteCarlo {
     ///
     /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull),
     /// which is not zero where all draws or none are in the regime.
-    #[must_use]
     pub fn probability(&self, regime: Regime) -> Estimate {
         let (count, n) = (f64::from(self.count(regime)), f64::from(self.valid()));
         let shrunk = (count + 2.0) / (n + 4.0);
-        Estimate { value: count / n, standard_error: (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt() }
+        let standard_error = (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt();
+        Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY }
     }
 
     /// The values of an output that was kept, in increasing order, at the draws that have it: outputs of the
@@ -242,16 +210,14 @@ impl MonteCarlo {
         }
         let mean = values.iter().sum::<f64>() / n;
         let squares: f64 = values.iter().map(|y| (y - mean) * (y - mean)).sum();
-        Some(Estimate { value: mean, standard_error: (squares / (n - 1.0) / n).sqrt() })
+        let standard_error = (squares / (n - 1.0) / n).sqrt();
+        Some(Estimate { value: mean, standard_error, degrees_of_freedom: n - 1.0 })
     }
 }
 
 /// The answer for one draw, and its scales.
-fn answer(
-    p: &Parameters,
-    drive: impl Fn(f64, f64) -> Result<Drive<f64>, Error>,
-) -> Result<(Response<f64>, Scales<f64>), Error> {
+fn answer(p: &Parameters, excitation: Excitation) -> Result<(Response<f64>, Scales<f64>), Error> {
     let body = Oscillator::new(p.mass, p.stiffness, p.friction_bound)?;
-    let drive = drive(p.amplitude, p.angular_frequency)?;
+    let drive = Drive::new(excitation, p.amplitude, p.angular_frequency)?;
     Ok((Response::new(drive.ratios(&body)?), Scales::new(&body, &drive)?))
 }

@@ -39,10 +39,10 @@ impl<F: Float> RatioBox<F> {
         self.alpha
     }
 
-    /// The verdict that holds for the whole box ([`Place::within`]).
+    /// The verdict that holds for all ratios in the box.
     ///
     /// # Errors
-    /// As there.
+    /// Where Ω or α leaves the domain of [`Ratios`].
     pub fn verdict(&self) -> Result<Verdict<F>, Error> {
         let ends = |interval: Interval<F>| (interval.low, interval.high);
         Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())

@@ -74,7 +74,7 @@ pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
             loop_size_stiffness: cycle.loop_size_stiffness(),
             loop_size_inertia: cycle.loop_size_inertia(),
             contraction: cycle.contraction(),
-            multipliers: cycle.multipliers().half_cycle(),
+            multipliers: cycle.multipliers().pair(),
         }
     }
     /// x/B at a phase.

@@ -97,7 +97,7 @@ mutants! {
     "Δ₁ = B − α B sin ω_d t₁": answers(c: C<'_>) -> Answers<f64> =
         Answers { deviation: -c.deviation(), ..right(c) };
     "multipliers of the other sign": answers(c: C<'_>) -> Answers<f64> = Answers {
-        multipliers: match c.multipliers().half_cycle() {
+        multipliers: match c.multipliers().pair() {
             MultiplierPair::Complex { re, im } => MultiplierPair::Complex { re: -re, im },
             MultiplierPair::Real(a, b) => MultiplierPair::Real(-a, -b),
         },

@@ -1,14 +1,14 @@
 //! The inverse problems with a damper: velocity and displacement, bands, friction and stiffness.
 
 use stickslip::design::{
-    Band, Edge, OptimumKind, bands, bands_with_damping, force_for_velocity,
-    force_ratio_for_displacement_with_damping, force_ratio_for_velocity_with_damping, frequency_bands,
-    most_dissipating_force_ratio_with_damping, most_dissipating_frequency_ratio, most_dissipating_stiffness,
+    Band, Edge, OptimumKind, bands, force_for_velocity, force_ratio_for_displacement,
+    force_ratio_for_velocity, frequency_bands, most_dissipating_force_ratio,
+    most_dissipating_frequency_ratio, most_dissipating_stiffness,
 };
 use stickslip::{Border, Cycle, Drive, Error, Oscillator, Ratios};
 
 fn all(alpha: f64, zeta: f64, low: f64, high: f64) -> Vec<Band<f64>> {
-    bands_with_damping(alpha, zeta, low, high).unwrap().collect::<Result<_, _>>().unwrap()
+    bands(alpha, zeta, low, high).unwrap().collect::<Result<_, _>>().unwrap()
 }
 
 fn least(omega: f64, zeta: f64) -> f64 {
@@ -62,7 +62,7 @@ fn a_narrow_gap_and_a_narrow_band_are_found() {
     }
     // Just above the minimum between Ω = 1/3 and 1: as without damping.
     let minimum = 1.211_236_5;
-    let without = bands(minimum, 0.4, 3.0).unwrap().map(Result::unwrap).collect::<Vec<_>>();
+    let without = bands(minimum, 0.0, 0.4, 3.0).unwrap().map(Result::unwrap).collect::<Vec<_>>();
     let with = all(minimum, 1e-12, 0.4, 3.0);
     assert_eq!(without.len(), with.len());
     for (a, b) in without.iter().zip(&with) {
@@ -136,11 +136,9 @@ fn a_target_is_reached() {
             let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
             for over in [1.0 + 1e-9, 1.2, 5.0, 1e4] {
                 let wanted = cycle(omega, zeta, least * over);
-                let by_velocity: f64 =
-                    force_ratio_for_velocity_with_damping(omega, zeta, wanted.max_velocity()).unwrap();
+                let by_velocity: f64 = force_ratio_for_velocity(omega, zeta, wanted.max_velocity()).unwrap();
                 let by_displacement: f64 =
-                    force_ratio_for_displacement_with_damping(omega, zeta, wanted.max_displacement())
-                        .unwrap();
+                    force_ratio_for_displacement(omega, zeta, wanted.max_displacement()).unwrap();
                 for (alpha, reached, target) in [
                     (
                         by_velocity,
@@ -165,7 +163,7 @@ fn a_target_is_reached() {
                 }
             }
             let small = cycle(omega, zeta, least).max_velocity() * (1.0 - 1e-9);
-            let error = force_ratio_for_velocity_with_damping(omega, zeta, small);
+            let error = force_ratio_for_velocity(omega, zeta, small);
             assert!(matches!(error, Err(Error::TargetSticks { .. })), "{omega} {zeta}: {error:?}");
         }
     }
@@ -192,7 +190,7 @@ fn physical_units_are_the_same_questions() {
 fn the_best_friction_is_the_best() {
     for omega in [0.3, 0.45, 0.7, 1.0, 1.4, 3.0] {
         for zeta in [0.001, 0.05, 0.3, 1.0, 2.0] {
-            let best = most_dissipating_force_ratio_with_damping(omega, zeta).unwrap();
+            let best = most_dissipating_force_ratio(omega, zeta).unwrap();
             let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
             let at = |alpha: f64| cycle(omega, zeta, alpha).loop_size_stiffness();
             assert!((at(best.at) / best.value - 1.0).abs() < 1e-12, "{omega} {zeta}: {best:?}");

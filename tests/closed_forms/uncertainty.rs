@@ -289,7 +289,7 @@ fn what_is_wrong_is_named() {
 mod monte_carlo {
     use rand_distr::{Normal, Uniform};
     use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
-    use stickslip::{Border, Output, Regime};
+    use stickslip::{Border, Excitation, Output, Regime};
 
     fn machine<R>(friction_bound: R) -> Independent<Exactly, Exactly, R, Exactly, Exactly> {
         let [mass, stiffness, amplitude, angular_frequency] = [50.0, 1000.0, 12.0, 6.0].map(Exactly);
@@ -302,7 +302,7 @@ mod monte_carlo {
         let greatest = 12.0 / Border::new(6.0 / 20f64.sqrt()).unwrap().min_force_ratio();
         let uniform = Uniform::new(4.0, 10.0).unwrap();
         let outputs = [Output::Margin, Output::MaxDisplacement];
-        let found = MonteCarlo::force(&machine(uniform), &outputs, 40_000, 3).unwrap();
+        let found = MonteCarlo::new(&machine(uniform), Excitation::Force, &outputs, 40_000, 3).unwrap();
         let expected = (10.0 - greatest) / 6.0;
         let sticking = found.probability(Regime::Sticking);
         assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
@@ -335,16 +335,18 @@ mod monte_carlo {
     #[test]
     fn the_seed_decides_and_invalid_draws_are_counted() {
         let wide = machine(Normal::new(2.0, 2.0).unwrap());
-        let run = |seed| MonteCarlo::force(&wide, &[Output::MaxVelocity], 5000, seed).unwrap();
+        let run =
+            |seed| MonteCarlo::new(&wide, Excitation::Force, &[Output::MaxVelocity], 5000, seed).unwrap();
         assert_eq!(run(1), run(1));
         assert_ne!(run(1), run(2));
         // P(r_y ≤ 0) = Φ(−1) = 0.1587
         let invalid = f64::from(run(1).invalid()) / 5000.0;
         assert!((invalid - 0.1587).abs() < 0.02, "{invalid}");
         assert_eq!(run(1).valid() + run(1).invalid(), run(1).draws());
-        assert!(MonteCarlo::base_motion(&wide, &[], 0, 1).is_err());
-        let never =
-            MonteCarlo::force(&machine(Exactly(1.0)), &[], 100, 1).unwrap().probability(Regime::Sticking);
+        assert!(MonteCarlo::new(&wide, Excitation::FootMotion, &[], 0, 1).is_err());
+        let never = MonteCarlo::new(&machine(Exactly(1.0)), Excitation::Force, &[], 100, 1)
+            .unwrap()
+            .probability(Regime::Sticking);
         assert!(never.value == 0.0 && never.standard_error > 0.0);
     }
 }

@@ -152,8 +152,8 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
         LongRun::Unbounded { growth } => assert!(omega == 1.0 && *growth > 0.0 && zeta == 0.0),
         LongRun::NotConverged { .. } => {}
         LongRun::Irregular(motion) => {
-            assert!(eta > 1.0 && motion.max_displacement() >= motion.min_displacement());
-            assert!(motion.turns() > 0 && motion.lyapunov_exponent().is_finite());
+            assert!(eta > 1.0 && motion.max_displacement >= motion.min_displacement);
+            assert!(motion.turns > 0 && motion.lyapunov_exponent.is_finite());
         }
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
             assert!(alpha > 1.0);
@@ -204,24 +204,24 @@ fn condition(omega: f64, alpha: f64, max_displacement: f64) -> f64 {
 /// # Panics
 /// As [`trajectory`].
 pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64) {
-    if let Ok(force) = design::force_ratio_for_displacement(omega, target)
+    if let Ok(force) = design::force_ratio_for_displacement(omega, 0.0, target)
         && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
     {
         let slack = 1e-9 + condition(omega, force, target);
         assert!((cycle.max_displacement() / target - 1.0).abs() < slack, "{omega:e} {target:e} {force:e}");
     }
-    if let Ok(force) = design::force_ratio_for_velocity(omega, target)
+    if let Ok(force) = design::force_ratio_for_velocity(omega, 0.0, target)
         && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
     {
         // Beside Ω = 1 the next force that the type has can move the body much further.
         let slack = 1e-9 + condition(omega, force, cycle.max_displacement().min(target));
         assert!((cycle.max_velocity() / target - 1.0).abs() < slack, "{omega:e} {target:e} {force:e}");
     }
-    if let Ok(best) = design::most_dissipating_force_ratio(omega) {
+    if let Ok(best) = design::most_dissipating_force_ratio(omega, 0.0) {
         let least = Border::new(omega).map_or(f64::NAN, |b| b.min_force_ratio());
         assert!(best.at >= least && best.value > 0.0);
     }
-    if let Ok(bands) = design::bands(alpha, low, high) {
+    if let Ok(bands) = design::bands(alpha, 0.0, low, high) {
         let mut last = low;
         // A wide range at low frequency has very many.
         for band in bands.take(64) {
@@ -253,14 +253,14 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
         let swing = force / stiffness / target;
         1e-9 + 1e-12 * (swing + 2.0 / target) * (1.0 + 1.0 / omega) + 1e-14 * swing * swing
     };
-    let by_displacement = design::force_ratio_for_displacement_with_damping(omega, zeta, target);
+    let by_displacement = design::force_ratio_for_displacement(omega, zeta, target);
     if let Ok(force) = by_displacement
         && let Ok(cycle) = at(omega, force.max(least)).and_then(Cycle::new)
     {
         let off = (cycle.max_displacement() / target - 1.0).abs();
         assert!(off < slack(force), "{omega:e} {zeta:e} {target:e}: {off:e} by {force:e}");
     }
-    let by_velocity = design::force_ratio_for_velocity_with_damping(omega, zeta, target);
+    let by_velocity = design::force_ratio_for_velocity(omega, zeta, target);
     if let Ok(force) = by_velocity
         && let Ok(cycle) = at(omega, force.max(least)).and_then(Cycle::new)
     {
@@ -270,12 +270,12 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
     for error in [by_displacement.err(), by_velocity.err()].into_iter().flatten() {
         assert!(error.to_string().contains(" must be "), "{error}");
     }
-    let best = design::most_dissipating_force_ratio_with_damping(omega, zeta).unwrap();
+    let best = design::most_dissipating_force_ratio(omega, zeta).unwrap();
     assert!(best.at >= least && best.value.is_finite(), "{best:?}");
     // Bounded work: bands as many as √α/2, and a mesh of some hundred points for each.
     if alpha < 1e3
         && high < 1e3
-        && let Ok(bands) = design::bands_with_damping(alpha, zeta, low, high)
+        && let Ok(bands) = design::bands(alpha, zeta, low, high)
     {
         let mut last = low;
         for band in bands.map(Result::unwrap) {

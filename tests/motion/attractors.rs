@@ -19,7 +19,7 @@ fn a_start_is_counted_for_its_own_limit() {
         let all = attractors(ratios, &starts, 2000).unwrap();
         for (i, start) in starts.iter().enumerate() {
             let own = LongRun::within(ratios, *start, 2000).unwrap().extrema().unwrap();
-            let counted = all.limits()[all.of_start(i).unwrap()].limit().extrema().unwrap();
+            let counted = all.limits()[all.of_start(i).unwrap()].limit.extrema().unwrap();
             let is_same = (own.0 - counted.0).abs() < 1e-9 && (own.1 - counted.1).abs() < 1e-9;
             assert!(is_same, "{i}: {own:?}, counted for {counted:?}");
         }

@@ -28,12 +28,12 @@ proptest! {
     fn the_force_for_a_target_moves_it_there(omega in 0.15f64..6.0, over in 1.001f64..20.0) {
         prop_assume!(settles(omega, 0.01));
         let least = Border::new(omega).unwrap().least_displacement();
-        let force = design::force_ratio_for_displacement(omega, least * over).unwrap();
+        let force = design::force_ratio_for_displacement(omega, 0.0, least * over).unwrap();
         let steady = motion(omega, force);
         prop_assert_eq!(steady.sticks_per_cycle(), 0);
         prop_assert!((steady.max_displacement() / (least * over) - 1.0).abs() < 1e-9);
         let speed = steady.max_velocity() * 1.5;
-        let force = design::force_ratio_for_velocity(omega, speed).unwrap();
+        let force = design::force_ratio_for_velocity(omega, 0.0, speed).unwrap();
         prop_assert!((motion(omega, force).max_velocity() / speed - 1.0).abs() < 1e-9);
     }
 
@@ -50,7 +50,7 @@ proptest! {
 
     #[test]
     fn the_bands_divide_sliding_from_the_rest(alpha in 1.3f64..30.0, low in 0.12f64..0.5) {
-        for band in design::bands(alpha, low, 3.0).unwrap() {
+        for band in design::bands(alpha, 0.0, low, 3.0).unwrap() {
             let band = band.unwrap();
             let inside = band.low + 0.37 * (band.high - band.low);
             if settles(inside, 1e-3) {
@@ -71,9 +71,9 @@ proptest! {
     #[test]
     fn no_friction_dissipates_more(omega in 0.2f64..3.0, other in prop::collection::vec(1.01f64..20.0, 20)) {
         prop_assume!(settles(omega, 0.02));
-        let best = design::most_dissipating_force_ratio(omega).unwrap();
+        let best = design::most_dissipating_force_ratio(omega, 0.0).unwrap();
         prop_assert!((loop_size(omega, best.at * (1.0 + 1e-9)) / best.value - 1.0).abs() < 1e-6);
-        let of_all = design::most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap();
+        let of_all = design::most_dissipating_force_ratio_of_all(omega, 0.0, 1e-3).unwrap();
         prop_assert!(of_all.value >= best.value * (1.0 - 1e-12));
         prop_assert!((loop_size(omega, of_all.at * (1.0 + 1e-9)) / of_all.value - 1.0).abs() < 1e-4);
         for alpha in other {

@@ -120,7 +120,7 @@ fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     let LongRun::Periodic(steady) = SteadyState::from_cycle(&cycle).unwrap() else {
         panic!("({omega}, {alpha})")
     };
-    let (closed, monodromy) = (cycle.multipliers().cycle().parts(), steady.multipliers());
+    let (closed, monodromy) = (cycle.multipliers().cycle(), steady.multipliers());
     let apart = |(a, b): (F, F), (c, d): (F, F)| (a - c).hypot(b - d);
     let both = |i: usize| apart(closed[0], monodromy[i]).or_larger(apart(closed[1], monodromy[1 - i]));
     let (straight, crossed) = (both(0), both(1));

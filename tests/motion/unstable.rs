@@ -129,11 +129,11 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
         let all = periodic_motions(ratios, &starts, 2).unwrap();
         let found = attractors(ratios, &starts, 600).unwrap();
         for limit in found.limits() {
-            let Some(steady) = limit.limit().steady_state().filter(|s| s.turns_per_cycle() <= 2) else {
+            let Some(steady) = limit.limit.steady_state().filter(|s| s.turns_per_cycle() <= 2) else {
                 continue;
             };
             let is = |m: &PeriodicMotion<f64>| {
-                let s = m.steady_state();
+                let s = m.steady_state;
                 (s.max_displacement() - steady.max_displacement()).abs() < 1e-6
                     && (s.min_displacement() - steady.min_displacement()).abs() < 1e-6
             };
@@ -143,7 +143,7 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
                 println!("missed: {machine:?} {steady:?}");
             }
         }
-        for motion in all.iter().map(PeriodicMotion::steady_state).filter(|s| !s.is_stable()) {
+        for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| !s.is_stable()) {
             unstable += 1;
             comes_back::<Mp<2>>(machine, motion.turns_per_cycle(), motion.state(), motion.max_displacement());
         }

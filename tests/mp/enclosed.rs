@@ -12,6 +12,11 @@ fn known<const L: usize>(x: Mp<L>) -> Known {
     Known::exactly(x).unwrap()
 }
 
+/// A whole number, exactly.
+fn whole(n: i32) -> Known {
+    known(Mp::<1>::from(n))
+}
+
 fn reference(omega: Exact, alpha: Exact) -> Response<Exact> {
     Response::new(Ratios::new(omega, alpha).unwrap())
 }
@@ -30,7 +35,8 @@ fn units(found: &Enclosure) -> f64 {
 
 /// Every output that exists is in its enclosure; the widest, in units in the last place.
 fn check(omega: f64, alpha: Exact, bits: u32) -> f64 {
-    let found = enclosed::response(&known(Mp::<1>::from(omega)), &known(alpha), bits).unwrap();
+    let found =
+        enclosed::response(&known(Mp::<1>::from(omega)), &known(alpha), &whole(0), &whole(1), bits).unwrap();
     let exact = reference(Exact::from(omega), alpha);
     let mut widest = 0.0f64;
     for output in Output::ALL {
@@ -101,7 +107,7 @@ proptest! {
         let interval = |x: f64| {
             Known::between(&known(Mp::<1>::from(x)), &known(Mp::<1>::from(x * (1.0 + width)))).unwrap()
         };
-        let found = enclosed::response(&interval(omega), &interval(alpha), 64).unwrap();
+        let found = enclosed::response(&interval(omega), &interval(alpha), &whole(0), &whole(1), 64).unwrap();
         for (a, b) in shares.into_iter().chain([(0.0, 0.0), (1.0, 1.0), (0.0, 1.0), (1.0, 0.0)]) {
             let inside = |x: f64, share: f64| Exact::from(x) + (Exact::from(x * (1.0 + width)) - Exact::from(x)) * Exact::from(share);
             let exact = reference(inside(omega, a), inside(alpha, b));
@@ -123,7 +129,7 @@ proptest! {
 /// The closed forms with damping and static friction against the same outputs at 1024 bits.
 fn check_damped(omega: f64, alpha: Exact, zeta: f64, eta: f64, bits: u32) -> f64 {
     let of = |x: f64| known(Mp::<1>::from(x));
-    let found = enclosed::response_with(&of(omega), &known(alpha), &of(zeta), &of(eta), bits).unwrap();
+    let found = enclosed::response(&of(omega), &known(alpha), &of(zeta), &of(eta), bits).unwrap();
     let ratios = Ratios::new(Exact::from(omega), alpha).unwrap();
     let ratios = ratios.with_damping_ratio(Exact::from(zeta)).unwrap();
     let exact = Response::new(ratios.with_static_friction_ratio(Exact::from(eta)).unwrap());
@@ -189,8 +195,7 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
     let of = |x: f64| known(Mp::<1>::from(x));
     let about = |x: f64| Known::between(&of(x), &of(x * (1.0 + 2f64.powi(-20)))).unwrap();
     for (omega, alpha, zeta, eta) in [(0.7, 2.2, 0.1, 1.2), (1.3, 9.0, 1.5, 1.0), (0.42, 14.0, 0.01, 1.1)] {
-        let found =
-            enclosed::response_with(&about(omega), &about(alpha), &about(zeta), &about(eta), 64).unwrap();
+        let found = enclosed::response(&about(omega), &about(alpha), &about(zeta), &about(eta), 64).unwrap();
         assert_eq!(found.regime(), Some(Regime::NonSticking), "{omega} {zeta}");
         for share in [0.0, 0.3, 1.0] {
             let at = |x: f64| x * (1.0 + share * 2f64.powi(-20));
@@ -208,25 +213,30 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
     // Swinging and creeping in one interval, and a ratio outside its domain.
     let known = |text: &str| text.parse::<Known>().unwrap();
     let both = Known::between(&known("0.99"), &known("1.01")).unwrap();
-    let found = enclosed::response_with(&known("0.7"), &known("3"), &both, &known("1"), 64).unwrap();
+    let found = enclosed::response(&known("0.7"), &known("3"), &both, &known("1"), 64).unwrap();
     assert_eq!((found.regime(), found.get(Output::MaxDisplacement)), (None, None));
-    let fails = |zeta, eta| {
-        enclosed::response_with(&known("0.7"), &known("3"), &known(zeta), &known(eta), 64).is_err()
-    };
+    let fails =
+        |zeta, eta| enclosed::response(&known("0.7"), &known("3"), &known(zeta), &known(eta), 64).is_err();
     assert!(fails("-0.1", "1") && fails("1e200", "1") && fails("0", "0.9"));
 }
 
 #[test]
 fn decimals_are_what_is_written() {
     let at = |omega: &str, alpha: &str| {
-        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), 128).unwrap()
+        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), &whole(0), &whole(1), 128)
+            .unwrap()
     };
     // A fifth is a pole, where no force is enough; the double beside it is not.
     let pole = at("0.2", "1e6");
     assert_eq!((pole.regime(), pole.get(Output::MinForceRatio)), (None, None));
-    assert!(enclosed::border(&known(Mp::<1>::from(0.2)), 64).unwrap().get(Output::MinForceRatio).is_some());
+    assert!(
+        enclosed::border(&known(Mp::<1>::from(0.2)), &whole(0), &whole(1), 64)
+            .unwrap()
+            .get(Output::MinForceRatio)
+            .is_some()
+    );
     // A sixth has K = 0 and the border 35 exactly; of a third of 1.5 nothing is rounded.
-    let sixth = enclosed::border(&"1/6".parse().unwrap(), 64).unwrap();
+    let sixth = enclosed::border(&"1/6".parse().unwrap(), &whole(0), &whole(1), 64).unwrap();
     assert!(sixth.get(Output::MinForceRatio).unwrap().contains(&rug::Float::with_val(64, 35)));
     assert_eq!(sixth.get(Output::BestForceRatio).unwrap().to_string(), "0 ± 0");
     let half = at("0.5", "4");
@@ -250,7 +260,9 @@ fn decimals_are_what_is_written() {
 #[test]
 fn more_bits_are_taken_where_they_are_needed() {
     let omega = format!("1.{}1", "0".repeat(99));
-    let found = enclosed::response(&omega.parse().unwrap(), &"1.3".parse().unwrap(), 64).unwrap();
+    let found =
+        enclosed::response(&omega.parse().unwrap(), &"1.3".parse().unwrap(), &whole(0), &whole(1), 64)
+            .unwrap();
     let displacement = found.get(Output::MaxDisplacement).unwrap();
     assert!(units(displacement) <= 1.5 && found.bits() > 256, "{displacement} {}", found.bits());
     let near = Exact::from_rational(
@@ -266,7 +278,9 @@ fn more_bits_are_taken_where_they_are_needed() {
 #[test]
 fn what_is_outside_the_domain_is_refused() {
     let message = |omega: &str, alpha: &str, bits| {
-        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), bits).unwrap_err().to_string()
+        enclosed::response(&omega.parse().unwrap(), &alpha.parse().unwrap(), &whole(0), &whole(1), bits)
+            .unwrap_err()
+            .to_string()
     };
     assert!(message("0", "2", 64).starts_with("frequency ratio Ω = 0 must be > 0"));
     assert!(message("-1", "2", 64).starts_with("frequency ratio Ω = -1 must be > 0"));
@@ -412,8 +426,14 @@ fn a_million_points() {
             _ => least * (1.0 + if omega < 0.5 { 1.0 } else { sign } * 2f64.powf(-4.0 - 48.0 * random())),
         };
         let begun = Instant::now();
-        let found =
-            enclosed::response(&known(Mp::<1>::from(omega)), &known(Mp::<1>::from(alpha)), 64).unwrap();
+        let found = enclosed::response(
+            &known(Mp::<1>::from(omega)),
+            &known(Mp::<1>::from(alpha)),
+            &whole(0),
+            &whole(1),
+            64,
+        )
+        .unwrap();
         with += begun.elapsed();
         let ratios = Ratios::new(Mp::<1>::from(omega), Mp::from(alpha)).unwrap();
         let begun = Instant::now();
@@ -475,8 +495,14 @@ fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
         };
         let least = Border::new(omega).unwrap().min_force_ratio();
         let alpha = least * (1.0 + 8.0 * share(0.754_877_666_246_693).powi(6) + 1e-12);
-        let found =
-            enclosed::response(&known(Mp::<1>::from(omega)), &known(Mp::<1>::from(alpha)), 64).unwrap();
+        let found = enclosed::response(
+            &known(Mp::<1>::from(omega)),
+            &known(Mp::<1>::from(alpha)),
+            &whole(0),
+            &whole(1),
+            64,
+        )
+        .unwrap();
         let point = RatioBox::new(Interval::exactly(omega), Interval::exactly(alpha)).unwrap();
         for output in outputs {
             let Some(range) = point.range(output, 4).unwrap().filter(|range| range.is_guaranteed()) else {

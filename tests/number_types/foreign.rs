@@ -76,7 +76,7 @@ fn octuple_precision_is_reached_to_the_last_digits() {
 #[test]
 fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     type Double = Foreign<TwoFloat, 106, 255>;
-    assert_eq!(check::<Double>().unwrap_err().method(), "Float::PRECISION");
+    assert_eq!(check::<Double>().unwrap_err().method, "Float::PRECISION");
     let wide = |x: Double| Octuple::from_f64(x.0.hi()) + Octuple::from_f64(x.0.lo());
     let error = largest::<Double>(wide);
     assert!(error < 2f64.powi(-50) && error > 2f64.powi(-60), "{error:e}");

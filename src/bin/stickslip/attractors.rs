@@ -94,7 +94,7 @@ fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
 
 /// The share of the starts that lead to a limit.
 fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
-    limit.starts() as f64 / all.starts() as f64
+    limit.starts as f64 / all.starts() as f64
 }
 
 /// A limit as a record.
@@ -102,18 +102,18 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
     let Some(found) = all.limits().get(place) else {
         return Record { fields: Vec::new(), physical: Physical::default() };
     };
-    let irregular = if let LongRun::Irregular(m) = found.limit() { Some(m) } else { None };
+    let irregular = if let LongRun::Irregular(m) = found.limit { Some(m) } else { None };
     Row {
         number: place + 1,
-        limit: found.limit().name(),
+        limit: found.limit.name(),
         share: share(all, found),
-        starts: found.starts(),
-        first: start(found.first_start() as u64, reach).ok(),
-        mirror: found.mirror().map(|place| place + 1),
-        steady: found.limit().steady_state(),
-        extrema: found.limit().extrema(),
-        exponent: irregular.map(|m| (m.lyapunov_exponent(), m.lyapunov_exponent_error())),
-        range: found.range(),
+        starts: found.starts,
+        first: start(found.first_start as u64, reach).ok(),
+        mirror: found.mirror.map(|place| place + 1),
+        steady: found.limit.steady_state(),
+        extrema: found.limit.extrema(),
+        exponent: irregular.map(|m| (m.lyapunov_exponent, m.lyapunov_exponent_error)),
+        range: found.range,
     }
     .record()
 }
@@ -224,16 +224,16 @@ fn text<F: Value>(
     for (place, found) in all.limits().iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
         writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, described(found))?;
-        if let Some(steady) = found.limit().steady_state() {
+        if let Some(steady) = found.limit.steady_state() {
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
             writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
             writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle())?;
             writeln!(out, "  left of a disturbance    {} in a cycle", digits(steady.contraction()))?;
-        } else if let LongRun::Irregular(motion) = found.limit() {
-            writeln!(out, "  greatest displacement    {}", length(motion.max_displacement()))?;
-            writeln!(out, "  least displacement       {}", length(motion.min_displacement()))?;
-            writeln!(out, "  Lyapunov exponent        {} a turn", digits(motion.lyapunov_exponent()))?;
-        } else if let Some((low, high)) = found.range() {
+        } else if let LongRun::Irregular(motion) = found.limit {
+            writeln!(out, "  greatest displacement    {}", length(motion.max_displacement))?;
+            writeln!(out, "  least displacement       {}", length(motion.min_displacement))?;
+            writeln!(out, "  Lyapunov exponent        {} a turn", digits(motion.lyapunov_exponent))?;
+        } else if let Some((low, high)) = found.range {
             writeln!(out, "  from                     {}", length(low))?;
             writeln!(out, "  to                       {}", length(high))?;
         }
@@ -252,13 +252,13 @@ pub(crate) fn shape<F: Value>(steady: &SteadyState<F>) -> String {
 
 /// What a limit is, in words.
 pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
-    let mirror = match found.mirror() {
+    let mirror = match found.mirror {
         Some(place) => format!(", the mirror image of {}", place + 1),
         None => String::new(),
     };
-    match found.limit() {
+    match found.limit {
         LongRun::Periodic(steady) => {
-            format!("{}{mirror}", shape(steady))
+            format!("{}{mirror}", shape(&steady))
         }
         LongRun::Family(_) => "A family of motions, by their middles".to_owned(),
         LongRun::Rest(_) => "Rest".to_owned(),

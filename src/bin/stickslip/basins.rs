@@ -151,7 +151,7 @@ impl<F: Value> Basins<F> {
 
     /// A limit by its number and what tells it from the others: its extrema.
     fn name(&self, place: usize) -> Option<String> {
-        let limit = self.all.limits().get(place)?.limit();
+        let limit = self.all.limits().get(place)?.limit;
         let kind = limit.name();
         // Four digits of B tell two limits apart.
         let in_units = |x: F| digits((x.to_f64() * 1e4).round() / 1e4 * self.x.scale.to_f64());

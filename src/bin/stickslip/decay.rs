@@ -48,7 +48,7 @@ impl<W: Write> Task for Run<'_, W> {
         };
         let zeta = frictions.damping.unwrap_or(F::int(0));
         let eta = frictions.static_friction.unwrap_or(F::int(1));
-        let decay = FreeDecay::with_frictions(x, v, zeta, eta).map_err(|e| match e.quantity() {
+        let decay = FreeDecay::new(x, v, zeta, eta).map_err(|e| match e.quantity() {
             Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio) => given.at_fault(e),
             Some(Quantity::Velocity) => Failure::Input(format!("--v0 {}: {e}", args.v0)),
             _ => Failure::Input(format!("--x0 {}: {e}", args.x0)),

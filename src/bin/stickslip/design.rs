@@ -13,7 +13,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
 use stickslip::units::{Kind, System};
-use stickslip::{Error, Oscillator};
+use stickslip::{Error, Excitation, Oscillator};
 
 use asked::Asked;
 
@@ -60,8 +60,8 @@ impl<W: Write> Task for Run<'_, W> {
         let answer = match question {
             Question::Force(_) if args.no_stop => asked.forces_without_stop(),
             Question::Bands(_) if args.no_stop => asked.bands_without_stop(),
-            Question::Force(_) => asked.least_force(),
-            Question::Friction(_) => asked.greatest_friction(),
+            Question::Force(_) => asked.min_force(),
+            Question::Friction(_) => asked.max_friction(),
             Question::Bands(_) => asked.bands(),
             Question::Displacement(_) => asked.displacement(),
             Question::Velocity(_) => asked.velocity(),
@@ -122,7 +122,7 @@ impl Serialize for Units<'_> {
 }
 
 impl<F: Value> Asked<'_, F> {
-    fn least_force(&self) -> Result<Answer<F>, Failure> {
+    fn min_force(&self) -> Result<Answer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
@@ -134,7 +134,7 @@ impl<F: Value> Asked<'_, F> {
             ));
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
-        let force = design::least_force(&body, frequency).map_err(|e| self.fail(e))?;
+        let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
         let (newton, length) = (self.system().force(), self.system().length());
         let fields = force_and_base_motions(&body, frequency, force);
         let of =
@@ -149,7 +149,7 @@ impl<F: Value> Asked<'_, F> {
         Ok(Answer::one(sentence, fields))
     }
 
-    fn greatest_friction(&self) -> Result<Answer<F>, Failure> {
+    fn max_friction(&self) -> Result<Answer<F>, Failure> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
@@ -163,7 +163,7 @@ impl<F: Value> Asked<'_, F> {
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
-        let friction = design::greatest_friction(&body, &drive).map_err(|e| self.fail(e))?;
+        let friction = design::max_friction(&body, &drive).map_err(|e| self.fail(e))?;
         let sentence = format!(
             "The body never sticks with a friction bound of {} {} or less.",
             digits(friction),
@@ -187,7 +187,7 @@ impl<F: Value> Asked<'_, F> {
             let drive = self.drive(&body, self.one)?;
             (design::frequency_bands(&body, &drive, low, high), "frequency")
         } else {
-            (design::bands_with_damping(self.alpha()?, self.damping_ratio(), low, high), "omega")
+            (design::bands(self.alpha()?, self.damping_ratio(), low, high), "omega")
         };
         let kind = if self.physical { Kind::Frequency } else { Kind::Ratio };
         let names =
@@ -231,7 +231,7 @@ impl<F: Value> Asked<'_, F> {
             return self.force_for(design::force_for_displacement(&body, frequency, target));
         }
         let (omega, zeta) = (self.omega()?, self.damping_ratio());
-        self.ratio_for(design::force_ratio_for_displacement_with_damping(omega, zeta, target))
+        self.ratio_for(design::force_ratio_for_displacement(omega, zeta, target))
     }
 
     fn velocity(&self) -> Result<Answer<F>, Failure> {
@@ -241,7 +241,7 @@ impl<F: Value> Asked<'_, F> {
             return self.force_for(design::force_for_velocity(&body, frequency, target));
         }
         let (omega, zeta) = (self.omega()?, self.damping_ratio());
-        self.ratio_for(design::force_ratio_for_velocity_with_damping(omega, zeta, target))
+        self.ratio_for(design::force_ratio_for_velocity(omega, zeta, target))
     }
 
     fn force_for(&self, force: Result<F, Error>) -> Result<Answer<F>, Failure> {

@@ -10,7 +10,8 @@ use std::fs::File;
 use std::io::{self, Read, Write};
 use std::path::Path;
 use stickslip::Oscillator;
-use stickslip::design::{self, Estimate, Identified, Measurement};
+use stickslip::design::{self, Identified, Measurement};
+use stickslip::uncertainty::Estimate;
 use stickslip::units::{Factor, Kind, Reader};
 
 pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {

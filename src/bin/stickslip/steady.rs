@@ -107,9 +107,9 @@ fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: 
     record.fields.extend([
         ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
         ("symmetric", Cell::Text(symmetric)),
-        ("lyapunov_exponent", number(|m| m.lyapunov_exponent())),
-        ("lyapunov_exponent_error", number(|m| m.lyapunov_exponent_error())),
-        ("turns_observed", Cell::Count(irregular.map(Irregular::turns))),
+        ("lyapunov_exponent", number(|m| m.lyapunov_exponent)),
+        ("lyapunov_exponent_error", number(|m| m.lyapunov_exponent_error)),
+        ("turns_observed", Cell::Count(irregular.map(|m| m.turns))),
     ]);
     record
 }

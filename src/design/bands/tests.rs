@@ -5,7 +5,7 @@ use crate::nonsticking::border::Lobe;
 use crate::{Border, Drive, Error, Oscillator};
 
 fn all(alpha: f64, low: f64, high: f64) -> Vec<super::Band<f64>> {
-    bands(alpha, low, high).unwrap().collect::<Result<_, _>>().unwrap()
+    bands(alpha, 0.0, low, high).unwrap().collect::<Result<_, _>>().unwrap()
 }
 
 #[test]
@@ -37,7 +37,7 @@ fn a_range_cuts_them() {
 fn the_ends_slide_and_their_neighbours_stick() {
     let at = |omega: f64| Border::new(omega).unwrap().min_force_ratio();
     for alpha in [1.21, 1.3, 1.8, 1.862, 3.0, 12.0, 31.0, 1e4, 1e9] {
-        for band in bands(alpha, 1e-3, 1e3).unwrap().map(Result::unwrap) {
+        for band in bands(alpha, 0.0, 1e-3, 1e3).unwrap().map(Result::unwrap) {
             for (end, edge, outward) in [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)] {
                 assert!(at(end) <= alpha, "{alpha} {end}");
                 let outside = at(end * (1.0 + outward * 4.0 * f64::EPSILON));
@@ -53,7 +53,8 @@ fn a_minimum_that_cannot_be_told_from_alpha_is_said_so() {
     for index in [0, 1, 2, 9] {
         let minimum = Lobe::new(index).minimum::<f64>();
         let (low, high) = (minimum.omega * 0.999, minimum.omega * 1.001);
-        let count = |alpha| bands(alpha, low, high).unwrap().collect::<Result<Vec<_>, _>>().map(|b| b.len());
+        let count =
+            |alpha| bands(alpha, 0.0, low, high).unwrap().collect::<Result<Vec<_>, _>>().map(|b| b.len());
         assert!(matches!(count(minimum.force_ratio), Err(Error::Undecided { .. })));
         let apart = 1e-13;
         assert_eq!(count(minimum.force_ratio * (1.0 - apart)), Ok(0));
@@ -64,9 +65,9 @@ fn a_minimum_that_cannot_be_told_from_alpha_is_said_so() {
 #[test]
 fn far_below_the_last_lobe() {
     assert_eq!(all(3.0, 1e-30, 1e30).len(), 1);
-    assert!(matches!(bands(1e12, 1e-7, 1.0), Err(Error::OutOfRange { .. })));
-    assert!(matches!(bands(3.0, 1.0, 0.5), Err(Error::EmptyRange { .. })));
-    assert!(bands(-3.0, 0.5, 1.0).is_err());
+    assert!(matches!(bands(1e12, 0.0, 1e-7, 1.0), Err(Error::OutOfRange { .. })));
+    assert!(matches!(bands(3.0, 0.0, 1.0, 0.5), Err(Error::EmptyRange { .. })));
+    assert!(bands(-3.0, 0.0, 0.5, 1.0).is_err());
 }
 
 #[test]

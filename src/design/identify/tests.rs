@@ -1,6 +1,6 @@
 //! Tests of `identify.rs`.
 
-use super::{Identified, Measurement, identify, student};
+use super::{Identified, Measurement, identify};
 use crate::{Cycle, Drive, Error, Oscillator};
 
 const FORCE: f64 = 12.0;
@@ -62,7 +62,7 @@ fn an_exact_curve_gives_its_parameters_back() {
 fn where_the_body_sticks_a_measurement_is_left_out() {
     let (friction, zeta) = (6.0, 0.05);
     let mut measured = curve(friction, zeta, (1.3, 2.6), 12, false);
-    let least = crate::design::least_force(&body(friction, zeta), 0.3).unwrap();
+    let least = crate::design::min_amplitude(&body(friction, zeta), crate::Excitation::Force, 0.3).unwrap();
     assert!(least > FORCE);
     measured.push(Measurement { angular_frequency: 0.3, amplitude: 0.7, phase: None });
     let fit = found(&measured);
@@ -77,13 +77,4 @@ fn too_little_or_bad_input_is_refused() {
     let mut bad = curve(3.0, 0.05, (1.2, 3.6), 5, false);
     bad[2].amplitude = -1.0;
     assert!(identify(&body(1.0, 0.0), FORCE, &bad).is_err());
-}
-
-#[test]
-fn quantiles_of_students_distribution() {
-    // From tables.
-    for (n, exact) in [(3, 3.182_446), (5, 2.570_582), (10, 2.228_139), (28, 2.048_407), (100, 1.983_972)] {
-        assert!((student(n) / exact - 1.0).abs() < 0.01, "{n}: {}", student(n));
-    }
-    assert!((student(28) - 2.048_407).abs() < 1e-5);
 }

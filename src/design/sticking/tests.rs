@@ -2,7 +2,7 @@
 
 use super::{
     LoopSize, bound_between, doubt_of_way, loop_size_of_motion, most_dissipating_force_ratio_of_all,
-    most_dissipating_force_ratio_of_all_with_damping, most_dissipating_friction_of_all,
+    most_dissipating_friction_of_all,
 };
 use crate::design::OptimumKind;
 use crate::exact::{LongRun, State, Trajectory};
@@ -54,7 +54,7 @@ fn the_way_of_a_motion_known_within_d() {
     }
     assert!(worst > 1.0, "{worst}");
     // Found with its own doubt, at the tolerance that leaves least room for it.
-    let best = most_dissipating_force_ratio_of_all(0.3, 2e-8).unwrap();
+    let best = most_dissipating_force_ratio_of_all(0.3, 0.0, 2e-8).unwrap();
     let again = loop_size_of_motion(0.3, best.at, 0.0).unwrap();
     assert!(best.bound >= again.most && again.most > again.found);
 }
@@ -104,7 +104,7 @@ fn no_loop_between_two_frictions_exceeds_the_bound() {
 #[test]
 fn none_of_all_is_better() {
     for omega in [0.05, 0.13, 0.22, 0.3, 0.4, 0.6, 0.7, 0.9, 1.3, 4.0] {
-        let best = most_dissipating_force_ratio_of_all::<f64>(omega, 1e-4).unwrap();
+        let best = most_dissipating_force_ratio_of_all::<f64>(omega, 0.0, 1e-4).unwrap();
         assert!(best.bound >= best.value && best.bound <= best.value * 1.0001, "{best:?}");
         assert!(best.value >= best.non_sticking.value && best.motions < 3000, "{omega} {best:?}");
         let again = loop_size_of_motion(omega, best.at * (1.0 + 1e-14), 0.0).unwrap().found;
@@ -123,7 +123,7 @@ fn none_of_all_is_better() {
 fn with_a_damper_none_of_all_is_better() {
     let mut optima = Vec::new();
     for (omega, zeta) in [(0.13, 0.02), (0.3, 0.05), (0.4, 0.3), (0.7, 0.02), (1.0, 0.05), (0.6, 1.2)] {
-        let best = most_dissipating_force_ratio_of_all_with_damping::<f64>(omega, zeta, 1e-4).unwrap();
+        let best = most_dissipating_force_ratio_of_all::<f64>(omega, zeta, 1e-4).unwrap();
         assert!(best.bound >= best.value && best.bound <= best.value * 1.0001, "{best:?}");
         let mut last = 0.0;
         for i in 1..300 {
@@ -146,7 +146,7 @@ fn with_a_damper_none_of_all_is_better() {
 #[test]
 fn a_coarse_search_ends_at_the_same_place() {
     for omega in [0.13, 0.22, 0.3] {
-        let at = |tolerance: f64| most_dissipating_force_ratio_of_all(omega, tolerance).unwrap();
+        let at = |tolerance: f64| most_dissipating_force_ratio_of_all(omega, 0.0, tolerance).unwrap();
         let (coarse, fine) = (at(1e-2), at(1e-5));
         assert_eq!(fine.kind, OptimumKind::Sticking);
         assert!((coarse.at / fine.at - 1.0).abs() < 1e-6, "{coarse:?} {fine:?}");
@@ -155,13 +155,13 @@ fn a_coarse_search_ends_at_the_same_place() {
 
 #[test]
 fn the_slow_limit_and_which_one_it_is() {
-    let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 1e-3).unwrap();
+    let slow = most_dissipating_force_ratio_of_all::<f64>(0.002, 0.0, 1e-3).unwrap();
     assert!((slow.at - 2.0).abs() < 0.05 && (slow.value - 2.0).abs() < 0.01, "{slow:?}");
-    let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 1e-3).unwrap().kind;
+    let optimum = |omega: f64| most_dissipating_force_ratio_of_all(omega, 0.0, 1e-3).unwrap().kind;
     assert_eq!(optimum(0.3), OptimumKind::Sticking);
     assert_eq!(optimum(1.5), OptimumKind::Interior);
-    assert!(matches!(most_dissipating_force_ratio_of_all(1.0, 1e-3), Err(Error::AtResonance { .. })));
-    assert!(matches!(most_dissipating_force_ratio_of_all(0.7, 1e-30), Err(Error::OutOfRange { .. })));
+    assert!(matches!(most_dissipating_force_ratio_of_all(1.0, 0.0, 1e-3), Err(Error::AtResonance { .. })));
+    assert!(matches!(most_dissipating_force_ratio_of_all(0.7, 0.0, 1e-30), Err(Error::OutOfRange { .. })));
 }
 
 #[test]
@@ -169,10 +169,10 @@ fn in_physical_units() {
     let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
     let drive = Drive::force(12.0, 0.6).unwrap();
     let best = most_dissipating_friction_of_all::<f64>(&body, &drive, 1e-3).unwrap();
-    let ratios = most_dissipating_force_ratio_of_all(0.3, 1e-3).unwrap();
+    let ratios = most_dissipating_force_ratio_of_all(0.3, 0.0, 1e-3).unwrap();
     let damped = body.with_damping_ratio(0.05).unwrap();
     let with_damper = most_dissipating_friction_of_all::<f64>(&damped, &drive, 1e-3).unwrap();
-    let loop_size = most_dissipating_force_ratio_of_all_with_damping(0.3, 0.05, 1e-3).unwrap().value;
+    let loop_size = most_dissipating_force_ratio_of_all(0.3, 0.05, 1e-3).unwrap().value;
     assert!((with_damper.value / (loop_size * 9.0) - 1.0).abs() < 1e-9 && with_damper.value < best.value);
     assert!((best.at * ratios.at / 12.0 - 1.0).abs() < 1e-6);
     assert!((best.value / (ratios.value * 9.0) - 1.0).abs() < 1e-9 && best.kind == OptimumKind::Sticking);

@@ -38,7 +38,7 @@ fn the_best_need_not_be_in_the_highest_band() {
     let mut lower = 0;
     for i in 0..40 {
         let alpha = 12.5 * 1.07f64.powi(i);
-        for band in bands(alpha, 0.03, 0.9).unwrap().skip(1) {
+        for band in bands(alpha, 0.0, 0.03, 0.9).unwrap().skip(1) {
             let low = band.unwrap().low;
             for share in [1e-9, 1e-4, 1e-2] {
                 let high = low * (1.0 + share);
@@ -84,7 +84,7 @@ fn which_one_it_is() {
 #[test]
 fn up_and_then_down_in_each_band() {
     for alpha in [1.215, 1.25, 1.3, 12.0, 31.0, 60.0, 1e3] {
-        for band in bands(alpha, 0.02, 20.0).unwrap().map(Result::unwrap) {
+        for band in bands(alpha, 0.0, 0.02, 20.0).unwrap().map(Result::unwrap) {
             let peaks = |low: f64, high: f64| {
                 let at = |i: i32| loop_size(low + (high - low) * f64::from(i) / 3000.0, alpha);
                 (1..2999)

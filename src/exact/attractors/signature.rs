@@ -60,8 +60,8 @@ impl<F: Float> Signature<F> {
             }
             LongRun::Rest(rest) => Self::Rest { position: rest.position },
             LongRun::Irregular(motion) => Self::Irregular {
-                max_displacement: motion.max_displacement(),
-                min_displacement: motion.min_displacement(),
+                max_displacement: motion.max_displacement,
+                min_displacement: motion.min_displacement,
             },
             LongRun::Unbounded { .. } => Self::Unbounded,
             LongRun::NotConverged { .. } => Self::NotConverged,

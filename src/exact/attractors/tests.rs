@@ -11,14 +11,14 @@ type Found = (f64, f64, u32, u32, bool, bool);
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
     let all = attractors(ratios, &starts(count, 10.0), 1000).unwrap();
     assert_eq!(all.unsettled(), 0);
-    assert_eq!(all.limits().iter().map(super::Attractor::starts).sum::<u64>(), u64::from(count));
+    assert_eq!(all.limits().iter().map(|limit| limit.starts).sum::<u64>(), u64::from(count));
     let mut found: Vec<_> = all
         .limits()
         .iter()
         .map(|limit| {
-            let LongRun::Periodic(s) = limit.limit() else { panic!("{limit:?}") };
-            if let Some(mirror) = limit.mirror() {
-                let other = all.limits()[mirror].limit().steady_state().unwrap();
+            let LongRun::Periodic(s) = limit.limit else { panic!("{limit:?}") };
+            if let Some(mirror) = limit.mirror {
+                let other = all.limits()[mirror].limit.steady_state().unwrap();
                 assert!((other.max_displacement() + s.min_displacement()).abs() < 1e-9);
             }
             (
@@ -27,7 +27,7 @@ fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
                 s.sticks_per_cycle(),
                 s.turns_per_cycle(),
                 s.is_symmetric(),
-                limit.mirror().is_some(),
+                limit.mirror.is_some(),
             )
         })
         .collect();
@@ -72,7 +72,7 @@ fn one_limit_whatever_the_phase_of_the_start() {
         .collect();
     let all = attractors(ratios, &starts, 1000).unwrap();
     assert_eq!(all.limits().len(), 2, "{:?}", all.limits());
-    let of_start = |i: usize| all.of_start(i).map(|place| all.limits()[place].first_start());
+    let of_start = |i: usize| all.of_start(i).map(|place| all.limits()[place].first_start);
     assert!((0..24).all(|i| of_start(i).is_some_and(|first| first <= i)));
 }
 
@@ -80,8 +80,8 @@ fn one_limit_whatever_the_phase_of_the_start() {
 #[test]
 fn places_of_rest_are_one_limit() {
     let all = attractors(ratios(0.8, 0.02, 1.6, 1.5), &starts(40, 5.0), 1000).unwrap();
-    let rest = all.limits().iter().find(|limit| matches!(limit.limit(), LongRun::Rest(_))).unwrap();
-    let (low, high) = rest.range().unwrap();
+    let rest = all.limits().iter().find(|limit| matches!(limit.limit, LongRun::Rest(_))).unwrap();
+    let (low, high) = rest.range.unwrap();
     assert!(-0.1 <= low && low <= high && high <= 0.1 + 1e-12, "{low} {high}");
-    assert!(all.limits().iter().any(|limit| limit.limit().steady_state().is_some()));
+    assert!(all.limits().iter().any(|limit| limit.limit.steady_state().is_some()));
 }

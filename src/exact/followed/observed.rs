@@ -140,8 +140,8 @@ impl<F: Float> Observed<F> {
         let (max_displacement, min_displacement) = (self.max_x?, self.min_x?);
         is_irregular.then(|| Irregular {
             state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
-            exponent: F::from_f64(mean),
-            exponent_error: F::from_f64(error),
+            lyapunov_exponent: F::from_f64(mean),
+            lyapunov_exponent_error: F::from_f64(error),
             max_displacement,
             min_displacement,
             stops: self.stops,

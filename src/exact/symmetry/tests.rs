@@ -21,7 +21,7 @@ fn limits(ratios: Ratios<f64>, near: State<f64>) -> Attractors<f64> {
 fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     let (mut symmetric, mut others) = (false, 0);
     for limit in all.limits() {
-        let LongRun::Periodic(s) = limit.limit() else { continue };
+        let LongRun::Periodic(s) = limit.limit else { continue };
         let near = (s.max_displacement() - like.motion.max_displacement()).abs() < 0.5;
         let shape = s.sticks_per_cycle() == like.motion.sticks_per_cycle();
         symmetric |= s.is_symmetric() && s.turns_per_cycle() == 1 && near && shape;

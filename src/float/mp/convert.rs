@@ -1,15 +1,9 @@
 //! To and from primitive numbers, `rug` numbers, and text radixes.
 
 use super::Mp;
-use rug::{Float, Integer, Rational};
+use rug::{Float, Rational};
 
 impl<const LIMBS: usize> Mp<LIMBS> {
-    /// The number nearest to an integer of any size.
-    #[must_use]
-    pub fn from_integer(n: &Integer) -> Self {
-        Self::from_rug(&Float::with_val(Self::BITS, n))
-    }
-
     /// The number nearest to a ratio of integers, rounded once.
     #[must_use]
     pub fn from_rational(ratio: &Rational) -> Self {

@@ -8,13 +8,11 @@ use crate::phase_function::PhaseFunction;
 
 /// Where the border lies over a range of frequency ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct BorderRange<F> {
+pub(crate) struct BorderRange<F> {
     /// The least value in the range.
-    pub least: F,
+    pub(crate) least: F,
     /// The greatest value in the range; `None` where a pole lies in it.
-    pub greatest: Option<F>,
+    pub(crate) greatest: Option<F>,
 }
 
 /// The least and the greatest value of the exact border for `low ≤ Ω ≤ high`.
@@ -24,7 +22,7 @@ pub struct BorderRange<F> {
 ///
 /// # Errors
 /// Where an end is outside the domain of [`Lobe::containing`], or `low > high`.
-pub fn border_range<F: Float>(low: F, high: F) -> Result<BorderRange<F>, Error> {
+pub(crate) fn border_range<F: Float>(low: F, high: F) -> Result<BorderRange<F>, Error> {
     let (first, last) = ordered_lobes(low, high)?;
     let at = |omega| Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio();
     let (a, b) = (at(low), at(high));

@@ -37,15 +37,6 @@ impl<F: Float> Border<F> {
         border.relative_slope(p) * border.min_force_ratio() / p.omega()
     }
 
-    /// How much faster than Ω the border changes, in relative terms: `Ω α_min′/α_min`.
-    ///
-    /// The condition number of the border: large beside a pole 1/(2n+1), where an Ω that was measured or
-    /// rounded says little about the force. Finite for every float Ω.
-    #[must_use]
-    pub fn sensitivity(p: &PhaseFunction<F>) -> F {
-        Self::at(p).relative_slope(p)
-    }
-
     /// `Ω α_min′/α_min = [K (Ω K′) + b (Ω b′)]/α_min²`, in quotients that stay in range for any Ω.
     fn relative_slope(&self, p: &PhaseFunction<F>) -> F {
         let (omega, k, alpha) = (p.omega(), p.value(), self.min_force_ratio());
@@ -108,8 +99,8 @@ mod tests {
     }
 
     #[test]
-    fn the_sensitivity_grows_like_the_inverse_distance_from_a_pole() {
+    fn the_relative_slope_grows_like_the_inverse_distance_from_a_pole() {
         let p = PhaseFunction::<f64>::new((1.0 + 1e-9) / 3.0).unwrap();
-        assert!((Border::sensitivity(&p) * 1e-9 + 1.0).abs() < 1e-6);
+        assert!((Border::at(&p).relative_slope(&p) * 1e-9 + 1.0).abs() < 1e-6);
     }
 }

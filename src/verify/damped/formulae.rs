@@ -46,7 +46,7 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
             loop_size_inertia: cycle.loop_size_inertia(),
             damper_work: cycle.damper_work(),
             contraction: cycle.contraction(),
-            multipliers: cycle.multipliers().half_cycle(),
+            multipliers: cycle.multipliers().pair(),
         }
     }
     /// The border at (Ω, ζ).

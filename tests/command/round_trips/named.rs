@@ -167,7 +167,7 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         LongRun::Family(s) => ("family", Some(s.periods()), None),
         LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => ("none", None, None),
-        LongRun::Irregular(motion) => ("irregular", Some(motion.periods()), None),
+        LongRun::Irregular(motion) => ("irregular", Some(motion.periods), None),
         LongRun::NotConverged { periods, .. } => ("not-converged", Some(*periods), None),
     };
     named([

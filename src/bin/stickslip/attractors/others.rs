@@ -51,7 +51,7 @@ impl<F: Value> Others<F> {
         let mut numbers = Vec::new();
         let mut next = all.limits().len();
         for motion in motions.found() {
-            let signature = Signature::of(&LongRun::Periodic(*motion.steady_state()))?;
+            let signature = Signature::of(&LongRun::Periodic(motion.steady_state))?;
             let place = all.place_of(&signature);
             numbers.push((place.is_none(), 1 + place.unwrap_or(next)));
             next += usize::from(place.is_none());
@@ -62,8 +62,8 @@ impl<F: Value> Others<F> {
             others
                 .map(|(motion, (_, own))| Other {
                     number: *own,
-                    mirror: motion.mirror().and_then(number),
-                    steady: *motion.steady_state(),
+                    mirror: motion.mirror.and_then(number),
+                    steady: motion.steady_state,
                 })
                 .collect(),
         ))

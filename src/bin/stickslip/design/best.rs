@@ -16,8 +16,7 @@ impl<F: Value> Asked<'_, F> {
         }
         if !self.physical {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
-            let best =
-                design::most_dissipating_force_ratio_with_damping(omega, zeta).map_err(|e| self.fail(e))?;
+            let best = design::most_dissipating_force_ratio(omega, zeta).map_err(|e| self.fail(e))?;
             let size = ("loop_size_stiffness", Kind::Ratio, best.value);
             return Ok(best_ratio("Most", 'α', ("force_ratio", Kind::Ratio, best.at), size, None, best.kind));
         }
@@ -33,7 +32,7 @@ impl<F: Value> Asked<'_, F> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
             let (omega, zeta) = (self.omega()?, self.damping_ratio());
-            let best = design::most_dissipating_force_ratio_of_all_with_damping(omega, zeta, tolerance);
+            let best = design::most_dissipating_force_ratio_of_all(omega, zeta, tolerance);
             let best = best.map_err(|e| self.fail(e))?;
             let (at, bound) = (("force_ratio", Kind::Ratio, best.at), Some(best.bound));
             return Ok(best_ratio(

@@ -50,8 +50,7 @@ pub(crate) fn response(
     let ((zeta, eta), bits) = (known_others(others)?, bits(output));
     let typed: Vec<_> =
         [("omega", omega), ("alpha", alpha)].into_iter().chain(typed_others(others)).collect();
-    let found =
-        enclosed::response_with(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, &eta, bits);
+    let found = enclosed::response(&known("--omega", omega)?, &known("--alpha", alpha)?, &zeta, &eta, bits);
     let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
     Answer { typed, found, outputs: Output::ALL.to_vec(), has_regime: true }.write(output, out)
 }
@@ -60,7 +59,7 @@ pub(crate) fn response(
 pub(crate) fn border(omega: &str, others: Others<'_>, output: &OutputArgs, out: &mut impl Write) -> Outcome {
     let ((zeta, eta), bits) = (known_others(others)?, bits(output));
     let typed: Vec<_> = [("omega", omega)].into_iter().chain(typed_others(others)).collect();
-    let found = enclosed::border_with(&known("--omega", omega)?, &zeta, &eta, bits);
+    let found = enclosed::border(&known("--omega", omega)?, &zeta, &eta, bits);
     let found = found.map_err(|e| fault(&options(&typed), output, &e))?;
     let of_border = [
         Output::MinForceRatio,

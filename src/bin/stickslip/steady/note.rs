@@ -49,21 +49,21 @@ pub(super) fn note<F: Value>(
             writeln!(out, "{}", style::verdict(&sentence))
         }
         LongRun::Irregular(found) => {
-            let turns = found.turns();
+            let turns = found.turns;
             let sentence = format!(
                 "Irregular: the motion from this start did not repeat itself in {turns} turns of the drive."
             );
             writeln!(out, "{}\n", style::verdict(&sentence))?;
-            writeln!(out, "  greatest displacement    {}", length(found.max_displacement()))?;
-            writeln!(out, "  least displacement       {}", length(found.min_displacement()))?;
-            let (exponent, error) = (found.lyapunov_exponent(), found.lyapunov_exponent_error());
+            writeln!(out, "  greatest displacement    {}", length(found.max_displacement))?;
+            writeln!(out, "  least displacement       {}", length(found.min_displacement))?;
+            let (exponent, error) = (found.lyapunov_exponent, found.lyapunov_exponent_error);
             writeln!(
                 out,
                 "  Lyapunov exponent        {} a turn, ± {:.1e}",
                 digits(exponent),
                 error.to_f64()
             )?;
-            writeln!(out, "  stops                    {}", found.stops())
+            writeln!(out, "  stops                    {}", found.stops)
         }
         LongRun::Unbounded { growth } => {
             let growth = length(*growth);

@@ -1,0 +1,59 @@
+//! What is estimated from measurements or draws.
+
+/// An estimate with its standard error.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+#[must_use]
+pub struct Estimate {
+    /// The estimate.
+    pub value: f64,
+    /// Its standard error.
+    pub standard_error: f64,
+    /// Degrees of freedom of the standard error; infinite where it is not estimated from a spread.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) degrees_of_freedom: f64,
+}
+
+impl Estimate {
+    /// The interval that holds the true value in 95 % of such measurements or runs, if their errors are independent and
+    /// normal.
+    ///
+    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 % from 3 of them
+    /// on.
+    #[must_use]
+    pub fn interval(&self) -> (f64, f64) {
+        let half = student(self.degrees_of_freedom) * self.standard_error;
+        (self.value - half, self.value + half)
+    }
+}
+
+/// The 97.5 % quantile of Student's distribution with n degrees of freedom (Abramowitz and Stegun, 26.7.5).
+fn student(n: f64) -> f64 {
+    let z = 1.959_963_984_540_054_f64;
+    let square = z * z;
+    let first = z * (square + 1.0) / 4.0;
+    let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
+    let third = z * (((3.0 * square + 19.0) * square + 17.0) * square - 15.0) / 384.0;
+    z + first / n + second / (n * n) + third / (n * n * n)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Estimate, student};
+
+    #[test]
+    fn the_quantiles_of_students_distribution() {
+        // From tables.
+        let table =
+            [(3.0, 3.182_446), (5.0, 2.570_582), (10.0, 2.228_139), (28.0, 2.048_407), (100.0, 1.983_972)];
+        for (n, expected) in table {
+            assert!((student(n) / expected - 1.0).abs() < 0.01, "{n}: {}", student(n));
+        }
+        assert!((student(28.0) - 2.048_407).abs() < 1e-5);
+        let exact = Estimate { value: 1.0, standard_error: 0.5, degrees_of_freedom: f64::INFINITY };
+        assert!(
+            (exact.interval().1 - 1.979_982).abs() < 1e-6 && (exact.interval().0 - 0.020_018).abs() < 1e-6
+        );
+    }
+}
