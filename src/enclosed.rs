@@ -6,7 +6,7 @@
 //! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
 //!
 //! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then everything is computed again with twice
-//! the bits, up to [`GREATEST_BITS`]; what is not decided there is `None`, never a guess. With exact ratios each output is as sharp as the bits
+//! the bits, up to [`MAX_BITS`]; what is not decided there is `None`, never a guess. With exact ratios each output is as sharp as the bits
 //! asked for; with intervals the widths are those that the intervals cause, and the overestimate of evaluating each formula once.
 //!
 //! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests on MPFR and on the bounds of
@@ -59,7 +59,7 @@ use cycle::Cycle;
 use widen::{Answers, Question, sharpest};
 
 /// The most bits that are computed with.
-pub const GREATEST_BITS: u32 = widen::GREATEST;
+pub const MAX_BITS: u32 = widen::GREATEST;
 
 /// What the body does, where that is certain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -164,7 +164,7 @@ pub fn border(
 }
 
 fn valid(bits: u32) -> Result<u32, Error> {
-    let (least, greatest) = (1.0, f64::from(GREATEST_BITS - 64));
+    let (least, greatest) = (1.0, f64::from(MAX_BITS - 64));
     within(Quantity::Precision, f64::from(bits), least, greatest).map(|_| bits)
 }
 

@@ -11,25 +11,33 @@
 //! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof that none
 //! was missed: no step size, and no tolerance but rounding (`event` says where that enters).
 //!
-//! | file | what |
+//! The files are in three layers, each of which needs those above it only.
+//!
+//! | motion | |
 //! |---|---|
-//! | [`DrivePhase`] | the phase of the drive, reduced |
-//! | `equation`, `motion`, `slide`, `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
-//! | `stick` | sticking, and when friction gives way |
-//! | `event`, `stretch`, `velocity_zero` | the next velocity zero, with its proof |
-//! | `expect` | where it is looked for first |
-//! | [`State`], [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
+//! | [`DrivePhase`], [`State`] | the phase of the drive, reduced; a state |
+//! | `equation`, `jet`, `motion`, `slide`, `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
+//! | `stick`, `work` | sticking, and when friction gives way; the work of a slide |
+//!
+//! | event | |
+//! |---|---|
+//! | `event`, `search`, `stretch`, `cover`, `window` | the next zero of a vibration, with its proof |
+//! | `velocity_zero`, `fastest`, `expect` | the end of a slide, its greatest speed, and where both are looked for first |
+//! | [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
-//! | [`LongRun`], [`SteadyState`] | what the motion tends to, and what a cycle of it amounts to |
+//!
+//! | limit | |
+//! |---|---|
+//! | [`LongRun`], [`SteadyState`], [`Irregular`], [`ErrorMeasures`] | the results: what the motion tends to, and what a cycle of it amounts to |
+//! | `limit` | which of the searches below finds it |
 //! | `propagation`, `matrix`, `section`, `shooting` | half a turn with its derivative, and its fixed point |
 //! | `stop_map`, `stops` | from stop to stop, one number on: the limit where it sticks |
 //! | `validate` | the closed-form cycle shown to be that fixed point |
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
-//! | `followed`, [`Irregular`] | the limit of one start, where η > 1 |
+//! | `followed` | the limit of one start, where η > 1 |
 //! | `period_map` | m half turns with their derivative, and Newton's method for what they bring back |
 //! | [`attractors()`], [`Starts`] | all limits that a set of starts leads to, and starts for it |
 //! | [`periodic_motions()`] | periodic motions that Newton's method finds, unstable ones among them |
-//! | `fastest`, [`ErrorMeasures`] | the greatest speed; the paper's error measures |
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
 
@@ -48,6 +56,8 @@ mod fastest;
 mod followed;
 mod free;
 mod irregular;
+mod jet;
+mod limit;
 mod long_run;
 #[cfg(test)]
 mod machines;
@@ -61,6 +71,7 @@ mod periodic;
 mod propagation;
 mod rest;
 mod samples;
+mod search;
 mod section;
 mod shooting;
 mod short;
@@ -84,11 +95,10 @@ pub use attractors::{Attractor, Attractors, attractors};
 pub use drive::DrivePhase;
 pub use free::FreeDecay;
 pub use irregular::Irregular;
-pub use long_run::{DEFAULT_BUDGET, LongRun};
+pub use long_run::{DEFAULT_BUDGET, LongRun, Rest};
 pub use measures::ErrorMeasures;
 pub use peaks::Peaks;
 pub use periodic::{PeriodicMotion, periodic_motions};
-pub use rest::Rest;
 pub use samples::Samples;
 pub use slide::Direction;
 pub use starts::Starts;

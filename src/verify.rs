@@ -64,6 +64,8 @@ pub(crate) const TOLERANCE: f64 = 128.0;
 
 /// How an equation of the paper stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Standing {
     /// It holds at every point.
     Holds,
@@ -125,6 +127,7 @@ impl<F: Float> Identity<F> {
 
 /// What came of an identity over all points.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Verdict {
     /// The equation's number.
     pub equation: &'static str,

@@ -26,6 +26,7 @@ mod certificate;
 mod map;
 mod outline;
 mod slide;
+mod statistics;
 mod steady;
 mod unproved;
 

@@ -10,7 +10,7 @@
 //! The first zero of that is the cover. From ζ = 1 on, with D = √(ζ² − 1), it is `artanh(D f/−(f′ + ζf))/D`, of which `f/−(f′ + ζf)`,
 //! the zero of the tangent of u, is a lower bound, and there is none where `f′ + ζf ≥ −D f`.
 
-use super::event::Jet;
+use super::jet::Jet;
 use crate::float::Float;
 
 /// What of the cover depends on ζ.

@@ -33,7 +33,7 @@
 //! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because `w(φ) + w(φ + π)` is free of the
 //! natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four changes of sign of g, hence
 //! **at most 8 stretches** of up to 3⅛ radians. Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one
-//! exceeds the other's amplitude there is no zero, and that part is left out ([`Safe`]). What remains of a window holds
+//! exceeds the other's amplitude there is no zero, and that part is left out ([`super::search::Safe`]). What remains of a window holds
 //! a zero once it is as long as the fast period, but for the rounding of the window's ends; each window is at least half a slow period, not
 //! shorter than the fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
 //! 8 stretches or a few more where rounding matters. A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
@@ -46,101 +46,11 @@
 //! 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps (Householder 1970) quadruple the good digits: 3.7
 //! evaluations a slide on average over 40,000 slides of every kind (a test holds 3.76 on average and 14 at most), 1 or 2 in a steady motion.
 
-use super::cover::Cover;
+use super::jet::Jet;
+use super::search::{Search, Verdict};
 use super::stretch::{Stretch, in_helping, in_opposing};
 use super::window::Waves;
 use crate::float::Float;
-
-/// A value and its first three derivatives.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Jet<F> {
-    pub(crate) value: F,
-    pub(crate) first: F,
-    pub(crate) second: F,
-    pub(crate) third: F,
-}
-
-/// The first zero: at `at + step`, where `step` is the last, final one, and `motion` is that of `at`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Found<F, M> {
-    pub(crate) at: F,
-    pub(crate) step: F,
-    pub(crate) motion: M,
-    /// The function touches zero without crossing it.
-    pub(crate) grazes: bool,
-}
-
-/// A window of natural time within which no zero can be: it repeats after `period`.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Safe<F> {
-    pub(crate) centre: F,
-    pub(crate) half_width: F,
-    pub(crate) period: F,
-}
-
-impl<F: Float> Safe<F> {
-    /// The window that φ lies in or that comes next, as (beginning, end), less the rounding of its ends. Where it is empty the
-    /// beginning is not before the end.
-    fn next(&self, phi: F) -> (F, F) {
-        // Each of centre, half width and turns times the period is right to two units of itself, and none exceeds φ + 2 periods by much.
-        let rounding = F::int(16) * F::epsilon() * (phi + self.period);
-        let half_width = self.half_width - rounding;
-        // The end of a window counts as beyond it.
-        let turns = ((phi + rounding - self.centre - half_width) / self.period).floor() + F::int(1);
-        let centre = self.centre + turns * self.period;
-        (centre - half_width, centre + half_width)
-    }
-}
-
-/// What is known of the function whose zero is sought.
-#[derive(Debug, Clone)]
-pub(crate) struct Search<F> {
-    pub(crate) omega: F,
-    /// The fastest rate of change, [`super::equation::Equation::pace`].
-    pub(crate) pace: F,
-    pub(crate) cover: Cover<F>,
-    /// The angle of g at φ = 0 within its half turn, in `[−π/2, π/2)`: `|g| ∝ cos`.
-    pub(crate) angle: F,
-    /// Whether g ≥ 0 on that half turn.
-    pub(crate) helping: bool,
-    /// Whether f = 0 at φ = 0, from where it rises.
-    pub(crate) from_zero: bool,
-    /// Where to stop; the zero may be at the limit itself.
-    pub(crate) limit: Option<F>,
-    /// Where the zero is expected.
-    pub(crate) hint: F,
-    /// Where no zero can be, without damping.
-    pub(crate) safe: Option<Safe<F>>,
-    /// Where no zero can be, with damping.
-    pub(crate) waves: Option<Box<Waves<F>>>,
-    /// What rounding can make of a zero of f.
-    pub(crate) noise: F,
-    /// The same at a short time: the coefficients of 1, φ, φ², φ³.
-    pub(crate) short_noise: Option<[F; 4]>,
-}
-
-impl<F: Float> Search<F> {
-    /// How many half turns of g have passed at φ.
-    fn half_turn_at(&self, phi: F) -> F {
-        ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
-    }
-
-    /// What rounding can make of a zero of f at φ.
-    pub(crate) fn noise_at(&self, phi: F) -> F {
-        let least = |x: F, y: F| if x < y { x } else { y };
-        let long = self.waves.as_ref().map_or(self.noise, |waves| least(waves.noise_at(phi), self.noise));
-        let Some([a, b, c, d]) = self.short_noise else { return long };
-        least(a + phi * (b + phi * (c + phi * d)), long)
-    }
-}
-
-/// What a stretch turned out to hold: a zero, or none, with the function at its end where that was evaluated.
-pub(crate) enum Verdict<F, M> {
-    Zero(Found<F, M>),
-    Clear(Option<(Jet<F>, M)>),
-    /// A proved bound was passed without an answer, at this φ. Nothing is known of what is there.
-    Lost(F),
-}
 
 /// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none, with what f
 /// is at the limit if that had to be known.
@@ -253,6 +163,7 @@ fn modulo_two<F: Float>(n: F) -> bool {
 #[cfg(test)]
 mod tests {
     use super::{Jet, Search, Verdict, next_zero};
+    use crate::exact::cover::Cover;
     use std::cell::Cell;
     use std::f64::consts::PI;
 
@@ -261,7 +172,7 @@ mod tests {
         Search {
             omega,
             pace: omega.max(1.0),
-            cover: super::Cover::new(0.0),
+            cover: Cover::new(0.0),
             waves: None,
             angle: 0.3,
             helping: true,

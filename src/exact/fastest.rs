@@ -19,7 +19,8 @@
 use super::broken::Broken;
 use super::cover::Cover;
 use super::equation::Equation;
-use super::event::{Found, Search, Verdict, next_zero};
+use super::event::next_zero;
+use super::search::{Found, Search, Verdict};
 use super::motion::Motion;
 use super::slide::Slide;
 use crate::float::Float;

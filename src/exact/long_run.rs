@@ -1,24 +1,11 @@
 //! What a motion tends to, by name.
 
-use super::broken::Broken;
 use super::equation::Equation;
-use super::family;
-use super::followed;
 use super::irregular::Irregular;
-use super::measures::CycleStatistics;
-use super::rest::{Rest, come_to_rest};
-use super::section::{Settled, cycle_guess, on_six_reversals, settle_in};
-use super::shooting::{Budget, Guess, Shot, shoot};
-use super::state::Point;
-use super::state::State;
-use super::steady::{SteadyState, Summary};
-use super::stops::Sticking;
-use super::trajectory::resolved;
-use crate::error::Error;
+use super::shooting::Budget;
+use super::state::{Point, State};
+use super::steady::SteadyState;
 use crate::float::Float;
-use crate::nonsticking::{Cycle, SixReversals};
-use crate::ratios::Ratios;
-use core::ops::ControlFlow;
 
 /// What a motion tends to.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,128 +43,20 @@ pub enum LongRun<F> {
     },
 }
 
+/// Where a body ends at rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Rest<F> {
+    /// Place of rest x/B, `|x| ≤ η − α`.
+    pub position: F,
+    /// Slides until it is at rest for ever; `None` where it creeps for ever towards [`Rest::position`].
+    pub slides: Option<u64>,
+    /// Periods of the drive that were followed.
+    pub periods: F,
+}
+
 impl<F: Float> LongRun<F> {
-    /// What the motion at (Ω, α) tends to from a start.
-    ///
-    /// With η = 1 the limit is the same from every start, but for a family and for rest, and a motion with stops is found from stop to stop without
-    /// following this one.
-    ///
-    /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127, if it is symmetric), rest, or an irregular motion.
-    ///
-    /// # Errors
-    /// As for [`super::Trajectory::new`].
-    pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
-        Self::within(ratios, start, DEFAULT_BUDGET)
-    }
-
-    /// The same, following the motion for at most `periods` periods of the drive.
-    ///
-    /// # Errors
-    /// As for [`super::Trajectory::new`].
-    pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
-        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)))
-    }
-
-    /// The same, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop, of which one takes
-    /// about a microsecond at f64.
-    ///
-    /// ```
-    /// use std::ops::ControlFlow;
-    /// use stickslip::exact::{LongRun, State};
-    /// use stickslip::{Error, Ratios};
-    /// let mut slides = 0;
-    /// let mut few = || { slides += 1; if slides < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) } };
-    /// let limit = LongRun::within_while(Ratios::new(1e-5f64, 2.0)?, State::rest(), 100, &mut few);
-    /// assert_eq!(limit, Err(Error::Interrupted));
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
-    pub fn within_while(
-        ratios: Ratios<F>,
-        start: State<F>,
-        periods: u32,
-        keep_going: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<Self, Error> {
-        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)).with(keep_going))
-    }
-
-    fn budgeted(ratios: Ratios<F>, start: State<F>, mut budget: Budget<'_>) -> Result<Self, Error> {
-        let ratios = resolved(ratios)?;
-        let (one, alpha) = (F::int(1), ratios.alpha());
-        if alpha <= one {
-            return come_to_rest(ratios, start, &mut budget);
-        }
-        if ratios.has_higher_static_friction() {
-            return followed::limit(ratios, start, &mut budget);
-        }
-        if ratios.omega() == one && F::pi() * alpha > F::int(4) && !ratios.is_damped() {
-            return Ok(Self::Unbounded { growth: F::pi() * alpha - F::int(4) });
-        }
-        let equation = Equation::new(ratios);
-        let sticking = Sticking::new(equation);
-        let is_family = !sticking.is_below() && family::is_one(ratios);
-        if sticking.is_below()
-            && let Some(limit) = sticking.limit(&mut budget)?
-        {
-            return Ok(limit);
-        }
-        let at_stop = |budget: &mut Budget<'_>| {
-            if sticking.is_open() { sticking.limit(budget) } else { Ok(None) }
-        };
-        let (section, hint) = match settle_in(equation, start, &mut budget, at_stop)? {
-            Settled::Here(section, hint) => (section, hint),
-            Settled::Known(limit) => return Ok(*limit),
-        };
-        if is_family {
-            return family::member(equation, section, hint, budget);
-        }
-        let guess = || match Cycle::find(ratios) {
-            Some(cycle) => Ok(Some(cycle_guess(equation, &cycle))),
-            None => {
-                // Below the border, of six reversals or with stops: then the limit is that from rest.
-                let (at, hint) = match SixReversals::new(ratios) {
-                    Some(cycle) => on_six_reversals(equation, &cycle),
-                    None => match settle_in(equation, State::rest(), &mut Budget::of(0), |_| Ok(None))? {
-                        Settled::Here(at, hint) => (at, hint),
-                        Settled::Known(_) => return Ok(None),
-                    },
-                };
-                Ok(Some(Guess { at, hint, is_limit: false }))
-            }
-        };
-        Self::shot(equation, section, hint, guess, budget)
-    }
-
-    pub(crate) fn shot(
-        equation: Equation<F>,
-        section: Point<F>,
-        hint: F,
-        guess: impl FnOnce() -> Result<Option<Guess<F>>, Broken>,
-        mut budget: Budget<'_>,
-    ) -> Result<Self, Error> {
-        match shoot(equation, section, hint, guess, &mut budget)? {
-            Shot::Settled(fixed) => {
-                let periods = F::from_f64(budget.half_turns as f64) / F::int(2);
-                let multipliers = fixed.propagation.monodromy.squared_eigenvalues();
-                let statistics =
-                    CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
-                        .doubled();
-                Ok(Self::Periodic(SteadyState {
-                    equation,
-                    start: fixed.start,
-                    half_turns: 1,
-                    statistics: Summary::of(&statistics, 1),
-                    multipliers,
-                    distance: fixed.distance,
-                    periods,
-                }))
-            }
-            Shot::Unsettled(y, residual) => Ok(unsettled(&equation, &y, residual, &budget)),
-        }
-    }
-
     /// The periodic motion, where there is one.
     pub const fn steady_state(&self) -> Option<&SteadyState<F>> {
         match self {
@@ -245,32 +124,5 @@ pub(crate) fn unsettled<F: Float>(
         state: State { phase: y.phase, x: y.x, v: y.w / equation.omega },
         residual,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::LongRun;
-    use crate::exact::State;
-    use crate::{Border, Ratios};
-
-    /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
-    #[test]
-    fn the_way_to_the_limit_is_short() {
-        let (mut periods, mut most) = (0.0, 0.0f64);
-        for i in 0..400u32 {
-            let spread = |step: f64| (f64::from(i) * step).fract();
-            let omega = 10f64.powf(2.0 * spread(0.618_034) - 1.3);
-            let alpha = 1.05 + 2.0 * spread(0.754_878) * Border::new(omega).unwrap().min_force_ratio();
-            let ratios = Ratios::new(omega, alpha).unwrap();
-            let far = State::new(7.0 * spread(0.569_840), 3.0 * alpha, -2.0 * alpha / omega).unwrap();
-            for start in [State::rest(), far] {
-                let limit = LongRun::from_start(ratios, start).unwrap();
-                let Some(steady) = limit.steady_state() else { panic!("{omega} {alpha} {limit:?}") };
-                (periods, most) = (periods + steady.periods(), most.max(steady.periods()));
-            }
-        }
-        // 4.33 a start.
-        assert!(periods <= 3490.0 && most <= 44.0, "{periods} {most}");
     }
 }

@@ -1,7 +1,7 @@
 //! The motion at one instant of a slide, with its derivatives.
 
 use super::equation::Equation;
-use super::event::Jet;
+use super::jet::Jet;
 use crate::float::Float;
 
 /// What moves at one instant of a slide; rates are by natural time φ.

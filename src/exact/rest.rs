@@ -13,26 +13,13 @@
 //! `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that the way it slides is finite. It does not creep: what moves it begins with the acceleration η − 1.
 
 use super::equation::Equation;
-use super::long_run::LongRun;
+use super::long_run::{LongRun, Rest};
 use super::shooting::Budget;
 use super::state::State;
 use super::trajectory::{Body, End, Trajectory};
 use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
-
-/// Where a body ends at rest.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
-pub struct Rest<F> {
-    /// Place of rest x/B, `|x| ≤ η − α`.
-    pub position: F,
-    /// Slides until it is at rest for ever; `None` where it creeps for ever towards [`Rest::position`].
-    pub slides: Option<u64>,
-    /// Periods of the drive that were followed.
-    pub periods: F,
-}
 
 /// Where the motion from a start comes to rest, α ≤ 1.
 ///

@@ -1,20 +1,13 @@
 //! The motion in the long run.
 
 use super::equation::Equation;
-use super::family;
-use super::followed;
-use super::long_run::{DEFAULT_BUDGET, LongRun};
 use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
 use super::propagation::follow;
-use super::section::{cycle_guess, fastest_point};
 use super::shooting::Budget;
-use super::state::Point;
-use super::state::State;
+use super::state::{Point, State};
 use super::trajectory::resolved;
-use super::validate::validated;
 use crate::error::Error;
 use crate::float::Float;
-use crate::nonsticking::Cycle;
 use crate::ratios::Ratios;
 
 /// Turns of the drive in a cycle of a motion that the half-turn map repeats after so many half turns: as many where that is odd, and the
@@ -100,30 +93,6 @@ pub struct SteadyState<F> {
 }
 
 impl<F: Float> SteadyState<F> {
-    /// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from half a cycle
-    /// of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the cycle's own proof.
-    ///
-    /// # Errors
-    /// As for [`crate::exact::Trajectory::new`].
-    pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
-        let ratios = resolved(cycle.ratios())?;
-        let equation = Equation::new(ratios);
-        let is_family = family::is_one(ratios);
-        if !is_family && let Some(steady) = validated(equation, cycle) {
-            return Ok(LongRun::Periodic(steady));
-        }
-        let mut budget = Budget::of(2 * u64::from(DEFAULT_BUDGET));
-        let (section, hint) = fastest_point(equation, cycle);
-        if ratios.has_higher_static_friction() {
-            let start = State { phase: section.phase, x: section.x, v: section.w / equation.omega };
-            return followed::limit(ratios, start, &mut budget);
-        }
-        if is_family {
-            return family::member(equation, section, hint, budget);
-        }
-        LongRun::shot(equation, section, hint, || Ok(Some(cycle_guess(equation, cycle))), budget)
-    }
-
     /// Turns of the drive in a cycle of the motion: 1, but for some motions with a static friction above the kinetic one.
     pub fn turns_per_cycle(&self) -> u32 {
         if self.half_turns % 2 == 1 { self.half_turns } else { self.half_turns / 2 }

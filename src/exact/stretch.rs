@@ -1,6 +1,7 @@
 //! One stretch of the search for a zero: shorter than half a free period, with a right side g of one sign (`event` has the proofs).
 
-use super::event::{Found, Jet, Search, Verdict};
+use super::jet::Jet;
+use super::search::{Found, Search, Verdict};
 use crate::float::Float;
 
 /// A stretch (beginning, end) with g of one sign, and what is known of f at its beginning.

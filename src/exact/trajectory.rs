@@ -12,6 +12,8 @@ use crate::ratios::Ratios;
 
 /// How a phase of the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum End {
     /// The velocity goes through zero and the body slides back at once.
     Reversal,
@@ -27,6 +29,8 @@ pub enum End {
 
 /// What the body does during a phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind {
     /// It slides one way.
     Slide(Direction),

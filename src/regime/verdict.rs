@@ -99,7 +99,7 @@ impl<F: Float> Verdict<F> {
 #[must_use]
 pub struct Family<F> {
     max_displacement: F,
-    greatest_shift: F,
+    max_shift: F,
 }
 
 impl<F: Float> Family<F> {
@@ -107,13 +107,13 @@ impl<F: Float> Family<F> {
     pub(super) fn at(ratios: Ratios<F>, least: F) -> Self {
         Self {
             max_displacement: ratios.alpha() / one_minus_square(ratios.omega()),
-            greatest_shift: (ratios.alpha() - least) / least,
+            max_shift: (ratios.alpha() - least) / least,
         }
     }
 
     /// The greatest |c|, in units of B.
-    pub const fn greatest_shift(&self) -> F {
-        self.greatest_shift
+    pub const fn max_shift(&self) -> F {
+        self.max_shift
     }
 
     /// Half the stroke, α/(1 − Ω²) in units of B, the same for all: Δ₀/B of the symmetric cycle.
@@ -123,7 +123,7 @@ impl<F: Float> Family<F> {
 
     /// Maximum and minimum displacement (units of B) of the cycle shifted by c; `None` where it would stick.
     pub fn extremes(&self, shift: F) -> Option<(F, F)> {
-        let exists = shift.abs() <= self.greatest_shift;
+        let exists = shift.abs() <= self.max_shift;
         exists.then(|| (self.max_displacement + shift, shift - self.max_displacement))
     }
 }
@@ -134,11 +134,11 @@ mod tests {
     use crate::{Ratios, Regime};
 
     #[test]
-    fn the_family_slides_up_to_its_greatest_shift_and_no_further() {
+    fn the_family_slides_up_to_its_max_shift_and_no_further() {
         for (omega, alpha) in [(0.5, 4.0), (0.25, 17.0), (0.125, 100.0), (1.0 / 64.0, 4096.0)] {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let family = Family::at(ratios, 1.0 / (omega * omega) - 1.0);
-            let (a, c) = (family.max_displacement(), family.greatest_shift());
+            let (a, c) = (family.max_displacement(), family.max_shift());
             // The velocity of the falling half, against the sliding that it needs, over the half cycle and
             // both shifts.
             let slides = |shift: f64| {

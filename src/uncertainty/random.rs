@@ -141,6 +141,12 @@ impl MonteCarlo {
         Ok(Self { draws, regimes, outputs })
     }
 
+    /// How many of the valid draws are in each regime.
+    #[cfg(feature = "serde")]
+    pub(crate) const fn regimes(&self) -> &[(Regime, u32); 4] {
+        &self.regimes
+    }
+
     /// Draws in all.
     #[must_use]
     pub const fn draws(&self) -> u32 {

@@ -243,7 +243,7 @@ fn decimals_are_what_is_written() {
     assert_eq!(half.regime(), Some(Regime::NonSticking));
     // α = 3 is the border at Ω = 1/2: that is not decided by any number of bits.
     let border = at("0.5", "3");
-    assert_eq!((border.regime(), border.bits()), (None, enclosed::GREATEST_BITS));
+    assert_eq!((border.regime(), border.bits()), (None, enclosed::MAX_BITS));
     // Close to it, more bits decide.
     let text = format!("3.{}1", "0".repeat(100));
     let above = at("0.5", &text);
@@ -395,7 +395,7 @@ fn what_cannot_be_proved_is_not_claimed() {
 #[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
 fn a_million_points() {
     use std::time::{Duration, Instant};
-    use stickslip::enclosed::GREATEST_BITS;
+    use stickslip::enclosed::MAX_BITS;
     let number = |name: &str, otherwise: u64| std::env::var(name).map_or(otherwise, |n| n.parse().unwrap());
     let (most, seconds) = (number("STICKSLIP_POINTS", 1_000_000), number("STICKSLIP_SECONDS", 1 << 40));
     let (mut count, start) = (0, Instant::now());
@@ -443,7 +443,7 @@ fn a_million_points() {
         let exact = Response::guarded(Ratios::new(Mp::<4>::from(omega), Mp::from(alpha)).unwrap());
         undecided += u64::from(found.regime().is_none());
         more_bits += u64::from(found.bits() > 128);
-        assert!(found.bits() <= GREATEST_BITS);
+        assert!(found.bits() <= MAX_BITS);
         for output in Output::ALL {
             if let Some(enclosure) = found.get(output)
                 && let Some(value) = output.of(&exact)

@@ -1,16 +1,14 @@
 //! Answers as records: one list of names and values, written as JSON or CSV.
 
 mod cell;
+mod written;
 
-use crate::args::Header;
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
 use crate::input::BorderScales;
 use crate::machine::Machine;
-use crate::outputs::{plain, unit_of};
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use std::io::{self, Write};
 use stickslip::Response;
 use stickslip::regime::NoStop;
 use stickslip::units::Kind;
@@ -260,70 +258,4 @@ impl<F: Value> Record<F> {
         self.fields.iter().copied().chain(physical).try_for_each(|(name, cell)| cell.finite(name))?;
         Ok(self)
     }
-
-    /// One line of JSON.
-    pub(crate) fn write_line(&self, out: &mut impl Write) -> Outcome {
-        serde_json::to_writer(&mut *out, self)?;
-        Ok(out.write_all(b"\n")?)
-    }
-
-    /// JSON for a single answer, indented.
-    pub(crate) fn write_pretty(&self, out: &mut impl Write) -> Outcome {
-        serde_json::to_writer_pretty(&mut *out, self)?;
-        Ok(out.write_all(b"\n")?)
-    }
-
-    /// One row of CSV; an empty cell for what does not exist. Every number in the digits that give it back.
-    pub(crate) fn write_row(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
-        Ok(out.serialize(self.cells().collect::<Vec<_>>())?)
-    }
-
-    /// The header of the rows.
-    pub(crate) fn write_header(&self, out: &mut csv::Writer<impl Write>, header: Header) -> Outcome {
-        Ok(out.write_record(match header {
-            Header::Names => self.names(),
-            Header::Units => self.names_with_units(),
-        })?)
-    }
-
-    /// The cells of a row, each of one value, those in physical units last.
-    pub(crate) fn cells(&self) -> impl Iterator<Item = Cell<F>> + '_ {
-        let physical = self.physical.values.iter().map(|(_, _, cell)| *cell);
-        self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
-    }
-
-    /// The names of those cells.
-    pub(crate) fn names(&self) -> Vec<String> {
-        let own = self.fields.iter().flat_map(|(name, cell)| cell.part_names(name));
-        own.chain(self.physical.names()).collect()
-    }
-
-    /// The same, each dimensionless one with its unit in brackets as well, where it has one.
-    fn names_with_units(&self) -> Vec<String> {
-        let with_unit = |name: String| match unit_of(&name) {
-            _ if name.ends_with(']') => name,
-            Some(unit) => format!("{name}[{}]", plain(unit)),
-            None => name,
-        };
-        self.names().into_iter().map(with_unit).collect()
-    }
-
-    /// One row of a table to read: seven digits, columns of one width.
-    pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
-        for (i, (_, cell)) in self.fields.iter().enumerate() {
-            let text = cell.text();
-            let gap = if i == 0 { "" } else { "  " };
-            write!(out, "{gap}{text:>COLUMN$}")?;
-        }
-        writeln!(out)
-    }
-
-    /// The header of a table to read.
-    pub(crate) fn write_table_header(&self, out: &mut impl Write) -> io::Result<()> {
-        let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
-        writeln!(out, "{}", names.join("  "))
-    }
 }
-
-/// Width of a column of a table to read.
-const COLUMN: usize = 14;

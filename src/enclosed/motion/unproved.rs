@@ -4,6 +4,8 @@ use core::fmt::{self, Display, Formatter};
 
 /// What cannot be told of one event of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Event {
     /// Whether the velocity keeps its sign throughout the slide that begins there.
@@ -20,6 +22,8 @@ pub enum Event {
 
 /// Why a motion is not proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Unproved {
     /// The motion from rest does not become periodic: it comes to rest, grows without bound, is irregular, or has not settled in the

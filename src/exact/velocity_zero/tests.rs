@@ -1,7 +1,8 @@
 use super::VelocityZero;
 use crate::exact::drive::DrivePhase;
 use crate::exact::equation::Equation;
-use crate::exact::event::{Found, Verdict, next_zero};
+use crate::exact::event::next_zero;
+use crate::exact::search::{Found, Verdict};
 use crate::exact::slide::{Direction, Slide};
 use crate::nonsticking::{displacement_phase, max_displacement};
 use crate::phase_function::{PhaseFunction, one_minus_square};

@@ -23,7 +23,7 @@ fn one_over_2n_is_decided_to_the_last_float() {
     for omega in [0.5, 0.25, 2f64.powi(-10), 2f64.powi(-26), 2f64.powi(-27), 2f64.powi(-40)] {
         let least = 1.0 / (omega * omega) - 1.0;
         match verdict(omega, least) {
-            Verdict::Degenerate(family) => assert_eq!(family.greatest_shift(), 0.0),
+            Verdict::Degenerate(family) => assert_eq!(family.max_shift(), 0.0),
             other => panic!("{omega}: {other:?}"),
         }
         assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);

@@ -138,19 +138,6 @@ impl Answer<'_> {
     }
 }
 
-/// A midpoint and a radius, as strings, so that no digit is lost on the way.
-pub(super) struct MidRad<'a>(pub(super) &'a Enclosure);
-
-impl Serialize for MidRad<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let (mid, rad) = self.0.decimal();
-        let mut map = serializer.serialize_map(Some(2))?;
-        map.serialize_entry("mid", &mid)?;
-        map.serialize_entry("rad", &rad)?;
-        map.end()
-    }
-}
-
 impl Serialize for Answer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -161,7 +148,7 @@ impl Serialize for Answer<'_> {
             map.serialize_entry("regime", &self.found.regime().map(Regime::name))?;
         }
         for output in &self.outputs {
-            map.serialize_entry(output.name(), &self.found.get(*output).map(MidRad))?;
+            map.serialize_entry(output.name(), &self.found.get(*output))?;
         }
         map.serialize_entry("bits", &self.found.bits())?;
         map.end()

@@ -1,7 +1,7 @@
 //! `steady --enclose`: a motion that is proved to exist.
 
 use super::Others;
-use super::found::{MidRad, bits, fault, known, known_others, options, typed_others};
+use super::found::{bits, fault, known, known_others, options, typed_others};
 use crate::args::{Format, OutputArgs};
 use crate::failure::Outcome;
 use crate::response::single_format;
@@ -97,7 +97,7 @@ impl Serialize for Answer<'_> {
             map.serialize_entry("static_friction_ratio", eta)?;
         }
         let found = self.found.as_ref().ok();
-        let value = |of: fn(&Steady) -> &Enclosure| found.map(of).map(MidRad);
+        let value = |of: fn(&Steady) -> &Enclosure| found.map(of);
         map.serialize_entry("proved", &found.is_some())?;
         map.serialize_entry("reason", &self.found.as_ref().err().map(Unproved::to_string))?;
         map.serialize_entry("symmetric", &found.map(|found| found.is_symmetric))?;
@@ -109,9 +109,7 @@ impl Serialize for Answer<'_> {
         map.serialize_entry("sticks_per_cycle", &found.map(|found| found.sticks_per_cycle))?;
         map.serialize_entry("velocity_zeros_per_cycle", &found.map(|found| found.velocity_zeros_per_cycle))?;
         map.serialize_entry("stick_fraction", &value(|found| &found.stick_fraction))?;
-        let multipliers =
-            found.map(|found| found.multipliers.each_ref().map(|(re, im)| [MidRad(re), MidRad(im)]));
-        map.serialize_entry("multipliers", &multipliers)?;
+        map.serialize_entry("multipliers", &found.map(|found| &found.multipliers))?;
         map.serialize_entry("start_phase", &value(|found| &found.start.0))?;
         map.serialize_entry("start_displacement", &value(|found| &found.start.1))?;
         map.serialize_entry("only_within", &found.map(|found| found.only_within.1.mid().to_f64()))?;
