@@ -21,7 +21,7 @@
 //! sticking allowed it is the best to within a tolerance, as far as each exact motion is as close to its limit as it says. An
 //! answer put back into the forward functions ([`crate::Cycle`], [`crate::Border`]) gives what was asked for, to rounding.
 //! “Sliding” is the motion of the closed forms, two reversals a cycle and no stop; below its border the body stops, or
-//! beside a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. On the border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
+//! near a pole reverses six times ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. On the border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
 
 mod band;
 mod bands;

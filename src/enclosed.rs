@@ -2,15 +2,18 @@
 //!
 //! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`] evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that
 //! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
-//! double, and a ratio may be an interval. What is found by iteration elsewhere (the greatest velocity, the stationary point of the border's
-//! condition) is here the only zero of its equation in a ball, by the interval Newton method (`root`).
+//! double, and a ratio may be an interval. What is found by iteration elsewhere (the maximum velocity, the
+//! stationary point of the border's condition) is here the only zero of its equation in a ball, by the
+//! interval Newton method (`root`).
 //!
-//! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then everything is computed again with twice
-//! the bits, up to [`MAX_BITS`]; what is not decided there is `None`, never a guess. With exact ratios each output is as sharp as the bits
-//! asked for; with intervals the widths are those that the intervals cause, and the overestimate of evaluating each formula once.
+//! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then
+//! everything is computed again with twice the bits, up to [`MAX_BITS`]; what is not decided there is `None`,
+//! never a guess. With exact ratios each output is as sharp as the bits asked for; with intervals the widths
+//! are those that the intervals cause, and the overestimate of evaluating each formula once.
 //!
-//! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests on MPFR and on the bounds of
-//! `float::ball`. That the formulae are those of the oscillator is shown in `docs/proof.md`.
+//! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests
+//! on MPFR and on the bounds of `float::ball`. That the formulae are those of the oscillator is shown in
+//! `docs/proof.md`.
 //!
 //! | file | content |
 //! |---|---|
@@ -67,8 +70,8 @@ pub const MAX_BITS: u32 = widen::GREATEST;
 pub enum Regime {
     /// α ≤ 1: it ends at rest.
     Stuck,
-    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. It sticks, but for the force ratios of six reversals
-    /// beside a pole ([`crate::nonsticking::SixReversals`]), which are not enclosed.
+    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. It sticks, but for the force
+    /// ratios of six reversals near a pole ([`crate::nonsticking::SixReversals`]), which are not enclosed.
     BelowBorder,
     /// α > α_min(Ω): two reversals a cycle and no stop.
     NonSticking,
@@ -104,7 +107,8 @@ impl Response {
 
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
-    /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0, 2π) by what the ball needs.
+    /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0,
+    /// 2π) by what the ball needs.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
         self.answers.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
@@ -130,10 +134,11 @@ pub(crate) fn response_for(
     At { only: Some(only), ..At::new(omega, alpha, zeta, &eta)? }.answered(bits)
 }
 
-/// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one, enclosed: to `bits`
-/// bits where the ratios are exact. Each of them may be an interval.
+/// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
+/// enclosed: to `bits` bits where the ratios are exact. Each of them may be an interval.
 ///
-/// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to other motions.
+/// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to
+/// other motions.
 ///
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
@@ -148,7 +153,8 @@ pub fn response(
     At::new(omega, alpha, damping_ratio, static_friction_ratio)?.answered(bits)
 }
 
-/// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed: [`Output::MinForceRatio`],
+/// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed:
+/// [`Output::MinForceRatio`],
 /// [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`], [`Output::TouchingPhase`], [`Output::BestForceRatio`] and
 /// [`Output::BestLoopSize`], without a regime.
 ///

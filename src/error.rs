@@ -106,7 +106,7 @@ pub enum Error {
     SticksThroughout {
         /// Force ratio α.
         alpha: Number,
-        /// The least force ratio without sticking in the range.
+        /// The minimum force ratio without sticking in the range.
         least: Number,
         /// Lower end of the range of Ω.
         low: Number,

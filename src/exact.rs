@@ -8,8 +8,8 @@
 //!
 //! η = 1 unless a static friction r_s = η r_y above the kinetic one is given.
 //!
-//! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof that none
-//! was missed: no step size, and no tolerance but rounding (`event` says where that enters).
+//! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof
+//! that none was missed: no step size, and no tolerance but rounding (`event` says where that enters).
 //!
 //! The files are in three layers, each of which needs those above it only.
 //!
@@ -22,7 +22,7 @@
 //! | event | |
 //! |---|---|
 //! | `event`, `search`, `stretch`, `cover`, `window` | the next zero of a vibration, with its proof |
-//! | `velocity_zero`, `fastest`, `expect` | the end of a slide, its greatest speed, and where both are looked for first |
+//! | `velocity_zero`, `fastest`, `expect` | the end of a slide, its maximum speed, and where both are looked for first |
 //! | [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //!
@@ -107,7 +107,8 @@ pub use steady::{SteadyState, errors_after};
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};
 pub use trajectory::{End, Kind, Phase, Trajectory};
 
-// For the command and the Python package, which follow many starts on several threads and go on with runs that were broken off.
+// For the command and the Python package, which follow many starts on several threads and go on with runs
+// that were broken off.
 #[doc(hidden)]
 pub use {
     attractors::Signature,

@@ -46,7 +46,7 @@
 #![doc = include_str!("formulae/max_velocity.html")]
 #![doc = include_str!("formulae/deviation.html")]
 //!
-//! The least force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2
+//! The minimum force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2
 //! (proof in `src/nonsticking/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
@@ -79,7 +79,7 @@
 //! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | maximum displacement, its phase | B, rad |
 //! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | maximum velocity, its phase | Bω_d, rad |
 //! | Δ₁ | [`Cycle::deviation`] | displacement at the maximum velocity | B |
-//! | α_min | [`Border::min_force_ratio`] | least force ratio without sticking | 1 |
+//! | α_min | [`Border::min_force_ratio`] | minimum force ratio without sticking | 1 |
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
 //! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |

@@ -8,11 +8,11 @@
 //! | `displacement`, `reversal` | 40–44 | Δ₀ and ω_d t₂ |
 //! | `amplitude` | 44 | the force for a given Δ₀ |
 //! | `velocity` | 25, 37, 45–49 | V₀, ω_d t₁ and Δ₁ |
-//! | `border` | 57–62 | the least force ratio without sticking |
+//! | `border` | 57–62 | the minimum force ratio without sticking |
 //! | `dissipation` | 63–67 | dissipation |
 //! | `peaks` | beyond the paper | acceleration, transmitted force, absolute motion |
 //! | `stability` | beyond the paper | multipliers, contraction |
-//! | `six_reversals` | beyond the paper | the cycle of six reversals beside a pole |
+//! | `six_reversals` | beyond the paper | the cycle of six reversals near a pole |
 //! | `damped` | beyond the paper | all of it with viscous damping |
 //! | `printed` | 43, 49 | the formulae that are wrong as printed |
 //!

@@ -29,7 +29,7 @@ pub enum Output {
     Contraction,
     /// Margin α/α_min (1; 1).
     Margin,
-    /// Least force ratio without sticking, α_min (1; the least force p₀).
+    /// Least force ratio without sticking, α_min (1; the minimum force p₀).
     MinForceRatio,
     /// The same by eq. 61 (1; force).
     TurningPointForceRatio,

@@ -163,7 +163,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// The phase function `K(Ω) = (1 − Ω²) T/Ω`, finite for every float Ω.
     ///
-    /// Beside Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
+    /// Near Ω = 1 it is `−(2/π)(1 + Ω) y cot y` with `y = π(Ω − 1)/(2Ω)`, and `K(1) = −4/π`.
     ///
     /// Source: Hong & Liu 2001, eq. 41, written by its own reduced angle. Accuracy at f64: 1 ulp.
     #[inline(always)]

@@ -133,7 +133,7 @@ impl<F: Float> Response<F> {
         self.regime
     }
 
-    /// Reversals in a cycle of the motion without a stop: 2, or 6 beside a pole below the border, where the
+    /// Reversals in a cycle of the motion without a stop: 2, or 6 near a pole below the border, where the
     /// closed forms do not hold ([`crate::nonsticking::SixReversals`] does); `None` where it stops or grows
     /// without bound.
     pub fn reversals_per_cycle(&self) -> Option<u32> {

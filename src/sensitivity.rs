@@ -79,8 +79,8 @@ impl Sensitivities<2> {
     ///
     /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few
     /// units in the last place of the larger of p ∂y/∂p and y, away from the corners named above; measured
-    /// against differences at 512 bits, 5e-14 of that. Less for the contraction beside Ω = 1, ε/|1 − Ω|, and
-    /// for τ* beside 1/(2n), 1e-11.
+    /// against differences at 512 bits, 5e-14 of that. Less for the contraction near Ω = 1, ε/|1 − Ω|, and
+    /// for τ* near 1/(2n), 1e-11.
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);

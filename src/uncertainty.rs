@@ -11,12 +11,13 @@
 //!
 //! # From which start
 //!
-//! From every one: a box has no static friction above the kinetic one, so there is one limit. At Ω = 1/(2n) each start leads to a member of a
-//! family, none of which sticks.
+//! From every one: a box has no static friction above the kinetic one, so there is one limit. At Ω = 1/(2n)
+//! each start leads to a member of a family, none of which sticks.
 //!
 //! # What is guaranteed, and why
 //!
-//! Let the body not stick anywhere in the box. Then, with `Δ₀/B = √(α² − K²)/|1 − Ω²|` and the border α_min(Ω):
+//! Let the body not stick anywhere in the box. Then, with `Δ₀/B = √(α² − K²)/|1 − Ω²|` and the border
+//! α_min(Ω):
 //!
 //! | output | monotone in | so that its range is |
 //! |---|---|---|
@@ -27,22 +28,26 @@
 //! | V₀ | Δ₀/B, hence α (rising) | exact for one Ω; sampled over an interval of them |
 //! | K², hence α* = √2 \|K\| | Ω: falling from 1/(2n+1) to 1/(2n), rising from there to 1/(2n−1); for n = 1 to ∞ | exact |
 //!
-//! K² rises for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` falls with v = 1/Ω²; below, because T does within each half
-//! lobe and `|T′/T| ≥ π` outweighs the rest (ibid.). V₀ rises with Δ₀ because ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not
-//! negative. **Pieces:** between two neighbouring zeros or poles of K both `K²` and `|1 − Ω²|` are monotone in Ω, so that
-//! their values at the ends of a piece bound them within, and the bounds of all pieces together bound the output. They are not sharp: they
-//! exceed the range by an amount that shrinks like 1/pieces.
+//! K² rises for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` falls with v = 1/Ω²; below, because
+//! T does within each half lobe and `|T′/T| ≥ π` outweighs the rest (ibid.). V₀ rises with Δ₀ because
+//! ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not negative. **Pieces:** between two neighbouring zeros or
+//! poles of K both `K²` and `|1 − Ω²|` are monotone in Ω, so that their values at the ends of a piece bound
+//! them within, and the bounds of all pieces together bound the output. They are not sharp: they exceed the
+//! range by an amount that shrinks like 1/pieces.
 //!
-//! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone: their ranges are **sampled**, at every corner of
-//! the box and at points spread over it, which is a range from the inside, and the result says so.
+//! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone: their ranges are **sampled**,
+//! at every corner of the box and at points spread over it, which is a range from the inside, and the result
+//! says so.
 //!
 //! # What is included of rounding
 //!
-//! Guaranteed means for the exact values: each range is wider at both ends by more than the formulae can lose to rounding. Sums, products, quotients
-//! and roots lose half a unit in the last place each, by IEEE 754: that is a theorem. K(Ω) and the border enter as right to 2 and 8 units.
-//! K² then has a margin of 10 units, 1/|1 − Ω²| of 4 for three roundings, the border of 10, and what is computed from them of 8 more.
-//! The 2 and the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` and
-//! `MachineBox::enclosed` (feature `mp`): the range of any output, with a damper, too, computed in balls.
+//! Guaranteed means for the exact values: each range is wider at both ends by more than the formulae can lose
+//! to rounding. Sums, products, quotients and roots lose half a unit in the last place each, by IEEE 754:
+//! that is a theorem. K(Ω) and the border enter as right to 2 and 8 units. K² then has a margin of 10 units,
+//! 1/|1 − Ω²| of 4 for three roundings, the border of 10, and what is computed from them of 8 more. The 2 and
+//! the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at
+//! 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` and `MachineBox::enclosed` (feature `mp`):
+//! the range of any output, with a damper, too, computed in balls.
 //!
 //! ```
 //! use stickslip::uncertainty::{Interval, MachineBox};
@@ -97,7 +102,8 @@ impl<F: Float> Interval<F> {
         Self { low: x, high: x }
     }
 
-    /// Between `low` and `high`. Whether the numbers make sense for a parameter is judged where the interval is used.
+    /// Between `low` and `high`. Whether the numbers make sense for a parameter is judged where the interval
+    /// is used.
     ///
     /// # Errors
     /// [`Error::EmptyInterval`] where not `low ≤ high`.

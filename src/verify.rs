@@ -169,7 +169,7 @@ pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
 /// `step` is told (done, all) points, a few times at each point, and may end it all by
 /// [`ControlFlow::Break`].
 ///
-/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and beside Ω = 1, 1/3, 1/5
+/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and near Ω = 1, 1/3, 1/5
 /// and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4
 /// times the exact border. With damping: twelve Ω from 0.18 to 4, 1 among them, and ζ from 0.01 to 1.6, each
 /// with one of these α.

@@ -1,7 +1,7 @@
 //! The bands of frequency in which a given force keeps the body sliding.
 //!
 //! Sliding is the motion that reverses twice a cycle and does not stop; a body that reverses more often
-//! without stopping, which happens beside the poles ([`super::bands_without_stop`]), is outside of the bands.
+//! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside of the bands.
 //! `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one
 //! minimum and rises from it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe
 //! n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all
@@ -54,10 +54,10 @@ struct Frequency<F> {
 /// band narrower than two floats beside an end of the range may be missing, and those in lobes beyond the
 /// resolution of the type near a pole are known to rounding only.
 ///
-/// **With a damping ratio ζ > 0**, the same at every frequency, they are searched, not proved: the border is followed on a mesh
-/// that is fine near its peaks, each of its extrema next to α is looked for, and the ends are exact. A band or a gap may
-/// be missed that is far narrower than any structure of the border known. That there is none below Ω = 1/√(1 + α) is proved
-/// (`src/design/damped.rs`).
+/// **With a damping ratio ζ > 0**, the same at every frequency, they are searched, not proved: the border is
+/// followed on a mesh that is fine near its peaks, each of its extrema next to α is looked for, and the ends
+/// are exact. A band or a gap may be missed that is far narrower than any structure of the border known. That
+/// there is none below Ω = 1/√(1 + α) is proved (`src/design/damped.rs`).
 ///
 /// ```
 /// use stickslip::design::{Edge, bands};

@@ -19,11 +19,12 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, of those that do not stick:
-/// `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where the loop of friction alone counts.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, of those that
+/// do not stick: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where the
+/// loop of friction alone counts.
 ///
-/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously: where
-/// they meet, rounding may name either. Accuracy at f64 for ζ = 0: 8 ulp.
+/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously:
+/// where they meet, rounding may name either. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside the domain of

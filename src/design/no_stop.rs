@@ -1,4 +1,4 @@
-//! Without any stop, whatever the number of reversals: the least force, and the bands of frequency.
+//! Without any stop, whatever the number of reversals: the minimum force, and the bands of frequency.
 
 use super::band::Edge;
 use super::bands::{bands, frequency_bands};
@@ -41,7 +41,7 @@ pub struct NoStopBand<F> {
     pub low_edge: Edge,
     /// What the upper end is.
     pub high_edge: Edge,
-    /// 2, or 6 beside a pole.
+    /// 2, or 6 near a pole.
     pub reversals_per_cycle: u32,
 }
 
@@ -134,7 +134,7 @@ fn reach<F: Float>(pole: F) -> (F, F) {
     (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
 }
 
-/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio.
+/// The frequency ratios near a pole at which the body reverses six times a cycle with this force ratio.
 fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
     // Not negative within the edges, relative to α.
     let excess = |omega: F| match six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)) {
@@ -152,7 +152,7 @@ fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
     Some((root::enclosed(from, inside, excess).1, root::enclosed(inside, to, excess).0))
 }
 
-/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole:
+/// Where the least α of the cycles near a pole is lowest, at the corner of its two edges below the pole:
 /// between `from` and the pole.
 ///
 /// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the

@@ -1,36 +1,42 @@
 //! The friction that dissipates most under a given force, sticking allowed.
 //!
-//! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k, so that A₁ = 2ρJ.
+//! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k,
+//! so that A₁ = 2ρJ.
 //!
-//! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the equations of motion
-//! times the difference of the velocities, integrated over a cycle, leaves `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of
-//! its bound: r v = |v|, |r| ≤ 1, and D = 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
+//! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the
+//! equations of motion times the difference of the velocities, integrated over a cycle, leaves
+//! `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of its bound: r v = |v|, |r| ≤ 1, and D =
+//! 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
 //!
 //! ```text
 //! 0 ≥ ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
 //! ```
 //!
-//! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a bound that
-//! becomes exact as the interval shrinks, and that turns a finite number of exact motions into a proof. Intervals whose bound is
-//! within the tolerance of the best value found are done with, the others are halved. What remains above the tolerance is
-//! nothing; the bound is returned with the answer.
+//! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a
+//! bound that becomes exact as the interval shrinks, and that turns a finite number of exact motions into a
+//! proof. Intervals whose bound is within the tolerance of the best value found are done with, the others are
+//! halved. What remains above the tolerance is nothing; the bound is returned with the answer.
 //!
-//! **A motion is known to within d.** Friction and damper are monotone, so that the motion found and the limit, δ = d apart in (x, w = x′/ω_n) at one
-//! instant, are never further apart. The difference of their ways in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, and that is small
-//! by two reasons:
+//! **A motion is known to within d.** Friction and damper are monotone, so that the motion found and the
+//! limit, δ = d apart in (x, w = x′/ω_n) at one instant, are never further apart. The difference of their
+//! ways in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, and that is small by two reasons:
 //!
 //! * `∮ |δw| dφ ≤ T d`, however often either stops.
-//! * Where neither goes backward, |w₁| − |w₂| is δx′, and where neither goes forward −δx′: over each such time no more than the change of δx, whose
-//!   size is at most d. Where they go opposite ways, `½(δx² + δw²)` falls by 2|δw| dφ, altogether by ½d² at most. So with n changes between
-//!   common forward and common backward, `|δW| ≤ 2(n + 1) d + ¼d²`. Each change begins with one of the two starting from rest, forward where
-//!   `P = α sin θ − x ≥ 1`, backward where P ≤ −1. The P of the two are d apart at most, so that P of the motion found goes 2 − 2d to and fro between two
-//!   changes, 4α + W in a cycle: `n ≤ 1 + (2α + ½W)/(1 − d)`.
+//! * Where neither goes backward, |w₁| − |w₂| is δx′, and where neither goes forward −δx′: over each such
+//!   time no more than the change of δx, whose size is at most d. Where they go opposite ways, `½(δx² + δw²)`
+//!   falls by 2|δw| dφ, altogether by ½d² at most. So with n changes between common forward and common
+//!   backward, `|δW| ≤ 2(n + 1) d + ¼d²`. Each change begins with one of the two starting from rest, forward
+//!   where `P = α sin θ − x ≥ 1`, backward where P ≤ −1. The P of the two are d apart at most, so that P of
+//!   the motion found goes 2 − 2d to and fro between two changes, 4α + W in a cycle:
+//!   `n ≤ 1 + (2α + ½W)/(1 − d)`.
 //!
-//! The second is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. By the smaller of them, and by
-//! the rounding of the sum, A₁ is taken as larger wherever it bounds an interval. The bound is as good as d, which is
+//! The second is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. By the smaller of
+//! them, and by the rounding of the sum, A₁ is taken as larger wherever it bounds an interval. The bound is
+//! as good as d, which is
 //! [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn, not an enclosure.
 //!
-//! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1 the way is zero.
+//! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1
+//! the way is zero.
 
 use super::dissipation::most_dissipating_force_ratio;
 use super::force::ratios_of;
@@ -74,7 +80,8 @@ impl<F: Float> LoopSize<F> {
     }
 }
 
-/// How far the way of a motion may be from that of the limit, `distance` apart at one instant: by the module's head.
+/// How far the way of a motion may be from that of the limit, `distance` apart at one instant: by the
+/// module's head.
 fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let by_time = two * F::pi() / omega * distance;
@@ -86,7 +93,8 @@ fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
     if by_changes < by_time { by_changes } else { by_time }
 }
 
-/// The loop size A₁ of the exact motion at (Ω, α, ζ): the friction work of a cycle over p₀²/(2k); zero at rest.
+/// The loop size A₁ of the exact motion at (Ω, α, ζ): the friction work of a cycle over p₀²/(2k); zero at
+/// rest.
 fn loop_size_of_motion<F: Float>(omega: F, alpha: F, zeta: F) -> Result<LoopSize<F>, Error> {
     if alpha <= F::int(1) {
         return Ok(LoopSize::none());
@@ -101,7 +109,8 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F, zeta: F) -> Result<LoopSize
     }
 }
 
-/// No loop size A₁ at a share of friction between `low` and `high` is larger: A₁ = 2ρJ, and J does not grow with ρ.
+/// No loop size A₁ at a share of friction between `low` and `high` is larger: A₁ = 2ρJ, and J does not grow
+/// with ρ.
 fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
     // Two roundings.
     at_low * (high / low) * (F::int(1) + F::int(2) * F::epsilon())
@@ -134,7 +143,8 @@ impl<F: Float> Search<F> {
         Ok(size)
     }
 
-    /// Looks at `[low, high]`, A₁ being at most `at_low` at its lower end, until no more than the tolerance above the best can be in it.
+    /// Looks at `[low, high]`, A₁ being at most `at_low` at its lower end, until no more than the tolerance
+    /// above the best can be in it.
     fn exhaust(&mut self, low: F, high: F, at_low: F) -> Result<(), Error> {
         let (one, two) = (F::int(1), F::int(2));
         let mut left = Vec::new();
@@ -188,13 +198,14 @@ impl<F: Float> Search<F> {
 /// Intervals of the first look.
 const COARSE: i32 = 32;
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, sticking allowed: the global
-/// maximum to within a relative `tolerance` in A₁, by the bound of the module's head.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, sticking
+/// allowed: the global maximum to within a relative `tolerance` in A₁, by the bound of the module's head.
 ///
 /// With a damper only the loop of friction counts.
 ///
-/// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the precision, as any point
-/// of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick for the best, it is
+/// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the
+/// precision, as any point of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick
+/// for the best, it is
 /// [`super::most_dissipating_force_ratio`].
 ///
 /// ```
@@ -239,8 +250,8 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
 /// The friction bound with which `drive` dissipates most in a cycle, sticking allowed:
 /// [`most_dissipating_force_ratio_of_all`] in physical units.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is the energy
-/// that friction takes.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is
+/// the energy that friction takes.
 ///
 /// # Errors
 /// As there, and where r_y or the energy over- or underflows.

@@ -11,8 +11,8 @@ use crate::ratios::{Ratios, positive};
 
 /// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
 ///
-/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`: closed forms, and the only
-/// solutions, because Δ₀ grows with α. Accuracy at f64 for ζ = 0: 8 ulp.
+/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`: closed forms, and
+/// the only solutions, because Δ₀ grows with α. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
 /// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at Ω = 1 for ζ = 0,
@@ -54,9 +54,10 @@ pub fn force_for_displacement<F: Float>(
 /// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
-/// (`src/nonsticking/velocity.rs`), so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its value at ψ = 0.
-/// The target itself, as Δ₀, is therefore at or beyond the only solution, and Newton's method descends to it without a
-/// bracket. With damping V₀ grows with the amplitude of the driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.
+/// (`src/nonsticking/velocity.rs`), so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its
+/// value at ψ = 0. The target itself, as Δ₀, is therefore at or beyond the only solution, and Newton's method
+/// descends to it without a bracket. With damping V₀ grows with the amplitude of the driven part in the same
+/// way. Accuracy at f64 for ζ = 0: 16 ulp.
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
@@ -141,8 +142,9 @@ fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Res
 
 /// α for the velocity `target` with damping, given in units of `scale`.
 ///
-/// V₀ is the greatest over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`: affine in a with a slope > 0, so that it grows with a and is convex in
-/// it, and it is at least its value at T/2, aΩ + h′(T/2). So Newton's method falls on the only solution from there.
+/// V₀ is the greatest over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`: affine in a with a slope > 0, so that
+/// it grows with a and is convex in it, and it is at least its value at T/2, aΩ + h′(T/2). So Newton's method
+/// falls on the only solution from there.
 fn damped_velocity_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,

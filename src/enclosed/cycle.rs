@@ -14,7 +14,7 @@ use crate::nonsticking::{
 use crate::output::Output;
 use crate::phase_function::PhaseFunction;
 
-/// Displacement and greatest velocity of the cycle.
+/// Displacement and maximum velocity of the cycle.
 pub(crate) struct Cycle<const W: usize> {
     pub(crate) max_displacement: Ball<W>,
     pub(crate) displacement_phase: Ball<W>,
@@ -24,7 +24,7 @@ pub(crate) struct Cycle<const W: usize> {
 }
 
 impl<const W: usize> Cycle<W> {
-    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the greatest velocity is
+    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the maximum velocity is
     /// not found at this width.
     pub(crate) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
         let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
@@ -96,8 +96,8 @@ fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<
     forcing * psi.sin() - omega.square() * velocity(angle, delta, psi).0
 }
 
-/// The centred time of the greatest velocity: the only zero of v′ in a ball, which lies where the head of
-/// `crate::nonsticking::velocity` proves that there is one zero and that it is the greatest velocity.
+/// The centred time of the maximum velocity: the only zero of v′ in a ball, which lies where the head of
+/// `crate::nonsticking::velocity` proves that there is one zero and that it is the maximum velocity.
 fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
     let p = PhaseFunction::of_valid(angle.omega.mid());
     let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;

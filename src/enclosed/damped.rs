@@ -1,8 +1,8 @@
 //! The closed forms with damping, or with static friction above the kinetic one, in balls.
 //!
-//! The half period ([`HalfPeriod`]) is formed from its definition, at as many bits as its cancellations take; everything after it is the formulae of
-//! `crate::nonsticking::damped`. The greatest velocity, acceleration and force of the half cycle are found by leaving out parts of it
-//! (`greatest`), for any Ω and ζ.
+//! The half period ([`HalfPeriod`]) is formed from its definition, at as many bits as its cancellations take;
+//! everything after it is the formulae of `crate::nonsticking::damped`. The maximum velocity, acceleration
+//! and force of the half cycle are found by leaving out parts of it (`greatest`), for any Ω and ζ.
 
 mod border;
 
@@ -109,8 +109,8 @@ pub(crate) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W
 /// Outputs of a cycle by name, where they are found.
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
-/// The outputs of the cycle at α certainly above the border, of those that take a search the wanted ones; `None` where the greatest
-/// velocity is not found.
+/// The outputs of the cycle at α certainly above the border, of those that take a search the wanted ones;
+/// `None` where the maximum velocity is not found.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
@@ -229,9 +229,11 @@ pub(super) fn regime<const W: usize>(
     (omega.is_exact() && *zeta.high() == 0 && is_released).then_some(Regime::Unbounded)
 }
 
-/// The greatest acceleration below Ω = 1/2 and the greatest absolute displacement of the cycle without damping; `None` where they are not found.
+/// The maximum acceleration below Ω = 1/2 and the greatest absolute displacement of the cycle without
+/// damping; `None` where they are not found.
 ///
-/// As in `crate::nonsticking::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of where the slow wave is greatest; and y′ has one zero.
+/// As in `crate::nonsticking::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of
+/// where the slow wave is greatest; and y′ has one zero.
 pub(super) fn undamped_peaks<const W: usize>(
     angle: &Angle<W>,
     delta: Ball<W>,

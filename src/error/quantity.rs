@@ -10,7 +10,7 @@ pub enum Quantity {
     Mass,
     /// Stiffness k of the spring.
     Stiffness,
-    /// Friction bound r_y, the greatest force friction can carry.
+    /// Friction bound r_y, the maximum force friction can carry.
     FrictionBound,
     /// Friction r₊ against motion with x′ > 0.
     ForwardFriction,

@@ -1,7 +1,8 @@
 //! All limits that a set of starts leads to.
 //!
-//! With a static friction above the kinetic one a machine can have several limits, and which it tends to depends on the start. Nothing here proves
-//! that there are no others than those found: the answer is one about the starts that were followed.
+//! With a static friction above the kinetic one a machine can have several limits, and which it tends to
+//! depends on the start. Nothing here proves that there are no others than those found: the answer is one
+//! about the starts that were followed.
 
 mod signature;
 
@@ -27,11 +28,11 @@ pub struct Attractor<F> {
     pub first_start: usize,
     /// How many of the starts lead to it.
     pub starts: u64,
-    /// The limit that is this one turned upside down, by its place among those found; `None` where it is symmetric, and
-    /// where no start led to that one.
+    /// The limit that is this one turned upside down, by its place among those found; `None` where it is
+    /// symmetric, and where no start led to that one.
     pub mirror: Option<usize>,
-    /// The lowest and the highest place of rest x/B, or middle of a member of a family, that was found; `None` for all other
-    /// limits.
+    /// The lowest and the highest place of rest x/B, or middle of a member of a family, that was found;
+    /// `None` for all other limits.
     pub range: Option<(F, F)>,
     /// Of a periodic motion.
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -49,7 +50,8 @@ pub struct Attractors<F> {
     of_start: Vec<Option<usize>>,
 }
 
-/// The limits that the motion at (Ω, α, ζ, η) tends to from each of the starts, each followed for at most `periods` periods of the drive.
+/// The limits that the motion at (Ω, α, ζ, η) tends to from each of the starts, each followed for at most
+/// `periods` periods of the drive.
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -77,8 +79,8 @@ pub fn attractors<F: Float>(
 }
 
 impl<F: Float> Attractors<F> {
-    /// The limits among those of several starts, in their order: for starts that were followed elsewhere, such as on several threads. The
-    /// answer does not depend on how.
+    /// The limits among those of several starts, in their order: for starts that were followed elsewhere,
+    /// such as on several threads. The answer does not depend on how.
     ///
     /// * Periodic motions are one where they come to the same states, to 2⁻²⁰ of their size.
     /// * Places of rest are one limit, and so are the members of a family, with the range that was found.
@@ -153,8 +155,9 @@ impl<F: Float> Attractors<F> {
         self.found.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
-    /// Counts in the next start by the signature of its limit, where that is among those found or the start had not settled; says whether it
-    /// is. A signature takes the place of a limit that was found before, such as by a run that was broken off.
+    /// Counts in the next start by the signature of its limit, where that is among those found or the start
+    /// had not settled; says whether it is. A signature takes the place of a limit that was found before,
+    /// such as by a run that was broken off.
     #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {
@@ -203,7 +206,7 @@ impl<F: Float> Attractor<F> {
     }
 }
 
-/// How one irregular motion is like another, by the greatest and the least displacement of each.
+/// How one irregular motion is like another, by the greatest and the minimum displacement of each.
 fn alike<F: Float>(own: (F, F), other: (F, F)) -> Likeness {
     let (most, least) = own;
     let room = (most - least) / F::int(32);

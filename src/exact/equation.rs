@@ -109,7 +109,7 @@ impl<F: Float> Equation<F> {
 
     /// (sin, cos) of p, φ and Ωφ, and sin m, from those of two angles.
     ///
-    /// Beside Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and their halves are.
+    /// Near Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and their halves are.
     #[inline]
     fn parts(&self, phi: F) -> Parts<F> {
         let (one, two) = (F::int(1), F::int(2));

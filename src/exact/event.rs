@@ -2,49 +2,58 @@
 //!
 //! # What is assumed
 //!
-//! `f″ + 2ζf′ + f = g`, the derivatives of f up to the third at any φ, and `g ∝ ± cos(Ωφ + const)`: a right side whose sign changes exactly
-//! once in each half turn of the drive. Along a slide the speed `f = s w` is such a function, with `g = s αΩ cos θ`, and so is the acceleration.
+//! `f″ + 2ζf′ + f = g`, the derivatives of f up to the third at any φ, and `g ∝ ± cos(Ωφ + const)`: a right
+//! side whose sign changes exactly once in each half turn of the drive. Along a slide the speed `f = s w` is
+//! such a function, with `g = s αΩ cos θ`, and so is the acceleration.
 //!
 //! # What is proved
 //!
-//! On a stretch shorter than π (in natural time) where g keeps its sign and f > 0 at the beginning, by Sturm's comparison with the free
-//! vibration:
+//! On a stretch shorter than π (in natural time) where g keeps its sign and f > 0 at the beginning, by
+//! Sturm's comparison with the free vibration:
 //!
-//! * **g ≤ 0** (opposing). f/sin is concave in the sense of Sturm: f crosses zero once at most, and it does if and only if
-//!   f < 0 at the end.
-//! * **g ≥ 0** (helping). From any point, forward and backward, `f(φ ± h) ≥ f cos h ± f′ sin h` for 0 ≤ h ≤ π: nothing
-//!   vanishes before the right side does, at `h = atan2(f, ∓f′)`, the *cover* of that point. f < 0 at the end means exactly one zero.
-//!   Otherwise both ends have a cover, and where the two do not meet f has a single dip in between, which is searched until it is
-//!   found below zero, covered, or touching zero to within the rounding of f: *grazing*.
-//! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the backward cover
-//!   from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and polished proves itself.
+//! * **g ≤ 0** (opposing). f/sin is concave in the sense of Sturm: f crosses zero once at most, and it does
+//!   if and only if f < 0 at the end.
+//! * **g ≥ 0** (helping). From any point, forward and backward, `f(φ ± h) ≥ f cos h ± f′ sin h` for 0 ≤ h ≤
+//!   π: nothing vanishes before the right side does, at `h = atan2(f, ∓f′)`, the *cover* of that point. f < 0
+//!   at the end means exactly one zero. Otherwise both ends have a cover, and where the two do not meet f has
+//!   a single dip in between, which is searched until it is found below zero, covered, or touching zero to
+//!   within the rounding of f: *grazing*.
+//! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the
+//!   backward cover from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and
+//!   polished proves itself.
 //!
-//! **With damping** the same holds of `u = e^{ζφ} f`, which has the zeros and the signs of f: `u″ + (1 − ζ²) u = e^{ζφ} g`, a right side with the
-//! sign of g. A stretch may be as long as π/√(1 − ζ²), and from ζ = 1 on of any length, for there a free vibration vanishes once at most; the
-//! covers are those of u (`cover`).
+//! **With damping** the same holds of `u = e^{ζφ} f`, which has the zeros and the signs of f:
+//! `u″ + (1 − ζ²) u = e^{ζφ} g`, a right side with the sign of g. A stretch may be as long as π/√(1 − ζ²),
+//! and from ζ = 1 on of any length, for there a free vibration vanishes once at most; the covers are those of
+//! u (`cover`).
 //!
-//! These are statements of exact arithmetic. In floating point f > 0 at the beginning of a stretch, the sign of f at its end, the covers and
-//! the place where g changes its sign are each taken as computed, without a margin for their rounding; a dip counts as grazing where it is
-//! within `4ε` of the sum of the terms of f. So a zero can be taken for none, or none for a grazing, where f comes that close to zero
-//! without crossing it clearly: there the next float of an input has the other answer.
+//! These are statements of exact arithmetic. In floating point f > 0 at the beginning of a stretch, the sign
+//! of f at its end, the covers and the place where g changes its sign are each taken as computed, without a
+//! margin for their rounding; a dip counts as grazing where it is within `4ε` of the sum of the terms of f.
+//! So a zero can be taken for none, or none for a grazing, where f comes that close to zero without crossing
+//! it clearly: there the next float of an input has the other answer.
 //!
 //! # Work
 //!
 //! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because `w(φ) + w(φ + π)` is free of the
-//! natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four changes of sign of g, hence
-//! **at most 8 stretches** of up to 3⅛ radians. Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one
-//! exceeds the other's amplitude there is no zero, and that part is left out ([`super::search::Safe`]). What remains of a window holds
-//! a zero once it is as long as the fast period, but for the rounding of the window's ends; each window is at least half a slow period, not
-//! shorter than the fast one: at most the end of one window and one fast period in the next are examined, two fast periods, again
-//! 8 stretches or a few more where rounding matters. A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
+//! natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four
+//! changes of sign of g, hence **at most 8 stretches** of up to 3⅛ radians. Outside, f is a slow and a fast
+//! wave of amplitudes G and r; while the slow one exceeds the other's amplitude there is no zero, and that
+//! part is left out ([`super::search::Safe`]). What remains of a window holds a zero once it is as long as
+//! the fast period, but for the rounding of the window's ends; each window is at least half a slow period,
+//! not shorter than the fast one: at most the end of one window and one fast period in the next are examined,
+//! two fast periods, again 8 stretches or a few more where rounding matters. A search that goes on for
+//! `π(1 + 2/Ω)`, one change of sign more than any slide, is
 //! [`Verdict::Lost`]: an error, never an answer. With damping the part that is left out is found anew from where the search is (`window`),
 //! because the free wave dies out, and the bound on the time is another.
 //!
-//! Within a stretch a bracket is halved at each step after the first PRECISION, so that it is closed after as many more. Each point in a dip
-//! halves the gap between the covers at least, so that after 2·PRECISION of them it is 4ε² wide: f varies within it by less than 4ε² times its
-//! slope, far below the rounding of f. Should f not be at zero to within its rounding there, that is [`Verdict::Lost`], too. Together **at most
-//! 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps (Householder 1970) quadruple the good digits: 3.7
-//! evaluations a slide on average over 40,000 slides of every kind (a test holds 3.76 on average and 14 at most), 1 or 2 in a steady motion.
+//! Within a stretch a bracket is halved at each step after the first PRECISION, so that it is closed after as
+//! many more. Each point in a dip halves the gap between the covers at least, so that after 2·PRECISION of
+//! them it is 4ε² wide: f varies within it by less than 4ε² times its slope, far below the rounding of f.
+//! Should f not be at zero to within its rounding there, that is [`Verdict::Lost`], too. Together **at most
+//! 4·PRECISION + 8 evaluations a stretch**. In practice Householder's steps (Householder 1970) quadruple the
+//! good digits: 3.7 evaluations a slide on average over 40,000 slides of every kind (a test holds 3.76 on
+//! average and 14 at most), 1 or 2 in a steady motion.
 
 use super::jet::Jet;
 use super::search::{Search, Verdict};
@@ -52,8 +61,8 @@ use super::stretch::{Stretch, in_helping, in_opposing};
 use super::window::Waves;
 use crate::float::Float;
 
-/// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none, with what f
-/// is at the limit if that had to be known.
+/// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none,
+/// with what f is at the limit if that had to be known.
 ///
 /// `f` gives the function with whatever else the caller wants to know of that instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
@@ -68,7 +77,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     let quarter = F::pi() / F::int(2);
     let mut half_turn = F::int(0);
     let mut helping = search.helping;
-    // From rest there is no zero within the rounding of a phase: what is seen there is rounding, and a slide would follow on itself.
+    // From rest there is no zero within the rounding of a phase: what is seen there is rounding, and a slide
+    // would follow on itself.
     let mut passed = if from_zero { F::int(4) * F::epsilon() / search.omega } else { phi };
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
@@ -142,7 +152,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
 /// Stretches that are examined without a look at the clock.
 const USUAL_STRETCHES: u32 = 64;
 
-/// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than so long a time is made of.
+/// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than
+/// so long a time is made of.
 #[cold]
 #[inline(never)]
 fn is_overdue<F: Float>(omega: F, waves: Option<&Waves<F>>, phi: F, stretches: u32) -> bool {

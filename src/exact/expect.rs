@@ -1,16 +1,17 @@
-//! Where the next velocity zero is expected: a hint for the search, which proves what it finds whatever the hint.
+//! Where the next velocity zero is expected: a hint for the search, which proves what it finds whatever the
+//! hint.
 //!
-//! Two slides in the same direction at the same phase differ by a free vibration, so that a zero found says where that of a
-//! slide nearby is. In a motion that settles the hint is good to the third power of what has not settled, and one evaluation
-//! answers where there were two or three.
+//! Two slides in the same direction at the same phase differ by a free vibration, so that a zero found says
+//! where that of a slide nearby is. In a motion that settles the hint is good to the third power of what has
+//! not settled, and one evaluation answers where there were two or three.
 
 use super::slide::Slide;
 use super::velocity_zero::VelocityZero;
 use crate::float::Float;
 
 impl<F: Float> VelocityZero<F> {
-    /// When the zero is expected where the start of the slide is disturbed by (δx, δw): a free vibration is added. To second order,
-    /// and unmoved where it would move far.
+    /// When the zero is expected where the start of the slide is disturbed by (δx, δw): a free vibration is
+    /// added. To second order, and unmoved where it would move far.
     #[inline]
     pub(crate) fn expected(&self, (x, w): (F, F), damping: F) -> F {
         let (s, c) = self.rotation;
@@ -24,7 +25,8 @@ impl<F: Float> VelocityZero<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The length expected of the slide back that follows this one, if that begins almost as this one did, upside down and half a turn on.
+    /// The length expected of the slide back that follows this one, if that begins almost as this one did,
+    /// upside down and half a turn on.
     #[inline]
     pub(crate) fn expected_next(&self, zero: &VelocityZero<F>, next: &Self) -> F {
         self.expected_of(zero, next, next.start.since(self.start) - F::pi(), -F::int(1))
@@ -36,7 +38,8 @@ impl<F: Float> Slide<F> {
         self.expected_of(zero, next, next.start.since(self.start), F::int(1))
     }
 
-    /// The length expected of a slide that begins later by an angle of the drive; with −1 for `upright` it is the one upside down.
+    /// The length expected of a slide that begins later by an angle of the drive; with −1 for `upright` it is
+    /// the one upside down.
     ///
     /// Extrapolated to where this one began, at w = 0, it differs from it by a free vibration.
     #[inline]

@@ -1,12 +1,13 @@
 //! Ω = 1/(2n): a family of periodic motions.
 //!
-//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the forced one, and
-//! any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One
-//! multiplier of the cycle is 1. Which member a motion tends to depends on its start, so it is followed there.
+//! There the natural period divides half of the drive's, a free vibration of fixed amplitude can ride on the
+//! forced one, and any of a family of motions that do not stick is periodic: extrema `±α/(1 − Ω²) + c` with
+//! `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One multiplier of the cycle is 1. Which member a motion tends to depends
+//! on its start, so it is followed there.
 //!
-//! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the edge, which touches
-//! the border of sticking: the distance falls like 1/cycles only. It never grows (`shooting`), so that once the motion is
-//! close to that member it is the limit to within that distance.
+//! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the
+//! edge, which touches the border of sticking: the distance falls like 1/cycles only. It never grows
+//! (`shooting`), so that once the motion is close to that member it is the limit to within that distance.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -23,7 +24,8 @@ use crate::nonsticking::Border;
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its rounding only has one limit.
+/// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its
+/// rounding only has one limit.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
     // 1/2 is the greatest of them.
     if ratios.omega() * F::int(3) > F::int(2) || ratios.is_damped() {
@@ -88,7 +90,8 @@ pub(crate) fn member<F: Float>(
     }
 }
 
-/// Whether a point is as near as the members of the family are, to within a factor: `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
+/// Whether a point is as near as the members of the family are, to within a factor:
+/// `|x| ≤ α(1 + Ω²)/(1 − Ω²) − 1` there.
 fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
     let (one, omega) = (F::int(1), equation.omega);
     let reach = equation.alpha * (one + omega.square()) / ((one - omega) * (one + omega));
@@ -128,15 +131,16 @@ fn finish<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
-    // A member reverses twice in a cycle and never stops. The outermost touches the bound of sticking, and what is seen of a stop there is
-    // rounding, or the way that is left to creep.
+    // A member reverses twice in a cycle and never stops. The outermost touches the bound of sticking, and
+    // what is seen of a stop there is rounding, or the way that is left to creep.
     let statistics = CycleStatistics {
         sticks: 0,
         zeros: 2,
         rest: zero,
         ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
     };
-    // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see beside the force.
+    // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see
+    // beside the force.
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
     let shift = (statistics.max_x.value + statistics.min_x.value).abs();

@@ -1,20 +1,23 @@
-//! The greatest speed within a slide.
+//! The maximum speed within a slide.
 //!
-//! The acceleration of a slide obeys `f″ + f = g` as the velocity does, with `g ∝ −sin θ`: its zeros are found with the
-//! same proof, one after the other, and the greatest speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2 there can
-//! be as many as fast periods in the slide; but only the neighbourhoods of its ends and of the crest of the slow wave count.
+//! The acceleration of a slide obeys `f″ + f = g` as the velocity does, with `g ∝ −sin θ`: its zeros are
+//! found with the same proof, one after the other, and the maximum speed is at one of them or at an end.
+//! Outside 1/2 ≤ Ω ≤ 2 there can be as many as fast periods in the slide; but only the neighbourhoods of its
+//! ends and of the crest of the slow wave count.
 //!
-//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`, and short slides are searched in the same way; in a long one of any other Ω, or from
-//! ζ = 1/2 on, where a slide lasts for many periods, the search is that of the closed-form cycle, which knows how the free wave dies out.
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`, and short slides are searched in the same way; in
+//! a long one of any other Ω, or from ζ = 1/2 on, where a slide lasts for many periods, the search is that of
+//! the closed-form cycle, which knows how the free wave dies out.
 //!
 //! # Why
 //!
-//! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest, is within (−π, π) for one
-//! period of the slow wave. Say a point of the slide is a fast period P or more from the crest and from both ends. One of the points P later
-//! and P earlier is in the slide, too, and has the same fast part and a slow angle that is closer to the crest, of the same sign: it is faster.
-//! So the greatest speed is within P of an end or of a crest. A slide holds one crest at most: its speed is positive, and from a crest of the
-//! slow wave to the next there is a zero. (In half of a slow period around its trough, longer than P, the slow wave is not positive, and
-//! the fast one is negative somewhere.)
+//! The speed is `a cos(slow angle) + b cos(fast angle)`, a > 0, and the slow angle, counted from its crest,
+//! is within (−π, π) for one period of the slow wave. Say a point of the slide is a fast period P or more
+//! from the crest and from both ends. One of the points P later and P earlier is in the slide, too, and has
+//! the same fast part and a slow angle that is closer to the crest, of the same sign: it is faster. So the
+//! maximum speed is within P of an end or of a crest. A slide holds one crest at most: its speed is positive,
+//! and from a crest of the slow wave to the next there is a zero. (In half of a slow period around its
+//! trough, longer than P, the slow wave is not positive, and the fast one is negative somewhere.)
 
 use super::broken::Broken;
 use super::cover::Cover;
@@ -35,7 +38,7 @@ pub(crate) struct Fastest<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The greatest speed for natural times from 0 to `end`, where the motion is `arrival`.
+    /// The maximum speed for natural times from 0 to `end`, where the motion is `arrival`.
     ///
     /// # Errors
     /// [`crate::Error::SearchBound`].
@@ -87,7 +90,8 @@ impl<F: Float> Slide<F> {
         !middle && end * one.or_larger(omega) > F::int(16)
     }
 
-    /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form cycle.
+    /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form
+    /// cycle.
     #[cold]
     #[inline(never)]
     fn fastest_of_damped(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {

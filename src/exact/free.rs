@@ -1,22 +1,25 @@
-//! Free vibration: no drive, and friction takes 2B off the amplitude in every half cycle; a damper takes a share of it.
+//! Free vibration: no drive, and friction takes 2B off the amplitude in every half cycle; a damper takes a
+//! share of it.
 //!
-//! Displacements in units of B = r_y/k, velocities in B ω_n, time in 1/ω_n. From (x₀, v₀) the body slides about the point
-//! ∓1 that friction shifts its balance to. With d = √(1 − ζ²) the first turn is at
+//! Displacements in units of B = r_y/k, velocities in B ω_n, time in 1/ω_n. From (x₀, v₀) the body slides
+//! about the point ∓1 that friction shifts its balance to. With d = √(1 − ζ²) the first turn is at
 //!
 //! ```text
 //! x₁ = s (e^{−ζt₁} R − 1),   R² = y² + 2ζy|v₀| + v₀²,   y = s x₀ + 1,   s = sgn v₀,
 //! tan dt₁ = d|v₀|/(y + ζ|v₀|)
 //! ```
 //!
-//! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (κ(|x| − 1) − 1)`, κ = e^{−ζπ/d}, until `|x| ≤ 1`, where
-//! the body stays (with a static friction of η times the kinetic one, until |x| ≤ η). Without a damper, κ = 1, that is 2B less in each. After n of them
+//! (x₁ = x₀ where v₀ = 0), and every half cycle after it takes x to `−sgn x (κ(|x| − 1) − 1)`, κ = e^{−ζπ/d},
+//! until `|x| ≤ 1`, where the body stays (with a static friction of η times the kinetic one, until |x| ≤ η).
+//! Without a damper, κ = 1, that is 2B less in each. After n of them
 //!
 //! ```text
 //! (−1)ⁿ sgn x₁ x_n = κⁿ|x₁| − (1 − κⁿ) coth(ζπ/2d),
 //! ```
 //!
-//! and there are `n = ⌈(|x₁| − η)/2⌉` of them, or `⌈ln(1 + (|x₁| − η)(1 − κ)/(2 + (η − 1)(1 − κ))) d/ζπ⌉`. From ζ = 1 on no half cycle comes to an end: the body
-//! turns once at most, and creeps to ±1 for ever where it slides after that or does not turn.
+//! and there are `n = ⌈(|x₁| − η)/2⌉` of them, or `⌈ln(1 + (|x₁| − η)(1 − κ)/(2 + (η − 1)(1 − κ))) d/ζπ⌉`.
+//! From ζ = 1 on no half cycle comes to an end: the body turns once at most, and creeps to ±1 for ever where
+//! it slides after that or does not turn.
 
 use super::equation::Equation;
 use super::state::State;
@@ -50,8 +53,8 @@ pub struct FreeDecay<F> {
 }
 
 impl<F: Float> FreeDecay<F> {
-    /// Free vibration from the displacement x₀/B and the velocity v₀/(Bω_n), with the damping ratio ζ (0 without a damper) and a
-    /// static friction of η ≥ 1 times the kinetic one (1 for one friction).
+    /// Free vibration from the displacement x₀/B and the velocity v₀/(Bω_n), with the damping ratio ζ (0
+    /// without a damper) and a static friction of η ≥ 1 times the kinetic one (1 for one friction).
     ///
     /// # Errors
     /// Where x₀ or v₀ is not finite or too large for the type, ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`,
@@ -140,7 +143,8 @@ impl<F: Float> FreeDecay<F> {
         first + lost * (first - (two + share) / share)
     }
 
-    /// How many half cycles after the first turn, ζ < 1: from the logarithm, and one more or less where rounding says so.
+    /// How many half cycles after the first turn, ζ < 1: from the logarithm, and one more or less where
+    /// rounding says so.
     fn damped_turns(&self, excess: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let decrement = self.decrement();
@@ -154,8 +158,8 @@ impl<F: Float> FreeDecay<F> {
         if self.left_after(turns) > self.eta { turns + one } else { turns.or_larger(one) }
     }
 
-    /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one is part of a
-    /// half cycle where v₀ ≠ 0. A creep that never ends counts as one.
+    /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one
+    /// is part of a half cycle where v₀ ≠ 0. A creep that never ends counts as one.
     pub fn half_cycles(&self) -> u64 {
         let first = u64::from(self.start.v != F::int(0));
         (self.turns.to_f64() as u64).saturating_add(first)
@@ -166,8 +170,8 @@ impl<F: Float> FreeDecay<F> {
         self.first_turn
     }
 
-    /// Where it comes to rest, x/B, or what it creeps to. Accuracy at f64: that of x₁, half a unit in its last place without damping, a few
-    /// units of max(|x₁|, 1) with it.
+    /// Where it comes to rest, x/B, or what it creeps to. Accuracy at f64: that of x₁, half a unit in its
+    /// last place without damping, a few units of max(|x₁|, 1) with it.
     pub fn rest_position(&self) -> F {
         let left = self.left_after(self.turns);
         let half = self.turns / F::int(2);
@@ -176,7 +180,8 @@ impl<F: Float> FreeDecay<F> {
         F::int(0) + if is_opposite { -left } else { left }
     }
 
-    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other. Infinite where it creeps, from ζ = 1 on.
+    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other.
+    /// Infinite where it creeps, from ζ = 1 on.
     pub fn rest_time(&self) -> F {
         let (zero, one) = (F::int(0), F::int(1));
         if self.zeta == zero {
@@ -191,13 +196,15 @@ impl<F: Float> FreeDecay<F> {
         self.first_time + self.turns * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
     }
 
-    /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends there when its velocity is rounding.
+    /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends
+    /// there when its velocity is rounding.
     pub fn trajectory(&self) -> Trajectory<F> {
         Trajectory::of(Equation::free(self.zeta, self.eta), self.start)
     }
 }
 
-/// `ln(1 + y)` of a y ≥ 0, by Newton's method on the exponential from the logarithm at f64: each step doubles the digits.
+/// `ln(1 + y)` of a y ≥ 0, by Newton's method on the exponential from the logarithm at f64: each step doubles
+/// the digits.
 fn ln_1p<F: Float>(y: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let mut x = F::from_f64(y.to_f64().ln_1p());

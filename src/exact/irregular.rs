@@ -3,18 +3,19 @@
 use super::state::State;
 use crate::float::Float;
 
-/// A motion that was followed for many turns of the drive without becoming periodic, and whose neighbours do not approach it.
+/// A motion that was followed for many turns of the drive without becoming periodic, and whose neighbours do
+/// not approach it.
 ///
-/// All of it is observed over the turns followed, after a quarter of them: no proof that the motion stays irregular for ever. Displacements in
-/// units of B = r_y/k.
+/// All of it is observed over the turns followed, after a quarter of them: no proof that the motion stays
+/// irregular for ever. Displacements in units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
 #[non_exhaustive]
 #[must_use]
 pub struct Irregular<F> {
-    /// The larger Lyapunov exponent per turn of the drive: on average a small distance grows by `e^λ` in a turn. From the
-    /// exact linearised motion, by a disturbance that is carried along.
+    /// The larger Lyapunov exponent per turn of the drive: on average a small distance grows by `e^λ` in a
+    /// turn. From the exact linearised motion, by a disturbance that is carried along.
     pub lyapunov_exponent: F,
     /// The standard error of that average, from the means of 32 parts of the time.
     pub lyapunov_exponent_error: F,
@@ -34,8 +35,8 @@ pub struct Irregular<F> {
 }
 
 impl<F: Float> Irregular<F> {
-    /// Whether neighbours leave it exponentially: the exponent is above four times its standard error. Otherwise they neither
-    /// leave nor approach it, as in a quasi-periodic motion.
+    /// Whether neighbours leave it exponentially: the exponent is above four times its standard error.
+    /// Otherwise they neither leave nor approach it, as in a quasi-periodic motion.
     pub fn is_chaotic(&self) -> bool {
         self.lyapunov_exponent > F::int(4) * self.lyapunov_exponent_error
     }

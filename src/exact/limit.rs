@@ -23,10 +23,11 @@ use core::ops::ControlFlow;
 impl<F: Float> LongRun<F> {
     /// What the motion at (Ω, α) tends to from a start.
     ///
-    /// With η = 1 the limit is the same from every start, but for a family and for rest, and a motion with stops is found from stop to stop without
-    /// following this one.
+    /// With η = 1 the limit is the same from every start, but for a family and for rest, and a motion with
+    /// stops is found from stop to stop without following this one.
     ///
-    /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127, if it is symmetric), rest, or an irregular motion.
+    /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127,
+    /// if it is symmetric), rest, or an irregular motion.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -42,8 +43,8 @@ impl<F: Float> LongRun<F> {
         Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)))
     }
 
-    /// The same, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop, of which one takes
-    /// about a microsecond at f64.
+    /// The same, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop,
+    /// of which one takes about a microsecond at f64.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -144,8 +145,9 @@ impl<F: Float> LongRun<F> {
 }
 
 impl<F: Float> SteadyState<F> {
-    /// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from half a cycle
-    /// of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the cycle's own proof.
+    /// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold,
+    /// from half a cycle of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is
+    /// the cycle's own proof.
     ///
     /// # Errors
     /// As for [`crate::exact::Trajectory::new`].
@@ -174,7 +176,8 @@ mod tests {
     use crate::exact::{LongRun, State};
     use crate::{Border, Ratios};
 
-    /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no use costs more.
+    /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no
+    /// use costs more.
     #[test]
     fn the_way_to_the_limit_is_short() {
         let (mut periods, mut most) = (0.0, 0.0f64);

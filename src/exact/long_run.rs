@@ -101,7 +101,7 @@ impl<F: Float> LongRun<F> {
         if let Self::Irregular(motion) = self { Some(motion) } else { None }
     }
 
-    /// The least and the greatest displacement x/B of a limit that moves: of a cycle, or of the turns of an irregular motion that were
+    /// The least and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an irregular motion that were
     /// observed.
     pub fn extrema(&self) -> Option<(F, F)> {
         let of_cycle = |steady: &SteadyState<F>| (steady.min_displacement(), steady.max_displacement());

@@ -11,8 +11,9 @@ pub(crate) struct Matrix<F> {
     pub(crate) d: F,
 }
 
-/// The acceleration after a reversal over that before, `|a|/(|a| + 2)` with a the one after: friction turns round, and nothing else
-/// changes. A quotient of two that are each a difference of large terms would be off by the rounding of these.
+/// The acceleration after a reversal over that before, `|a|/(|a| + 2)` with a the one after: friction turns
+/// round, and nothing else changes. A quotient of two that are each a difference of large terms would be off
+/// by the rounding of these.
 #[inline]
 pub(crate) fn reversal_ratio<F: Float>(after: F) -> F {
     after.abs() / (after.abs() + F::int(2))
@@ -24,8 +25,8 @@ impl<F: Float> Matrix<F> {
         Self { a: one, b: zero, c: zero, d: one }
     }
 
-    /// What a disturbance becomes in a slide: a free vibration, `rotation` being those from (0, 1) and (1, 0) over its time, (sin φ, cos φ)
-    /// without damping; `damping` is 2ζ.
+    /// What a disturbance becomes in a slide: a free vibration, `rotation` being those from (0, 1) and (1, 0)
+    /// over its time, (sin φ, cos φ) without damping; `damping` is 2ζ.
     #[inline]
     pub(crate) fn after_slide(self, (s, c): (F, F), damping: F) -> Self {
         let slope = c - damping * s;
@@ -37,15 +38,16 @@ impl<F: Float> Matrix<F> {
         }
     }
 
-    /// What it becomes at a velocity zero: δw is multiplied by the ratio of the accelerations after and before, because
-    /// the zero itself moves; by 0 at a stop.
+    /// What it becomes at a velocity zero: δw is multiplied by the ratio of the accelerations after and
+    /// before, because the zero itself moves; by 0 at a stop.
     #[inline]
     pub(crate) fn after_zero(self, ratio: F) -> Self {
         Self { c: ratio * self.c, d: ratio * self.d, ..self }
     }
 
-    /// What it becomes where friction gives way to the force: the later by δθ = δx/(α cos θ) the body is let go, the less it has of the
-    /// acceleration η − 1 that it begins with, so that `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that factor of δx.
+    /// What it becomes where friction gives way to the force: the later by δθ = δx/(α cos θ) the body is let
+    /// go, the less it has of the acceleration η − 1 that it begins with, so that
+    /// `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that factor of δx.
     #[inline]
     pub(crate) fn after_release(self, gain: F) -> Self {
         if gain == F::int(0) {
@@ -102,9 +104,10 @@ impl<F: Float> Matrix<F> {
 
     /// The squares of the eigenvalues, each as (re, im), the larger first.
     ///
-    /// `μ² − (t² − 2δ) μ + δ² = 0` with t the trace and δ the determinant; the smaller real root from the product. Where t²/4 − δ is not more
-    /// than its rounding the root is taken for double, |μ| = δ: so the larger one is never above that of a matrix next to this one by more
-    /// than a root of 8ε, relative, and is exactly δ where the two are complex.
+    /// `μ² − (t² − 2δ) μ + δ² = 0` with t the trace and δ the determinant; the smaller real root from the
+    /// product. Where t²/4 − δ is not more than its rounding the root is taken for double, |μ| = δ: so the
+    /// larger one is never above that of a matrix next to this one by more than a root of 8ε, relative, and
+    /// is exactly δ where the two are complex.
     pub(crate) fn squared_eigenvalues(self) -> [(F, F); 2] {
         let (zero, two) = (F::int(0), F::int(2));
         let (t, det) = (self.trace(), self.determinant());

@@ -22,8 +22,8 @@ use core::ops::ControlFlow;
 pub struct PeriodicMotion<F> {
     /// The motion; [`SteadyState::is_stable`] says whether its neighbours approach it.
     pub steady_state: SteadyState<F>,
-    /// The motion that is this one turned upside down, by its place among those found; `None` where it is symmetric, and
-    /// where the search did not meet that one.
+    /// The motion that is this one turned upside down, by its place among those found; `None` where it is
+    /// symmetric, and where the search did not meet that one.
     pub mirror: Option<usize>,
     #[cfg_attr(feature = "serde", serde(skip))]
     orbit: Orbit<F>,
@@ -48,7 +48,8 @@ impl<F: Float> PeriodicMotions<F> {
         &self.found
     }
 
-    /// Takes a motion in, unless it is there: two are one where they come to the same states, to 2⁻²⁰ of their size.
+    /// Takes a motion in, unless it is there: two are one where they come to the same states, to 2⁻²⁰ of
+    /// their size.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -78,8 +79,9 @@ impl<F: Float> Default for PeriodicMotions<F> {
     }
 }
 
-/// The periodic motions of up to `turns` turns of the drive that Newton's method finds from the starts: **found by search, not proved
-/// complete**. Unlike [`super::attractors()`] it finds unstable ones, which no start tends to.
+/// The periodic motions of up to `turns` turns of the drive that Newton's method finds from the starts:
+/// **found by search, not proved complete**. Unlike [`super::attractors()`] it finds unstable ones, which no
+/// start tends to.
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -107,12 +109,15 @@ pub fn periodic_motions<F: Float>(
     Ok(all.found)
 }
 
-/// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going` says [`ControlFlow::Continue`].
+/// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going`
+/// says [`ControlFlow::Continue`].
 ///
-/// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive with the motion turned upside
-/// down, begins at the start, at the states of its motion after each of the first half turns, and at that
-/// which m half turns bring back best. The mirror image of a motion that is not symmetric is returned with it. Steps that do not help are
-/// shortened down to a sixteenth. What is returned comes back to itself within rounding, by the exact motion over its period, with its multipliers from the exact linearised motion.
+/// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive
+/// with the motion turned upside down, begins at the start, at the states of its motion after each of the
+/// first half turns, and at that which m half turns bring back best. The mirror image of a motion that is not
+/// symmetric is returned with it. Steps that do not help are shortened down to a sixteenth. What is returned
+/// comes back to itself within rounding, by the exact motion over its period, with its multipliers from the
+/// exact linearised motion.
 ///
 /// # Errors
 /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].

@@ -1,4 +1,5 @@
-//! From one phase of the drive to another, through whatever happens in between, with what a disturbance becomes.
+//! From one phase of the drive to another, through whatever happens in between, with what a disturbance
+//! becomes.
 
 use super::broken::Broken;
 use super::budget::Budget;
@@ -40,7 +41,8 @@ pub(crate) struct Propagation<F> {
     pub(crate) hint: F,
 }
 
-/// Parts that are kept: all where Ω is above some 1/30. More are propagated again where its parts are asked for.
+/// Parts that are kept: all where Ω is above some 1/30. More are propagated again where its parts are asked
+/// for.
 const MOST_KEPT: usize = 256;
 
 impl<F: Float> Propagation<F> {
@@ -63,7 +65,8 @@ impl<F: Float> Propagation<F> {
     }
 }
 
-/// The motion over `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where one is expected.
+/// The motion over `half_turns` from a point on. `hint` is the natural time to the first velocity zero, where
+/// one is expected.
 ///
 /// # Errors
 /// As for [`follow`].
@@ -90,16 +93,18 @@ pub(crate) fn propagate<F: Float>(
     Ok(Propagation { end, monodromy, parts, count, sticks, hint })
 }
 
-/// Follows the motion for `half_turns` from a point on, part by part: where it is then, with (δx, δw) there for that at the beginning.
+/// Follows the motion for `half_turns` from a point on, part by part: where it is then, with (δx, δw) there
+/// for that at the beginning.
 ///
 /// # Work
 ///
-/// A slide that begins at rest on a half turn where g ≥ 0 for its direction (`event`) lasts for π of natural time or beyond that half
-/// turn. After one that begins where g ≤ 0 comes a slide of the other direction, for which g ≥ 0, with or without a stop before it. So a
-/// half turn between two changes of sign of cos θ has at most `1 + 1/Ω` slides of the first kind that begin in it, one of the second
-/// kind before each and one after the last, and the slide that is under way: **at most 4 + 2/Ω velocity zeros**, and two parts for each.
-/// A half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides whose length is rounding come on top; four
-/// times as many parts are an error.
+/// A slide that begins at rest on a half turn where g ≥ 0 for its direction (`event`) lasts for π of natural
+/// time or beyond that half turn. After one that begins where g ≤ 0 comes a slide of the other direction, for
+/// which g ≥ 0, with or without a stop before it. So a half turn between two changes of sign of cos θ has at
+/// most `1 + 1/Ω` slides of the first kind that begin in it, one of the second kind before each and one after
+/// the last, and the slide that is under way: **at most 4 + 2/Ω velocity zeros**, and two parts for each. A
+/// half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides whose length is
+/// rounding come on top; four times as many parts are an error.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and what `visit` says.

@@ -24,10 +24,11 @@ pub(crate) struct Safe<F> {
 }
 
 impl<F: Float> Safe<F> {
-    /// The window that φ lies in or that comes next, as (beginning, end), less the rounding of its ends. Where it is empty the
-    /// beginning is not before the end.
+    /// The window that φ lies in or that comes next, as (beginning, end), less the rounding of its ends.
+    /// Where it is empty the beginning is not before the end.
     pub(crate) fn next(&self, phi: F) -> (F, F) {
-        // Each of centre, half width and turns times the period is right to two units of itself, and none exceeds φ + 2 periods by much.
+        // Each of centre, half width and turns times the period is right to two units of itself, and none
+        // exceeds φ + 2 periods by much.
         let rounding = F::int(16) * F::epsilon() * (phi + self.period);
         let half_width = self.half_width - rounding;
         // The end of a window counts as beyond it.

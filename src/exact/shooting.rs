@@ -1,20 +1,25 @@
 //! The periodic motion by Newton's method on the half-turn map.
 //!
-//! `H` takes the state (x, w) at a phase θ₀ half a turn of the drive on and turns it upside down: a symmetric motion is a
-//! fixed point of H, with `H′ = −M`, M the monodromy of the half turn. A Newton step is `(1 + M)⁻¹ (H(y) − y)`.
+//! `H` takes the state (x, w) at a phase θ₀ half a turn of the drive on and turns it upside down: a symmetric
+//! motion is a fixed point of H, with `H′ = −M`, M the monodromy of the half turn. A Newton step is
+//! `(1 + M)⁻¹ (H(y) − y)`.
 //!
 //! # Why this finds the limit of every motion
 //!
-//! Friction is monotone: of two motions under the same drive, `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw − 2ζδw² ≤ 0`. So
+//! Friction is monotone: of two motions under the same drive,
+//! `d/dφ ½(δx² + δw²) = −(r₁ − r₂) δw − 2ζδw² ≤ 0`. So
 //!
-//! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from one half turn to
-//!   the next. A Newton step is kept where it halves the residual, and otherwise the motion is simply followed on.
-//! * Two periodic motions keep their distance for ever. For α > 1 that leaves **one limit only, and it is symmetric**: proved in
-//!   docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the border on, and Ω = 1 with α ≥ 4/π. With damping there are
-//!   none: a distance that stays has δw = 0, and of two bodies a distance apart that slide alike one would have the other friction. For α ≤ 1 the limit is
+//! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
+//!   one half turn to the next. A Newton step is kept where it halves the residual, and otherwise the motion
+//!   is simply followed on.
+//! * Two periodic motions keep their distance for ever. For α > 1 that leaves **one limit only, and it is
+//!   symmetric**: proved in docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the
+//!   border on, and Ω = 1 with α ≥ 4/π. With damping there are none: a distance that stays has δw = 0, and of
+//!   two bodies a distance apart that slide alike one would have the other friction. For α ≤ 1 the limit is
 //!   rest, anywhere in an interval (`rest`); nothing is shot for there.
-//! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle are not needed for that, but they say how
-//!   fast it is approached; beside 1/(2n) one of them rounds to 1, and the closed-form cycle is taken where its residual is rounding.
+//! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle
+//!   are not needed for that, but they say how fast it is approached; near 1/(2n) one of them rounds to 1,
+//!   and the closed-form cycle is taken where its residual is rounding.
 
 use super::broken::Broken;
 pub(crate) use super::budget::Budget;
@@ -29,7 +34,8 @@ use crate::float::Float;
 pub(crate) struct Fixed<F> {
     pub(crate) start: Point<F>,
     pub(crate) propagation: Propagation<F>,
-    /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by entry.
+    /// How far (x, w) of the start can be from the limit: `|(1 + M)⁻¹| (|H(y) − y| + rounding)`, entry by
+    /// entry.
     pub(crate) distance: (F, F),
 }
 
@@ -51,8 +57,8 @@ pub(crate) struct Residual<F> {
 }
 
 impl<F: Float> Residual<F> {
-    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and that of the phase: half a unit
-    /// of θ moves x by w/Ω and w by w′/Ω.
+    /// The change (x, w) from y, with the rounding of the terms that x and w are made of (two units each) and
+    /// that of the phase: half a unit of θ moves x by w/Ω and w by w′/Ω.
     pub(crate) fn new(equation: &Equation<F>, y: &Point<F>, (x, w): (F, F)) -> Self {
         let Equation { omega, alpha, damping, .. } = *equation;
         let (one, unit) = (F::int(1), F::int(4) * F::epsilon());
@@ -77,7 +83,8 @@ impl<F: Float> Residual<F> {
         self.x.abs() <= times * self.noise_x && self.w.abs() <= times * self.noise_w
     }
 
-    /// Whether its rounding is that of the other or less, but for a factor of four: far out rounding hides any residual.
+    /// Whether its rounding is that of the other or less, but for a factor of four: far out rounding hides
+    /// any residual.
     fn is_as_fine_as(&self, other: &Self) -> bool {
         let four = F::int(4);
         self.noise_x <= four * other.noise_x && self.noise_w <= four * other.noise_w
@@ -98,7 +105,8 @@ fn residual<F: Float>(equation: &Equation<F>, y: &Point<F>, propagation: &Propag
     Residual::new(equation, y, (-propagation.end.x - y.x, -propagation.end.w - y.w))
 }
 
-/// Natural time to the first velocity zero that is expected from a point that differs by (δx, δw) from that of `propagation`.
+/// Natural time to the first velocity zero that is expected from a point that differs by (δx, δw) from that
+/// of `propagation`.
 fn first_zero<F: Float>(propagation: &Propagation<F>, usual: F, change: (F, F)) -> F {
     match propagation.parts.first() {
         Some(Part::Slide(slide, zero)) => zero.expected(change, slide.equation.damping),
@@ -111,8 +119,8 @@ pub(crate) struct Guess<F> {
     pub(crate) at: Point<F>,
     /// Natural time to its first velocity zero.
     pub(crate) hint: F,
-    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it does not stick, and is not large
-    /// beside the force.
+    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it
+    /// does not stick, and is not large beside the force.
     pub(crate) is_limit: bool,
 }
 
@@ -123,8 +131,8 @@ pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
 
 /// Newton's method from a start; `hint` is the natural time to its first velocity zero.
 ///
-/// `guess` is a second place to try when Newton's step from the start fails. It needs no justification: its residual judges it,
-/// and where it leads is the limit of every start.
+/// `guess` is a second place to try when Newton's step from the start fails. It needs no justification: its
+/// residual judges it, and where it leads is the limit of every start.
 ///
 /// # Errors
 /// As for [`propagate`].
@@ -148,7 +156,8 @@ pub(crate) fn shoot<F: Float>(
         if budget.half_turns > budget.most {
             return Ok(Shot::Unsettled(y, left.norm()));
         }
-        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance does.
+        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance
+        // does.
         let known = is_known(&y, inverse, &left);
         if left.is_rounding(1) && known {
             return Ok(Shot::Settled(settled(y, best, inverse, &left)));
@@ -178,7 +187,7 @@ pub(crate) fn shoot<F: Float>(
             let tried = propagate(equation, elsewhere, 1, hint, spare, budget)?;
             budget.spend(1);
             let after = residual(&equation, &elsewhere, &tried);
-            // Beside 1/(2n) no residual can tell the limit from its neighbours; a proof can.
+            // Near 1/(2n) no residual can tell the limit from its neighbours; a proof can.
             let seen = F::int(1) - tried.monodromy.determinant().abs() > rate_noise(tried.count);
             let proved = is_limit && seen && after.is_rounding(4);
             if proved && !is_known(&elsewhere, tried.monodromy.inverse_of_one_plus(), &after) {
@@ -195,7 +204,8 @@ pub(crate) fn shoot<F: Float>(
             }
             spare = tried.parts;
         }
-        // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's reach.
+        // The motion itself, for a while: each half turn brings it closer, and in the end into Newton's
+        // reach.
         for _ in 0..follow {
             let to = Point { phase: y.phase, x: -best.end.x, w: -best.end.w };
             let hint = first_zero(&best, hint, (to.x - y.x, to.w - y.w));

@@ -1,7 +1,7 @@
 //! Sliding in one direction, in closed form (Hong & Liu 2001, section 3).
 //!
-//! In natural time `φ = ω_n(t − t_i)`, with `w = dx/dφ = Ω v` and the direction s = sgn v, the equation of motion is
-//! `x″ + x + s = α sin(θ_i + Ωφ)`, and its solution from `(θ_i, x_i, w_i)`
+//! In natural time `φ = ω_n(t − t_i)`, with `w = dx/dφ = Ω v` and the direction s = sgn v, the equation of
+//! motion is `x″ + x + s = α sin(θ_i + Ωφ)`, and its solution from `(θ_i, x_i, w_i)`
 //!
 //! ```text
 //! x − x_i = −(x_i + s)(1 − cos φ) + w_i sin φ + α [cos θ_i · S + sin θ_i · C]
@@ -17,9 +17,10 @@
 //! S = [sin Ωφ − Ω q cos p]/(1+Ω) = [sin φ − q cos p]/(1+Ω),
 //! ```
 //!
-//! of which only q is a quotient of small numbers, both known to full relative accuracy; q(Ω = 1) = φ. The first form
-//! of S is used below Ω = 1 and the second above, where each has no cancellation. The terms are those that vanish
-//! with φ. A short slide is written as a power series (`short`), and a long one at a low frequency as a slow and a fast wave.
+//! of which only q is a quotient of small numbers, both known to full relative accuracy; q(Ω = 1) = φ. The
+//! first form of S is used below Ω = 1 and the second above, where each has no cancellation. The terms are
+//! those that vanish with φ. A short slide is written as a power series (`short`), and a long one at a low
+//! frequency as a slow and a fast wave.
 
 use super::drive::DrivePhase;
 use super::equation::{Equation, Waves};
@@ -58,9 +59,10 @@ impl Direction {
 
 /// One slide from `(θ_i, x_i, v_i)` in a given direction: a closed form in time.
 ///
-/// It holds as long as the velocity keeps its sign, which [`crate::exact::Trajectory`] finds out. Displacements in
-/// units of B = r_y/k, velocities in B ω_d. Accuracy at f64: a few units in the last place of the largest term,
-/// `|x_i| + |w_i| + α/|1 − Ω²|` (beside Ω = 1, αφ for the last), times 1 + φ + Ωφ for the rounding of the angles.
+/// It holds as long as the velocity keeps its sign, which [`crate::exact::Trajectory`] finds out.
+/// Displacements in units of B = r_y/k, velocities in B ω_d. Accuracy at f64: a few units in the last place
+/// of the largest term, `|x_i| + |w_i| + α/|1 − Ω²|` (near Ω = 1, αφ for the last), times 1 + φ + Ωφ for the
+/// rounding of the angles.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slide<F> {
     pub(crate) equation: Equation<F>,
@@ -115,15 +117,16 @@ impl<F: Float> Slide<F> {
         Self { equation, start, direction, x, w: F::int(0), acceleration, sin_start, cos_start }
     }
 
-    /// The slide that begins at rest with the force exactly at the static friction and rising: zero velocity and the
-    /// acceleration `s(η − 1)`, whatever rounding makes of the difference.
+    /// The slide that begins at rest with the force exactly at the static friction and rising: zero velocity
+    /// and the acceleration `s(η − 1)`, whatever rounding makes of the difference.
     #[inline]
     pub(crate) fn released(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
         let acceleration = equation.acceleration_at_release(direction);
         Self { acceleration, ..Self::new(equation, start, x, F::int(0), direction) }
     }
 
-    /// The slide that goes on where its velocity touches zero, the force at the kinetic friction: no acceleration.
+    /// The slide that goes on where its velocity touches zero, the force at the kinetic friction: no
+    /// acceleration.
     pub(crate) fn grazing(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
         let zero = F::int(0);
         Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
@@ -146,7 +149,8 @@ impl<F: Float> Slide<F> {
         if self.equation.is_damped() { self.damped_motion(phi) } else { self.undamped_motion(phi) }
     }
 
-    /// The same by what is known when the program is compiled, so that nothing of damping is computed without a damper.
+    /// The same by what is known when the program is compiled, so that nothing of damping is computed without
+    /// a damper.
     #[inline]
     pub(crate) fn motion_by<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         if DAMPED { self.damped_motion(phi) } else { self.undamped_motion(phi) }
@@ -234,14 +238,16 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Whether a damped free vibration has died out by a factor e since the start: x is then no longer a sum with the x that it began at.
+    /// Whether a damped free vibration has died out by a factor e since the start: x is then no longer a sum
+    /// with the x that it began at.
     fn has_forgotten(&self, phi: F) -> bool {
         let free = self.equation.vibration();
         let rate = if free.swings() { free.zeta } else { free.slow_rate() };
         rate * phi > F::int(1)
     }
 
-    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1, or once that has died out by a factor e.
+    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1, or once
+    /// that has died out by a factor e.
     ///
     /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
     fn forced_and_free(&self, phi: F) -> Motion<F> {
@@ -276,7 +282,7 @@ impl<F: Float> Slide<F> {
     #[inline]
     pub(crate) fn velocity_scale<const DAMPED: bool>(&self) -> F {
         let Equation { omega, alpha, .. } = self.equation;
-        // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ beside Ω = 1, where φ ≤ 3π.
+        // |C|, |S| ≤ 2/|1 − Ω²|, and ≤ φ near Ω = 1, where φ ≤ 3π.
         let gain = omega * alpha / (F::int(1) + omega.square());
         let mut acceleration = self.acceleration.abs();
         if DAMPED {

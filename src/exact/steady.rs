@@ -10,8 +10,8 @@ use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// Turns of the drive in a cycle of a motion that the half-turn map repeats after so many half turns: as many where that is odd, and the
-/// motion symmetric; half as many where it is even.
+/// Turns of the drive in a cycle of a motion that the half-turn map repeats after so many half turns: as many
+/// where that is odd, and the motion symmetric; half as many where it is even.
 fn turns<F: Float>(half_turns: u32) -> F {
     F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
 }
@@ -48,7 +48,8 @@ impl<F: Float> Summary<F> {
         }
     }
 
-    /// Of a symmetric cycle of two slides without damping: its greatest displacement and velocity, and the work of the drive and against friction.
+    /// Of a symmetric cycle of two slides without damping: its maximum displacement and velocity, and the
+    /// work of the drive and against friction.
     #[inline]
     pub(crate) fn of_reversals(max_x: Extreme<F>, max_v: Extreme<F>, energy_in: F, energy_out: F) -> Self {
         Self {
@@ -93,19 +94,21 @@ pub struct SteadyState<F> {
 }
 
 impl<F: Float> SteadyState<F> {
-    /// Turns of the drive in a cycle of the motion: 1, but for some motions with a static friction above the kinetic one.
+    /// Turns of the drive in a cycle of the motion: 1, but for some motions with a static friction above the
+    /// kinetic one.
     pub fn turns_per_cycle(&self) -> u32 {
         if self.half_turns % 2 == 1 { self.half_turns } else { self.half_turns / 2 }
     }
 
-    /// Whether each half of a cycle is the other turned upside down: always, but for a member of a family at Ω = 1/(2n), and for some
-    /// motions with a static friction above the kinetic one. Of one that is not symmetric the mirror image is a motion, too.
+    /// Whether each half of a cycle is the other turned upside down: always, but for a member of a family at
+    /// Ω = 1/(2n), and for some motions with a static friction above the kinetic one. Of one that is not
+    /// symmetric the mirror image is a motion, too.
     pub const fn is_symmetric(&self) -> bool {
         self.half_turns % 2 == 1
     }
 
-    /// Whether its neighbours approach it: both multipliers are within the unit circle. So it is for every limit of a motion; a search for
-    /// periodic motions ([`super::periodic_motions()`]) finds others, too.
+    /// Whether its neighbours approach it: both multipliers are within the unit circle. So it is for every
+    /// limit of a motion; a search for periodic motions ([`super::periodic_motions()`]) finds others, too.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
     }
@@ -165,27 +168,30 @@ impl<F: Float> SteadyState<F> {
         self.statistics.stick_fraction
     }
 
-    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps its digits, so that its
-    /// agreement with [`SteadyState::energy_out`], with damping together with [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near Ω = 1, and where a
-    /// motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
+    /// its digits, so that its agreement with [`SteadyState::energy_out`], with damping together with
+    /// [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near
+    /// Ω = 1, and where a motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 +
+    /// 1/Ω) of itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
         self.statistics.energy_in
     }
 
-    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are reversals. As accurate as the
-    /// displacements are.
+    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
+    /// reversals. As accurate as the displacements are.
     pub const fn energy_out(&self) -> F {
         self.statistics.energy_out
     }
 
-    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum with
+    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
+    /// with
     /// [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
     pub const fn damper_work(&self) -> F {
         self.statistics.damper_work
     }
 
-    /// The multipliers of the cycle, each (re, im): what a small disturbance is multiplied by in one period. One is zero
-    /// where the body stops.
+    /// The multipliers of the cycle, each (re, im): what a small disturbance is multiplied by in one period.
+    /// One is zero where the body stops.
     pub const fn multipliers(&self) -> [(F, F); 2] {
         self.multipliers
     }
@@ -196,11 +202,13 @@ impl<F: Float> SteadyState<F> {
         a.hypot(b).or_larger(c.hypot(d))
     }
 
-    /// Estimates of how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]: the residual of half a
-    /// turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the half-turn map at that state.
+    /// Estimates of how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
+    /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
+    /// half-turn map at that state.
     ///
-    /// No proven bound, because the map is curved and has kinks; in 27,557 pairs of starts the motions found were never further apart than
-    /// 0.78 of the sum of their estimates. Where Ω is 1/(2n) to within rounding the limit is known from the closed form, and this is rounding.
+    /// No proven bound, because the map is curved and has kinks; in 27,557 pairs of starts the motions found
+    /// were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n) to within rounding
+    /// the limit is known from the closed form, and this is rounding.
     pub fn distance(&self) -> (F, F) {
         let (x, w) = self.distance;
         (x, w / self.equation.omega)
@@ -238,8 +246,8 @@ fn error_measures<F: Float>(
     Ok(statistics.errors(turns))
 }
 
-/// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of them from a start,
-/// as in its Figure 3.
+/// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of
+/// them from a start, as in its Figure 3.
 ///
 /// # Errors
 /// As for [`crate::exact::Trajectory::new`].
@@ -264,7 +272,8 @@ mod tests {
     use crate::exact::{LongRun, State, Trajectory};
     use std::f64::consts::TAU;
 
-    /// From the state that is given, the motion comes back to it after a cycle, and is as far and as fast on the way as it says.
+    /// From the state that is given, the motion comes back to it after a cycle, and is as far and as fast on
+    /// the way as it says.
     #[test]
     fn the_state_is_on_the_motion() {
         for (omega, alpha) in [(0.3f64, 2.0f64), (0.4, 9.0), (0.7, 1.2), (1.6, 1.5), (3.0, 4.0)] {

@@ -1,9 +1,10 @@
 //! Where the symmetric motion loses its symmetry as the force changes.
 //!
-//! Let H take the state half a turn of the drive on and turn it upside down, and let J be its derivative. A symmetric motion of one turn is a
-//! fixed point of H, and its multipliers by turn are those of J², the squares λ² of those of J. At λ = +1 two symmetric motions meet. At λ = −1
-//! a pair of points that H exchanges branches off, y ≠ H(y), H²(y) = y: a motion of one turn that is not symmetric, and its mirror image. So
-//! **symmetry breaks at λ = −1**, where
+//! Let H take the state half a turn of the drive on and turn it upside down, and let J be its derivative. A
+//! symmetric motion of one turn is a fixed point of H, and its multipliers by turn are those of J², the
+//! squares λ² of those of J. At λ = +1 two symmetric motions meet. At λ = −1 a pair of points that H
+//! exchanges branches off, y ≠ H(y), H²(y) = y: a motion of one turn that is not symmetric, and its mirror
+//! image. So **symmetry breaks at λ = −1**, where
 //!
 //! ```text
 //! f = det(1 + J) = (1 + λ₁)(1 + λ₂)
@@ -11,8 +12,9 @@
 //!
 //! changes its sign. With a stop in each half turn one multiplier is 0, and f = 1 + tr J.
 //!
-//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes to η: a stop begins or ends
-//! there, and the sequence of slides and stops is another. Then no multiplier announces it.
+//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes
+//! to η: a stop begins or ends there, and the sequence of slides and stops is another. Then no multiplier
+//! announces it.
 
 use super::DrivePhase;
 use super::equation::Equation;
@@ -36,7 +38,8 @@ pub enum Loss {
     Multiplier,
     /// A multiplier by half turn comes to +1: two symmetric motions meet, and beyond there is neither.
     Fold,
-    /// The force left over at one of its velocity zeros comes to η: the motion ends, or goes on with other multipliers at once.
+    /// The force left over at one of its velocity zeros comes to η: the motion ends, or goes on with other
+    /// multipliers at once.
     Jump,
 }
 
@@ -114,7 +117,8 @@ impl<F: Float> Machine<F> {
         Ok(Some(Symmetric { alpha, y, derivative, steady }))
     }
 
-    /// The same motion at another force: of the same slides and stops. It is sought on the line through two that are known, then at the last.
+    /// The same motion at another force: of the same slides and stops. It is sought on the line through two
+    /// that are known, then at the last.
     fn continued(
         &self,
         (before, last): (&Symmetric<F>, &Symmetric<F>),
@@ -160,12 +164,15 @@ impl<F: Float> Machine<F> {
 /// Half turns that a start is followed for.
 const FOLLOWED: u32 = 24;
 
-/// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its multiplier, or because it ends.
+/// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its
+/// multiplier, or because it ends.
 ///
-/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method finds at each; where one of
-/// them is stable at one end of a step and not at the other, or not there, the force ratio in between is found to rounding. **Found by
-/// search**: a motion that is lost and regained within a step is not seen. The force ratio of `ratios` has no part in it. With a static
-/// friction equal to the kinetic one there are none: friction is monotone, and the one limit symmetric (docs/theory/stability.md).
+/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method
+/// finds at each; where one of them is stable at one end of a step and not at the other, or not there, the
+/// force ratio in between is found to rounding. **Found by search**: a motion that is lost and regained
+/// within a step is not seen. The force ratio of `ratios` has no part in it. With a static friction equal to
+/// the kinetic one there are none: friction is monotone, and the one limit symmetric
+/// (docs/theory/stability.md).
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -208,7 +215,8 @@ pub fn symmetry_breaks<F: Float>(
     Ok(breaks)
 }
 
-/// Where a stable motion is lost on the way to another force ratio. Where a stop only comes or goes it is followed on.
+/// Where a stable motion is lost on the way to another force ratio. Where a stop only comes or goes it is
+/// followed on.
 fn lost<F: Float>(
     machine: &Machine<F>,
     motion: &Symmetric<F>,

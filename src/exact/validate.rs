@@ -1,26 +1,30 @@
 //! The closed-form cycle without damping validated as a motion, from one slide.
 //!
-//! The rising half of the cycle begins at its least displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide of natural length
-//! `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular function, and the free one,
-//! `π/Ω = 2β`, is the cycle's. The slide passes the section, the fastest point y at θ₁, on its way; half a turn from there goes on to
-//! the velocity zero and back on the mirrored slide. What the latter misses −y by is free vibration,
+//! The rising half of the cycle begins at its minimum displacement, `(−Δ₀, 0)` at `θ₂ − π`, and is one slide
+//! of natural length `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular
+//! function, and the free one, `π/Ω = 2β`, is the cycle's. The slide passes the section, the fastest point y
+//! at θ₁, on its way; half a turn from there goes on to the velocity zero and back on the mirrored slide.
+//! What the latter misses −y by is free vibration,
 //!
 //! ```text
 //! H(y) − y = −R (δx, w w′₊/w′₋),     δx = x(π/Ω) − Δ₀,  w = w(π/Ω)
 //! ```
 //!
-//! with w′₋ and w′₊ the accelerations before and after the reversal and R the rotation from θ₂ − π to θ₁: the residual that `shooting`
-//! judges, with the bound on the distance that comes of it. Its sign does not matter to either. The velocity zero is a rounding away from
-//! π/Ω, because friction reverses with the velocity: `w′₋ = w′₊ − 2 < −2`.
+//! with w′₋ and w′₊ the accelerations before and after the reversal and R the rotation from θ₂ − π to θ₁: the
+//! residual that `shooting` judges, with the bound on the distance that comes of it. Its sign does not matter
+//! to either. The velocity zero is a rounding away from π/Ω, because friction reverses with the velocity:
+//! `w′₋ = w′₊ − 2 < −2`.
 //!
 //! # Why no velocity zero is missed
 //!
-//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Say the half turn begins where g ≥ 0, at f = 0 with f′ > 0, and g changes
-//! its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; from b, a later point, backward for `atan2(f, f′)`; and on the last
-//! stretch, not longer than π, because f is positive at its beginning, and zero at its end only. For Ω ≥ 1 all of it is
-//! shorter than π, and f(b) need not be looked at. In every other case the search of `velocity_zero` answers.
+//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Say the half turn begins where g ≥ 0, at f = 0 with f′ >
+//! 0, and g changes its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; from b, a later point, backward
+//! for `atan2(f, f′)`; and on the last stretch, not longer than π, because f is positive at its beginning,
+//! and zero at its end only. For Ω ≥ 1 all of it is shorter than π, and f(b) need not be looked at. In every
+//! other case the search of `velocity_zero` answers.
 //!
-//! That the greatest speed is the one at θ₁ is proved where the cycle finds it; here the acceleration has to vanish there.
+//! That the maximum speed is the one at θ₁ is proved where the cycle finds it; here the acceleration has to
+//! vanish there.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -99,7 +103,8 @@ impl<F: Float> Slide<F> {
         self.motion_of::<false>(&self.equation.half_turn(sin_cos_beta))
     }
 
-    /// Whether the velocity of a forward slide from rest has its first zero at `end`, a zero to within rounding, half a turn later.
+    /// Whether the velocity of a forward slide from rest has its first zero at `end`, a zero to within
+    /// rounding, half a turn later.
     #[inline]
     fn turns_first_at(&self, end: F) -> bool {
         self.does_not_turn_before(end)

@@ -1,23 +1,26 @@
 //! Where the velocity of a damped slide cannot vanish: what the search need not look at.
 //!
-//! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`, ψ = ψ_0 + Ωφ, and from any φ on the free
-//! one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
+//! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`, ψ = ψ_0
+//! + Ωφ, and from any φ on the free one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
 //!
 //! ```text
 //! r = hypot(h, (h′ + ζh)/d),   β = ζ             for ζ < 1/2
 //! r = |h| + |h′ + σh| · 3/(4σ),  β = σ/2          above, by sin(dt)/d ≤ t and t e^{−σt/2} ≤ 2/(eσ)
 //! ```
 //!
-//! with σ the slower rate of decay, ζ below 1 and ζ − √(ζ² − 1) above. Two windows follow, both known by their two ends:
+//! with σ the slower rate of decay, ζ below 1 and ζ − √(ζ² − 1) above. Two windows follow, both known by
+//! their two ends:
 //!
-//! * **The forced wave is larger**, `G cos ψ > r e^{−βt}`, on the half wave with cos ψ > 0: a concave function less a convex one, positive at
-//!   both ends and so between them.
-//! * **The free wave is larger**, `h > G`: h is the product of an exponential and a positive half wave, whose logarithm is concave, or from
-//!   ζ = 1 on has one extremum at most and tends to zero; either way h > G at both ends of less than π/d means h > G between them.
+//! * **The forced wave is larger**, `G cos ψ > r e^{−βt}`, on the half wave with cos ψ > 0: a concave
+//!   function less a convex one, positive at both ends and so between them.
+//! * **The free wave is larger**, `h > G`: h is the product of an exponential and a positive half wave, whose
+//!   logarithm is concave, or from ζ = 1 on has one extremum at most and tends to zero; either way h > G at
+//!   both ends of less than π/d means h > G between them.
 //!
-//! The far end of a window is found from the inside, to within a part of the shorter period. What is left before the next zero is, where the
-//! free wave is larger, a period of the drive at most; where the forced one is, the time in which the free wave, at its lowest once in
-//! 2π/d, is not below it. So a slide needs a few windows and a few stretches at any Ω and ζ.
+//! The far end of a window is found from the inside, to within a part of the shorter period. What is left
+//! before the next zero is, where the free wave is larger, a period of the drive at most; where the forced
+//! one is, the time in which the free wave, at its lowest once in 2π/d, is not below it. So a slide needs a
+//! few windows and a few stretches at any Ω and ζ.
 
 use super::equation::Equation;
 use super::slide::Slide;
@@ -63,7 +66,8 @@ impl<F: Float> Waves<F> {
         Self { equation, free, gain, angle, start, size, rates: (slower, decay) }
     }
 
-    /// What rounding can make of the velocity at φ, by the free vibrations there: that of the start dies out with them.
+    /// What rounding can make of the velocity at φ, by the free vibrations there: that of the start dies out
+    /// with them.
     fn noise_of(&self, phi: F, (s, c): (F, F)) -> F {
         let (one, omega) = (F::int(1), self.equation.omega);
         // The angle dφ, or the exponent σφ, is right to ε of itself.
@@ -129,8 +133,9 @@ impl<F: Float> Waves<F> {
         None
     }
 
-    /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on it is below half of the forced
-    /// one after a time; each time the forced wave then changes its sign within half a turn of the drive. A turn more for rounding.
+    /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on
+    /// it is below half of the forced one after a time; each time the forced wave then changes its sign
+    /// within half a turn of the drive. A turn more for rounding.
     #[cold]
     #[inline(never)]
     pub(crate) fn longest(&self) -> F {
@@ -143,9 +148,11 @@ impl<F: Float> Waves<F> {
     }
 }
 
-/// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below to within `close`.
+/// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below
+/// to within `close`.
 ///
-/// The bracket shrinks by false position, with the weight of an end that stays halved (the Illinois rule), and at least halves in three steps.
+/// The bracket shrinks by false position, with the weight of an end that stays halved (the Illinois rule),
+/// and at least halves in three steps.
 fn inner_end<F: Float>(far: F, close: F, f: impl Fn(F) -> F) -> Option<F> {
     let (zero, two) = (F::int(0), F::int(2));
     let (mut low, mut high) = (zero, far);

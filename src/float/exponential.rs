@@ -8,7 +8,7 @@ use super::Float;
 /// Relative accuracy: a few roundings for |x| ≤ 1, |x| times as many beyond.
 pub(super) fn exp_m1<F: Float>(x: F) -> F {
     let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-    // Beyond it e⁻ˣ has no digit left beside 1, and doubling would only lose what is there.
+    // Beyond it e⁻ˣ has no digit left near 1, and doubling would only lose what is there.
     let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
     if x < -F::int(bits) {
         return -one;

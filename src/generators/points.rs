@@ -85,7 +85,7 @@ pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
         0 => return magnitude(u),
         1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
         2 => border.least_displacement(),
-        // Infinite or NaN at Ω = 1, where no steady motion has a greatest velocity.
+        // Infinite or NaN at Ω = 1, where no steady motion has a maximum velocity.
         3 => max_velocity_from_displacement(&p, border.least_displacement()).0 / omega,
         _ => border.least_displacement() * ordinary(u, 0.0, 12.0)?.exp2(),
     };

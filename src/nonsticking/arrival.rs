@@ -1,4 +1,4 @@
-//! From a time near the greatest velocity to the greatest velocity: Taylor's formula, without further
+//! From a time near the maximum velocity to the maximum velocity: Taylor's formula, without further
 //! circular functions.
 //!
 //! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the

@@ -1,4 +1,4 @@
-//! The least force ratio that keeps the body from sticking (eq. 57–62, and the exact condition).
+//! The minimum force ratio that keeps the body from sticking (eq. 57–62, and the exact condition).
 //!
 //! The cycle of eq. 40–56 is a motion of the oscillator only while it slides between its reversals.
 //! The paper asks for that at the turning point alone (eq. 58, 59), which gives eq. 61. Den Hartog's
@@ -94,7 +94,7 @@ pub(crate) fn turning_point_border<R: Field>(phase_function: R, one_minus_square
     border_force_ratio(phase_function, one_minus_square / omega.square())
 }
 
-/// The border from the least displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44
+/// The border from the minimum displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44
 /// solved for α.
 ///
 /// `phase_function` is K(Ω), `width` is (1 − Ω²) S.
@@ -123,7 +123,7 @@ pub(crate) fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alp
     alpha >= turning_point_border(phase_function, one_minus_square(omega), omega)
 }
 
-/// The least force ratio at a frequency ratio: exact, and by eq. 61.
+/// The minimum force ratio at a frequency ratio: exact, and by eq. 61.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct Border<F> {

@@ -204,7 +204,7 @@ impl<F: Float> Cycle<F> {
     /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
-    /// `docs/theory/damping.md`; the integral itself where these cancel, beside Ω = 1 with little damping.
+    /// `docs/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.
     /// On the border at Ω = 1 it is right to 1e-7 at f64 down to ζ = 1e-18, where it tends to 7.10434086 ζ.
     pub fn damper_work(&self) -> F {
         match &self.motion {
@@ -255,7 +255,7 @@ impl<F: Float> Cycle<F> {
 
     /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
     ///
-    /// Accurate beside Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite.
+    /// Accurate near Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite.
     /// A large phase is reduced exactly as it is given.
     pub fn displacement_at(&self, phase: F) -> F {
         self.motion.at(self.ratios.omega(), phase - self.displacement_phase).0
@@ -296,7 +296,7 @@ impl<F: Float> Task for FindCycle<F> {
     }
 }
 
-/// The cycle, or the least force ratio without sticking.
+/// The cycle, or the minimum force ratio without sticking.
 #[inline(always)]
 fn cycle_or_least<F: Float>(ratios: Ratios<F>) -> Result<Cycle<F>, F> {
     let p = PhaseFunction::of_valid(ratios.omega());
@@ -304,7 +304,7 @@ fn cycle_or_least<F: Float>(ratios: Ratios<F>) -> Result<Cycle<F>, F> {
     if ratios.alpha() < least || ratios.omega() == F::int(1) { Err(least) } else { Ok(Cycle::at(&p, ratios)) }
 }
 
-/// Why there is no cycle where the least force ratio without sticking is `least`.
+/// Why there is no cycle where the minimum force ratio without sticking is `least`.
 #[cold]
 fn no_cycle<F: Float>(ratios: Ratios<F>, least: F) -> Error {
     let alpha = written(ratios.alpha());

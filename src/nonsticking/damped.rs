@@ -48,7 +48,7 @@ impl<F: Float> DampedCycle<F> {
     /// The cycle at ratios on or above the border.
     pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
         // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
-        // turning points, which beside Ω = 1 is all that is left of the difference.
+        // turning points, which near Ω = 1 is all that is left of the difference.
         let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
         let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
         Self::of(Rising { half, amplitude, max_displacement })

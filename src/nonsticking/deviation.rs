@@ -7,7 +7,7 @@
 //! ```
 //!
 //! Its derivative by ψ is R sin ψ, a small part of the velocity that the displacement itself changes with.
-//! The second form has its rounding errors in R − 1 alone, which depends on Ω only: beside Ω = 1 it is the
+//! The second form has its rounding errors in R − 1 alone, which depends on Ω only: near Ω = 1 it is the
 //! difference of a pair; from Ω = 2 on, where all of it is of the order v = 1/Ω²,
 //!
 //! ```text

@@ -144,7 +144,7 @@ fn least_but_for_rounding<F: Float>() -> F {
     F::int(1) - F::int(4) * F::epsilon()
 }
 
-/// Δ₀/B beside Ω = 1.
+/// Δ₀/B near Ω = 1.
 #[cold]
 #[inline(never)]
 fn displacement_close_to_one<F: Float>(omega: F, k: Pair<F>, width: Pair<F>, alpha: F) -> Pair<F> {

@@ -87,7 +87,7 @@ pub(crate) fn velocity_phase_residual<R: Real>(
 /// α = 2.5). The first stands for (A/B) cos ω_d t₁, which is negative near the border for some Ω in
 /// (1/2, 1), such as (0.93924, 1.2491). Neither sign is free here.
 ///
-/// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel beside Ω = 1 near the
+/// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel near Ω = 1 near the
 /// border; [`crate::nonsticking::Cycle`] takes another way there. Source: Hong & Liu 2001, eq. 49.
 #[cfg(any(test, feature = "matching"))]
 #[inline]
@@ -105,7 +105,7 @@ pub(crate) fn max_velocity_from_phase<R: Field>(
     amplitude * cosine + rho / omega
 }
 
-/// The point of greatest velocity of a half cycle.
+/// The point of maximum velocity of a half cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fastest<F> {
     /// Its centred time ψ.
@@ -114,7 +114,7 @@ pub(crate) struct Fastest<F> {
     pub(crate) velocity: F,
 }
 
-/// The greatest velocity of the half cycle at (Ω, α); `k` is K(Ω).
+/// The maximum velocity of the half cycle at (Ω, α); `k` is K(Ω).
 ///
 /// From Ω = 1/2 on by one step of Taylor's formula ([`super::waves`]), as batches do it. Elsewhere
 /// third-order Householder steps, each of which quadruples the good digits, from the centre ([`centre`]);
@@ -170,7 +170,7 @@ pub(crate) fn fastest_and_deviation<F: Float>(half: &HalfCycle<F>, given: &Given
     (found, super::deviation::of_fastest(omega, (Pair::exact(sin_beta), cos_beta), k, at))
 }
 
-/// The greatest velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
+/// The maximum velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
 /// enough; and (sin β, cos β).
 #[inline(always)]
 fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F, F))> {
@@ -185,7 +185,7 @@ fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F
     found.is_found.then_some((fastest, at.sin_cos_beta()))
 }
 
-/// The greatest velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
+/// The maximum velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
 /// enough; and Δ₁/B there.
 ///
 /// Not inlined, so that the path above 1/2 keeps everything in registers.

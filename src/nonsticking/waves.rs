@@ -1,4 +1,4 @@
-//! The greatest velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular
+//! The maximum velocity of a half cycle, for Ω ≥ 1/2, without branches: a start by algebra, the circular
 //! functions once, and Taylor's formula from there.
 //!
 //! With the centred time ψ ([`super::half_cycle`]), `m = (1−Ω)ψ/2`, `p = ψ − m`, `e = κψ sin m/m`, `u` and
@@ -14,7 +14,7 @@
 //! **Start.** Divided by cos Ωψ, v′ = 0 is an equation for `T = tan Ωψ`:
 //! `Ω²(Δ₀/B) T = κ + u + (Ft²/2) T² [1 − (3 + t²) T²/12 + …]`, t = 1/Ω. Two of Newton's steps with one
 //! quotient: off by 2e-8 in the angle of the faster wave for most points, by 0.03 for the worst (Ω just above
-//! 1/2, beside the border).
+//! 1/2, near the border).
 
 use super::arrival::{Arrived, Moment, Reciprocals};
 use super::deviation::of_fastest;
@@ -38,7 +38,7 @@ impl<F: Float> Circular<F> {
 }
 
 impl<F: Float> Circular<F> {
-    /// Δ₁/B at the ψ of the greatest velocity, from (sin β, cos β) and K.
+    /// Δ₁/B at the ψ of the maximum velocity, from (sin β, cos β) and K.
     #[inline(always)]
     pub(crate) fn deviation(&self, omega: F, beta: (F, F), phase_function: Pair<F>, psi: F) -> F {
         // sin β = cos w, w = (π/2)(1 − Ω)/Ω, where |w| ≤ π/4: its error counts most there.
@@ -60,7 +60,7 @@ pub(crate) struct Waves<F> {
 }
 
 impl<F: Float> Waves<F> {
-    /// A ψ near that of the greatest velocity.
+    /// A ψ near that of the maximum velocity.
     #[inline(always)]
     pub(crate) fn start(&self) -> F {
         let Frequency { omega, inverse, kappa, .. } = self.at;
@@ -84,7 +84,7 @@ impl<F: Float> Waves<F> {
         tangent * z.mul_add(tail, one) * inverse
     }
 
-    /// The greatest velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the
+    /// The maximum velocity, from a ψ near it; and V₀/(Bω_d), whose largest term is Δ₀/B, without the
     /// roundings of Ω and of cos Ωψ.
     #[inline(always)]
     pub(crate) fn arrive(&self, circular: &Circular<F>, psi: F) -> (Arrived<F>, F) {

@@ -25,7 +25,7 @@ pub(crate) fn is_close_to_one<F: Float>(omega: F) -> bool {
     (omega - F::int(1)).abs() < F::exp2i(-bits)
 }
 
-/// `α − |K|` beside Ω = 1.
+/// `α − |K|` near Ω = 1.
 pub(crate) fn excess_close_to_one<F: Float>(omega: F, alpha: F) -> Pair<F> {
     let (half, (second, third)) = (F::ratio(1, 2), F::pi_rest());
     let w = Pair::exact(F::int(1) - omega) / omega * (Pair::pi() * half);

@@ -1,4 +1,5 @@
-//! Ranges in ball arithmetic: every output over a box of ratios or of machines, the rounding of the formulae included.
+//! Ranges in ball arithmetic: every output over a box of ratios or of machines, the rounding of the formulae
+//! included.
 
 mod machine;
 mod parts;
@@ -15,12 +16,14 @@ use rug::{Rational, float::Round};
 const BITS: u32 = 64;
 
 impl<F: Float> RatioBox<F> {
-    /// The range of any output over the box, proved in ball arithmetic: no formula is assumed to be right to so many digits, and no output
-    /// to be monotone. `None` where the output does not exist in some part of the box, or that is undecided.
+    /// The range of any output over the box, proved in ball arithmetic: no formula is assumed to be right to
+    /// so many digits, and no output to be monotone. `None` where the output does not exist in some part of
+    /// the box, or that is undecided.
     ///
-    /// The box is cut into `pieces` parts at most, where the ends of the range are, and each part is enclosed as [`enclosed::response`] does it.
-    /// The range exceeds the sharp one, the less the more parts there are. A part takes
-    /// about a millisecond, and tens of them for the maximum acceleration below Ω = 1/2. A phase may leave [0, 2π) by as much.
+    /// The box is cut into `pieces` parts at most, where the ends of the range are, and each part is enclosed
+    /// as [`enclosed::response`] does it. The range exceeds the sharp one, the less the more parts there are.
+    /// A part takes about a millisecond, and tens of them for the maximum acceleration below Ω = 1/2. A phase
+    /// may leave [0, 2π) by as much.
     ///
     /// # Errors
     /// Where a ratio is outside the domain of [`crate::Ratios`].

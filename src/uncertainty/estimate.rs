@@ -16,11 +16,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// The interval that holds the true value in 95 % of such measurements or runs, if their errors are independent and
-    /// normal.
+    /// The interval that holds the true value in 95 % of such measurements or runs, if their errors are
+    /// independent and normal.
     ///
-    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 % from 3 of them
-    /// on.
+    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 %
+    /// from 3 of them on.
     #[must_use]
     pub fn interval(&self) -> (f64, f64) {
         let half = student(self.degrees_of_freedom) * self.standard_error;

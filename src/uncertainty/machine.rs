@@ -140,7 +140,7 @@ impl<F: Float> MachineBox<F> {
     /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at no point that was looked
     /// at.
     ///
-    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the least force and the margin, by the module's head; sampled
+    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin, by the module's head; sampled
     /// otherwise, as is everything with a damper, and what belongs to the cycle where the body may stick. `points` is the number of points, or of pieces.
     ///
     /// # Errors

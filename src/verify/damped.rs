@@ -1,7 +1,9 @@
-//! The cycle with viscous damping, held against the same three witnesses: the matching conditions, the exact motion, Newton's method.
+//! The cycle with viscous damping, held against the same three witnesses: the matching conditions, the exact
+//! motion, Newton's method.
 //!
-//! The matching conditions ([`System`]) know the equation of motion and no closed form. The identities of the damped cycle are not in the paper:
-//! they carry the number of the equation that they become at ζ = 0, and "ζ".
+//! The matching conditions ([`System`]) know the equation of motion and no closed form. The identities of the
+//! damped cycle are not in the paper: they carry the number of the equation that they become at ζ = 0, and
+//! "ζ".
 
 mod formulae;
 mod identities;
@@ -57,7 +59,8 @@ struct OnBorder<F> {
     best: Option<(F, F)>,
 }
 
-/// The frequency ratios, in hundredths, and the damping ratios, in thousandths: below ζ = 1, there, and above.
+/// The frequency ratios, in hundredths, and the damping ratios, in thousandths: below ζ = 1, there, and
+/// above.
 pub(super) const OMEGA: [i32; 12] = [18, 24, 29, 34, 41, 47, 70, 95, 100, 105, 150, 400];
 pub(super) const ZETA: [i32; 6] = [10, 50, 200, 700, 1000, 1600];
 /// α over the border, in hundredths, in turn.
@@ -66,7 +69,8 @@ pub(super) const OVER: [i32; 3] = [101, 150, 400];
 /// How many points there are.
 pub(super) const POINTS: usize = OMEGA.len() * ZETA.len();
 
-/// Holds the identities with damping against the cycles at a spread of points: `step` is told how many are done, before each and after.
+/// Holds the identities with damping against the cycles at a spread of points: `step` is told how many are
+/// done, before each and after.
 pub(super) fn verify_by<F: Solvable, B>(
     formulae: &dyn Formulae<F>,
     mut step: impl FnMut(usize) -> ControlFlow<B>,
@@ -145,7 +149,8 @@ impl<F: Float> Case<'_, F> {
         self.cycle.ratios().alpha()
     }
 
-    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than rounding.
+    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than
+    /// rounding.
     fn within(&self, residual: F, size: F, doubt: F) -> F {
         residual / (F::epsilon() * size + doubt) * F::epsilon() * self.scale
     }
@@ -177,7 +182,8 @@ impl<F: Solvable> OnBorder<F> {
     }
 }
 
-/// A₁ of the exact motion at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little below.
+/// A₁ of the exact motion at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops
+/// at α or a little below.
 fn slope_of_loop_size<F: Float>(alpha: F, least: F, at: impl Fn(F) -> Option<Ratios<F>>) -> Option<(F, F)> {
     let (one, h) = (F::int(1), super::followed::third_of_digits::<F>());
     if alpha < least * F::ratio(101, 100) {

@@ -1,8 +1,10 @@
-//! The identities in ball arithmetic: the ball of each residual has 0 in it and is as small as the bits that are asked for.
+//! The identities in ball arithmetic: the ball of each residual has 0 in it and is as small as the bits that
+//! are asked for.
 //!
-//! A residual at plain numbers is rounding, or looks like it. The ball of a residual contains what the identity leaves at the exact answers: a
-//! ball without 0 refutes the identity at that point for good, and a ball with 0 bounds by its size what could be wrong with it. The witness of the exact
-//! motion is here a motion that is proved to exist ([`crate::enclosed::steady`]).
+//! A residual at plain numbers is rounding, or looks like it. The ball of a residual contains what the
+//! identity leaves at the exact answers: a ball without 0 refutes the identity at that point for good, and a
+//! ball with 0 bounds by its size what could be wrong with it. The witness of the exact motion is here a
+//! motion that is proved to exist ([`crate::enclosed::steady`]).
 //!
 //! | file | content |
 //! |---|---|
@@ -31,7 +33,7 @@ use claims::Here;
 use core::ops::ControlFlow;
 use point::{Found, Place, places};
 
-/// The most bits: beside the poles more are computed with than are asked for.
+/// The most bits: near the poles more are computed with than are asked for.
 const MOST: u32 = 4096;
 
 /// An identity over balls.
@@ -79,7 +81,8 @@ impl Residue {
     }
 }
 
-/// Every identity over balls: the same ones as in plain arithmetic, those on the border, and what is wrong as printed.
+/// Every identity over balls: the same ones as in plain arithmetic, those on the border, and what is wrong as
+/// printed.
 fn rows<const W: usize>() -> Vec<Row<W>> {
     let same = matching::identities().into_iter().chain(cycle::identities());
     let same = same.map(|claim| Row {
@@ -166,11 +169,13 @@ impl Tally {
 /// An equation's number, a statement, and whether it is to hold.
 type Statement = (&'static str, &'static str, Standing);
 
-/// Holds every identity among closed forms, and those of the exact motion, at a spread of points in ball arithmetic.
+/// Holds every identity among closed forms, and those of the exact motion, at a spread of points in ball
+/// arithmetic.
 ///
-/// Passed is what holds at every point with a ball that has 0 in it and reaches no farther from it than one unit in the last of `bits` bits of the
-/// identity's terms; [`Verdict::worst`] is the farthest reach in those units. A statement that is wrong as printed passes where every ball
-/// is without 0, and `worst` is the least relative residual that it certainly has. Points and `step` are as of [`super::verify`].
+/// Passed is what holds at every point with a ball that has 0 in it and reaches no farther from it than one
+/// unit in the last of `bits` bits of the identity's terms; [`Verdict::worst`] is the farthest reach in those
+/// units. A statement that is wrong as printed passes where every ball is without 0, and `worst` is the least
+/// relative residual that it certainly has. Points and `step` are as of [`super::verify`].
 ///
 /// # Errors
 /// Where `bits` is not in [1, 4096].

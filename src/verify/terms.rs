@@ -75,7 +75,7 @@ impl<'a, F: Real> Terms<'a, F> {
         Self { formulae, point, answers, unknowns, half, scale }
     }
 
-    /// The residual of an identity that holds 1 + cos π₁ as the paper writes it: beside Ω = 1/(2n+1) the sum
+    /// The residual of an identity that holds 1 + cos π₁ as the paper writes it: near Ω = 1/(2n+1) the sum
     /// keeps no more than the digits of 1/T², so that its terms count as larger by |T|.
     pub(super) fn near_pole(&self, residual: F) -> F {
         residual / self.scale

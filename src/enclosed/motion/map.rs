@@ -1,4 +1,5 @@
-//! The map of the motion: from a reversal, or from a release, to the next one that is the same, or its mirror image.
+//! The map of the motion: from a reversal, or from a release, to the next one that is the same, or its mirror
+//! image.
 
 use super::certificate::{is_one_slide, is_one_stop, reverses};
 use super::outline::Outline;

@@ -42,7 +42,8 @@ impl<const W: usize> Machine<W> {
         self.alpha * phase.sin() - place
     }
 
-    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, the force growing.
+    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, the
+    /// force growing.
     pub(super) fn release(&self, guess: Mp<W>, place: Ball<W>, sign: Ball<W>) -> Option<Ball<W>> {
         let bound = sign * self.eta;
         only_zero(guess, |phase| self.force(phase, place) - bound, |phase| self.alpha * phase.cos())
@@ -82,7 +83,8 @@ pub(super) struct End<const W: usize> {
 }
 
 impl<const W: usize> Slide<W> {
-    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at the static friction.
+    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at
+    /// the static friction.
     pub(super) fn new(
         machine: Machine<W>,
         sign: i32,
@@ -110,7 +112,8 @@ impl<const W: usize> Slide<W> {
         Motion { x, w, acceleration, jerk }
     }
 
-    /// The velocity in the direction of the slide over an interval of time: by the mean value theorem from its middle.
+    /// The velocity in the direction of the slide over an interval of time: by the mean value theorem from
+    /// its middle.
     pub(super) fn speed_over(&self, phi: Ball<W>) -> Ball<W> {
         let middle = Ball::exact(phi.mid());
         self.sign * (self.at(middle).w + self.at(phi).acceleration * (phi - middle))
@@ -123,7 +126,8 @@ impl<const W: usize> Slide<W> {
         let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
         // What is left of a unit of velocity, as place s and velocity s′; and of a unit of place, c.
         let (change, c) = (cosine - zeta * s, cosine + zeta * s);
-        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time: the motion from a later phase is the same motion later, less what its own start leaves.
+        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time: the motion from a later phase is the same motion later, less
+        // what its own start leaves.
         let (by_phase, by_place) = ((at.acceleration - self.start * change) / omega, -s);
         let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));
         let derivatives =

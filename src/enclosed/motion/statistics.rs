@@ -8,7 +8,8 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use core::cmp::Ordering;
 
-/// The maximum speed of a slide: at a zero of the acceleration that is shown to be alone in its interval, all others being slower.
+/// The maximum speed of a slide: at a zero of the acceleration that is shown to be alone in its interval, all
+/// others being slower.
 pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<W>> {
     let (mut best, mut found) = (Mp::<W>::ZERO, None::<Ball<W>>);
     // A speed that is reached, to leave out what is certainly slower.
@@ -50,7 +51,8 @@ pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> O
     None
 }
 
-/// The multipliers of a cycle: those of the map with its image, squared where a cycle is twice what the map takes.
+/// The multipliers of a cycle: those of the map with its image, squared where a cycle is twice what the map
+/// takes.
 pub(super) fn multipliers<const W: usize>(map: &Map<'_, W>, derivatives: &[[Ball<W>; 2]; 2]) -> [(Ball<W>, Ball<W>); 2] {
     let (zero, two, image) = (Ball::int(0), Ball::int(2), map.image());
     let is_half = map.outline.image() < 0;

@@ -40,16 +40,18 @@ pub struct Steady {
     pub velocity_zeros_per_cycle: u32,
     /// The multipliers of a cycle, each (re, im); 0 where the body stops.
     pub multipliers: [(Enclosure, Enclosure); 2],
-    /// Phase and place of a release, or of a reversal where the body never stops: in these two enclosures there is one such motion.
+    /// Phase and place of a release, or of a reversal where the body never stops: in these two enclosures
+    /// there is one such motion.
     pub start: (Enclosure, Enclosure),
-    /// The box in which it is the only such motion: half widths of phase and place; of place alone where the body stops.
+    /// The box in which it is the only such motion: half widths of phase and place; of place alone where the
+    /// body stops.
     pub only_within: (Option<Enclosure>, Enclosure),
     /// The bits that it was computed with.
     pub bits: u32,
 }
 
-/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction over the kinetic one; or why it
-/// is not proved.
+/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction
+/// over the kinetic one; or why it is not proved.
 ///
 /// With η > 1 other starts may lead to other motions.
 ///

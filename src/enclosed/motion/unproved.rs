@@ -26,8 +26,8 @@ pub enum Event {
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Unproved {
-    /// The motion from rest does not become periodic: it comes to rest, grows without bound, is irregular, or has not settled in the
-    /// periods followed.
+    /// The motion from rest does not become periodic: it comes to rest, grows without bound, is irregular, or
+    /// has not settled in the periods followed.
     NotPeriodic,
     /// It is one of a family of periodic motions.
     Family,
@@ -42,7 +42,8 @@ pub enum Unproved {
         /// The bits computed with.
         bits: u32,
     },
-    /// Balls of so many bits are too wide to show that it is the only one around, as where a multiplier is nearly 1.
+    /// Balls of so many bits are too wide to show that it is the only one around, as where a multiplier is
+    /// nearly 1.
     NotAlone {
         /// The bits computed with.
         bits: u32,

@@ -32,7 +32,7 @@ pub enum Signature<F> {
     },
     /// An irregular motion, by its extrema x/B.
     Irregular {
-        /// The greatest displacement.
+        /// The maximum displacement.
         max_displacement: F,
         /// The least.
         min_displacement: F,

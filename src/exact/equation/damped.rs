@@ -1,4 +1,4 @@
-//! The functions of natural time with viscous damping; beside resonance those of `nonsticking::damped::resonance`.
+//! The functions of natural time with viscous damping; near resonance those of `nonsticking::damped::resonance`.
 
 use super::{Equation, Waves};
 use crate::float::Float;

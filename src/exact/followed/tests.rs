@@ -127,7 +127,7 @@ fn what_is_found_comes_back() {
 }
 
 /// The motion of (0.47, 0.023, 2.48, 7.44) never repeats itself, and its neighbours neither leave nor approach it: with one or two stops in a
-/// turn the greatest displacement of a turn gives the next by a map of a circle onto itself.
+/// turn the maximum displacement of a turn gives the next by a map of a circle onto itself.
 #[test]
 fn a_quasi_periodic_motion() {
     let ratios = ratios(0.47, 0.023, 2.48, 7.44);

@@ -52,14 +52,14 @@ pub struct Lobe {
     index: u16,
 }
 
-/// The least force ratio of a lobe.
+/// The minimum force ratio of a lobe.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Minimum<F> {
     /// Frequency ratio Ω of the minimum.
     pub omega: F,
-    /// The border there: the least force ratio that keeps the body sliding anywhere in the lobe.
+    /// The border there: the minimum force ratio that keeps the body sliding anywhere in the lobe.
     pub force_ratio: F,
     /// Whether the border has a corner there (lobes from 2 on), not a horizontal tangent (lobes 0 and 1).
     pub is_corner: bool,
@@ -125,7 +125,7 @@ impl Lobe {
         (self.index > 0).then(|| F::int(1) / odd(self.index, 1))
     }
 
-    /// The least force ratio in this lobe, and where: the only minimum of α_min in it.
+    /// The minimum force ratio in this lobe, and where: the only minimum of α_min in it.
     ///
     /// 1.20999843633807… at Ω = 0.849158848834442 in lobe 0, 11.3641047199701 at 0.297128660867652 in lobe 1;
     /// a corner from lobe 2 on. Accuracy at f64: 8 ulp in both.

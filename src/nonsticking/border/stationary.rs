@@ -113,7 +113,7 @@ pub(crate) fn condition_slope<R: Field>(omega: R, inverse: R, sin_tau: R, sin_et
     (inverse - omega) * sin_tau * sin_eta
 }
 
-/// `cos τ − cos ζ` as a product: both angles are small beside Ω = 1/(2n).
+/// `cos τ − cos ζ` as a product: both angles are small near Ω = 1/(2n).
 pub(super) fn fall_of_cosine<F: Float>(tau: F, zeta: F) -> F {
     let half = F::ratio(1, 2);
     F::int(2) * (half * (zeta + tau)).sin() * (half * (zeta - tau)).sin()

@@ -49,7 +49,7 @@ fn single_precision_runs_the_same_code() {
     assert!((c.max_velocity() - 3.761_24).abs() < 2e-6);
 }
 
-/// Beside Ω = 1, where no digit of √(α² − K²) is left on the border, with damping as without.
+/// Near Ω = 1, where no digit of √(α² − K²) is left on the border, with damping as without.
 #[test]
 fn on_the_border_a_cycle_is_no_smaller_than_its_turning_points_ask_for() {
     for zeta in [0.0, 8.67e-19, 1e-15, 1e-12] {

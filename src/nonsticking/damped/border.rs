@@ -1,4 +1,4 @@
-//! The least force ratio without sticking with viscous damping: every candidate is known.
+//! The minimum force ratio without sticking with viscous damping: every candidate is known.
 //!
 //! The rising half cycle slides throughout where `x′ > 0` for 0 < τ < T = π/Ω, that is `a ≥ ρ(τ)`,
 //!

@@ -1,4 +1,4 @@
-//! The greatest velocity of the half cycle, or of any slide, among however many maxima.
+//! The maximum velocity of the half cycle, or of any slide, among however many maxima.
 //!
 //! Its time is divided until each part is decided. From both ends of a part, with bounds of the
 //! derivatives that hold from its left end on (the energy of free vibration and of its derivatives only
@@ -10,7 +10,7 @@ use super::rising::{Moment, Vibration};
 use crate::float::{AtPrecision, Float};
 use crate::root::{newton, newton_within};
 
-/// The time τ of the greatest velocity.
+/// The time τ of the maximum velocity.
 pub(crate) fn fastest_time<F: Float>(motion: &Vibration<F>) -> F {
     let slope = |tau: F| {
         let [_, slope, curvature] = motion.velocity(&motion.at(tau));

@@ -108,7 +108,7 @@ impl<F: Float> DampedCycle<F> {
     /// No derivative is larger than this until `time` after a moment.
     ///
     /// The velocity v obeys `v″ + 2ζv′ + v = αΩ cos θ`, so that √(v² + v′²) grows by αΩ in a unit of time at most, and so for its
-    /// derivatives by αΩ² and αΩ³. Beside resonance driven and free part are large and opposite, and this is far less than the sum of both.
+    /// derivatives by αΩ² and αΩ³. Near resonance driven and free part are large and opposite, and this is far less than the sum of both.
     fn together(&self, at: &Moment<F>, time: F) -> Together<F> {
         let omega = self.rising.half.omega;
         let ([_, a, jerk], Jet { second: snap, .. }) =

@@ -91,7 +91,7 @@ mod tests {
         [cycle.max_velocity(), cycle.velocity_phase(), acceleration, force, absolute]
     }
 
-    /// However little damping there is: the greatest velocity and the peaks keep their digits, and take no longer to find.
+    /// However little damping there is: the maximum velocity and the peaks keep their digits, and take no longer to find.
     #[cfg(feature = "mp")]
     #[test]
     fn a_little_damping_at_resonance_costs_no_digits() {

@@ -17,7 +17,7 @@ pub(crate) struct Rising<F> {
     pub(crate) half: HalfPeriod<F>,
     /// a.
     pub(crate) amplitude: F,
-    /// Δ₀/B = a − G, of which a difference would leave nothing beside Ω = 1, where both are large.
+    /// Δ₀/B = a − G, of which a difference would leave nothing near Ω = 1, where both are large.
     pub(crate) max_displacement: F,
 }
 

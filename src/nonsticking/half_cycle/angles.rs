@@ -1,4 +1,4 @@
-//! The circular functions of ψ and Ωψ, beside Ω = 1 from those of their half sum and half difference.
+//! The circular functions of ψ and Ωψ, near Ω = 1 from those of their half sum and half difference.
 
 use super::HalfCycle;
 use crate::float::Float;

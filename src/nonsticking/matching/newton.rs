@@ -16,7 +16,7 @@
 //! not another root. Where eq. 46 has several roots (Ω < 1/2) the fastest instant of the rising branch,
 //! looked for on a grid, is taken for t₁. Newton's method at full precision then doubles the digits.
 //!
-//! **Digits.** [`Balanced`] is solved, which has no cancellation beside Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
+//! **Digits.** [`Balanced`] is solved, which has no cancellation near Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
 //! keep the digits of the type where they are of the order of A. Where they are smaller, near the border, the
 //! problem itself loses digits, up to twice the zeros of 1 − Ω: 203 bits on the border at |1 − Ω| = 10⁻³⁰.
 //! Far from Ω = 1 the paper's equations lose log₂(1/Ω) or 2 log₂ Ω bits. [`Solution::lost_bits`] says how

@@ -72,7 +72,7 @@ pub struct Solution<F> {
 pub struct BorderSolution<F> {
     /// The force ratio α, which eq. 61 gives in closed form.
     pub force_ratio: F,
-    /// The cycle on the border, as in [`Solution`]. Beside Ω = 1, unlike α, it lacks the digits that
+    /// The cycle on the border, as in [`Solution`]. Near Ω = 1, unlike α, it lacks the digits that
     /// [`Solution::lost_bits`] counts; t₁ is not looked for again.
     pub unknowns: Unknowns<F>,
     /// |left − right| of eq. 21–25 and 59, in units of the last place of their largest term.

@@ -1,4 +1,4 @@
-//! The greatest velocity by iteration: Householder's third-order steps from the centre, from a bracketed root
+//! The maximum velocity by iteration: Householder's third-order steps from the centre, from a bracketed root
 //! at f64, or from a start at a lower precision.
 
 use super::centre::from_centre;
@@ -10,7 +10,7 @@ use crate::nonsticking::half_cycle::{HalfCycle, Jet};
 use crate::phase_function::PhaseFunction;
 use crate::root;
 
-/// The greatest velocity by iteration, and (sin, cos) of its ψ where that is known.
+/// The maximum velocity by iteration, and (sin, cos) of its ψ where that is known.
 #[inline(never)]
 pub(super) fn from_centre_or_afar<F: Float>(
     half: &HalfCycle<F>,
@@ -40,7 +40,7 @@ fn from_afar<F: Float>(omega: F, max_displacement: F, k: F, alpha: F) -> Fastest
     polish(&half, F::from_f64(start)).0
 }
 
-/// The ψ of the greatest velocity at a lower precision.
+/// The ψ of the maximum velocity at a lower precision.
 struct Start<F> {
     half: HalfCycle<F>,
     k: F,

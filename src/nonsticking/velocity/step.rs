@@ -1,4 +1,4 @@
-//! One step of Householder's third-order method towards the greatest velocity.
+//! One step of Householder's third-order method towards the maximum velocity.
 
 use super::Fastest;
 use crate::float::Float;

@@ -21,9 +21,9 @@ pub(super) struct Place {
     pub(super) omega: Known,
     pub(super) alpha: Known,
     pub(super) zeta: Known,
-    /// Whether the motion is proved there: not beside the poles.
+    /// Whether the motion is proved there: not near the poles.
     pub(super) with_motion: bool,
-    /// Whether the motions beside the border are.
+    /// Whether the motions near the border are.
     pub(super) with_border: bool,
 }
 
