@@ -5,52 +5,141 @@ use crate::nonsticking::Cycle;
 use crate::oscillator::Scales;
 use crate::response::Response;
 
-/// One output of a [`Response`].
+/// From a row for each output: its description, its name in Rust and as the command prints it, its value,
+/// dimensionless, and the physical size of one unit of it.
 ///
-/// Dimensionless, [`Output::of`] gives it in the units of the table; [`Output::unit`] is what to multiply it by for physical units.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-#[non_exhaustive]
-pub enum Output {
+/// The value is computed from the `cycle`, and exists where that does, from the `border`, or from the whole
+/// `response`, as an `Option`.
+macro_rules! outputs {
+    ($(
+        $(#[$doc:meta])*
+        $output:ident $name:literal: $from:ident => $value:expr, in $scales:ident => $unit:expr;
+    )*) => {
+        /// One output of a [`Response`].
+        ///
+        /// [`Output::of`] gives it dimensionless, in the units of the table; [`Output::unit`] is what to multiply it
+        /// by for physical units.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+        #[non_exhaustive]
+        pub enum Output {
+            $($(#[$doc])* $output,)*
+        }
+
+        impl Output {
+            /// All of them, in order.
+            pub const ALL: [Self; [$($name),*].len()] = [$(Self::$output),*];
+
+            /// Its name, as the command prints it.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$output => $name,)*
+                }
+            }
+
+            /// Whether it belongs to the non-sticking cycle, and exists where that does.
+            #[must_use]
+            pub(crate) const fn is_of_cycle(self) -> bool {
+                match self {
+                    $(Self::$output => outputs!(@is_of_cycle $from),)*
+                }
+            }
+
+            /// Its value, dimensionless; `None` where it does not exist.
+            pub fn of<F: Float>(self, response: &Response<F>) -> Option<F> {
+                match self {
+                    $(Self::$output => outputs!(@of response, $from $from, $value),)*
+                }
+            }
+
+            /// Its value, where it belongs to the cycle.
+            pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
+                match self {
+                    $(Self::$output => outputs!(@of_cycle cycle, $from $from, $value),)*
+                }
+            }
+
+            /// The physical size of one unit of it.
+            pub fn unit<F: Field>(self, scales: &Scales<F>) -> F {
+                match self {
+                    $(Self::$output => {
+                        let $scales = scales;
+                        $unit
+                    })*
+                }
+            }
+        }
+    };
+    (@is_of_cycle cycle) => { true };
+    (@is_of_cycle $other:ident) => { false };
+    (@of $response:ident, cycle $cycle:ident, $value:expr) => {
+        $response.cycle().map(|$cycle| $value)
+    };
+    (@of $response:ident, border $border:ident, $value:expr) => {{
+        let $border = $response.border();
+        Some($value)
+    }};
+    (@of $response:ident, response $given:ident, $value:expr) => {{
+        let $given = $response;
+        $value
+    }};
+    (@of_cycle $given:ident, cycle $cycle:ident, $value:expr) => {{
+        let $cycle = $given;
+        Some($value)
+    }};
+    (@of_cycle $given:ident, $other:ident $same:ident, $value:expr) => { None };
+}
+
+outputs! {
     /// Maximum displacement Δ₀ (B; length).
-    MaxDisplacement,
+    MaxDisplacement "max_displacement": cycle => cycle.max_displacement(), in scales => scales.length;
     /// Phase ω_d t₂ of the maximum displacement (rad; time).
-    DisplacementPhase,
+    DisplacementPhase "displacement_phase": cycle => cycle.displacement_phase(), in scales => scales.time;
     /// Maximum velocity V₀ (Bω_d; velocity).
-    MaxVelocity,
+    MaxVelocity "max_velocity": cycle => cycle.max_velocity(), in scales => scales.velocity;
     /// Phase ω_d t₁ of the maximum velocity (rad; time).
-    VelocityPhase,
+    VelocityPhase "velocity_phase": cycle => cycle.velocity_phase(), in scales => scales.time;
     /// Deviation Δ₁ (B; length).
-    Deviation,
+    Deviation "deviation": cycle => cycle.deviation(), in scales => scales.length;
     /// Loop size A₁ (p₀²/2k; the energy dissipated in a cycle).
-    LoopSizeStiffness,
+    LoopSizeStiffness "loop_size_stiffness": cycle => cycle.loop_size_stiffness(),
+        in scales => scales.energy_stiffness;
     /// Loop size A₂ (p₀²/(2mω_d²); the energy dissipated in a cycle).
-    LoopSizeInertia,
+    LoopSizeInertia "loop_size_inertia": cycle => cycle.loop_size_inertia(),
+        in scales => scales.energy_inertia;
     /// Contraction per half cycle (1; 1).
-    Contraction,
+    Contraction "contraction": cycle => cycle.contraction(), in _scales => F::int(1);
     /// Margin α/α_min (1; 1).
-    Margin,
-    /// Least force ratio without sticking, α_min (1; the minimum force p₀).
-    MinForceRatio,
+    Margin "margin": response => Some(response.ratios().alpha() / response.border().min_force_ratio()),
+        in _scales => F::int(1);
+    /// Minimum force ratio without sticking, α_min (1; the minimum force p₀).
+    MinForceRatio "min_force_ratio": border => border.min_force_ratio(), in scales => scales.force;
     /// The same by eq. 61 (1; force).
-    TurningPointForceRatio,
-    /// Least displacement S of a cycle that does not stick (B; length).
-    LeastDisplacement,
+    TurningPointForceRatio "min_force_ratio_turning_point": border => border.turning_point(),
+        in scales => scales.force;
+    /// Minimum Δ₀, S, of a cycle that does not stick (B; length).
+    LeastDisplacement "least_displacement": border => border.least_displacement(), in scales => scales.length;
     /// Phase τ* where the velocity first touches zero on the border (rad; time).
-    TouchingPhase,
+    TouchingPhase "border_phase": border => border.phase(), in scales => scales.time;
     /// Force ratio α* of the largest loop (1; force).
-    BestForceRatio,
+    BestForceRatio "best_force_ratio": response => Some(response.best_force_ratio()),
+        in scales => scales.force;
     /// Loop size A₁max there (p₀²/2k; energy).
-    BestLoopSize,
+    BestLoopSize "best_loop_size": response => response.best_loop_size(),
+        in scales => scales.energy_stiffness;
     /// Dynamic amplification k Δ₀/p₀ (1; 1).
-    DynamicAmplification,
+    DynamicAmplification "dynamic_amplification": cycle => cycle.dynamic_amplification(),
+        in _scales => F::int(1);
     /// Maximum acceleration |x″| (B ω_d²; acceleration).
-    MaxAcceleration,
-    /// Greatest force of spring and friction on what carries them (r_y; force).
-    TransmittedForce,
+    MaxAcceleration "max_acceleration": cycle => cycle.max_acceleration(),
+        in scales => scales.velocity / scales.time;
+    /// Maximum force of spring and friction on what carries them (r_y; force).
+    TransmittedForce "transmitted_force": cycle => cycle.transmitted_force(), in scales => scales.force;
     /// That force over p₀ (1; 1).
-    Transmissibility,
-    /// Greatest absolute displacement under a base that carries the surface (B; length).
-    MaxAbsoluteDisplacement,
+    Transmissibility "transmissibility": cycle => cycle.transmissibility(), in _scales => F::int(1);
+    /// Maximum absolute displacement under a base that carries the surface (B; length).
+    MaxAbsoluteDisplacement "max_absolute_displacement": cycle => cycle.max_absolute_displacement(),
+        in scales => scales.length;
 }
 
 /// No output has this name.
@@ -76,155 +165,6 @@ impl core::str::FromStr for Output {
 impl core::fmt::Display for Output {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
-    }
-}
-
-impl Output {
-    /// All of them, in order.
-    pub const ALL: [Self; 20] = [
-        Self::MaxDisplacement,
-        Self::DisplacementPhase,
-        Self::MaxVelocity,
-        Self::VelocityPhase,
-        Self::Deviation,
-        Self::LoopSizeStiffness,
-        Self::LoopSizeInertia,
-        Self::Contraction,
-        Self::Margin,
-        Self::MinForceRatio,
-        Self::TurningPointForceRatio,
-        Self::LeastDisplacement,
-        Self::TouchingPhase,
-        Self::BestForceRatio,
-        Self::BestLoopSize,
-        Self::DynamicAmplification,
-        Self::MaxAcceleration,
-        Self::TransmittedForce,
-        Self::Transmissibility,
-        Self::MaxAbsoluteDisplacement,
-    ];
-
-    /// Its name, as the command prints it.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::MaxDisplacement => "max_displacement",
-            Self::DisplacementPhase => "displacement_phase",
-            Self::MaxVelocity => "max_velocity",
-            Self::VelocityPhase => "velocity_phase",
-            Self::Deviation => "deviation",
-            Self::LoopSizeStiffness => "loop_size_stiffness",
-            Self::LoopSizeInertia => "loop_size_inertia",
-            Self::Contraction => "contraction",
-            Self::Margin => "margin",
-            Self::MinForceRatio => "min_force_ratio",
-            Self::TurningPointForceRatio => "min_force_ratio_turning_point",
-            Self::LeastDisplacement => "least_displacement",
-            Self::TouchingPhase => "border_phase",
-            Self::BestForceRatio => "best_force_ratio",
-            Self::BestLoopSize => "best_loop_size",
-            Self::DynamicAmplification => "dynamic_amplification",
-            Self::MaxAcceleration => "max_acceleration",
-            Self::TransmittedForce => "transmitted_force",
-            Self::Transmissibility => "transmissibility",
-            Self::MaxAbsoluteDisplacement => "max_absolute_displacement",
-        }
-    }
-
-    /// Whether it belongs to the non-sticking cycle, and exists where that does.
-    #[must_use]
-    pub(crate) const fn is_of_cycle(self) -> bool {
-        matches!(
-            self,
-            Self::MaxDisplacement
-                | Self::DisplacementPhase
-                | Self::MaxVelocity
-                | Self::VelocityPhase
-                | Self::Deviation
-                | Self::LoopSizeStiffness
-                | Self::LoopSizeInertia
-                | Self::Contraction
-                | Self::DynamicAmplification
-                | Self::MaxAcceleration
-                | Self::TransmittedForce
-                | Self::Transmissibility
-                | Self::MaxAbsoluteDisplacement
-        )
-    }
-
-    /// Its value, dimensionless; `None` where it does not exist.
-    pub fn of<F: Float>(self, response: &Response<F>) -> Option<F> {
-        let border = response.border();
-        match self {
-            Self::Margin => Some(response.ratios().alpha() / border.min_force_ratio()),
-            Self::MinForceRatio => Some(border.min_force_ratio()),
-            Self::TurningPointForceRatio => Some(border.turning_point()),
-            Self::LeastDisplacement => Some(border.least_displacement()),
-            Self::TouchingPhase => Some(border.phase()),
-            Self::BestForceRatio => Some(response.best_force_ratio()),
-            Self::BestLoopSize => response.best_loop_size(),
-            Self::MaxDisplacement
-            | Self::DisplacementPhase
-            | Self::MaxVelocity
-            | Self::VelocityPhase
-            | Self::Deviation
-            | Self::LoopSizeStiffness
-            | Self::LoopSizeInertia
-            | Self::Contraction
-            | Self::DynamicAmplification
-            | Self::MaxAcceleration
-            | Self::TransmittedForce
-            | Self::Transmissibility
-            | Self::MaxAbsoluteDisplacement => response.cycle().and_then(|cycle| self.of_cycle(cycle)),
-        }
-    }
-
-    /// Its value, where it belongs to the cycle.
-    pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
-        Some(match self {
-            Self::MaxDisplacement => cycle.max_displacement(),
-            Self::DisplacementPhase => cycle.displacement_phase(),
-            Self::MaxVelocity => cycle.max_velocity(),
-            Self::VelocityPhase => cycle.velocity_phase(),
-            Self::Deviation => cycle.deviation(),
-            Self::LoopSizeStiffness => cycle.loop_size_stiffness(),
-            Self::LoopSizeInertia => cycle.loop_size_inertia(),
-            Self::Contraction => cycle.contraction(),
-            Self::DynamicAmplification => cycle.dynamic_amplification(),
-            Self::MaxAcceleration => cycle.max_acceleration(),
-            Self::TransmittedForce => cycle.transmitted_force(),
-            Self::Transmissibility => cycle.transmissibility(),
-            Self::MaxAbsoluteDisplacement => cycle.max_absolute_displacement(),
-            Self::Margin
-            | Self::MinForceRatio
-            | Self::TurningPointForceRatio
-            | Self::LeastDisplacement
-            | Self::TouchingPhase
-            | Self::BestForceRatio
-            | Self::BestLoopSize => return None,
-        })
-    }
-
-    /// The physical size of one unit of it.
-    pub fn unit<F: Field>(self, scales: &Scales<F>) -> F {
-        match self {
-            Self::MaxDisplacement
-            | Self::Deviation
-            | Self::LeastDisplacement
-            | Self::MaxAbsoluteDisplacement => scales.length,
-            Self::MaxAcceleration => scales.velocity / scales.time,
-            Self::MaxVelocity => scales.velocity,
-            Self::DisplacementPhase | Self::VelocityPhase | Self::TouchingPhase => scales.time,
-            Self::LoopSizeStiffness | Self::BestLoopSize => scales.energy_stiffness,
-            Self::LoopSizeInertia => scales.energy_inertia,
-            Self::MinForceRatio
-            | Self::TurningPointForceRatio
-            | Self::BestForceRatio
-            | Self::TransmittedForce => scales.force,
-            Self::Contraction | Self::Margin | Self::DynamicAmplification | Self::Transmissibility => {
-                F::int(1)
-            }
-        }
     }
 }
 
