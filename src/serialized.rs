@@ -249,7 +249,10 @@ mod tests {
         let found = crate::sensitivity::Sensitivities::by_ratios(Ratios::new(1.5, 2.5).unwrap());
         let (map, stroke) = (to_value(&found).unwrap(), found.of(Output::MaxDisplacement).unwrap());
         assert_eq!(map["max_displacement"]["by"], json!(stroke.by));
-        assert_eq!((&map["max_displacement"]["value"], &map["regime"]), (&json!(stroke.value), &json!("non-sticking")));
+        assert_eq!(
+            (&map["max_displacement"]["value"], &map["regime"]),
+            (&json!(stroke.value), &json!("non-sticking"))
+        );
     }
 
     #[cfg(feature = "mp")]

@@ -53,7 +53,10 @@ pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> O
 
 /// The multipliers of a cycle: those of the map with its image, squared where a cycle is twice what the map
 /// takes.
-pub(super) fn multipliers<const W: usize>(map: &Map<'_, W>, derivatives: &[[Ball<W>; 2]; 2]) -> [(Ball<W>, Ball<W>); 2] {
+pub(super) fn multipliers<const W: usize>(
+    map: &Map<'_, W>,
+    derivatives: &[[Ball<W>; 2]; 2],
+) -> [(Ball<W>, Ball<W>); 2] {
     let (zero, two, image) = (Ball::int(0), Ball::int(2), map.image());
     let is_half = map.outline.image() < 0;
     let [[a, b], [c, d]] = *derivatives;

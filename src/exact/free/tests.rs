@@ -56,10 +56,7 @@ fn closed_form_and_machinery_agree_with_damping() {
             let time = last.start().phase.since(phases[0].start().phase);
             let rest = decay.rest_time();
             let late = (time - rest).abs() < 1e-14 * size * (1.0 + rest);
-            assert!(
-                if rest.is_finite() { late } else { time > 3.0 },
-                "({x}, {v}) ζ = {zeta}: {time} {rest}"
-            );
+            assert!(if rest.is_finite() { late } else { time > 3.0 }, "({x}, {v}) ζ = {zeta}: {time} {rest}");
         }
     }
 }

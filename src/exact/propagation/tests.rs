@@ -28,8 +28,7 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
         let h = 1e-6;
         let (right, left) = (at(x + h, w).end, at(x - h, w).end);
         let (up, down) = (at(x, w + h).end, at(x, w - h).end);
-        let difference =
-            |p: Point<f64>, q: Point<f64>| ((p.x - q.x) / (2.0 * h), (p.w - q.w) / (2.0 * h));
+        let difference = |p: Point<f64>, q: Point<f64>| ((p.x - q.x) / (2.0 * h), (p.w - q.w) / (2.0 * h));
         let ((a, c), (b, d)) = (difference(right, left), difference(up, down));
         for (got, expected) in [(m.a, a), (m.b, b), (m.c, c), (m.d, d)] {
             assert!((got - expected).abs() < 1e-6, "Ω = {omega}: {m:?} {a} {b} {c} {d}");

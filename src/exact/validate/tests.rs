@@ -83,8 +83,7 @@ fn what_is_confirmed_comes_back() {
         found += 1;
         let (_, hint) = fastest_point(equation, &cycle);
         let back = propagate(equation, here.start, 1, hint, Vec::new(), &mut Budget::of(0)).unwrap().end;
-        let left =
-            Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
+        let left = Residual::new(&equation, &here.start, (-back.x - here.start.x, -back.w - here.start.w));
         assert!(left.is_rounding(4), "Ω = {omega}, {a:e}, {b:e}: {left:?}");
     }
     assert!(found > all / 20 && found < all / 2, "{found} of {all}");
