@@ -37,7 +37,7 @@ fn against_forty_digits() {
     }
 }
 
-include!("slide/reference.rs");
+include!("reference.rs");
 
 #[test]
 fn the_equation_of_motion_is_obeyed() {

@@ -8,7 +8,7 @@ use crate::response::single_format;
 use crate::style;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
-use stickslip::enclosed::{self, Enclosure, Known, Regime, Response};
+use stickslip::enclosed::{self, Known, Regime, Response};
 use stickslip::{Error, Output, Quantity};
 
 /// The bits of an enclosure where none are asked for.
