@@ -1,6 +1,7 @@
 //! The outputs of a [`Response`] by name: what the questions about uncertain parameters are asked of.
 
 use crate::float::{Field, Float};
+#[cfg(feature = "serde")]
 use crate::nonsticking::Cycle;
 use crate::oscillator::Scales;
 use crate::response::Response;
@@ -53,6 +54,7 @@ macro_rules! outputs {
             }
 
             /// Its value, where it belongs to the cycle.
+            #[cfg(feature = "serde")]
             pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
                 match self {
                     $(Self::$output => outputs!(@of_cycle cycle, $from $from, $value),)*
