@@ -239,7 +239,7 @@ fn dip<F: Float, M: Copy>(
         let (jet, motion) = f(phi);
         // How far below this point the dip can be: f′²/2f″.
         let depth = jet.first.square() / (two * jet.second);
-        let noise = search.noise_at(phi);
+        let noise = noise(search, phi, &jet);
         if jet.value.abs() <= noise && depth <= noise {
             return Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true });
         }
@@ -256,8 +256,14 @@ fn dip<F: Float, M: Copy>(
     // The gap is closed to within ε² (`event`): the dip is here.
     let (phi, jet) = lowest;
     let (_, motion) = f(phi);
-    if jet.value.abs() > search.noise_at(phi) {
+    if jet.value.abs() > noise(search, phi, &jet) {
         return Verdict::Lost(phi);
     }
     Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true })
+}
+
+/// What rounding can make of the lowest value of a dip: of f, and of φ, which is known to ε of itself.
+fn noise<F: Float>(search: &Search<F>, phi: F, jet: &Jet<F>) -> F {
+    let unit = F::int(4) * F::epsilon() * phi;
+    search.noise_at(phi) + jet.second.abs() * unit.square() / F::int(2)
 }

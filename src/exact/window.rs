@@ -38,8 +38,8 @@ pub(crate) struct Waves<F> {
     angle: F,
     /// h and h′ at φ = 0.
     start: (F, F),
-    /// |x′| + |x″| at φ = 0: the size of the terms that h and h′ are made of, beside the forced wave.
-    size: F,
+    /// |x′| and |x″| at φ = 0: the sizes of the terms that h and h′ are made of, beside the forced wave.
+    size: (F, F),
     /// σ and β.
     rates: (F, F),
 }
@@ -60,7 +60,7 @@ impl<F: Float> Waves<F> {
         // F′ = −Ω² x
         let start = (sign * (slide.w - w), sign * (slide.acceleration + omega.square() * x));
         let angle = (sign * omega * x).atan2(sign * w);
-        let size = slide.w.abs() + slide.acceleration.abs();
+        let size = (slide.w.abs(), slide.acceleration.abs());
         let slower = if free.swings() { free.zeta } else { free.slow_rate() };
         let decay = if free.zeta * two < one { free.zeta } else { slower / two };
         Self { equation, free, gain, angle, start, size, rates: (slower, decay) }
@@ -68,12 +68,22 @@ impl<F: Float> Waves<F> {
 
     /// What rounding can make of the velocity at φ, by the free vibrations there: that of the start dies out
     /// with them.
-    fn noise_of(&self, phi: F, (s, c): (F, F)) -> F {
-        let (one, omega) = (F::int(1), self.equation.omega);
-        // The angle dφ, or the exponent σφ, is right to ε of itself.
-        let turned = if self.free.swings() { phi } else { self.rates.0 * phi };
-        let free = (s.abs() + c.abs()) * (one + turned) * (self.size + (one + omega) * self.gain);
-        F::int(16) * F::epsilon() * (free + (one + omega + omega * phi) * self.gain)
+    fn noise_of(&self, phi: F, rotation: (F, F)) -> F {
+        let phase = F::int(16) * F::epsilon() * self.equation.omega * (F::int(1) + phi) * self.gain;
+        self.free_noise(phi, rotation) + phase
+    }
+
+    /// The same but for the phase of the forced wave: what rounding can make of h and G.
+    fn free_noise(&self, phi: F, (s, c): (F, F)) -> F {
+        let (speed, acceleration) = self.size;
+        let (speed, acceleration) = (speed + self.gain, acceleration + self.equation.omega * self.gain);
+        let free = (c.abs() * speed + s.abs() * acceleration) * (F::int(1) + self.turned(phi));
+        F::int(16) * F::epsilon() * (free + self.gain)
+    }
+
+    /// The angle dφ, or the exponent σφ: right to ε of itself.
+    fn turned(&self, phi: F) -> F {
+        if self.free.swings() { phi } else { self.rates.0 * phi }
     }
 
     /// The same from the start.
@@ -112,6 +122,8 @@ impl<F: Float> Waves<F> {
             let end = inner_end((quarter - psi) / omega, one / four, clear)?;
             return (end > one).then(|| phi + end);
         }
+        // However far the forced wave has turned, it is not above G.
+        let noise = self.free_noise(phi, rotation);
         if now.0 > self.gain + noise {
             let far = if self.free.swings() {
                 // h = 0 ends the half wave.
@@ -124,8 +136,11 @@ impl<F: Float> Waves<F> {
                 digits / decay
             };
             let clear = |t: F| {
-                let h = self.equation.freely(t, self.equation.free_waves(t), now).0;
-                h - self.gain - noise
+                let (s, c) = self.equation.free_waves(t);
+                let (h, _) = self.equation.freely(t, (s, c), now);
+                let terms = (now.0 * c).abs() + (now.1 * s).abs();
+                let rounding = F::int(16) * F::epsilon() * (one + self.turned(t)) * terms;
+                h - self.gain - noise - rounding
             };
             let end = inner_end(far, one / (four * omega), clear)?;
             return (end > one / omega).then(|| phi + end);

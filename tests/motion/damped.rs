@@ -484,3 +484,34 @@ fn fast_drives_settle_beside_critical_damping() {
         }
     }
 }
+
+/// A slow creep under a fast drive ends where its velocity has fallen to that of the drive: after up to 10¹⁰ turns,
+/// of which floats no longer tell the phase.
+#[test]
+fn a_long_creep_under_a_fast_drive_is_one_slide() {
+    let far = 2f64.powi(20);
+    for (omega, zeta, alpha, theta, eta) in [
+        (far, 259253.69232680587, 1.8620958891178843, -0.836716609037648, 1.0000056910680057),
+        (far, far, 1.9, 0.1, 1.0),
+        (far, 1e3, 1.2, 0.1, 1.3),
+        (1e5, 1e5, 3.0, -0.4, 1.0),
+        (40.0, far, 1.5, 0.2, 1.0),
+    ] {
+        let ratios = ratios(omega, zeta, alpha).with_static_friction_ratio(eta).unwrap();
+        let x = -1.0 - 1.5 * alpha / omega.hypot(2.0 * zeta) - alpha;
+        let start = State::new(theta, x, 0.0).unwrap();
+        let slide = Trajectory::new(ratios, start)
+            .unwrap()
+            .map(Result::unwrap)
+            .find(|phase| matches!(phase.kind(), Kind::Slide(_)))
+            .unwrap();
+        // The displacement decays as e^{−σt} to −1; the forced velocity is G = αΩ/|1 − Ω² + 2iζΩ|.
+        let slow = 1.0 / (zeta + (zeta * zeta - 1.0).sqrt());
+        let gain = alpha * omega / (1.0 - omega * omega).hypot(2.0 * zeta * omega);
+        let creep = slow * (-1.0 - slide.start().x) / (1.0 - slow * slow);
+        let time = (creep / gain).ln() / slow;
+        let lasts = slide.duration().unwrap() / omega;
+        let turn = TAU / omega;
+        assert!((lasts - time).abs() < turn + 1e-9 / slow, "{ratios:?}: {lasts} for {time}");
+    }
+}
