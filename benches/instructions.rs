@@ -32,6 +32,7 @@ fn main() {
     let sum = match kernel.as_str() {
         "triple" => run(kernels::triple, &points, n),
         "cycle" => run(kernels::cycle, &points, n),
+        "response" => run(kernels::response, &points, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -8,6 +8,7 @@
 )]
 
 mod columns;
+mod kernels;
 mod points;
 
 use columns::{ALL, FIVE, Room, THREE};
@@ -53,6 +54,16 @@ fn time(omega: &[f64], alpha: &[f64]) {
         });
         println!("{name}\t{kernel}\t{:.2}", best / omega.len() as f64 * 1e9);
     };
+    // One point after the other, by the functions for a point.
+    let mut sum = 0.0;
+    let points = || omega.iter().zip(alpha);
+    report("stickslip, a point alone", "triple", &mut || {
+        sum += points().map(|(&omega, &alpha)| kernels::triple(omega, alpha)[0]).sum::<f64>();
+    });
+    report("stickslip, a point alone", "all of a cycle", &mut || {
+        sum += points().map(|(&omega, &alpha)| kernels::cycle(omega, alpha)[0]).sum::<f64>();
+    });
+    std::hint::black_box(sum);
     for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
         let batch = Batch::new().at_level(level);
         let name = format!("stickslip {level:?}");

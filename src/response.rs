@@ -64,13 +64,19 @@ impl<F: Float> Response<F> {
     fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
         let regime = regime_of(ratios, &border);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio());
-        let cycle = slides.then(|| Cycle::at(p, ratios));
+        // No closures: they would be compiled apart, without the processor's fused operation.
+        let (cycle, loop_sizes) = if slides {
+            let cycle = Cycle::at(p, ratios);
+            (Some(cycle), Some(cycle.loop_sizes()))
+        } else {
+            (None, None)
+        };
         Self {
             ratios,
             regime,
             border,
             cycle,
-            loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
+            loop_sizes,
             best_force_ratio: best_force_ratio_at(p),
             best_loop_size: best_loop_size_at(p),
         }

@@ -2,7 +2,7 @@
 
 use stickslip::float::Task;
 use stickslip::nonsticking::Reversal;
-use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios};
+use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Response};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
@@ -36,5 +36,18 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             c.contraction(),
         ],
         Err(_) => [f64::NAN; 6],
+    }
+}
+
+/// The whole answer at a point.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn response(omega: f64, alpha: f64) -> [f64; 3] {
+    match Ratios::new(omega, alpha).map(Response::new) {
+        Ok(answer) => {
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
+            [cycle(Cycle::max_displacement), cycle(Cycle::velocity_phase), answer.best_force_ratio()]
+        }
+        Err(_) => [f64::NAN; 3],
     }
 }

@@ -1,6 +1,7 @@
 //! The points that the loops leave: the library's own answer at one point.
 
 use super::columns::LOOPED;
+use crate::float::{Float, Task};
 use crate::nonsticking::{Border, Reversal};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
@@ -15,18 +16,28 @@ pub(crate) fn all(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
 }
 
 /// {Δ₀, α_min, A₁}, without the rest of the answer.
-pub(crate) fn amplitude(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
-    let nan = f64::NAN;
-    let mut found = [nan; LOOPED.len()];
-    let Ok(ratios) = Ratios::new(omega, alpha) else { return found };
-    let p = PhaseFunction::of_valid(ratios.omega());
-    let border = Border::least_force_ratio(&p);
-    let slides = has_two_reversals(omega, alpha, border);
-    let reversal = slides.then(|| Reversal::new(&p, alpha).of_sliding(omega));
-    let of_cycle = |value: fn(&Reversal<f64>) -> f64| reversal.as_ref().map_or(nan, value);
-    let three = [of_cycle(Reversal::max_displacement), border, of_cycle(Reversal::loop_size_stiffness)];
-    for (slot, value) in found.iter_mut().zip(three) {
-        *slot = value;
+#[inline]
+pub(crate) fn amplitude(omega: f64, alpha: f64) -> [f64; 3] {
+    match Ratios::new(omega, alpha) {
+        Ok(ratios) => f64::fused(Amplitude(ratios)),
+        Err(_) => [f64::NAN; 3],
     }
-    found
+}
+
+struct Amplitude(Ratios<f64>);
+
+impl Task for Amplitude {
+    type Output = [f64; 3];
+
+    #[inline(always)]
+    fn run(self) -> [f64; 3] {
+        let (omega, alpha) = (self.0.omega(), self.0.alpha());
+        let p = PhaseFunction::of_valid(omega);
+        let border = Border::least_force_ratio(&p);
+        if !has_two_reversals(omega, alpha, border) {
+            return [f64::NAN, border, f64::NAN];
+        }
+        let reversal = Reversal::new(&p, alpha).of_sliding(omega);
+        [reversal.max_displacement(), border, reversal.loop_size_stiffness()]
+    }
 }

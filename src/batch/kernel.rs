@@ -67,11 +67,6 @@ impl<'a> Kernel<'a> {
         self.row.is_none() && has_low_loops(omega)
     }
 
-    fn alone(&self, omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
-        let omega = self.omega(omega);
-        if self.stages.is_amplitude() { alone::amplitude(omega, alpha) } else { alone::all(omega, alpha) }
-    }
-
     /// The Ω of a point, where the slice of Ω has `given`.
     pub(crate) fn omega(&self, given: f64) -> f64 {
         self.row.map_or(given, FixedOmega::omega)
@@ -122,11 +117,22 @@ impl Scratch {
         for (i, (&omega, &alpha)) in omega.iter().zip(alpha).enumerate() {
             let is_left = self.answer[BORDER].get(i).is_some_and(|mark| mark.is_nan());
             if is_left && !set_aside(i, omega) {
-                for (block, value) in self.answer.iter_mut().zip(kernel.alone(omega, alpha)) {
-                    if let Some(slot) = block.get_mut(i) {
-                        *slot = value;
-                    }
+                let omega = kernel.omega(omega);
+                if kernel.stages.is_amplitude() {
+                    self.set(i, alone::amplitude(omega, alpha));
+                } else {
+                    self.set(i, alone::all(omega, alpha));
                 }
+            }
+        }
+    }
+
+    /// The first of the outputs of the i-th point of the block.
+    #[inline]
+    fn set<const N: usize>(&mut self, i: usize, values: [f64; N]) {
+        for (block, value) in self.answer.iter_mut().zip(values) {
+            if let Some(slot) = block.get_mut(i) {
+                *slot = value;
             }
         }
     }

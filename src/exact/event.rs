@@ -83,6 +83,8 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
+    // The window that a stretch ended at: found anew from there its rounding could leave a rest of a stretch before it.
+    let mut entered = None;
     for stretches in 0..u32::MAX {
         if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves.as_deref(), phi, stretches) {
             return Verdict::Lost(phi);
@@ -98,7 +100,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
             to = phi + longest;
         }
         if let Some(safe) = &search.safe {
-            let (begins, ends) = safe.next(phi);
+            let (begins, ends) = entered.take().unwrap_or_else(|| safe.next(phi));
             let is_empty = begins >= ends;
             if is_empty {
                 // Narrower than its own rounding.
@@ -114,6 +116,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
                 continue;
             } else if begins < to {
                 to = begins;
+                entered = Some((begins, ends));
             }
         }
         if let Some(waves) = &search.waves

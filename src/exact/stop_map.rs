@@ -40,6 +40,16 @@ pub(crate) struct Passage<F> {
     pub(crate) left: Residual<F>,
     /// `G′(x)`.
     pub(crate) rate: F,
+    /// Whether each slide is proved to last until the end found.
+    pub(crate) is_proved: bool,
+}
+
+/// What ends of slides are expected by: a passage from a stop nearby.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Expected<'a, F> {
+    pub(crate) by: Option<&'a Passage<F>>,
+    /// Whether an end has to be proved, and not only found where it is expected.
+    pub(crate) is_proved: bool,
 }
 
 /// Parts of a passage, at the most: one of more is left to `shooting`.
@@ -47,15 +57,13 @@ const MOST_PARTS: usize = 64;
 
 /// The passage from a stop at x; `None` where there is no such stop, at the beginning or half a turn later.
 ///
-/// `like` is a passage from a stop nearby, by which the ends of slides are expected.
-///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
 pub(crate) fn passage<F: Float>(
     equation: Equation<F>,
     station: Station,
     x: F,
-    like: Option<&Passage<F>>,
+    expected: Expected<'_, F>,
     mut parts: Vec<Part<F>>,
     budget: &mut Budget<'_>,
 ) -> Result<Option<Passage<F>>, Broken> {
@@ -66,17 +74,26 @@ pub(crate) fn passage<F: Float>(
     let usual = F::pi() / equation.omega;
     let mut slide = Slide::released(equation, release, x, station.direction);
     let mut monodromy = Matrix::identity();
+    let mut is_proved = true;
     budget.spend(1);
     while parts.len() < MOST_PARTS {
         budget.ask()?;
-        let hint = match like.and_then(|like| like.parts.get(parts.len())) {
+        let hint = match expected.by.and_then(|like| like.parts.get(parts.len())) {
             Some(Part::Slide(before, zero)) if before.direction == slide.direction => {
-                before.expected_again(zero, &slide)
+                Some(before.expected_again(zero, &slide))
             }
-            _ => usual,
+            _ => None,
         };
-        let zero: VelocityZero<F> =
-            slide.velocity_zero(hint).map_err(|Lost| slide.lost("the velocity zero"))?;
+        let guess = if expected.is_proved { None } else { hint };
+        let zero: VelocityZero<F> = match guess.and_then(|hint| slide.velocity_zero_near(hint)) {
+            Some(found) => {
+                is_proved = false;
+                found
+            }
+            None => {
+                slide.velocity_zero(hint.unwrap_or(usual)).map_err(|Lost| slide.lost("the velocity zero"))?
+            }
+        };
         parts.push(Part::Slide(slide, zero));
         let next = Next::after(&slide, &zero).0;
         let ratio = match &next {
@@ -92,7 +109,8 @@ pub(crate) fn passage<F: Float>(
                 if phase.half_turns() == next_half_turn && direction != station.direction {
                     let (zero, rest) = (F::int(0), Point { phase: release, x, w: F::int(0) });
                     let left = Residual::new(&equation, &rest, (-stop.x - x, zero));
-                    return Ok(Some(Passage { from: x, release, parts, stop, left, rate: -monodromy.a }));
+                    let rate = -monodromy.a;
+                    return Ok(Some(Passage { from: x, release, parts, stop, left, rate, is_proved }));
                 }
                 if phase.half_turns() > station.half_turn {
                     return Ok(None);

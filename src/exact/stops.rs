@@ -6,7 +6,8 @@
 //! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half a turn later, have not moved
 //! apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a zero. In the bracket the zero of the cubic through the last two
 //! points with their slopes G′ − 1 is tried next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket
-//! is halved. Stops that do not overlap in time can break the bracket: that costs a search, and never an answer.
+//! is halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the others end where they are
+//! expected to. Stops that do not overlap in time can break the bracket: that costs a search, and never an answer.
 //!
 //! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where there are no such stops half a turn
 //! apart there is no answer here, and `shooting` has to find the motion.
@@ -21,8 +22,8 @@ use super::slide::Direction;
 use super::state::Point;
 use super::steady::{SteadyState, Summary};
 use super::stick::Stick;
-use super::stop_map::{Passage, Station, passage};
-use crate::float::Float;
+use super::stop_map::{Expected, Passage, Station, passage};
+use crate::float::{Float, Task};
 use crate::nonsticking::Border;
 use crate::nonsticking::damped::border::turning_point;
 use crate::nonsticking::damped::half_period::HalfPeriod;
@@ -51,10 +52,10 @@ impl<F: Float> Sticking<F> {
     /// At η = 1 and α > 1.
     #[inline]
     pub(crate) fn new(equation: Equation<F>) -> Self {
-        if equation.is_damped() { Self::damped(equation) } else { Self::undamped(equation) }
+        if equation.is_damped() { Self::damped(equation) } else { F::fused(Undamped(equation)) }
     }
 
-    #[inline]
+    #[inline(always)]
     fn undamped(equation: Equation<F>) -> Self {
         let Equation { omega, alpha, .. } = equation;
         let p = PhaseFunction::of_valid(omega);
@@ -106,6 +107,18 @@ impl<F: Float> Sticking<F> {
     }
 }
 
+/// [`Sticking::undamped`].
+struct Undamped<F>(Equation<F>);
+
+impl<F: Float> Task for Undamped<F> {
+    type Output = Sticking<F>;
+
+    #[inline(always)]
+    fn run(self) -> Sticking<F> {
+        Sticking::undamped(self.0)
+    }
+}
+
 /// `G(x) − x` at a point, and its slope.
 #[derive(Clone, Copy)]
 struct Miss<F> {
@@ -126,12 +139,14 @@ fn fixed_point<F: Float>(
     let mut best: Option<Passage<F>> = None;
     let mut before: Option<Miss<F>> = None;
     let mut spare = Vec::with_capacity(8);
+    let mut is_proved = true;
     let mut failures = 0..MOST_FAILURES;
     for _ in 0..MOST_PASSAGES {
         if budget.half_turns > budget.most {
             break;
         }
-        let Some(tried) = passage(equation, STATION, x, best.as_ref(), spare, budget)? else {
+        let expected = Expected { by: best.as_ref(), is_proved };
+        let Some(tried) = passage(equation, STATION, x, expected, spare, budget)? else {
             // No such stop here: back towards the last one.
             let (Some(last), Some(_)) = (&best, failures.next()) else { break };
             if x > last.from {
@@ -141,10 +156,17 @@ fn fixed_point<F: Float>(
             }
             x = (x + last.from) / two;
             spare = Vec::new();
+            is_proved = true;
             continue;
         };
         if tried.left.is_rounding(1) {
-            return Ok(Some(tried));
+            if tried.is_proved {
+                return Ok(Some(tried));
+            }
+            // Once more, with proofs.
+            spare = best.replace(tried).map_or_else(Vec::new, |passage| passage.parts);
+            is_proved = true;
+            continue;
         }
         let here = Miss { x, value: tried.left.x, slope: tried.rate - one };
         if here.value > zero {
@@ -157,11 +179,13 @@ fn fixed_point<F: Float>(
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
+        // From a miss of more than ε^¼ the next passage is not the last one.
+        is_proved = (here.value / (one + x.abs())).square().square() <= F::epsilon();
         let last = best.replace(tried);
         if is_closed {
             // Rounding is left, a little more of it than expected.
             let nearest = last.filter(|last| last.left.x.abs() < here.value.abs()).or(best);
-            return Ok(nearest.filter(|found| found.left.is_rounding(64)));
+            return Ok(nearest.filter(|found| found.is_proved && found.left.is_rounding(64)));
         }
         spare = last.map_or_else(Vec::new, |passage| passage.parts);
     }

@@ -85,7 +85,7 @@ fn bracketed<F: Float, M: Copy>(
         }
         let step = householder(&jet);
         let next = phi + step;
-        if jet.first < zero && is_final(search, &jet, phi, step) && next > begin && next <= end {
+        if jet.first < zero && is_final(search.pace, &jet, phi, step) && next > begin && next <= end {
             return crossing(step);
         }
         let width = high - low;
@@ -126,9 +126,9 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
 ///
 /// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of `max(1, Ω, 2ζ) h` each.
 #[inline]
-fn is_final<F: Float>(search: &Search<F>, jet: &Jet<F>, phi: F, step: F) -> bool {
+fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
     let curvature = (jet.second * step / jet.first).abs();
-    let turned = step.abs() * search.pace;
+    let turned = step.abs() * pace;
     let left = step.abs() * (curvature + turned) * (curvature + turned).square();
     left <= F::epsilon() / F::int(4) * phi.abs().or_larger(step.abs())
         || jet.value == F::int(0)
@@ -153,7 +153,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     }
     if search.hint > from
         && search.hint < to
-        && let Some(found) = polished_guess(search, from, to, f)
+        && let Some(found) = polished_guess(search.hint, search.pace, (from, to), f)
     {
         return Verdict::Zero(found);
     }
@@ -188,13 +188,13 @@ fn start_of_bracket<F: Float>(from: F, to: F, left: Jet<F>) -> F {
 }
 
 /// Householder's method from the hint; an answer only where it settles on a downward zero in (from, to].
-fn polished_guess<F: Float, M: Copy>(
-    search: &Search<F>,
-    from: F,
-    to: F,
+pub(crate) fn polished_guess<F: Float, M: Copy>(
+    hint: F,
+    pace: F,
+    (from, to): (F, F),
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Option<Found<F, M>> {
-    let mut phi = search.hint;
+    let mut phi = hint;
     for _ in 0..MOST_POLISHES {
         let (jet, motion) = f(phi);
         let step = householder(&jet);
@@ -203,7 +203,7 @@ fn polished_guess<F: Float, M: Copy>(
         if !inside {
             return None;
         }
-        if is_final(search, &jet, phi, step) {
+        if is_final(pace, &jet, phi, step) {
             return Some(Found { at: phi, step, motion, grazes: false });
         }
         phi = next;

@@ -9,6 +9,7 @@ use super::jet::Jet;
 use super::motion::Motion;
 use super::search::{Found, Safe, Search, Verdict};
 use super::slide::{Direction, Slide};
+use super::stretch::polished_guess;
 use super::window::Waves;
 use crate::float::Float;
 
@@ -83,6 +84,23 @@ impl<F: Float> Slide<F> {
             rotation: (zero, zero),
             grazes: false,
         })
+    }
+
+    /// A velocity zero that Householder's method leads to from `hint`: not proved to be the first one.
+    #[inline(never)]
+    pub(crate) fn velocity_zero_near(&self, hint: F) -> Option<VelocityZero<F>> {
+        if self.equation.is_damped() { self.polished::<true>(hint) } else { self.polished::<false>(hint) }
+    }
+
+    #[inline]
+    fn polished<const DAMPED: bool>(&self, hint: F) -> Option<VelocityZero<F>> {
+        let found = polished_guess(
+            hint,
+            self.equation.pace(),
+            (F::int(0), F::int(2) * hint),
+            &self.velocity::<DAMPED>(),
+        );
+        found.map(|found| self.arrival::<DAMPED>(&found))
     }
 
     /// The velocity zero that ends the slide, if not after `limit`; otherwise the motion at the limit.

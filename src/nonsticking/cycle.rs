@@ -193,12 +193,18 @@ impl<F: Float> Cycle<F> {
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     pub fn loop_size_stiffness(&self) -> F {
-        self.motion.loop_sizes(&self.ratios).0
+        self.loop_sizes().0
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
     pub fn loop_size_inertia(&self) -> F {
-        self.motion.loop_sizes(&self.ratios).1
+        self.loop_sizes().1
+    }
+
+    /// (A₁, A₂).
+    #[inline(always)]
+    pub(crate) fn loop_sizes(&self) -> (F, F) {
+        self.motion.loop_sizes(&self.ratios)
     }
 
     /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.

@@ -54,13 +54,13 @@ pub(crate) fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -
 }
 
 /// [`best_force_ratio`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn best_force_ratio_at<F: Float>(p: &PhaseFunction<F>) -> F {
     best_force_ratio(p.wide()).value()
 }
 
 /// [`best_loop_size`] at the frequency ratio of `p`; accuracy at f64: 1 ulp.
-#[inline]
+#[inline(always)]
 pub(crate) fn best_loop_size_at<F: Float>(p: &PhaseFunction<F>) -> F {
     let (k, q, zero) = (p.wide(), p.one_minus_square(), F::int(0));
     // A pair has no infinity.

@@ -28,6 +28,7 @@ impl<F: Float> Motion<F> {
     }
 
     /// Loop sizes A₁ (eq. 64) and A₂ (eq. 67).
+    #[inline(always)]
     pub(super) fn loop_sizes(&self, ratios: &Ratios<F>) -> (F, F) {
         match self {
             Self::Undamped { reversal, .. } => {

@@ -75,6 +75,31 @@ fn the_shards_one_after_the_other_are_the_whole() {
     }
 }
 
+/// A map of steady states from Ω = 0.1 on, most of them with stops: no answer depends on which cells were before it.
+#[test]
+fn a_map_with_stops_is_the_same_by_shards_and_threads() {
+    let run = |arguments: &str, threads: u32| {
+        let mut command = stickslip(arguments);
+        let output = command.env("RAYON_NUM_THREADS", threads.to_string()).assert().success();
+        String::from_utf8(output.get_output().stdout.clone()).unwrap()
+    };
+    for damping in ["", "--damping-ratio 0.05", "--damping-ratio 0.4"] {
+        let sweep = format!("sweep steady --omega 0.1:2:24 --alpha 1.05:10:20 {damping}");
+        let whole = run(&sweep, 1);
+        let column = whole.lines().next().unwrap().split(',').position(|name| name == "sticks_per_cycle");
+        let stops = |row: &&str| row.split(',').nth(column.unwrap()).is_some_and(|n| n.parse() != Ok(0));
+        assert!(whole.lines().skip(1).filter(stops).count() > 100, "{damping}");
+        assert!(run(&sweep, 3) == whole, "{damping}: three threads");
+        for parts in [2, 5] {
+            let header = |part| if part == 1 { "" } else { "--no-header" };
+            let joined: String = (1..=parts)
+                .map(|part| run(&format!("{sweep} --shard {part}/{parts} {}", header(part)), 1 + part % 3))
+                .collect();
+            assert!(joined == whole, "{damping}: {parts} parts");
+        }
+    }
+}
+
 #[test]
 fn a_sweep_goes_on_after_its_last_whole_row() {
     for arguments in [

@@ -1,6 +1,7 @@
-use super::Sticking;
+use super::{Sticking, fixed_point};
 use crate::Ratios;
 use crate::exact::equation::Equation;
+use crate::exact::propagation::Part;
 use crate::exact::shooting::Budget;
 use crate::exact::state::State;
 use crate::exact::trajectory::{Body, Trajectory};
@@ -82,6 +83,29 @@ fn it_is_what_shooting_finds() {
         found * 100 > below * 94 && half_turns * 2 < u64::from(found) * 9,
         "{found} of {below}: {half_turns}"
     );
+}
+
+/// On the way passages may end where they are expected to, but the last one is proved to be the motion, slide by slide.
+#[test]
+fn what_is_found_is_proved() {
+    let (mut found, mut unproved) = (0, 0);
+    for i in 1..COMPARED / 4 {
+        let equation = Equation::new(ratios(i));
+        let sticking = Sticking::new(equation);
+        let mut budget = Budget::of(1000);
+        let Some(passage) = fixed_point(equation, sticking.guess(), &mut budget).unwrap() else { continue };
+        found += 1;
+        unproved += u32::from(!passage.is_proved);
+        // Found again from no expectation at all.
+        for part in &passage.parts {
+            let Part::Slide(slide, zero) = part else { continue };
+            let again = slide
+                .velocity_zero(std::f64::consts::PI / equation.omega)
+                .unwrap_or_else(|_| panic!("{slide:?}"));
+            assert!((again.phi - zero.phi).abs() <= 1e-7 * zero.phi, "{equation:?}: {zero:?} {again:?}");
+        }
+    }
+    assert!(found > 300 && unproved == 0, "{unproved} of {found}");
 }
 
 /// The maximum displacement by a solution of its own: one slide for half a turn, two equations for its length and end, at 40 digits.

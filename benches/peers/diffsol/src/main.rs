@@ -1,0 +1,116 @@
+//! A motion with stops and damping from rest until it repeats, by diffsol: slides are integrated with root finding on the velocity, the end
+//! of a stop is its arcsine. `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
+//! relative error of the greatest displacement.
+
+use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverState, OdeSolverStopReason};
+use std::error::Error;
+use std::f64::consts::{PI, TAU};
+use std::time::Instant;
+
+type Matrix = NalgebraMat<f64>;
+
+/// From rest at x: when the body slides, and which way.
+fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
+    let force = alpha * (omega * t).sin() - x;
+    if force.abs() > 1.0 {
+        return (t, force.signum());
+    }
+    let now = omega * t;
+    let mut first = (f64::INFINITY, 0.0);
+    for sign in [1.0, -1.0] {
+        let y = (x + sign) / alpha;
+        if y.abs() >= 1.0 {
+            continue;
+        }
+        let angle = if sign > 0.0 { y.asin() } else { PI - y.asin() };
+        let mut angle = angle + ((now - angle) / TAU).ceil() * TAU;
+        if angle <= now {
+            angle += TAU;
+        }
+        if angle < first.0 {
+            first = (angle, sign);
+        }
+    }
+    (first.0 / omega, first.1)
+}
+
+/// The greatest displacement of a turn of the drive, once two turns have the same to 1e-12.
+fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn Error>> {
+    // The direction is a third variable, which does not change along a slide. A velocity of 1e-13 keeps its zero at the start from being found.
+    let problem = OdeBuilder::<Matrix>::new()
+        .rtol(rtol)
+        .atol([rtol / 100.0])
+        .p([omega, alpha, zeta])
+        .rhs_implicit(
+            |y, p, t, rate| {
+                rate[0] = y[1];
+                rate[1] = p[1] * (p[0] * t).sin() - y[0] - 2.0 * p[2] * y[1] - y[2];
+                rate[2] = 0.0;
+            },
+            |_, p, _, v, rate| {
+                rate[0] = v[1];
+                rate[1] = -v[0] - 2.0 * p[2] * v[1] - v[2];
+                rate[2] = 0.0;
+            },
+        )
+        .init(
+            |_, _, y| {
+                y[0] = 0.0;
+                y[1] = 1e-13;
+                y[2] = 1.0;
+            },
+            3,
+        )
+        .root(|y, _, _, out| out[0] = y[1], 1)
+        .build()?;
+    let mut solver = problem.tsit45()?;
+    let (mut t, mut x, mut turns, turn) = (0.0, 0.0, 1.0, TAU / omega);
+    let (mut most, mut before) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
+    let mut is_first = true;
+    while turns < 2000.0 {
+        let (start, direction) = released(omega, alpha, t, x);
+        if !is_first {
+            solver.state_mut_back(t)?;
+        }
+        is_first = false;
+        let state = solver.state_mut();
+        *state.t = start;
+        *state.h = 1e-3;
+        state.y[0] = x;
+        state.y[1] = direction * 1e-13;
+        state.y[2] = direction;
+        state.dy[0] = 0.0;
+        state.dy[1] = alpha * (omega * start).sin() - x - direction;
+        state.dy[2] = 0.0;
+        loop {
+            if let OdeSolverStopReason::RootFound(at, _) = solver.step()? {
+                (t, x) = (at, solver.interpolate(at)?[0]);
+                break;
+            }
+        }
+        if t > turns * turn {
+            if (most - before).abs() < 1e-12 * (1.0 + most) {
+                break;
+            }
+            (before, most) = (most, f64::NEG_INFINITY);
+            turns = (t / turn).floor() + 1.0;
+        }
+        most = most.max(x);
+    }
+    Ok(most)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let numbers: Result<Vec<f64>, _> = std::env::args().skip(1).map(|text| text.parse()).collect();
+    let [omega, alpha, zeta, rtol, reference, runs] = numbers?[..] else {
+        return Err("sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS".into());
+    };
+    let (mut best, mut most) = (f64::INFINITY, f64::NAN);
+    for _ in 0..runs as u32 {
+        let begin = Instant::now();
+        most = settled(omega, alpha, zeta, rtol)?;
+        best = best.min(begin.elapsed().as_secs_f64());
+    }
+    println!("{:.2}\t{:.1e}", best * 1e6, (most / reference - 1.0).abs());
+    Ok(())
+}
