@@ -33,6 +33,7 @@ fn main() {
         "triple" => run(kernels::triple, &points, n),
         "cycle" => run(kernels::cycle, &points, n),
         "response" => run(kernels::response, &points, n),
+        "damped" => run(kernels::damped, &points, n),
         other => {
             eprintln!("no kernel {other}");
             std::process::exit(2);

@@ -51,3 +51,17 @@ pub(crate) fn response(omega: f64, alpha: f64) -> [f64; 3] {
         Err(_) => [f64::NAN; 3],
     }
 }
+
+/// {Δ₀, V₀, α_min} with the damping ratio 0.05, point by point as a batch does it.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
+    match Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(0.05)).map(Response::new) {
+        Ok(answer) => {
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
+            let least = answer.border().min_force_ratio();
+            [cycle(Cycle::max_displacement), cycle(Cycle::max_velocity), least]
+        }
+        Err(_) => [f64::NAN; 3],
+    }
+}
