@@ -1,6 +1,7 @@
-/* A motion with stops and damping from rest until it repeats, by CVODE (SUNDIALS; Debian: libsundials-dev): slides are integrated with
- * root finding on the velocity, the end of a stop is its arcsine. Usage: sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS. Prints the least
- * time of the runs in microseconds and the relative error of the greatest displacement. */
+/* A motion with stops and damping from rest until it repeats, by CVODE (SUNDIALS; Debian: libsundials-dev):
+ * slides are integrated with root finding on the velocity, the end of a stop is its arcsine.
+ * Usage: sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS. Prints the least time of the runs in microseconds and
+ * the relative error of the maximum displacement. */
 #include <cvode/cvode.h>
 #include <math.h>
 #include <nvector/nvector_serial.h>

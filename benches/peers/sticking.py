@@ -1,8 +1,9 @@
-"""A motion with stops and damping from rest until it repeats, by SciPy (solve_ivp with events) and by closed-form slides in numba, each where
-it is installed. Slides end at the velocity's zero, the end of a stop is its arcsine.
+"""A motion with stops and damping from rest until it repeats, by SciPy (solve_ivp with events) and by
+closed-form slides in numba, each where it is installed. Slides end at the velocity's zero, the end of a stop is
+its arcsine.
 
-Usage: sticking.py OMEGA ALPHA ZETA RTOL REFERENCE. Prints, for each, the least time in microseconds and the relative error of the
-greatest displacement.
+Usage: sticking.py OMEGA ALPHA ZETA RTOL REFERENCE. Prints, for each, the least time in microseconds and the
+relative error of the maximum displacement.
 """
 import math
 import sys
@@ -64,7 +65,7 @@ def by_scipy(w, a, z, tolerance, t, x, way):
 
 
 def in_closed_form(w, a, z, tolerance, t, x, way):
-    """Steps of a sixteenth of the shorter period to the first sign of the velocity's zero, which is then bisected and polished."""
+    """Steps of a sixteenth of the shorter period to the velocity's zero, which is then bisected and polished."""
     d, p, k = math.sqrt(1 - z * z), 1 - w * w, 2 * z * w
     scale = a / (p * p + k * k)
     sine, cosine = p * scale, -k * scale
@@ -115,7 +116,8 @@ def timed(name, run, runs):
 try:
     import scipy
 
-    timed(f"SciPy {scipy.__version__}, DOP853, {rtol:g}", lambda: settled(omega, alpha, zeta, rtol, by_scipy), 1)
+    name = f"SciPy {scipy.__version__}, DOP853, {rtol:g}"
+    timed(name, lambda: settled(omega, alpha, zeta, rtol, by_scipy), 1)
 except ImportError:
     pass
 try:
@@ -123,8 +125,7 @@ try:
 
     released, in_closed_form = numba.njit(released), numba.njit(in_closed_form)
     settle = numba.njit(settled)
-    timed(
-        f"numba {numba.__version__}, closed-form slides", lambda: settle(omega, alpha, zeta, rtol, in_closed_form), 200
-    )
+    name = f"numba {numba.__version__}, closed-form slides"
+    timed(name, lambda: settle(omega, alpha, zeta, rtol, in_closed_form), 200)
 except ImportError:
     pass

@@ -83,7 +83,7 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
-    // The window that a stretch ended at: found anew from there its rounding could leave a rest of a stretch before it.
+    // The window that a stretch ended at: found anew from there its rounding could leave a rest of a stretch.
     let mut entered = None;
     for stretches in 0..u32::MAX {
         if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves.as_deref(), phi, stretches) {

@@ -6,8 +6,9 @@
 //! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half a turn later, have not moved
 //! apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a zero. In the bracket the zero of the cubic through the last two
 //! points with their slopes G′ − 1 is tried next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket
-//! is halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the others end where they are
-//! expected to. Stops that do not overlap in time can break the bracket: that costs a search, and never an answer.
+//! is halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the
+//! others end where they are expected to. Stops that do not overlap in time can break the bracket: that costs
+//! a search, and never an answer.
 //!
 //! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where there are no such stops half a turn
 //! apart there is no answer here, and `shooting` has to find the motion.

@@ -75,7 +75,7 @@ fn the_shards_one_after_the_other_are_the_whole() {
     }
 }
 
-/// A map of steady states from Ω = 0.1 on, most of them with stops: no answer depends on which cells were before it.
+/// A map of steady states from Ω = 0.1 on, many with stops: no answer depends on which cells were before it.
 #[test]
 fn a_map_with_stops_is_the_same_by_shards_and_threads() {
     let run = |arguments: &str, threads: u32| {

@@ -85,7 +85,7 @@ fn it_is_what_shooting_finds() {
     );
 }
 
-/// On the way passages may end where they are expected to, but the last one is proved to be the motion, slide by slide.
+/// On the way passages may end where they are expected to, but the last one is proved slide by slide.
 #[test]
 fn what_is_found_is_proved() {
     let (mut found, mut unproved) = (0, 0);

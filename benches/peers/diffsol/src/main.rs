@@ -1,6 +1,8 @@
-//! A motion with stops and damping from rest until it repeats, by diffsol: slides are integrated with root finding on the velocity, the end
-//! of a stop is its arcsine. `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
-//! relative error of the greatest displacement.
+//! A motion with stops and damping from rest until it repeats, by diffsol: slides are integrated with root
+//! finding on the velocity, the end of a stop is its arcsine.
+//!
+//! `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
+//! relative error of the maximum displacement.
 
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverState, OdeSolverStopReason};
 use std::error::Error;
@@ -36,7 +38,8 @@ fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
 
 /// The greatest displacement of a turn of the drive, once two turns have the same to 1e-12.
 fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn Error>> {
-    // The direction is a third variable, which does not change along a slide. A velocity of 1e-13 keeps its zero at the start from being found.
+    // The direction is a third variable, which does not change along a slide. A velocity of 1e-13 keeps its
+    // zero at the start from being found.
     let problem = OdeBuilder::<Matrix>::new()
         .rtol(rtol)
         .atol([rtol / 100.0])
