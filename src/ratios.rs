@@ -95,13 +95,6 @@ impl<F: Float> Ratios<F> {
         self.static_friction_ratio > F::int(1)
     }
 
-    /// The same ratios, where there is no damper and no higher static friction: for what is not known with
-    /// one.
-    pub(crate) fn undamped(self) -> Result<Self, Error> {
-        without_damping(self.damping_ratio)?;
-        self.with_one_friction()
-    }
-
     /// The same ratios, where the static friction is the kinetic one: for what is not known otherwise.
     pub(crate) fn with_one_friction(self) -> Result<Self, Error> {
         one_friction(self.static_friction_ratio).map(|()| self)
@@ -142,15 +135,6 @@ pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
 /// `x`, where it is finite and not below zero.
 pub(crate) fn non_negative<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x < F::int(0) { Err(Error::Negative { quantity, value: written(x) }) } else { finite(quantity, x) }
-}
-
-/// Refuses damping, for what is not known with it.
-pub(crate) fn without_damping<F: Float>(damping_ratio: F) -> Result<(), Error> {
-    if damping_ratio == F::int(0) {
-        Ok(())
-    } else {
-        Err(Error::Damped { damping_ratio: written(damping_ratio) })
-    }
 }
 
 /// Refuses a static friction above the kinetic one, for what is not known with it.
@@ -264,8 +248,6 @@ mod tests {
         assert_eq!(message(-0.5), "damping ratio ζ = -0.5 must be ≥ 0");
         assert_eq!(message(f64::NAN), "damping ratio ζ = NaN must be finite");
         assert!(matches!(with(1e-80), Err(Error::OutOfRange { quantity: Quantity::DampingRatio, .. })));
-        assert!(matches!(with(0.1).unwrap().undamped(), Err(Error::Damped { .. })));
-        assert!(with(0.0).unwrap().undamped().is_ok());
     }
 
     #[test]
@@ -281,7 +263,6 @@ mod tests {
         );
         assert_eq!(message(f64::NAN), "static friction ratio η = NaN must be finite");
         assert!(matches!(with(1e80), Err(Error::OutOfRange { quantity: Quantity::StaticFrictionRatio, .. })));
-        assert!(matches!(with(1.3).unwrap().undamped(), Err(Error::StaticFriction { .. })));
         assert!(matches!(with(1.3).unwrap().with_one_friction(), Err(Error::StaticFriction { .. })));
         assert!(with(1.0).unwrap().with_one_friction().is_ok());
     }

@@ -10,6 +10,7 @@ mod place;
 mod stops;
 mod verdict;
 
+pub(crate) use no_stop::no_stop_of;
 pub use no_stop::{NoStop, no_stop_force_ratios};
 // The regime of an exact motion, as the command and the Python package report it.
 #[doc(hidden)]
@@ -62,9 +63,6 @@ impl Regime {
 
 /// The regime at (Ω, α, ζ), given the border there.
 ///
-/// With damping the exact motion decides below the border where it may reverse six times a cycle without a
-/// stop; one that does not settle counts as sticking.
-///
 /// With a static friction above the kinetic one the border alone decides: what else there is depends on the
 /// start.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
@@ -75,7 +73,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
         return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio());
     }
     let by_border = regime_by_border(ratios, border);
-    if by_border == Regime::Sticking && damped::never_stops(ratios) == Some(true) {
+    if by_border == Regime::Sticking && damped::reverses_six_times(ratios) {
         return Regime::NonSticking;
     }
     by_border

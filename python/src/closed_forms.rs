@@ -205,8 +205,9 @@ fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> 
 
 /// The intervals of the force ratio without any stop, (least, greatest); `None` where there is no greatest.
 #[pyfunction]
-fn no_stop(omega: f64) -> PyResult<Vec<(f64, Option<f64>)>> {
-    Ok(no_stop_force_ratios(omega).map_err(refused)?.intervals().collect())
+fn no_stop(omega: f64, damping_ratio: f64) -> PyResult<Vec<(f64, Option<f64>)>> {
+    let found = no_stop_force_ratios(omega, damping_ratio).map_err(refused)?;
+    Ok(found.intervals().collect())
 }
 
 pub(crate) fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

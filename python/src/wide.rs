@@ -84,9 +84,8 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
-    if !ratios.is_damped()
-        && !ratios.has_higher_static_friction()
-        && let Ok(no_stop) = no_stop_force_ratios(ratios.omega())
+    if !ratios.has_higher_static_friction()
+        && let Ok(no_stop) = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
     {
         let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
         cells.push(("no_stop_force_ratios", Cell::Pairs(ends.collect())));

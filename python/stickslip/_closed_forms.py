@@ -125,7 +125,7 @@ class Border(Result):
     best_force_ratio : float or array
         Force ratio of the largest loop.
     no_stop_force_ratios : list of (float, float or None), or None
-        The intervals of the force ratio without any stop, for a single omega without damping and with one friction.
+        The intervals of the force ratio without any stop, for a single omega with one friction.
     """
 
     _names: ClassVar[Sequence[str]] = ("omega", *RATIOS[2:], *_OF_BORDER, "no_stop_force_ratios")
@@ -269,8 +269,9 @@ def border(
         wide = decimals(_native.wide_response(precision(bits), texts))
         return Border({**wide, **dict(zip(RATIOS, map(Decimal, texts)))})
     found = response(omega, 1.0, damping_ratio, static_friction_ratio, outputs=_OF_BORDER).to_dict()
-    plain = found["damping_ratio"] == 0 and found["static_friction_ratio"] == 1 if np.ndim(found["omega"]) == 0 else False
-    return Border({**found, "no_stop_force_ratios": _native.no_stop(found["omega"]) if plain else None})
+    single = np.ndim(found["omega"]) == 0 and found["static_friction_ratio"] == 1
+    no_stop = _native.no_stop(found["omega"], found["damping_ratio"]) if single else None
+    return Border({**found, "no_stop_force_ratios": no_stop})
 
 
 def wide_ratios(*values: Any) -> tuple[str, ...]:

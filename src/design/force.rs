@@ -41,11 +41,6 @@ pub(super) fn ratios_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) ->
     Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)?.with_one_friction()
 }
 
-/// Ω of `body`, which has no damper, at ω_d, validated by a drive of ratio 1.
-pub(super) fn frequency_ratio_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<F, Error> {
-    Ok(ratios_of(body, angular_frequency)?.undamped()?.omega())
-}
-
 #[cfg(test)]
 mod tests {
     use super::min_amplitude;

@@ -2,25 +2,26 @@
 
 use super::band::Edge;
 use super::bands::{bands, frequency_bands};
-use super::force::frequency_ratio_of;
+use super::damped::highest;
+use super::force::ratios_of;
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::nonsticking::border::Lobe;
-use crate::nonsticking::six_reversals;
+use crate::nonsticking::six_reversals::{self, damped};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::positive;
-use crate::regime::{NoStop, no_stop_force_ratios};
+use crate::regime::{NoStop, no_stop_of};
 use crate::root;
 
-/// The forces p₀ with which `body` never stops at ω_d: r_y times [`no_stop_force_ratios`].
+/// The forces p₀ with which `body` never stops at ω_d: r_y times [`crate::regime::no_stop_force_ratios`].
 ///
 /// Unit of force. Proved and searched as there.
 ///
 /// # Errors
-/// As [`super::min_amplitude`].
+/// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the kinetic one.
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
-    let found = no_stop_force_ratios(frequency_ratio_of(body, angular_frequency)?)?;
+    let found = no_stop_of(&ratios_of(body, angular_frequency)?)?;
     let forces = found.map(|x| body.friction_bound() * x);
     positive(Quantity::ForceAmplitude, forces.least())?;
     positive(Quantity::ForceAmplitude, forces.border())?;
@@ -45,26 +46,35 @@ pub struct NoStopBand<F> {
     pub reversals_per_cycle: u32,
 }
 
-/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α, by increasing Ω.
+/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio ζ, by increasing Ω.
 ///
-/// Those of [`bands`], of two reversals a cycle, and one around or just below each pole 1/(2n+1) with
-/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. The first are all there are; of the second that is searched
-/// ([`crate::nonsticking::SixReversals`]). Their ends are to a few floats.
+/// Those of [`bands`], of two reversals a cycle, and one around or just below a pole 1/(2n+1) with
+/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the first are all there are, and of the second that is searched
+/// ([`crate::nonsticking::SixReversals`]). With damping both are searched, the second on a mesh of 64 frequencies beside each pole. Their ends
+/// are to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
-/// let found = bands_without_stop(80.0f64, 0.3, 0.4)?;
+/// let found = bands_without_stop(80.0f64, 0.0, 0.3, 0.4)?;
 /// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
 /// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
 /// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
+/// // With a little damping the second is narrower, with more it is gone.
+/// assert_eq!(bands_without_stop(80.0f64, 0.002, 0.32, 0.36)?.len(), 3);
+/// assert_eq!(bands_without_stop(80.0f64, 0.01, 0.32, 0.36)?.len(), 2);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
 /// # Errors
 /// As [`bands`].
-pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoStopBand<F>>, Error> {
+pub fn bands_without_stop<F: Float>(
+    alpha: F,
+    damping_ratio: F,
+    low: F,
+    high: F,
+) -> Result<Vec<NoStopBand<F>>, Error> {
     let mut found = Vec::new();
-    for band in bands(alpha, F::int(0), low, high)? {
+    for band in bands(alpha, damping_ratio, low, high)? {
         let band = band?;
         found.push(NoStopBand {
             low: band.low,
@@ -82,7 +92,7 @@ pub fn bands_without_stop<F: Float>(alpha: F, low: F, high: F) -> Result<Vec<NoS
         let (from, to) = reach(pole);
         let outside = to < low || from > high;
         if !outside
-            && let Some((start, end)) = around(pole, alpha)
+            && let Some((start, end)) = around(pole, alpha, damping_ratio)
             && start <= high
             && end >= low
         {
@@ -118,14 +128,15 @@ pub fn frequency_bands_without_stop<F: Float>(
     let _ = frequency_bands(body, drive, low, high)?;
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
-    let (from, to) = (frequency_ratio_of(body, low)?, frequency_ratio_of(body, high)?);
+    let (from, to) = (ratios_of(body, low)?.omega(), ratios_of(body, high)?.omega());
     let end = |edge, range: F, ratio: F| if edge == Edge::Range { range } else { ratio * natural };
     let in_units = |band: NoStopBand<F>| NoStopBand {
         low: end(band.low_edge, low, band.low),
         high: end(band.high_edge, high, band.high),
         ..band
     };
-    Ok(bands_without_stop(alpha, from, to)?.into_iter().map(in_units).collect())
+    let found = bands_without_stop(alpha, body.damping_ratio(), from, to)?;
+    Ok(found.into_iter().map(in_units).collect())
 }
 
 /// Beyond these frequency ratios, below and above a pole, there is no six-reversal cycle that belongs to it.
@@ -134,10 +145,18 @@ fn reach<F: Float>(pole: F) -> (F, F) {
     (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
 }
 
-/// The frequency ratios near a pole at which the body reverses six times a cycle with this force ratio.
-fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
+/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio and damping ratio.
+fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
+    let (zero, is_damped) = (F::int(0), zeta > F::int(0));
+    let edges = |omega: F| {
+        if is_damped {
+            damped::force_ratios(omega, zeta)
+        } else {
+            six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega))
+        }
+    };
     // Not negative within the edges, relative to α.
-    let excess = |omega: F| match six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)) {
+    let excess = |omega: F| match edges(omega) {
         Some((low, high)) => {
             let (above, below) = ((alpha - low) / alpha, (high - alpha) / alpha);
             if above < below { above } else { below }
@@ -145,14 +164,37 @@ fn around<F: Float>(pole: F, alpha: F) -> Option<(F, F)> {
         None => F::int(-1),
     };
     let (from, to) = reach(pole);
-    let inside = if excess(pole) >= F::int(0) { pole } else { lowest(pole, from) };
-    if excess(inside) < F::int(0) {
+    let inside = if excess(pole) >= zero {
+        pole
+    } else if is_damped {
+        meshed(from, to, excess)
+    } else {
+        lowest(pole, from)
+    };
+    if excess(inside) < zero {
         return None;
     }
     Some((root::enclosed(from, inside, excess).1, root::enclosed(inside, to, excess).0))
 }
 
-/// Where the least α of the cycles near a pole is lowest, at the corner of its two edges below the pole:
+/// Where the excess is greatest between `from` and `to`, or not negative: next to the best point of a mesh.
+fn meshed<F: Float>(from: F, to: F, excess: impl Fn(F) -> F) -> F {
+    let at = |step: i32| from + (to - from) * F::ratio(step, MESH);
+    let (mut best, mut most) = (0, excess(from));
+    for step in 1..=MESH {
+        let here = excess(at(step));
+        if here > most {
+            (best, most) = (step, here);
+        }
+    }
+    highest(at(best.saturating_sub(1).max(0)), at(best.saturating_add(1).min(MESH)), excess, |excess| {
+        excess >= F::int(0)
+    })
+}
+
+const MESH: i32 = 64;
+
+/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole:
 /// between `from` and the pole.
 ///
 /// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the
@@ -187,7 +229,7 @@ mod tests {
     #[test]
     fn inside_and_at_its_ends_the_body_never_stops_and_outside_it_does() {
         for alpha in [53.0, 60.0, 70.0, 100.0, 150.0, 400.0, 2000.0] {
-            let found = bands_without_stop(alpha, 0.05, 2.0).unwrap();
+            let found = bands_without_stop(alpha, 0.0, 0.05, 2.0).unwrap();
             let six = found.iter().filter(|band| band.reversals_per_cycle == 6).count();
             assert!(six >= 1, "{alpha}: {found:?}");
             for pair in found.windows(2) {
@@ -221,7 +263,7 @@ mod tests {
         assert!((forces.least() / 161.019_919_536_129_45f64 - 1.0).abs() < 1e-13);
         let drive = Drive::force(240.0, 1.0).unwrap();
         let found = frequency_bands_without_stop(&body, &drive, 0.6, 0.8).unwrap();
-        let ratios = bands_without_stop(80.0f64, 0.3, 0.4).unwrap();
+        let ratios = bands_without_stop(80.0f64, 0.0, 0.3, 0.4).unwrap();
         assert_eq!(found.len(), ratios.len());
         for (a, b) in found.iter().zip(&ratios) {
             assert!((a.low - 2.0 * b.low).abs() < 1e-14 && (a.high - 2.0 * b.high).abs() < 1e-14);

@@ -7,7 +7,7 @@ use super::followed;
 use super::long_run::{DEFAULT_BUDGET, LongRun, unsettled};
 use super::measures::CycleStatistics;
 use super::rest::come_to_rest;
-use super::section::{Settled, cycle_guess, fastest_point, on_six_reversals, settle_in};
+use super::section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
 use super::shooting::{Budget, Guess, Shot, shoot};
 use super::state::{Point, State};
 use super::steady::{SteadyState, Summary};
@@ -23,8 +23,9 @@ use core::ops::ControlFlow;
 impl<F: Float> LongRun<F> {
     /// What the motion at (Ω, α) tends to from a start.
     ///
-    /// With η = 1 the limit is the same from every start, but for a family and for rest, and a motion with
-    /// stops is found from stop to stop without following this one.
+    /// With η = 1 the limit is the same from every start, but for a family and for rest. A motion with stops
+    /// is found from stop to stop, and with damping one without from its closed form, without following this
+    /// one: half a turn of the motion shows that it is the limit.
     ///
     /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127,
     /// if it is symmetric), rest, or an irregular motion.
@@ -88,13 +89,15 @@ impl<F: Float> LongRun<F> {
         {
             return Ok(limit);
         }
-        let at_stop = |budget: &mut Budget<'_>| {
-            if sticking.is_open() { sticking.limit(budget) } else { Ok(None) }
-        };
-        let (section, hint) = match settle_in(equation, start, &mut budget, at_stop)? {
-            Settled::Here(section, hint) => (section, hint),
-            Settled::Known(limit) => return Ok(*limit),
-        };
+        if let Some(rising) = sticking.rising() {
+            let (section, hint) = middle_of_rise(rising);
+            let followed = || {
+                let (at, hint) = settle_in(equation, start, &mut Budget::of(0))?;
+                Ok(Some(Guess { at, hint, is_limit: false }))
+            };
+            return Self::shot(equation, section, hint, followed, budget);
+        }
+        let (section, hint) = settle_in(equation, start, &mut budget)?;
         if is_family {
             return family::member(equation, section, hint, budget);
         }
@@ -104,10 +107,7 @@ impl<F: Float> LongRun<F> {
                 // Below the border, of six reversals or with stops: then the limit is that from rest.
                 let (at, hint) = match SixReversals::new(ratios) {
                     Some(cycle) => on_six_reversals(equation, &cycle),
-                    None => match settle_in(equation, State::rest(), &mut Budget::of(0), |_| Ok(None))? {
-                        Settled::Here(at, hint) => (at, hint),
-                        Settled::Known(_) => return Ok(None),
-                    },
+                    None => settle_in(equation, State::rest(), &mut Budget::of(0))?,
                 };
                 Ok(Some(Guess { at, hint, is_limit: false }))
             }
@@ -173,8 +173,41 @@ impl<F: Float> SteadyState<F> {
 
 #[cfg(test)]
 mod tests {
+    use super::{Budget, Equation, settle_in};
     use crate::exact::{LongRun, State};
     use crate::{Border, Ratios};
+
+    /// With damping and without stops: what is found from the closed form is what the motion from rest leads to, which knows nothing of it.
+    #[test]
+    fn a_damped_cycle_is_what_the_motion_from_rest_leads_to() {
+        for i in 0..300u32 {
+            let spread = |step: f64| (f64::from(i) * step).fract();
+            let omega = 10f64.powf(2.3 * spread(0.618_034) - 1.1);
+            let zeta = 10f64.powf(3.0 * spread(0.437_016) - 2.5);
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let ratios = Ratios::new(omega, least * (1.001 + 3.0 * spread(0.754_878))).unwrap();
+            let ratios = ratios.with_damping_ratio(zeta).unwrap();
+            let here = LongRun::from_start(ratios, State::rest()).unwrap();
+            let here = here.steady_state().unwrap_or_else(|| panic!("{ratios:?}"));
+            let equation = Equation::new(ratios);
+            let (at, hint) = settle_in(equation, State::rest(), &mut Budget::of(0)).unwrap();
+            let there = LongRun::shot(equation, at, hint, || Ok(None), Budget::of(2000)).unwrap();
+            let there = there.steady_state().unwrap_or_else(|| panic!("{ratios:?}: {there:?}"));
+            let size = 1.0 + here.max_displacement() + here.max_velocity() * omega;
+            let off = |s: &crate::exact::SteadyState<f64>| s.distance().0 + s.distance().1 * omega;
+            let room = off(here) + off(there) + 64.0 * f64::EPSILON * size * (1.0 + 1.0 / omega);
+            for (a, b) in [
+                (here.max_displacement(), there.max_displacement()),
+                (here.min_displacement(), there.min_displacement()),
+                (here.max_velocity() * omega, there.max_velocity() * omega),
+            ] {
+                assert!((a - b).abs() <= room, "{ratios:?}: {a} {b} {room:e}");
+            }
+            assert!(here.periods() < 3.0, "{ratios:?}: {}", here.periods());
+            assert_eq!((here.sticks_per_cycle(), there.sticks_per_cycle()), (0, 0), "{ratios:?}");
+            assert_eq!(here.velocity_zeros_per_cycle(), 2, "{ratios:?}");
+        }
+    }
 
     /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no
     /// use costs more.

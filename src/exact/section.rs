@@ -3,24 +3,16 @@
 use super::broken::Broken;
 use super::drive::DrivePhase;
 use super::equation::Equation;
-use super::long_run::LongRun;
 use super::shooting::{Budget, Guess};
 use super::slide::Slide;
 use super::state::{Point, State};
 use super::trajectory::{Body, Trajectory};
 use crate::float::Float;
+use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::{Cycle, SixReversals};
 
-/// What following the motion for a while leads to.
-pub(crate) enum Settled<F> {
-    /// A place to shoot from, and the natural time to its first velocity zero.
-    Here(Point<F>, F),
-    /// The limit, told by the first stop.
-    Known(Box<LongRun<F>>),
-}
-
-/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from. At the first stop
-/// after a slide `at_stop` may know the limit.
+/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from, with the natural time to
+/// its first velocity zero.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
@@ -28,24 +20,14 @@ pub(crate) fn settle_in<F: Float>(
     equation: Equation<F>,
     start: State<F>,
     budget: &mut Budget<'_>,
-    at_stop: impl FnOnce(&mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken>,
-) -> Result<Settled<F>, Broken> {
-    let mut at_stop = Some(at_stop);
+) -> Result<(Point<F>, F), Broken> {
     let mut longest: Option<(Slide<F>, F)> = None;
     let begin = start.phase;
     let turn = F::pi();
     for phase in Trajectory::of(equation, start) {
         let phase = phase?;
         budget.ask()?;
-        let Body::Slide(slide, end) = &phase.body else {
-            if longest.is_some()
-                && let Some(at_stop) = at_stop.take()
-                && let Some(limit) = at_stop(budget)?
-            {
-                return Ok(Settled::Known(Box::new(limit)));
-            }
-            continue;
-        };
+        let Body::Slide(slide, end) = &phase.body else { continue };
         let longer = longest.as_ref().is_none_or(|(_, length)| end.phi >= *length);
         let after = end.phase.since(begin);
         if longer || after < turn {
@@ -57,9 +39,21 @@ pub(crate) fn settle_in<F: Float>(
     }
     budget.spend(2);
     let here = Point { phase: begin, x: start.x, w: start.v * equation.omega };
-    let Some((slide, length)) = longest else { return Ok(Settled::Here(here, turn / equation.omega)) };
+    let Some((slide, length)) = longest else { return Ok((here, turn / equation.omega)) };
     let half = length / F::int(2);
-    Ok(Settled::Here(slide.point(half), half))
+    Ok((slide.point(half), half))
+}
+
+/// The middle of the rising half of a cycle with damping, and the natural time from there to the maximum displacement.
+pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
+    let two = F::int(2);
+    let half = rising.half.period / two;
+    let at = rising.at(half);
+    let [w, ..] = rising.velocity(&at);
+    let theta = rising.displacement_phase() - F::pi() / two;
+    let theta = if theta < F::int(0) { theta + two * F::pi() } else { theta };
+    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);
+    (Point { phase, x: rising.displacement(&at), w }, half)
 }
 
 /// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force. With

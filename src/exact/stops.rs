@@ -26,8 +26,10 @@ use super::stick::Stick;
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::float::{Float, Task};
 use crate::nonsticking::Border;
+use crate::nonsticking::damped::border;
 use crate::nonsticking::damped::border::turning_point;
 use crate::nonsticking::damped::half_period::HalfPeriod;
+use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::displacement::max_displacement;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 
@@ -46,7 +48,8 @@ pub(crate) struct Sticking<F> {
     /// G, by which the extremum a − G is less.
     shift: F,
     is_below: bool,
-    is_open: bool,
+    /// With damping, the rising half of the cycle without stops, from its border on.
+    rising: Option<Rising<F>>,
 }
 
 impl<F: Float> Sticking<F> {
@@ -64,19 +67,19 @@ impl<F: Float> Sticking<F> {
         // Where a is below 1/Ω² by more than rounding no border has to be searched for.
         let is_far = amplitude * omega.square() < F::ratio(15, 16) || !amplitude.is_finite();
         let is_below = is_far || alpha < Border::least_force_ratio(&p);
-        Self { equation, amplitude, shift: F::int(0), is_below, is_open: false }
+        Self { equation, amplitude, shift: F::int(0), is_below, rising: None }
     }
 
-    /// Beyond `Ω = √(1 − ζ²)/2` the turning point decides.
     #[cold]
     #[inline(never)]
     fn damped(equation: Equation<F>) -> Self {
         let half = HalfPeriod::new(equation.omega, equation.zeta());
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
-        let has_cycle = amplitude >= turning_point(&half);
-        let is_low =
-            F::int(4) * equation.omega.square() < (F::int(1) - half.free.zeta) * (F::int(1) + half.free.zeta);
-        Self { equation, amplitude, shift: half.shift, is_below: !has_cycle, is_open: has_cycle && is_low }
+        // Below the condition at the turning point no border has to be searched for.
+        let turns = amplitude >= turning_point(&half);
+        let rising = (turns && equation.alpha >= border(&half).min_force_ratio())
+            .then(|| Rising::of_force(half, equation.alpha));
+        Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
     }
 
     /// Whether it is known that the motion sticks, or reverses more than twice.
@@ -84,9 +87,9 @@ impl<F: Float> Sticking<F> {
         self.is_below
     }
 
-    /// Whether it may be so although that is not known here: with damping and at a low frequency, where the border takes a search.
-    pub(crate) const fn is_open(&self) -> bool {
-        self.is_open
+    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every start.
+    pub(crate) const fn rising(&self) -> Option<&Rising<F>> {
+        self.rising.as_ref()
     }
 
     /// The limit, where it has stops half a turn apart that are found.

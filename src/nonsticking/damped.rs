@@ -47,18 +47,13 @@ pub(crate) struct DampedCycle<F> {
 impl<F: Float> DampedCycle<F> {
     /// The cycle at ratios on or above the border.
     pub(crate) fn at(half: HalfPeriod<F>, alpha: F) -> Self {
-        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
-        // turning points, which near Ω = 1 is all that is left of the difference.
-        let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
-        let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
-        Self::of(Rising { half, amplitude, max_displacement })
+        Self::of(Rising::of_force(half, alpha))
     }
 
     /// The cycle of equations 21–25 whose half is given, stops or none.
     pub(crate) fn of(rising: Rising<F>) -> Self {
-        let Rising { half, amplitude, max_displacement } = rising;
-        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
-        let displacement_phase = reduce(half.phase_lag() + amplitude.atan2(half.h));
+        let Rising { half, max_displacement, .. } = rising;
+        let displacement_phase = rising.displacement_phase();
         let tau = fastest::fastest_time(&rising.vibration());
         let moment = rising.at(tau);
         let [velocity, ..] = rising.velocity(&moment);
@@ -126,6 +121,23 @@ impl<F: Float> DampedCycle<F> {
             velocity_phase: to(self.velocity_phase),
             deviation: to(self.deviation),
         }
+    }
+}
+
+impl<F: Float> Rising<F> {
+    /// At an α on or above the border.
+    pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
+        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
+        // turning points, which beside Ω = 1 is all that is left of the difference.
+        let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
+        let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
+        Self { half, amplitude, max_displacement }
+    }
+
+    /// ω_d t₂, in [0, 2π).
+    pub(crate) fn displacement_phase(&self) -> F {
+        // cos(ω_d t₂ − δ) = qH/α, sin(ω_d t₂ − δ) = qa/α
+        reduce(self.half.phase_lag() + self.amplitude.atan2(self.half.h))
     }
 }
 

@@ -54,6 +54,7 @@
 //! and none of six elsewhere, is searched: the exact motion from rest over the plane, see
 //! `docs/theory/six-reversals.md`.
 
+pub(crate) mod damped;
 mod edges;
 mod equations;
 mod linear;
@@ -65,7 +66,7 @@ use crate::float::{AtPrecision, Float};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 use equations::{Closing, Frequency, Unknowns};
-pub(crate) use range::{Within, within};
+pub(crate) use range::{EDGE_ERROR, Within, within};
 
 /// The least and the greatest force ratio of the six-reversal cycle at the frequency ratio of `p`; `None`
 /// where it does not exist.
@@ -109,20 +110,39 @@ fn is_between<F: Float>(omega: F, alpha: F) -> bool {
 pub struct SixReversals<F> {
     ratios: Ratios<F>,
     unknowns: Unknowns<F>,
+    /// With a damper.
+    damped: Option<damped::Problem<F>>,
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and
-    /// with damping or a static friction above the kinetic one, for which it is not known.
+    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with a static friction above the kinetic
+    /// one, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        if ratios.is_damped() || ratios.has_higher_static_friction() || !is_within(omega, alpha) {
+        if ratios.has_higher_static_friction() {
+            return None;
+        }
+        if ratios.is_damped() {
+            return Self::damped(ratios);
+        }
+        if !is_within(omega, alpha) {
             return None;
         }
         let frequency = Frequency::of(&PhaseFunction::of_valid(omega));
         let force = ratios.forced_amplitude() * omega.square();
         let start = followed(frequency, force)?;
-        newton::polished(&frequency, Closing::Force(force), start).map(|unknowns| Self { ratios, unknowns })
+        let solved = newton::polished(omega, start, |y| y.residuals(&frequency, Closing::Force(force)));
+        solved.map(|unknowns| Self { ratios, unknowns, damped: None })
+    }
+
+    fn damped(ratios: Ratios<F>) -> Option<Self> {
+        let (low, high) = damped::force_ratios(ratios.omega(), ratios.damping_ratio())?;
+        if ratios.alpha() < low || ratios.alpha() > high {
+            return None;
+        }
+        let problem = damped::Problem::new(ratios.omega(), ratios.damping_ratio());
+        let unknowns = damped::at_force(&problem, ratios.forced_amplitude() * ratios.omega().square())?;
+        Some(Self { ratios, unknowns, damped: Some(problem) })
     }
 
     /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are
@@ -137,7 +157,11 @@ impl<F: Float> SixReversals<F> {
 
     /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above 1, and 1 on an edge.
     pub fn forces(&self) -> [F; 3] {
-        self.unknowns.forces(self.ratios.omega()).map(F::abs)
+        let forces = match &self.damped {
+            Some(problem) => problem.forces(&self.unknowns),
+            None => self.unknowns.forces(self.ratios.omega()),
+        };
+        forces.map(F::abs)
     }
 
     /// Displacement `x/B` at the phase ω_d t, finite.
@@ -150,10 +174,11 @@ impl<F: Float> SixReversals<F> {
         self.at(phase).1
     }
 
-    /// π/2 + Ωφ₂.
+    /// π/2 + Ωφ₂, and the lag of the linear oscillator.
     fn second_phase(&self) -> F {
-        let y = &self.unknowns;
-        F::pi() / F::int(2) + (self.ratios.omega() * y.sine).atan2(y.cosine)
+        let (y, omega) = (&self.unknowns, self.ratios.omega());
+        let lag = self.damped.as_ref().map_or(F::int(0), damped::Problem::phase_lag);
+        lag + (F::pi() / F::int(2) + (omega * y.sine).atan2(y.cosine))
     }
 
     fn at(&self, phase: F) -> (F, F) {
@@ -163,6 +188,17 @@ impl<F: Float> SixReversals<F> {
         let half_turns = (since / F::pi()).floor();
         let flipped = half_turns != (half_turns / F::int(2)).floor() * F::int(2);
         let slow = since - half_turns * F::pi() - F::pi() / F::int(2);
+        let u = slow / omega;
+        let (x, w) = match &self.damped {
+            Some(problem) => problem.motion(y, u),
+            None => self.undamped_motion(slow),
+        };
+        if flipped { (-x, -w / omega) } else { (x, w / omega) }
+    }
+
+    /// x and its derivative by natural time, Ωu after the second reversal.
+    fn undamped_motion(&self, slow: F) -> (F, F) {
+        let (omega, y) = (self.ratios.omega(), &self.unknowns);
         let u = slow / omega;
         let (one, zero) = (F::int(1), F::int(0));
         let ((slow_sine, slow_cosine), (sine, cosine)) = (slow.sin_cos(), u.sin_cos());
@@ -179,8 +215,7 @@ impl<F: Float> SixReversals<F> {
                 friction = -friction;
             }
         }
-        let x = x - friction;
-        if flipped { (-x, -w / omega) } else { (x, w / omega) }
+        (x - friction, w)
     }
 }
 
@@ -198,7 +233,7 @@ fn followed<F: Float>(frequency: Frequency<F>, force: F) -> Option<Unknowns<F>> 
             let mut y = at_the_pole(omega, force)?;
             for step in 1..=STEPS {
                 let frequency = Frequency { omega, sin_beta, cos_beta: cos_beta * G::ratio(step, STEPS) };
-                y = newton::polished(&frequency, Closing::Force(force), y)?;
+                y = newton::polished(omega, y, |y| y.residuals(&frequency, Closing::Force(force)))?;
             }
             Some(y.map(back))
         }

@@ -1,32 +1,92 @@
-//! The regime with damping: by the border, and below it by the exact motion where that may never stop.
-//!
-//! Beside the poles Ω = 1/(2n+1) of the border without damping there is a motion of six reversals a cycle and
-//! no stop below the border (`crate::nonsticking::six_reversals`). A little damping leaves some of it: of 60
-//! force ratios below the border at each of 60 frequencies within 0.07 of 1/Ω = 3, 5, 7, 9 it was met at ζ =
-//! 0.0024 and below for 1/Ω = 3, at ζ = 0.001 and below for the others, within 0.034 of the pole, and at no
-//! damping ratio from 0.006 to 1.5. So it is asked for where ζ < 1/128 and 1/Ω is within 1/16 of 2n + 1.
+//! The regime below the border with damping: six reversals without a stop, or a stop in every cycle; and the verdict of a machine, whose
+//! ratios carry rounding.
 
-use crate::exact::{LongRun, State};
+use super::{Regime, Verdict};
+use crate::error::Error;
 use crate::float::Float;
+use crate::nonsticking::Border;
+use crate::nonsticking::six_reversals::{EDGE_ERROR, Within, damped};
 use crate::ratios::Ratios;
 
-/// Whether the exact motion below the border never stops: `Some(false)` where it was not asked, `None` where
-/// it does not settle.
-pub(crate) fn never_stops<F: Float>(ratios: Ratios<F>) -> Option<bool> {
-    let (one, two) = (F::int(1), F::int(2));
-    let half_turns = one / ratios.omega();
-    let odd = two * ((half_turns - one) / two).round() + one;
-    let beside_pole = odd > one && (half_turns - odd).abs() * F::int(16) < one;
-    if !beside_pole || ratios.damping_ratio() * F::int(128) >= one {
-        return Some(false);
+/// Whether the body reverses six times a cycle at ratios below the border; some where α is next to an edge.
+pub(crate) fn within<F: Float>(ratios: Ratios<F>) -> Within {
+    within_edges(edges(&ratios), ratios.alpha())
+}
+
+/// The least and the greatest force ratio of six reversals.
+fn edges<F: Float>(ratios: &Ratios<F>) -> Option<(F, F)> {
+    damped::force_ratios(ratios.omega(), ratios.damping_ratio())
+}
+
+fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
+    let (one, error) = (F::int(1), F::int(EDGE_ERROR) * F::epsilon());
+    let Some((low, high)) = edges else { return Within::None };
+    if alpha > low * (one + error) && alpha < high * (one - error) {
+        Within::All
+    } else if alpha < low * (one - error) || alpha > high * (one + error) {
+        Within::None
+    } else {
+        Within::Some
     }
-    let limit = LongRun::from_start(ratios, State::rest()).ok()?;
-    limit.steady_state().map(|steady| steady.sticks_per_cycle() == 0)
+}
+
+/// The same by the edges as rounded, which belong to what slides.
+pub(crate) fn reverses_six_times<F: Float>(ratios: Ratios<F>) -> bool {
+    edges(&ratios).is_some_and(|(low, high)| low <= ratios.alpha() && ratios.alpha() <= high)
+}
+
+/// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α, four of ζ. `error` is the border's own
+/// relative error bound.
+///
+/// Over so small a box the border is monotone in Ω and ζ but next to a peak that is as narrow, and its ends, the middle and points between
+/// tell its range. Where they differ by more than an eighth of it, such a peak may be inside: then the verdict is undecided. That is seen, not proved.
+///
+/// # Errors
+/// Where a ratio leaves its domain.
+pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Verdict<F>, Error> {
+    let (one, alpha) = (F::int(1), ratios.alpha());
+    let off = |units: i32| one + F::int(units) * F::epsilon();
+    let (weakest, strongest) = (alpha * off(-2), alpha * off(2));
+    if strongest <= one {
+        return Ok(Verdict::AtRest);
+    }
+    let mut points = Vec::with_capacity(15);
+    for across in [0, -2, -1, 1, 2] {
+        for along in [0, -4, 4] {
+            let at = Ratios::new(ratios.omega() * off(across), alpha)?;
+            points.push(at.with_damping_ratio(ratios.damping_ratio() * off(along))?);
+        }
+    }
+    let borders = points.iter().map(|at| Border::of(at).min_force_ratio());
+    let range = |(least, greatest): (F, F), b: F| (if b < least { b } else { least }, greatest.or_larger(b));
+    let middle = Border::of(&ratios).min_force_ratio();
+    let (least, greatest) = borders.fold((middle, middle), range);
+    let is_wide = (greatest - least) * F::int(8) > greatest;
+    let is_below = !is_wide && strongest < least * (one - error);
+    if weakest <= one {
+        let above = if is_below { Regime::Sticking } else { Regime::NonSticking };
+        return Ok(Verdict::Undecided(Regime::Stuck, above));
+    }
+    if is_below {
+        let mut found = points.iter().flat_map(|at| {
+            let edges = edges(at);
+            [weakest, strongest].map(|alpha| within_edges(edges, alpha))
+        });
+        let first = found.next().unwrap_or(Within::Some);
+        return Ok(match if found.all(|other| other == first) { first } else { Within::Some } {
+            Within::All => Verdict::SixReversals,
+            Within::None => Verdict::Sticking,
+            Within::Some => Verdict::Undecided(Regime::Sticking, Regime::NonSticking),
+        });
+    }
+    if !is_wide && weakest > greatest * (one + error) {
+        return Ok(Verdict::NonSticking);
+    }
+    Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::never_stops;
     use crate::exact::{LongRun, State};
     use crate::{Border, Place, Ratios, Regime, Response, Verdict};
 
@@ -51,7 +111,5 @@ mod tests {
             assert_eq!(Place::new(ratios).verdict(), verdict, "{zeta}");
             assert_eq!(crate::regime::observed(ratios, &limit).regime, regime, "{zeta}");
         }
-        let ratios = Ratios::new(0.4, 3.0).unwrap().with_damping_ratio(1e-5).unwrap();
-        assert_eq!(never_stops(ratios), Some(false));
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::error::Error;
 use crate::float::{AtPrecision, Float};
-use crate::nonsticking::{Border, six_reversals};
+use crate::nonsticking::Border;
+use crate::nonsticking::six_reversals::{self, damped};
 use crate::phase_function::PhaseFunction;
+use crate::ratios::Ratios;
 
 /// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a
 /// cycle: see [`no_stop_force_ratios`].
@@ -47,31 +49,47 @@ impl<F: Float> NoStop<F> {
     }
 }
 
-/// The force ratios with which the body never stops at Ω, as intervals with their ends.
+/// The force ratios with which a body of the damping ratio ζ never stops at Ω, as intervals with their ends.
 ///
 /// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of
-/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 the motion from the border on is
-/// unbounded, and does not stop either.
+/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping the motion from the border on is
+/// unbounded, and does not stop either. A little damping leaves some of the intervals below the border, and from
+/// ζ = 0.0215/(2n+1) on none.
 ///
 /// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other α > 1; no motion of
 /// ten reversals or more without a stop was found, nor one of six elsewhere (`docs/theory/six-reversals.md`).
 ///
 /// ```
 /// use stickslip::regime::no_stop_force_ratios;
-/// let found = no_stop_force_ratios(0.331f64)?;
+/// let found = no_stop_force_ratios(0.331f64, 0.0)?;
 /// let (low, high) = found.six_reversals().unwrap();
 /// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);
 /// assert!((found.border() - 179.87627993590212).abs() < 1e-11);
-/// assert_eq!(no_stop_force_ratios(0.4f64)?.intervals().count(), 1);
+/// assert_eq!(no_stop_force_ratios(0.4f64, 0.0)?.intervals().count(), 1);
+/// let (low, high) = no_stop_force_ratios(0.331f64, 0.001)?.six_reversals().unwrap();
+/// assert!((low - 56.24322231107378).abs() < 1e-11 && (high - 147.55834811749975).abs() < 1e-10);
+/// assert_eq!(no_stop_force_ratios(0.331f64, 0.01)?.intervals().count(), 1);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; with the guard bits that
+/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; without damping with the guard bits that
 /// the type has.
 ///
 /// # Errors
-/// Where Ω is outside the domain of [`crate::Ratios`].
-pub fn no_stop_force_ratios<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
+/// Where Ω or ζ is outside the domain of [`crate::Ratios`].
+pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoStop<F>, Error> {
+    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
+    if ratios.is_damped() {
+        return Ok(NoStop {
+            six_reversals: damped::force_ratios(omega, damping_ratio),
+            border: Border::of(&ratios).min_force_ratio(),
+        });
+    }
+    without_damping(omega)
+}
+
+/// The same at ζ = 0.
+fn without_damping<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
     struct Task<F>(F);
 
     impl<F: Float> AtPrecision<F> for Task<F> {
@@ -89,6 +107,11 @@ pub fn no_stop_force_ratios<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
     F::guarded(Task(omega))
 }
 
+/// The force ratios without a stop at the Ω and the ζ of ratios whose static friction is the kinetic one.
+pub(crate) fn no_stop_of<F: Float>(ratios: &Ratios<F>) -> Result<NoStop<F>, Error> {
+    no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
+}
+
 #[cfg(test)]
 mod tests {
     use super::no_stop_force_ratios;
@@ -96,7 +119,7 @@ mod tests {
     #[test]
     fn away_from_the_poles_it_is_the_border_alone() {
         for omega in [0.01f64, 0.22, 0.3, 0.336, 0.3295, 0.4, 0.5, 0.7, 1.0, 3.0] {
-            let found = no_stop_force_ratios(omega).unwrap();
+            let found = no_stop_force_ratios(omega, 0.0).unwrap();
             let intervals: Vec<_> = found.intervals().collect();
             assert_eq!(intervals, [(found.border(), None)], "{omega}");
             assert_eq!(found.least(), found.border());
@@ -110,7 +133,7 @@ mod tests {
                 if n == 1 && off == -0.019 {
                     continue;
                 }
-                let found = no_stop_force_ratios(1.0 / (f64::from(2 * n + 1) + off)).unwrap();
+                let found = no_stop_force_ratios(1.0 / (f64::from(2 * n + 1) + off), 0.0).unwrap();
                 let (low, high) = found.six_reversals().unwrap();
                 assert!(low < high && high < found.border() && found.least() == low, "{n} {off}: {found:?}");
             }

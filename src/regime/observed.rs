@@ -1,6 +1,6 @@
 //! The regime that the exact motion shows, one with that of the closed forms.
 
-use super::{NoStop, Regime, no_stop_force_ratios, regime_by_border, regime_of};
+use super::{NoStop, Regime, no_stop_of, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -35,8 +35,7 @@ pub struct Observed {
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
-    let expected =
-        if ratios.is_damped() { regime_by_border(ratios, &border) } else { regime_of(ratios, &border) };
+    let expected = regime_of(ratios, &border);
     let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
@@ -89,9 +88,6 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     if close(border.min_force_ratio(), touching) {
         return true;
     }
-    if ratios.is_damped() {
-        return false;
-    }
-    let six = no_stop_force_ratios(omega).ok().as_ref().and_then(NoStop::six_reversals);
+    let six = no_stop_of(&ratios).ok().as_ref().and_then(NoStop::six_reversals);
     six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
 }

@@ -1,6 +1,6 @@
 //! How often the body stops in a cycle, by the exact motion.
 
-use super::{NoStop, no_stop_force_ratios, observed};
+use super::{no_stop_of, observed};
 use crate::error::{Error, written};
 use crate::exact::{LongRun, State};
 use crate::float::Float;
@@ -51,9 +51,8 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
         let alpha = ratios.alpha();
         let away = |x: &F| (*x - alpha).abs();
         let border = Border::of(&ratios).min_force_ratio();
-        let edges = if ratios.is_damped() { None } else { Some(no_stop_force_ratios(ratios.omega())?) };
-        let all =
-            edges.iter().flat_map(NoStop::intervals).flat_map(|(low, high)| [Some(low), high]).flatten();
+        let edges = no_stop_of(&ratios)?;
+        let all = edges.intervals().flat_map(|(low, high)| [Some(low), high]).flatten();
         let nearest = all.fold(border, |best, x| if away(&x) < away(&best) { x } else { best });
         let (alpha, omega) = (written(alpha), written(ratios.omega()));
         return Err(Error::Undecided { alpha, least: written(nearest), omega });

@@ -110,7 +110,7 @@ impl<F: Float> MachineBox<F> {
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`crate::Ratios`]; [`Error::Damped`] with a damper, for which nothing is known over a box
-    /// but by `MachineBox::enclosed`.
+    /// but by `MachineBox::enclosed` and `MachineBox::enclosed_verdict`.
     pub fn ratios(&self) -> Result<RatioBox<F>, Error> {
         if self.is_damped() {
             let (body, _) = self.at([F::int(1); 6])?;

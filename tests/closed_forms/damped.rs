@@ -349,14 +349,47 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
     assert!(inner > 100, "{inner}");
 }
 
+/// The verdict of a machine with a damper is that of its ratios but within rounding of an edge, where it is undecided.
 #[test]
-fn what_does_not_know_damping_refuses_it() {
-    let is_refused = |e: Error| assert!(matches!(e, Error::Damped { .. }), "{e}");
-    let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(0.05).unwrap();
-    let drive = Drive::force(3.0, 0.7).unwrap();
-    is_refused(Place::of(&body, &drive).map(|_| ()).unwrap_err());
-    is_refused(design::forces_without_stop(&body, 0.7).map(|_| ()).unwrap_err());
-    is_refused(design::frequency_bands_without_stop(&body, &drive, 0.5, 2.0).map(|_| ()).unwrap_err());
+fn a_machine_with_a_damper_has_a_place() {
+    let mut random = Random(17);
+    for i in 0..400 {
+        let (omega, zeta) = match i % 4 {
+            0 => (1.0 / random.between(2.97, 3.03), random.scale(1e-6, 3e-3)),
+            _ => plane(&mut random),
+        };
+        let omega = omega.clamp(0.01, 100.0);
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(zeta).unwrap();
+        let found = design::forces_without_stop(&body, 2.0 * omega).unwrap();
+        let ends: Vec<_> = found.intervals().flat_map(|(low, high)| [Some(low), high]).flatten().collect();
+        for end in ends {
+            let place = |by: f64| Place::of(&body, &Drive::force(end * by, 2.0 * omega).unwrap()).unwrap();
+            let of_ratios = |by: f64| {
+                let ratios = Drive::force(end * by, 2.0 * omega).unwrap().ratios(&body).unwrap();
+                Place::new(ratios).verdict()
+            };
+            if end > 3.0 * (1.0 + 1e-12) {
+                assert_eq!(place(1.0).verdict().regime(), None, "{omega} {zeta} {end}");
+            }
+            for by in [1.0 - 1e-9, 1.0 + 1e-9, 0.9, 1.1] {
+                let (of_machine, of_ratios) = (place(by).verdict(), of_ratios(by));
+                // Beside a peak of the border its rounding is that of the distance.
+                let is_hidden = of_machine.regime().is_none() && (by - 1.0).abs() < 1e-8;
+                assert!(of_machine == of_ratios || is_hidden, "{omega} {zeta} {end} {by}: {of_machine:?}");
+            }
+        }
+    }
+    // A peak narrower than the rounding of the frequency: nothing is said.
+    let light = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(1e-17).unwrap();
+    let force = |p| Place::of(&light, &Drive::force(p, 1.0 / 3.0).unwrap()).unwrap().verdict();
+    assert_eq!(force(1e17).regime(), None);
+    assert_eq!(force(1e5), stickslip::Verdict::SixReversals);
+    // A box of machines with a damper is left to balls.
+    let boxed = stickslip::uncertainty::Interval::exactly;
+    let machines =
+        stickslip::uncertainty::MachineBox::force(boxed(1.0), boxed(1.0), boxed(1.0), boxed(3.0), boxed(0.7));
+    let damped = machines.unwrap().with_damping(boxed(0.1)).unwrap();
+    assert!(matches!(damped.verdict(), Err(Error::Damped { .. })));
 }
 
 #[test]

@@ -140,16 +140,35 @@ fn with_a_damper() {
     };
     let k = number(&stiff["stiffness"]);
     assert!(energy(k) >= energy(k * 1.001) && energy(k) >= energy(k * 0.999), "{stiff}");
-    for (arguments, says) in [
-        ("force --no-stop --omega 0.7", "this calculation does not include viscous damping"),
-        ("bands --no-stop --alpha 12 --from 0.1 --to 2", "this calculation does not include viscous damping"),
-        (
-            "stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 900",
-            "give the damping constant",
-        ),
-    ] {
-        refused(&format!("design {arguments} --damping-ratio 0.05"), &[says, "--damping-ratio"]);
-    }
+    let arguments = "stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 900";
+    let says = &["give the damping constant", "--damping-ratio"];
+    refused(&format!("design {arguments} --damping-ratio 0.05"), says);
+}
+
+/// Forces and bands without a stop with a damper: six reversals a cycle with a little of it, and none with more.
+#[test]
+fn without_a_stop_with_a_damper() {
+    let ends = |answer: &Value| answer["no_stop_force_ratios"].as_array().unwrap().len();
+    let some = json("border --omega 0.331 --damping-ratio 0.001 --no-stop");
+    let found = &some["no_stop_force_ratios"];
+    assert!((number(&found[0][0]) - 56.24322231107378).abs() < 1e-10, "{some}");
+    assert!((number(&found[0][1]) - 147.55834811749975).abs() < 1e-9, "{some}");
+    assert_eq!((ends(&some), &found[1][0]), (2, &some["min_force_ratio"]));
+    let force = json("design force --omega 0.331 --damping-ratio 0.001 --no-stop");
+    assert_eq!((&force["no_stop_force_ratios"], &force["force_ratio"]), (found, &found[0][0]));
+    assert_eq!(ends(&json("design force --omega 0.331 --damping-ratio 0.05 --no-stop")), 1);
+    let reversals = |arguments: &str| -> Vec<u64> {
+        let bands = json(&format!("design bands {arguments} --no-stop"));
+        bands.as_array().unwrap().iter().filter_map(|band| band["reversals_per_cycle"].as_u64()).collect()
+    };
+    assert_eq!(reversals("--alpha 80 --from 0.32 --to 0.36 --damping-ratio 0.002"), [2, 6, 2]);
+    assert_eq!(reversals("--alpha 80 --from 0.32 --to 0.36 --damping-ratio 0.01"), [2, 2]);
+    let machine = "--mass 2 --stiffness 8 --friction 3 --damping-ratio 0.001";
+    let newtons = json(&format!("design force {machine} --frequency 0.662 --no-stop"));
+    let least = number(&newtons["no_stop_forces"][0][0]);
+    assert!((least / (3.0 * 56.24322231107378) - 1.0).abs() < 1e-11, "{newtons}");
+    let text = stdout("border --omega 0.331 --damping-ratio 0.001 --no-stop");
+    assert!(text.contains("where it reverses six times a cycle"), "{text}");
 }
 
 #[test]

@@ -28,7 +28,7 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     assert!(omega < 0.5 || least == by_turning_point, "eq. 61 is exact for Ω ≥ 1/2");
     assert!(border.phase() >= 0.0 && border.phase() <= std::f64::consts::PI);
     assert!(border.least_displacement() >= 1.0 / (omega * omega));
-    let no_stop = no_stop_force_ratios(omega).unwrap();
+    let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
     let is_without_stop =
         no_stop.intervals().any(|(low, high)| low <= alpha && high.is_none_or(|high| alpha <= high));
     match answer.regime() {
@@ -129,7 +129,7 @@ fn place(ratios: Ratios<f64>, regime: Regime) {
 
 /// Whether α is within rounding of an edge of six reversals.
 fn is_at_an_edge(ratios: Ratios<f64>) -> bool {
-    let no_stop = no_stop_force_ratios(ratios.omega()).unwrap();
+    let no_stop = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap();
     let close = |edge: f64| (ratios.alpha() / edge - 1.0).abs() < 1e-12;
     no_stop.six_reversals().is_some_and(|(low, high)| close(low) || close(high))
 }

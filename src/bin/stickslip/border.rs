@@ -25,17 +25,13 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.
 type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
-/// The forces without any stop; nothing is known of them with damping or a static friction above the kinetic
-/// one.
+/// The forces without any stop; nothing is known of them with a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
-    if ratios.is_damped() {
-        return Err(Error::Damped { damping_ratio: ratios.damping_ratio().into() });
-    }
     if ratios.has_higher_static_friction() {
         let static_friction_ratio = ratios.static_friction_ratio().into();
         return Err(Error::StaticFriction { static_friction_ratio });
     }
-    no_stop_force_ratios(ratios.omega())
+    no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
 }
 
 /// The answer at a point, with the forces without a stop where they were asked for, and its record.

@@ -56,7 +56,7 @@ impl<F: Field> State<F> {
 
 impl<F: Field> Free<F> {
     /// The same in another number type.
-    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
+    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
         Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }
     }
 

@@ -2,7 +2,7 @@
 
 use super::free::Free;
 use crate::float::{Field, Float, Real};
-use crate::phase_function::{PhaseFunction, one_minus_square};
+use crate::phase_function::{PhaseFunction, one_minus_square, turned};
 
 /// Over the half period `T = π/Ω` of natural time, with `d = √(1 − ζ²)`:
 ///
@@ -126,18 +126,17 @@ fn waves_at_half<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) {
         let waves = free.waves(half);
         return (waves.cosine, waves.sine);
     }
+    let (s, c) = half_angle(free, omega, half);
+    let decay = (-(free.zeta * half)).exp();
+    (decay * c, decay * s / free.frequency)
+}
+
+/// `(sin, cos)` of dT/2 for ζ < 1; `half` is T/2.
+pub(crate) fn half_angle<F: Float>(free: &Free<F>, omega: F, half: F) -> (F, F) {
     // dT/2 = π/2Ω − (1 − d) T/2, 1 − d = ζ²/(1 + d); the first is q π/2 + w with w to full relative accuracy.
     let p = PhaseFunction::of_valid(omega);
     let less = free.zeta.square() / (F::int(1) + free.frequency) * half;
-    let (s, c) = (p.remainder() - less).sin_cos();
-    let (s, c) = match p.quarter() {
-        0 => (s, c),
-        1 => (c, -s),
-        2 => (-s, -c),
-        _ => (-c, s),
-    };
-    let decay = (-(free.zeta * half)).exp();
-    (decay * c, decay * s / free.frequency)
+    turned(p.quarter(), (p.remainder() - less).sin_cos())
 }
 
 /// `e^{−ζT} [sinh ζT − (ζ/d) sin dT]/2`, given `e^{−ζT}` and `e^{−ζT} sin(dT/2) cos(dT/2)/d`.

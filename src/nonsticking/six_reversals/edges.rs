@@ -47,7 +47,7 @@ pub(super) fn edges<F: Float>(p: &PhaseFunction<F>) -> Option<Edges<F>> {
                 (start.sine * scale, start.cosine * scale, start.swing * scale);
         }
         let start_ratio = start.force_ratio(frequency.omega);
-        polished(&frequency, edge.closing(), start)
+        polished(frequency.omega, start, |y| y.residuals(&frequency, edge.closing()))
             .map(|found| found.force_ratio(frequency.omega))
             // Where the two edges meet neither is sharp: within rounding of that the start is as good.
             .unwrap_or(start_ratio)

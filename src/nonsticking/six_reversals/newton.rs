@@ -1,6 +1,6 @@
 //! Newton's method on the matching problem of six reversals.
 
-use super::equations::{Closing, Frequency, Unknowns};
+use super::equations::Unknowns;
 use super::linear::solve;
 use crate::float::Float;
 
@@ -8,23 +8,24 @@ use crate::float::Float;
 ///
 /// Each step doubles the good digits. The steps are judged by what they change of c and s, which make α:
 /// beside a pole the upper edge has a short arc, which is known to fewer digits and counts for as much less
-/// in α.
+/// in α. `residuals` gives left less right sides of the five equations, and their derivatives.
+#[inline]
 pub(super) fn polished<F: Float>(
-    frequency: &Frequency<F>,
-    closing: Closing<F>,
+    omega: F,
     start: Unknowns<F>,
+    residuals: impl Fn(&Unknowns<F>) -> ([F; 5], [[F; 5]; 5]),
 ) -> Option<Unknowns<F>> {
     let mut y = start;
     let mut last = None;
     for _ in 0..F::PRECISION.ilog2() + 16 {
-        let (residuals, rows) = y.residuals(frequency, closing);
-        let step = solve(rows, residuals)?;
+        let (values, rows) = residuals(&y);
+        let step = solve(rows, values)?;
         let next = y.to_array().into_iter().zip(step).map(|(x, d)| x - d);
         let mut moved = y.to_array();
         moved.iter_mut().zip(next).for_each(|(x, new)| *x = new);
         let after = Unknowns::of_array(moved);
         let size = (after.sine - y.sine).hypot(after.cosine - y.cosine) / after.cosine.abs();
-        let limit = frequency.omega + F::int(3);
+        let limit = omega + F::int(3);
         let inside = |x: F| x > F::int(0) && x < limit;
         if !(inside(after.before) && inside(after.after) && after.cosine > F::int(0)) {
             return None;

@@ -58,7 +58,7 @@ fn between<F: Float>(left: &Edges<F>, right: &Edges<F>, alpha: (F, F), is_one_si
 }
 
 /// Relative error bound of the edges, in units of [`Float::epsilon`].
-const EDGE_ERROR: i32 = 64;
+pub(crate) const EDGE_ERROR: i32 = 64;
 
 /// Whether 1/Ω comes within reach of an odd integer, 3 or more: 0.0213 below and 0.0375 above it.
 fn meets_a_pole<F: Float>((low, high): (F, F)) -> bool {

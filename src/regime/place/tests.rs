@@ -51,7 +51,7 @@ fn undecided_within_the_error_bound_only() {
 
 #[test]
 fn beside_a_pole_it_may_reverse_six_times() {
-    let (low, high) = crate::regime::no_stop_force_ratios(0.331).unwrap().six_reversals().unwrap();
+    let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals().unwrap();
     for (alpha, expected) in [
         (low * 0.999, Verdict::Sticking),
         (low * (1.0 - 1e-15), EITHER),

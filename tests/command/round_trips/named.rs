@@ -129,7 +129,8 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 /// within a billionth of a border, where a stop may be smaller than the rounding of the motion, by the
 /// borders.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
-    let (alpha, without_stop) = (ratios.alpha(), no_stop_force_ratios(ratios.omega()).unwrap());
+    let (alpha, without_stop) =
+        (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
     let six = without_stop.six_reversals();
     let due = if alpha >= without_stop.border() && ratios.omega() == 1.0 {
         (Regime::Unbounded, None)

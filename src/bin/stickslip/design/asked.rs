@@ -109,15 +109,10 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.get(P::DampingRatio).unwrap_or(F::int(0))
     }
 
-    /// Refuses a damping ratio and a static friction above the kinetic one, where it is not known what they
-    /// do.
-    pub(super) fn undamped(&self) -> Result<(), Failure> {
+    /// Refuses a static friction above the kinetic one, where it is not known what it does.
+    pub(super) fn one_friction(&self) -> Result<(), Failure> {
         if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
             return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));
-        }
-        let zeta = self.damping_ratio();
-        if zeta > F::int(0) {
-            return Err(self.fail(Error::Damped { damping_ratio: zeta.into() }));
         }
         Ok(())
     }

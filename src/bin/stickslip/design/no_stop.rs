@@ -17,9 +17,10 @@ impl<F: Value> Asked<'_, F> {
             let fields = force_and_base_motions(&body, frequency, forces.least());
             (forces, self.system().force(), fields)
         } else {
-            self.undamped()?;
+            self.one_friction()?;
             let omega = self.omega()?;
-            let ratios = no_stop_force_ratios(omega).map_err(|e| self.fail(e))?;
+            let found = no_stop_force_ratios(omega, self.damping_ratio());
+            let ratios = found.map_err(|e| self.fail(e))?;
             let fields =
                 vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(ratios.least()))];
             (ratios, "r_y", fields)
@@ -44,8 +45,10 @@ impl<F: Value> Asked<'_, F> {
             let found = design::frequency_bands_without_stop(&body, &drive, low, high);
             (found, ["frequency_from", "frequency_to"])
         } else {
-            self.undamped()?;
-            (design::bands_without_stop(self.alpha()?, low, high), ["omega_from", "omega_to"])
+            self.one_friction()?;
+            let (alpha, zeta) = (self.alpha()?, self.damping_ratio());
+            let found = design::bands_without_stop(alpha, zeta, low, high);
+            (found, ["omega_from", "omega_to"])
         };
         let edge = |edge: Edge| if edge == Edge::Range { "end-of-range" } else { "border" };
         let rows: Vec<_> = found

@@ -32,7 +32,11 @@ pub(super) fn needed_force<F: Value>(
         writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
     let ratios = response.ratios();
-    let no_stop = (!ratios.is_damped()).then(|| no_stop_force_ratios(ratios.omega()).ok()).flatten();
+    let no_stop = if ratios.has_higher_static_friction() {
+        None
+    } else {
+        no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).ok()
+    };
     match no_stop.as_ref().and_then(NoStop::six_reversals) {
         None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio()))?,
         Some((low, high)) => {

@@ -1,0 +1,82 @@
+//! The cycle of six reversals with a damper: what a little viscous damping leaves of it.
+//!
+//! # The matching problem
+//!
+//! Free vibration is `e^{Au}`, `A = [[0, 1], [−1, −2ζ]]`, with the waves C, S, D of [`Wave`]. With the reversals
+//! σ = (1, −1, 1) at −a, 0, b and the free vibration g at the second of them, displacement with friction's part
+//! and velocity are
+//!
+//! ```text
+//! z(u) = forced wave + e^{Au} g + Σ σ_j sgn(u_j − u) e^{A(u − u_j)} (1, 0)ᵀ.
+//! ```
+//!
+//! It is antisymmetric, z(u + T) = −z(u), where g is what the reversals feed:
+//!
+//! ```text
+//! cosh(AT/2) g = sinh(AT/2) w,     w = Σ σ_j e^{−Au_j} (1, 0)ᵀ = (C(a) + C(−b) − 1, −S(a) − S(−b)).
+//! ```
+//!
+//! `J = (A + ζ)/d` has J² = −1, so that with β = dT/2 and t = tanh(ζT/2) this is
+//!
+//! ```text
+//! (cos β − t sin β J) g + (t cos β − sin β J) w = 0,
+//! ```
+//!
+//! smooth where cos β and t vanish. The velocity is zero at the reversals: with s and c as without damping,
+//! `κ(u) = (cos Ωu − D(u))/S(u)` and `μ(u) = sin Ωu/(ΩS(u))`,
+//!
+//! ```text
+//! g₂ = s − S(a) + S(−b),
+//! cμ(−a) + g₁ + sκ(−a) = 1 + C(a) − C(−b),      −cμ(b) − g₁ − sκ(b) = 1 + C(−b) − C(a).
+//! ```
+//!
+//! At ζ = 0 they are the equations of [`super`]. Damping takes the pole away, and with it the endless force ratios there:
+//! the cycle exists where both cot β and t are small.
+//!
+//! # What is proved and what is searched
+//!
+//! As without damping, and with it without an exception: a cycle that is found is the limit of every start. That there is no other
+//! motion without a stop below the border is searched, against the exact motion (`docs/theory/six-reversals.md`).
+
+mod edges;
+mod equations;
+
+use super::equations::{Closing, Unknowns};
+use super::{at_the_pole, newton};
+use crate::float::{AtPrecision, Float};
+pub(crate) use edges::force_ratios;
+pub(super) use equations::Problem;
+
+/// The cycle at an Ω < 1/2 and a ζ > 0 with the force as `αΩ²/q`, if the equations have a solution that belongs to the pole.
+pub(super) fn at_force<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
+    let start = followed(problem, force)?;
+    solved(problem, Closing::Force(force), start)
+}
+
+/// A solution from a start that is close to it.
+fn solved<F: Float>(problem: &Problem<F>, closing: Closing<F>, start: Unknowns<F>) -> Option<Unknowns<F>> {
+    newton::polished(problem.omega, start, |y| problem.residuals(y, closing))
+}
+
+/// The solution for a force followed from the pole without damping, where it is a closed form, in steps of ζ and of the distance.
+fn followed<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
+    struct Task<'a, F>(&'a Problem<F>, F);
+
+    impl<F: Float> AtPrecision<F> for Task<'_, F> {
+        type Output = Option<Unknowns<F>>;
+
+        fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Option<Unknowns<F>> {
+            let (problem, force) = (self.0.map(&there), there(self.1));
+            let mut y = at_the_pole(problem.omega, force)?;
+            for step in 1..=STEPS {
+                y = solved(&problem.towards_the_pole(G::ratio(step, STEPS)), Closing::Force(force), y)?;
+            }
+            Some(y.map(back))
+        }
+    }
+
+    F::narrowed(Task(problem, force))
+}
+
+/// Steps from the pole.
+const STEPS: i32 = 16;
