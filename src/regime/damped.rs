@@ -62,7 +62,9 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
     let middle = Border::of(&ratios).min_force_ratio();
     let (least, greatest) = borders.fold((middle, middle), range);
     let is_wide = (greatest - least) * F::int(8) > greatest;
-    let is_below = !is_wide && strongest < least * (one - error);
+    // Such a peak is a maximum: what is far below all else is below it, too.
+    let below = if is_wide { least / F::int(2) } else { least * (one - error) };
+    let is_below = strongest < below;
     if weakest <= one {
         let above = if is_below { Regime::Sticking } else { Regime::NonSticking };
         return Ok(Verdict::Undecided(Regime::Stuck, above));
