@@ -4,7 +4,7 @@
 //! `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
 //! relative error of the maximum displacement.
 
-use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverState, OdeSolverStopReason};
+use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
 use std::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::time::Instant;
