@@ -90,7 +90,7 @@ impl<F: Float> Default for PeriodicMotions<F> {
 /// let starts = [(0.0, 0.0), (3.0, 0.0), (-5.0, 2.0)].map(|(x, v)| State::new(0.0, x, v));
 /// let starts: Vec<_> = starts.into_iter().collect::<Result<_, _>>()?;
 /// let all = periodic_motions(ratios, &starts, 1)?;
-/// assert!(all.iter().any(|motion| motion.steady_state().is_stable()));
+/// assert!(all.iter().any(|motion| motion.steady_state.is_stable()));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///

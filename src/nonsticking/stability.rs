@@ -142,8 +142,10 @@ impl<F: Float> Multipliers<F> {
             MultiplierPair::Complex { re: mean, im: spread }
         } else {
             let larger = mean + spread.with_sign_of(mean);
-            let product = (one - inverse) / (one + inverse);
-            MultiplierPair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+            // On the border g may round to less than 1, and at the double root the product to more than λ².
+            let product = (one - inverse).or_larger(F::int(0)) / (one + inverse);
+            let smaller = if product < larger.square() { product / larger } else { larger };
+            MultiplierPair::Real(larger, smaller)
         };
         Self { half_cycle }
     }
@@ -153,8 +155,8 @@ impl<F: Float> Multipliers<F> {
         Self { half_cycle }
     }
 
-    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the one with im > 0
-    /// first; of two real ones the one of larger modulus is first.
+    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the one
+    /// with im > 0 first; of two real ones the one of larger modulus is first.
     #[must_use]
     pub fn half_cycle(&self) -> [(F, F); 2] {
         self.half_cycle.parts()

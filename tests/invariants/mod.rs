@@ -185,6 +185,8 @@ fn cycle(cycle: &Cycle<f64>, phase: f64) {
     let multipliers = cycle.multipliers();
     let modulus = |[first, second]: [(f64, f64); 2]| first.0.hypot(first.1).max(second.0.hypot(second.1));
     assert!(modulus(multipliers.cycle()) <= 1.0 + 4e-15, "{multipliers:?}");
+    let [first, second] = multipliers.half_cycle();
+    assert!(first.0.hypot(first.1) >= second.0.hypot(second.1), "{multipliers:?}");
     assert!((modulus(multipliers.half_cycle()) - cycle.contraction()).abs() <= 1e-7, "{multipliers:?}");
     assert!(cycle.loop_size_stiffness() >= 0.0 && cycle.loop_size_inertia() >= 0.0);
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));

@@ -63,6 +63,23 @@ fn a_disturbance_that_is_gone_at_once() {
     assert_eq!(m.cycles_to_settle(1e-12), Some(1));
 }
 
+/// Where the roots nearly coincide, on the border and beside Ω = 2, rounding of their product is larger than they are.
+#[test]
+fn at_a_double_root_the_larger_is_first() {
+    let mut real = 0;
+    for i in 0..2000 {
+        let omega = if i == 0 { 1.9999999995343387f64 } else { 2.0 - f64::from(i) * 3.7e-12 };
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        let alpha = if i == 0 { 1.6770509830428322 } else { least * (1.0 + f64::from(i % 4) * f64::EPSILON) };
+        let Ok(cycle) = Cycle::new(Ratios::new(omega, alpha).unwrap()) else { continue };
+        let [first, second] = cycle.multipliers().half_cycle();
+        assert!(first.0.hypot(first.1) >= second.0.hypot(second.1), "{first:?} {second:?} at {omega}");
+        assert!((first.0.hypot(first.1) - cycle.contraction()).abs() < 1e-7, "{first:?} at {omega}");
+        real += u32::from(first.1 == 0.0);
+    }
+    assert!(real > 100, "{real}");
+}
+
 #[test]
 fn cycles_to_settle() {
     let m = multipliers(0.7, 2.0);
