@@ -2,7 +2,7 @@
 //!
 //! # The matching problem
 //!
-//! Free vibration is `e^{Au}`, `A = [[0, 1], [−1, −2ζ]]`, with the waves C, S, D of [`Wave`]. With the reversals
+//! Free vibration is `e^{Au}`, `A = [[0, 1], [−1, −2ζ]]`, with the waves C, S, D of [`equations::Wave`]. With the reversals
 //! σ = (1, −1, 1) at −a, 0, b and the free vibration g at the second of them, displacement with friction's part
 //! and velocity are
 //!
