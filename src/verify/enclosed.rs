@@ -256,7 +256,7 @@ fn verdicts<B>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Standing, verify_enclosed};
+    use super::{Standing, damped, places, verify_enclosed};
     use core::ops::ControlFlow;
 
     #[test]
@@ -265,6 +265,9 @@ mod tests {
             let found = verify_enclosed::<()>(bits, |_, _| ControlFlow::Continue(())).unwrap();
             let ControlFlow::Continue(verdicts) = found else { panic!("ended by nobody") };
             let failed: Vec<_> = verdicts.iter().filter(|v| !v.passed || v.points < 3).collect();
+            // No statement is held against more points than there are.
+            let most = verdicts.iter().map(|v| v.points).max().unwrap();
+            assert!(most <= places().len().max(damped::places().len()), "{most}");
             assert!(failed.is_empty() && verdicts.len() > 60, "{} {failed:#?}", verdicts.len());
             // Balls are balls: a residual that is exactly zero says nothing.
             let holding = || verdicts.iter().filter(|v| v.standing == Standing::Holds);

@@ -269,3 +269,12 @@ fn an_interrupt_leaves_whole_rows() {
     child.stderr.take().unwrap().read_to_string(&mut message).unwrap();
     assert!(message.contains("interrupted"), "{message}");
 }
+
+/// However little a damper takes, its work has a line of its own; without a damper there is none.
+#[test]
+fn the_work_of_a_damper_is_told_apart() {
+    let with = stdout("steady --omega 2 --alpha 1.5 --damping-ratio 1e-4");
+    assert!(with.contains("  work against the damper  2.95739e-5 r_y B\n"), "{with}");
+    let without = stdout("steady --omega 2 --alpha 1.5");
+    assert!(without.contains("work against friction") && !without.contains("damper"), "{without}");
+}

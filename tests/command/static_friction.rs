@@ -110,6 +110,8 @@ fn motions_that_no_start_leads_to() {
     assert!(rows.lines().count() == 4 && rows.contains("\n3,unstable,0.0,0,,,"), "{rows}");
     let text = stdout(&line);
     assert!(text.contains("3. Symmetric, a cycle of one turn of the drive, unstable"), "{text}");
+    // The multipliers are real.
+    assert!(text.contains("  greatest multiplier      1.192208 in a cycle"), "{text}");
     assert!(json(&format!("attractors {PAIR} --starts 40 --format json"))["other_motions"].is_null());
     // An unstable pair, whose numbers go on from those of the limits.
     let three = "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87";
