@@ -239,6 +239,16 @@ mod tests {
         assert_eq!(message(1.5, f64::INFINITY), "force ratio α = inf must be finite");
     }
 
+    /// The amplitude without friction: (1 − Ω²)² = 1.5625 and (2ζΩ)² = 0.81 at Ω = 1.5, ζ = 0.3.
+    #[test]
+    fn the_forced_amplitude_is_that_of_the_linear_oscillator() {
+        let plain = Ratios::new(1.5f64, 2.0).unwrap();
+        assert!((plain.forced_amplitude() + 1.6).abs() < 1e-15);
+        let damped = plain.with_damping_ratio(0.3).unwrap();
+        let exact = 2.0 / 2.3725f64.sqrt();
+        assert!((damped.forced_amplitude() - exact).abs() < 1e-15, "{}", damped.forced_amplitude());
+    }
+
     #[test]
     fn damping_is_zero_or_of_ordinary_size() {
         let with = |zeta| Ratios::new(1.5, 2.0).unwrap().with_damping_ratio(zeta);
