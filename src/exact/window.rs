@@ -1,7 +1,7 @@
 //! Where the velocity of a damped slide cannot vanish: what the search need not look at.
 //!
-//! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`, ψ = ψ_0
-//! + Ωφ, and from any φ on the free one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
+//! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`,
+//! ψ = ψ_0 + Ωφ, and from any φ on the free one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
 //!
 //! ```text
 //! r = hypot(h, (h′ + ζh)/d),   β = ζ             for ζ < 1/2

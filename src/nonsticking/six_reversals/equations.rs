@@ -178,21 +178,28 @@ impl<F: Float> Unknowns<F> {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::{Closing, Frequency, Unknowns};
     use crate::phase_function::PhaseFunction;
 
     #[test]
     fn the_derivatives_are_those_of_the_residuals() {
         let frequency = Frequency::of(&PhaseFunction::new(0.331).unwrap());
+        the_derivatives_are_those_of(|y, closing| y.residuals(&frequency, closing));
+    }
+
+    /// The rows of derivatives beside differences of the residuals.
+    pub(in super::super) fn the_derivatives_are_those_of(
+        residuals: impl Fn(&Unknowns<f64>, Closing<f64>) -> ([f64; 5], [[f64; 5]; 5]),
+    ) {
         let at = [0.9, 1.3, -2.1, 7.5, -8.0];
         for closing in [Closing::Force(9.0), Closing::Second, Closing::Third] {
-            let (_, rows) = Unknowns::of_array(at).residuals(&frequency, closing);
+            let (_, rows) = residuals(&Unknowns::of_array(at), closing);
             for (column, h) in [1e-6f64; 5].into_iter().enumerate() {
                 let moved = |by: f64| {
                     let mut y = at;
                     y[column] += by;
-                    Unknowns::of_array(y).residuals(&frequency, closing).0
+                    residuals(&Unknowns::of_array(y), closing).0
                 };
                 for (row, (up, down)) in rows.iter().zip(moved(h).into_iter().zip(moved(-h))) {
                     let slope = (up - down) / (2.0 * h);

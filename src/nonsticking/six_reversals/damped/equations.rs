@@ -240,6 +240,7 @@ impl<F: Float> Problem<F> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super::equations::tests::the_derivatives_are_those_of;
     use super::super::super::equations::{Closing, Frequency, Unknowns};
     use super::Problem;
     use crate::phase_function::PhaseFunction;
@@ -247,25 +248,7 @@ mod tests {
     #[test]
     fn the_derivatives_are_those_of_the_residuals() {
         let problem = Problem::new(0.331, 0.03);
-        let at = [0.9, 1.3, -2.1, 7.5, -8.0];
-        for closing in [Closing::Force(9.0), Closing::Second, Closing::Third] {
-            let (_, rows) = problem.residuals(&Unknowns::of_array(at), closing);
-            for (column, h) in [1e-6f64; 5].into_iter().enumerate() {
-                let moved = |by: f64| {
-                    let mut y = at;
-                    y[column] += by;
-                    problem.residuals(&Unknowns::of_array(y), closing).0
-                };
-                for (row, (up, down)) in rows.iter().zip(moved(h).into_iter().zip(moved(-h))) {
-                    let slope = (up - down) / (2.0 * h);
-                    assert!(
-                        (row[column] - slope).abs() < 1e-7,
-                        "{closing:?} {column}: {} {slope}",
-                        row[column]
-                    );
-                }
-            }
-        }
+        the_derivatives_are_those_of(|y, closing| problem.residuals(y, closing));
     }
 
     /// As ζ → 0 they are the equations without damping.
