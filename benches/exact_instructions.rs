@@ -1,5 +1,6 @@
 //! One kernel of the exact motion over many points and nothing else, to be run under an instruction counter:
-//! `exact_instructions KERNEL N`. Apart from the closed forms' own program, so that neither changes what is inlined in the other.
+//! `exact_instructions KERNEL N`. Apart from the closed forms' own program, so that neither changes what is
+//! inlined in the other.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,

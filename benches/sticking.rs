@@ -1,5 +1,5 @@
-//! The library's side of `benches/sticking.sh`: `sticking OMEGA ALPHA ZETA REFERENCE RUNS` prints the least time of
-//! the steady state from rest in microseconds and the relative error of its maximum displacement.
+//! The library's side of `benches/sticking.sh`: `sticking OMEGA ALPHA ZETA REFERENCE RUNS` prints the least
+//! time of the steady state from rest in microseconds and the relative error of its maximum displacement.
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 
 use std::hint::black_box;

@@ -1,10 +1,11 @@
 //! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
 //!
-//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`] evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that
-//! [`crate::Cycle`] and [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the nearest
-//! double, and a ratio may be an interval. What is found by iteration elsewhere (the maximum velocity, the
-//! stationary point of the border's condition) is here the only zero of its equation in a ball, by the
-//! interval Newton method (`root`).
+//! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`]
+//! evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that [`crate::Cycle`] and
+//! [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the
+//! nearest double, and a ratio may be an interval. What is found by iteration elsewhere (the maximum
+//! velocity, the stationary point of the border's condition) is here the only zero of its equation in a ball,
+//! by the interval Newton method (`root`).
 //!
 //! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then
 //! everything is computed again with twice the bits, up to [`MAX_BITS`]; what is not decided there is `None`,
@@ -154,9 +155,8 @@ pub fn response(
 }
 
 /// The border at Ω and ζ ≥ 0, with a static friction of η ≥ 1 times the kinetic one, enclosed:
-/// [`Output::MinForceRatio`],
-/// [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`], [`Output::TouchingPhase`], [`Output::BestForceRatio`] and
-/// [`Output::BestLoopSize`], without a regime.
+/// [`Output::MinForceRatio`], [`Output::TurningPointForceRatio`], [`Output::LeastDisplacement`],
+/// [`Output::TouchingPhase`], [`Output::BestForceRatio`] and [`Output::BestLoopSize`], without a regime.
 ///
 /// # Errors
 /// As for [`response`].

@@ -6,8 +6,9 @@
 //! that a value that cannot be compared (a symbol) and a value that has no circular functions (a compensated
 //! pair) still run through it.
 //!
-//! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] is the exact way in, [`pair::Pair::value`] rounds once on
-//! the way out. The steps that decide how many digits an answer has run in it, by the same functions.
+//! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] is the exact way in,
+//! [`pair::Pair::value`] rounds once on the way out. The steps that decide how many digits an answer has run
+//! in it, by the same functions.
 //!
 //! All are `Copy`: generic code reads like the page it came from. Constants are integers and ratios
 //! of integers ([`Field::int`], [`Field::ratio`]), never decimal literals, so no formula carries the
@@ -21,8 +22,7 @@
 //! [`Real::mul_add`], and nowhere else.
 
 use circular::TO_HALF_PI;
-use core::fmt::{Debug, Display, LowerExp};
-use core::ops::{Add, Div, Mul, Neg, Sub};
+use core::fmt::{Display, LowerExp};
 use pair::Pair;
 
 #[cfg(feature = "mp")]
@@ -44,6 +44,7 @@ pub mod conformance;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub mod dual;
 mod exponential;
+mod field;
 mod foreign;
 #[cfg(feature = "mp")]
 #[cfg_attr(
@@ -60,120 +61,13 @@ pub mod pair;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "digits of 24 bits in integers of 64"))]
 mod pi_digits;
 mod primitive;
+mod task;
 
+pub use field::{Field, Real};
 pub use foreign::Foreign;
-
-/// What most formulae need of their numbers: + − × ÷, √, magnitudes, small integers and ratios.
-///
-/// Domains and special values are those of IEEE 754 where the type has them: `sqrt(−1)` is NaN.
-pub trait Field:
-    Copy
-    + Debug
-    + Add<Output = Self>
-    + Sub<Output = Self>
-    + Mul<Output = Self>
-    + Div<Output = Self>
-    + Neg<Output = Self>
-{
-    /// The integer `n`, exactly.
-    fn int(n: i32) -> Self;
-    /// `√self`.
-    fn sqrt(self) -> Self;
-    /// `|self|`.
-    fn abs(self) -> Self;
-
-    /// The ratio `p/q`, rounded once.
-    #[inline(always)]
-    #[must_use]
-    fn ratio(p: i32, q: i32) -> Self {
-        Self::int(p) / Self::int(q)
-    }
-    /// `self²`.
-    #[inline(always)]
-    fn square(self) -> Self {
-        self * self
-    }
-    /// `√(self² + other²)`; a type may avoid needless overflow and underflow.
-    #[inline(always)]
-    fn hypot(self, other: Self) -> Self {
-        (self.square() + other.square()).sqrt()
-    }
-    /// `√(self² − other²)`: a leg of the right triangle with this hypotenuse and the `other` leg.
-    ///
-    /// For |other| ≤ |self|; a type may have a better way than the product of the difference and the sum.
-    #[inline(always)]
-    fn leg(self, other: Self) -> Self {
-        ((self - other) * (self + other)).sqrt()
-    }
-    /// `n self`.
-    #[inline(always)]
-    fn times(self, n: i32) -> Self {
-        Self::int(n) * self
-    }
-}
-
-/// What a formula with angles needs on top: π and the circular functions.
-pub trait Real: Field {
-    /// π, rounded once.
-    fn pi() -> Self;
-    /// `(sin self, cos self)`, the argument in radians.
-    fn sin_cos(self) -> (Self, Self);
-    /// `tan self`, the argument in radians.
-    fn tan(self) -> Self;
-    /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
-    fn atan2(self, x: Self) -> Self;
-    /// `self · a + b` with one rounding.
-    fn mul_add(self, a: Self, b: Self) -> Self;
-
-    /// `sin self`.
-    #[inline]
-    fn sin(self) -> Self {
-        self.sin_cos().0
-    }
-    /// `cos self`.
-    #[inline]
-    fn cos(self) -> Self {
-        self.sin_cos().1
-    }
-}
-
-/// Work to be compiled for the processor's fused operation ([`Float::fused`]).
-///
-/// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what
-/// it calls often.
+use task::SinCosOfPair;
 #[doc(hidden)]
-pub trait Task {
-    /// What it comes to.
-    type Output;
-    /// The work.
-    fn run(self) -> Self::Output;
-}
-
-/// A task that the number type `F` hands to a narrower or wider one ([`Float::narrowed`],
-/// [`Float::guarded`]).
-#[doc(hidden)]
-pub trait AtPrecision<F> {
-    /// What it comes to.
-    type Output;
-    /// The task at the type `G`, with the ways there and back, each of which rounds once.
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output;
-}
-
-/// [`Float::sin_cos_acute`] with guard digits.
-struct SinCosOfPair<F>(Pair<F>);
-
-impl<F: Float> AtPrecision<F> for SinCosOfPair<F> {
-    type Output = (Pair<F>, Pair<F>);
-
-    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
-        let (sine, cosine) = (there(self.0.hi) + there(self.0.lo)).sin_cos();
-        let pair = |x: G| {
-            let hi = back(x);
-            Pair::new(hi, back(x - there(hi)))
-        };
-        (pair(sine), pair(cosine))
-    }
-}
+pub use task::{AtPrecision, Task};
 
 /// What a decision needs of its numbers: order, precision, range.
 pub trait Float: Real + PartialOrd + Display + LowerExp {

@@ -82,8 +82,8 @@ const PIECES: i32 = 16;
 /// The greater of `best` and the greatest |f| on `[low, high]`, with what `bound` knows of f on a piece.
 ///
 /// By division, the most promising piece first: a piece of half width d about c holds nothing above
-/// `|f(c)| + |f′(c)| d + curvature d²/2`, and is left out where that is no more than the best so far. Pieces narrow
-/// enough for it are left to Newton's method on f′, from their middle.
+/// `|f(c)| + |f′(c)| d + curvature d²/2`, and is left out where that is no more than the best so far. Pieces
+/// narrow enough for it are left to Newton's method on f′, from their middle.
 pub(crate) fn greatest<F: Float>(
     low: F,
     high: F,

@@ -23,9 +23,9 @@
 //!
 //! # From input to answer
 //!
-//! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`], [`Border`] →
-//! [`Response`], [`Place`] → [`design`], the inverse problems, and [`uncertainty`], parameters that are not known exactly; [`Scales`]
-//! leads back to physical units, [`Output`] names the outputs.
+//! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`],
+//! [`Border`] → [`Response`], [`Place`] → [`design`], the inverse problems, and [`uncertainty`], parameters
+//! that are not known exactly; [`Scales`] leads back to physical units, [`Output`] names the outputs.
 //!
 //! # The closed forms
 //!
@@ -46,8 +46,8 @@
 #![doc = include_str!("formulae/max_velocity.html")]
 #![doc = include_str!("formulae/deviation.html")]
 //!
-//! The minimum force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for Ω ≥ 1/2
-//! (proof in `src/nonsticking/border.rs`):
+//! The minimum force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for
+//! Ω ≥ 1/2 (proof in `src/nonsticking/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
 //!

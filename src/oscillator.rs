@@ -21,10 +21,10 @@ use crate::ratios::{frequency_ratio, non_negative, one_friction, positive, valid
 /// ([`Oscillator::with_static_friction`]).
 ///
 /// **Friction that differs by direction** ([`Oscillator::with_directional_friction`]): r₊ against motion with
-/// x′ > 0 and r₋ against motion with x′ < 0 are the bound `r_y = (r₊ + r₋)/2` and a constant force `−(r₊ −
-/// r₋)/2`. A constant force only shifts the motion, stops included: [`Scales::mean_displacement`] says by how
-/// much, and all else is as with r_y in both directions. Static friction is then above the kinetic one by
-/// (η − 1) r_y in each direction.
+/// x′ > 0 and r₋ against motion with x′ < 0 are the bound `r_y = (r₊ + r₋)/2` and a constant force
+/// `−(r₊ − r₋)/2`. A constant force only shifts the motion, stops included: [`Scales::mean_displacement`]
+/// says by how much, and all else is as with r_y in both directions. Static friction is then above the
+/// kinetic one by (η − 1) r_y in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Oscillator<F> {

@@ -18,8 +18,8 @@ macro_rules! outputs {
     )*) => {
         /// One output of a [`Response`].
         ///
-        /// [`Output::of`] gives it dimensionless, in the units of the table; [`Output::unit`] is what to multiply it
-        /// by for physical units.
+        /// [`Output::of`] gives it dimensionless, in the units of the table; [`Output::unit`] is what to
+        /// multiply it by for physical units.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Output {

@@ -1,7 +1,7 @@
 //! What the body does in the long run, over the plane of Ω and α.
 //!
-//! [`Regime`] names it, by comparison with the border as rounded; [`Place`] says where in the plane the point lies, how
-//! far from the border, and admits that it cannot tell where the arithmetic cannot.
+//! [`Regime`] names it, by comparison with the border as rounded; [`Place`] says where in the plane the point
+//! lies, how far from the border, and admits that it cannot tell where the arithmetic cannot.
 
 pub(crate) mod damped;
 mod no_stop;

@@ -1,4 +1,5 @@
-//! Results with private fields as maps, by the names that the command's JSON has. Results with public fields derive it.
+//! Results with private fields as maps, by the names that the command's JSON has. Results with public fields
+//! derive it.
 
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
@@ -60,7 +61,8 @@ impl<F: Float + Serialize> Serialize for Border<F> {
     }
 }
 
-/// Every one of [`SteadyState::OUTPUTS`], the counts of a cycle, and the multipliers as pairs of a real and an imaginary part.
+/// Every one of [`SteadyState::OUTPUTS`], the counts of a cycle, and the multipliers as pairs of a real and
+/// an imaginary part.
 impl<F: Float + Serialize> Serialize for SteadyState<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;

@@ -1,9 +1,9 @@
 //! The equations of the paper and the answers of this crate, held against the motion, at the precision of the
 //! type.
 //!
-//! [`verify`] evaluates every identity at a spread of points and reports the worst residual of each in units of
-//! the last place of its terms. A true identity leaves the rounding of its operations; a false one misses by
-//! some `2^PRECISION` units. What is wrong as printed is there too, and has to fail.
+//! [`verify`] evaluates every identity at a spread of points and reports the worst residual of each in units
+//! of the last place of its terms. A true identity leaves the rounding of its operations; a false one misses
+//! by some `2^PRECISION` units. What is wrong as printed is there too, and has to fail.
 //!
 //! Three witnesses are asked, none of which knows the closed forms:
 //!

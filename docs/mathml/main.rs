@@ -1,9 +1,10 @@
-//! TeX to MathML, which browsers show as they are: no script, no fonts to fetch, on docs.rs and offline alike.
+//! TeX to MathML, which browsers show as they are: no script, no fonts to fetch, on docs.rs and offline
+//! alike.
 //!
-//! * As a preprocessor of mdBook (`book.toml`): the chapters on standard input, the same with their formulae rendered on
-//!   standard output.
-//! * `cargo run --example mathml -- src/formulae`: renders each `NAME.tex` there to `NAME.html`, which the documentation of the
-//!   crate includes. `tests/pages/formulae.rs` holds the two against each other.
+//! * As a preprocessor of mdBook (`book.toml`): the chapters on standard input, the same with their formulae
+//!   rendered on standard output.
+//! * `cargo run --example mathml -- src/formulae`: renders each `NAME.tex` there to `NAME.html`, which the
+//!   documentation of the crate includes. `tests/pages/formulae.rs` holds the two against each other.
 //!
 //! `docs/about.md` says how formulae are written.
 

@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 const FENCE: &str = "```";
 
-/// Fonts with the measures of mathematics, by name: a browser's own default can be one without, whose brackets do not grow.
+/// Fonts with the measures of mathematics, by name: a browser's own default can be one without, whose
+/// brackets do not grow.
 const FONTS: &str =
     "'Latin Modern Math','STIX Two Math','Cambria Math','STIX Math','DejaVu Math TeX Gyre',math,serif";
 

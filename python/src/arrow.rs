@@ -17,7 +17,8 @@ use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use std::sync::Arc;
 
-/// The ratios of a batch; ζ and η only where the batch has them. Where one is null, so is every answer: NaN is outside of the domain.
+/// The ratios of a batch; ζ and η only where the batch has them. Where one is null, so is every answer: NaN
+/// is outside of the domain.
 struct Columns {
     omega: Float64Array,
     alpha: Float64Array,

@@ -20,7 +20,8 @@ enum Asked {
     These(Vec<Start>),
 }
 
-/// The limits from so many starts within `reach`, or from those given, each followed for at most `max_periods`.
+/// The limits from so many starts within `reach`, or from those given, each followed for at most
+/// `max_periods`.
 #[pyfunction]
 fn attractors_at<'py>(
     py: Python<'py>,

@@ -11,7 +11,8 @@ use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch};
 use stickslip::regime::no_stop_force_ratios;
 use stickslip::{Output, Regime, Response};
 
-/// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a task.
+/// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a
+/// task.
 const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
@@ -88,7 +89,8 @@ impl Places<'_> {
     }
 }
 
-/// Outputs at many points, written to arrays that are there: NaN for what does not exist. The regimes, as codes, go to an array of their own.
+/// Outputs at many points, written to arrays that are there: NaN for what does not exist. The regimes, as
+/// codes, go to an array of their own.
 #[pyfunction]
 fn response_into<'py>(
     py: Python<'py>,

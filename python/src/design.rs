@@ -54,7 +54,8 @@ fn best_friction(
     Ok((best.at, best.value, why))
 }
 
-/// The bands of angular frequency without sticking: ends, and whether each is one of the range that was asked about.
+/// The bands of angular frequency without sticking: ends, and whether each is one of the range that was asked
+/// about.
 #[pyfunction]
 fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<Vec<(f64, f64, bool, bool)>> {
     let drive = drive(kind, amplitude, 1.0)?;

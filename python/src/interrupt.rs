@@ -28,8 +28,8 @@ impl Stop {
     }
 }
 
-/// The pools of this process and of those it was forked from, of which a fork has the memory but not the threads: work given to
-/// one of them would wait for ever.
+/// The pools of this process and of those it was forked from, of which a fork has the memory but not the
+/// threads: work given to one of them would wait for ever.
 static POOLS: [OnceLock<Option<ThreadPool>>; 16] = [const { OnceLock::new() }; 16];
 /// How many forks this process is away from the first one.
 static FORKS: AtomicUsize = AtomicUsize::new(0);
@@ -46,8 +46,8 @@ fn pool() -> Option<&'static ThreadPool> {
     own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
 }
 
-/// Waits for an answer, and for signals, with which `signalled` is called; an error where it returns one, or where the work ended without
-/// an answer.
+/// Waits for an answer, and for signals, with which `signalled` is called; an error where it returns one, or
+/// where the work ended without an answer.
 fn awaited<T: Send>(
     py: Python<'_>,
     ended: Receiver<T>,
@@ -67,8 +67,8 @@ fn no_answer() -> PyErr {
     crate::refused("the work ended without an answer: a defect of this package")
 }
 
-/// Runs `work` on the threads of this process, while this one waits for it and for signals. A signal, such as that of Ctrl-C, sets the flag
-/// and is raised when the work has ended.
+/// Runs `work` on the threads of this process, while this one waits for it and for signals. A signal, such as
+/// that of Ctrl-C, sets the flag and is raised when the work has ended.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };

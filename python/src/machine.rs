@@ -8,7 +8,8 @@ use pyo3::types::PyDict;
 use stickslip::units::{Kind, Reader, System, UnitError};
 use stickslip::{Drive, Error, Excitation, Oscillator, Output, Scales};
 
-/// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant, static friction ratio.
+/// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant,
+/// static friction ratio.
 pub(crate) type Body = (f64, f64, f64, f64, f64, f64);
 
 pub(crate) fn body(
@@ -63,7 +64,8 @@ fn transmitted<'py>(
     Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
 }
 
-/// Values with units, or bare ones, in the system named, or in SI: name, text and kind of each. And the system, where one is known.
+/// Values with units, or bare ones, in the system named, or in SI: name, text and kind of each. And the
+/// system, where one is known.
 #[pyfunction]
 fn read_values(
     values: Vec<(String, String, String)>,

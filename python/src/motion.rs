@@ -143,7 +143,8 @@ fn steady_at<'py>(
     Ok(dict)
 }
 
-/// Columns of the limits at `n` points, all from one start; NaN, or −1 for a count, for what does not exist there.
+/// Columns of the limits at `n` points, all from one start; NaN, or −1 for a count, for what does not exist
+/// there.
 #[pyfunction]
 fn steady_columns<'py>(
     py: Python<'py>,

@@ -8,8 +8,8 @@ use super::run::run;
 use crate::output::Output;
 use crate::ratios::Ratios;
 
-/// [`run`] on all threads of the current rayon pool: the halves of halves, cut between blocks, so that the result does
-/// not depend on how many threads there are.
+/// [`run`] on all threads of the current rayon pool: the halves of halves, cut between blocks, so that the
+/// result does not depend on how many threads there are.
 pub(crate) fn run_on_threads(
     kernel: &Kernel<'_>,
     level: Level,

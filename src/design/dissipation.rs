@@ -27,8 +27,8 @@ use crate::ratios::{Ratios, positive};
 /// where they meet, rounding may name either. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
-/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside the domain of
-/// [`crate::Ratios`].
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside
+/// the domain of [`crate::Ratios`].
 pub fn most_dissipating_force_ratio<F: Float>(omega: F, damping_ratio: F) -> Result<Optimum<F>, Error> {
     let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
     if ratios.is_damped() { Ok(optimum_with_damping(&ratios)) } else { optimum_without_damping(omega) }

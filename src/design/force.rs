@@ -9,17 +9,17 @@ use crate::ratios::{Ratios, positive};
 /// The minimum amplitude of an excitation that keeps `body` sliding at the angular frequency ω_d: that with
 /// `p₀ = r_y α_min(Ω)`.
 ///
-/// In the unit of the amplitude, such as that of a force or of an acceleration. α_min is the exact border: the body slides
-/// from this amplitude on, and sticks just below it. With a static friction above the kinetic one it keeps a body sliding
-/// that already slides; one that begins at rest may settle on another motion. At Ω = 1 without damping the motion grows
-/// without bound from there on.
+/// In the unit of the amplitude, such as that of a force or of an acceleration. α_min is the exact border:
+/// the body slides from this amplitude on, and sticks just below it. With a static friction above the kinetic
+/// one it keeps a body sliding that already slides; one that begins at rest may settle on another motion. At
+/// Ω = 1 without damping the motion grows without bound from there on.
 ///
-/// Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times the elasticity
-/// `(Ω/α_min) dα_min/dΩ`.
+/// Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times the
+/// elasticity `(Ω/α_min) dα_min/dΩ`.
 ///
 /// # Errors
-/// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or the force or the amplitude over- or
-/// underflows.
+/// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or the force or the
+/// amplitude over- or underflows.
 pub fn min_amplitude<F: Float>(
     body: &Oscillator<F>,
     excitation: Excitation,

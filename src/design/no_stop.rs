@@ -19,7 +19,8 @@ use crate::root;
 /// Unit of force. Proved and searched as there.
 ///
 /// # Errors
-/// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the kinetic one.
+/// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
+/// kinetic one.
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
     let found = no_stop_of(&ratios_of(body, angular_frequency)?)?;
     let forces = found.map(|x| body.friction_bound() * x);
@@ -46,12 +47,13 @@ pub struct NoStopBand<F> {
     pub reversals_per_cycle: u32,
 }
 
-/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio ζ, by increasing Ω.
+/// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio
+/// ζ, by increasing Ω.
 ///
 /// Those of [`bands`], of two reversals a cycle, and one around or just below a pole 1/(2n+1) with
-/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the first are all there are, and of the second that is searched
-/// ([`crate::nonsticking::SixReversals`]). With damping both are searched, the second on a mesh of 64 frequencies beside each pole. Their ends
-/// are to a few floats.
+/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the first are all there are, and of the
+/// second that is searched ([`crate::nonsticking::SixReversals`]). With damping both are searched, the second
+/// on a mesh of 64 frequencies beside each pole. Their ends are to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
@@ -145,7 +147,8 @@ fn reach<F: Float>(pole: F) -> (F, F) {
     (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
 }
 
-/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio and damping ratio.
+/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio and
+/// damping ratio.
 fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
     let (zero, is_damped) = (F::int(0), zeta > F::int(0));
     let edges = |omega: F| {

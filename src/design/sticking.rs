@@ -5,8 +5,8 @@
 //!
 //! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the
 //! equations of motion times the difference of the velocities, integrated over a cycle, leaves
-//! `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of its bound: r v = |v|, |r| ≤ 1, and D =
-//! 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
+//! `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of its bound: r v = |v|, |r| ≤ 1, and
+//! D = 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
 //!
 //! ```text
 //! 0 ≥ ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
@@ -217,9 +217,9 @@ const COARSE: i32 = 32;
 /// ```
 ///
 /// # Errors
-/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its work to be known
-/// (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of [`Ratios`], and as for
-/// [`crate::exact::Trajectory::new`].
+/// [`Error::AtResonance`] at Ω = 1 for ζ = 0, [`Error::NotSettled`] where a motion creeps too long for its
+/// work to be known (Ω near 1/n), where `tolerance` is not in [ε^½, 1] or ζ is outside the domain of
+/// [`Ratios`], and as for [`crate::exact::Trajectory::new`].
 pub fn most_dissipating_force_ratio_of_all<F: Float>(
     omega: F,
     damping_ratio: F,

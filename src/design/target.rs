@@ -15,8 +15,8 @@ use crate::ratios::{Ratios, positive};
 /// the only solutions, because Δ₀ grows with α. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
-/// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at Ω = 1 for ζ = 0,
-/// and where an argument is outside its domain.
+/// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at
+/// Ω = 1 for ζ = 0, and where an argument is outside its domain.
 pub fn force_ratio_for_displacement<F: Float>(
     omega: F,
     damping_ratio: F,

@@ -11,11 +11,12 @@
 //!
 //! * v < 1 (Ω > 1): K² falls with v and 1/(1 − v)² rises: D rises.
 //! * (2n)² < v < (2n+1)², n ≥ 1: T²/v rises and (α/(v − 1))² falls: D falls.
-//! * (2n+1)² < v < (2n+2)²: D′ = 0 is `α² = φ(v)`, `φ = −½(v − 1)³ (T²/v)′`, D rising where φ > α². For n ≥
-//!   1, with u = √v, t = |T|, `φ = (u² − 1)³ [π t (1 + t²) u + 2t²]/(4u⁴)`, and both terms fall with u:
+//! * (2n+1)² < v < (2n+2)²: D′ = 0 is `α² = φ(v)`, `φ = −½(v − 1)³ (T²/v)′`, D rising where φ > α². For
+//!   n ≥ 1, with u = √v, t = |T|, `φ = (u² − 1)³ [π t (1 + t²) u + 2t²]/(4u⁴)`, and both terms fall with u:
 //!   `6u/(u² − 1) − 3/u < π√3 ≤ (π/2)(1/t + 3t)`. For n = 0, with κ = −K of the border's lobes,
-//!   `φ = κ² − κκ′(v − 1)` and `φ′ = κκ′ − (v − 1)(κ′² + κκ″) < 0`, because (v − 1)|κ″| < |κ′| up to v =
-//!   11/3, and (v − 1) κ′² is more than the rest beyond. There φ falls from (4/π)² at v = 1 to 0 at v = 4.
+//!   `φ = κ² − κκ′(v − 1)` and `φ′ = κκ′ − (v − 1)(κ′² + κκ″) < 0`, because (v − 1)|κ″| < |κ′| up to
+//!   v = 11/3, and (v − 1) κ′² is more than the rest beyond. There φ falls from (4/π)² at v = 1 to 0 at
+//!   v = 4.
 //!
 //! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α
 //! n(n + 1)): lobes whose bound is below what has been found need not be looked into.
@@ -40,8 +41,8 @@ use crate::root;
 /// A₂; in Ω, where the optimum is inside, that of a root of the derivative, 1e-15.
 ///
 /// # Errors
-/// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range contains Ω = 1,
-/// at which A₂ is infinite, and as [`bands`].
+/// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range
+/// contains Ω = 1, at which A₂ is infinite, and as [`bands`].
 pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> Result<Optimum<F>, Error> {
     bands(alpha, F::int(0), low, high)?;
     let lowest = low.or_larger(Lobe::new(u16::MAX).low_pole());

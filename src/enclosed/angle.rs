@@ -26,8 +26,8 @@ pub(crate) struct Angle<const W: usize> {
 }
 
 impl<const W: usize> Angle<W> {
-    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small. 1 −
-    /// qΩ is exact.
+    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small.
+    /// 1 − qΩ is exact.
     pub(crate) fn new(known: &Known) -> Self {
         let omega = known.ball::<W>();
         let q = known.middle().recip().round().into_numer_denom().0;

@@ -14,8 +14,8 @@ fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()
 }
 
-/// Of a motion that has not settled the work of the drive is not that against friction: what is between them is the change of
-/// the energy `(x² + w²)/2`.
+/// Of a motion that has not settled the work of the drive is not that against friction: what is between them
+/// is the change of the energy `(x² + w²)/2`.
 #[test]
 fn the_works_balance_the_energy() {
     for i in 0..200 {
@@ -67,8 +67,8 @@ fn the_distance_is_in_the_units_of_a_state() {
     }
 }
 
-/// At Ω = 1 the amplitude E is that of a free swing in step with the drive, whose work in a turn is παE against 4E of friction:
-/// `d(E²/2) = (πα − 4) E`, so that E grows by πα − 4 a turn.
+/// At Ω = 1 the amplitude E is that of a free swing in step with the drive, whose work in a turn is παE
+/// against 4E of friction: `d(E²/2) = (πα − 4) E`, so that E grows by πα − 4 a turn.
 #[test]
 fn the_growth_at_resonance_is_that_of_the_motion() {
     for alpha in [1.4, 2.0, 5.0] {

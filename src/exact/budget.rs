@@ -4,7 +4,8 @@ use super::broken::Broken;
 use crate::error::Error;
 use core::ops::ControlFlow;
 
-/// What a search may cost: half turns propagated, counted over all attempts, and whether its caller still waits.
+/// What a search may cost: half turns propagated, counted over all attempts, and whether its caller still
+/// waits.
 pub(crate) struct Budget<'a> {
     pub(crate) half_turns: u64,
     pub(crate) most: u64,

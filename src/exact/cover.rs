@@ -1,14 +1,15 @@
 //! How far around a point a vibration is positive where the right side helps it (`event`).
 //!
-//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and lies above the free vibration that
-//! it touches for a time of π/d, from ζ = 1 on for all time:
+//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and lies above
+//! the free vibration that it touches for a time of π/d, from ζ = 1 on for all time:
 //!
 //! ```text
 //! u(φ ± h) ≥ u cos dh ± u′ sin(dh)/d,   u′ = e^{ζφ} (f′ + ζf).
 //! ```
 //!
-//! The first zero of that is the cover. From ζ = 1 on, with D = √(ζ² − 1), it is `artanh(D f/−(f′ + ζf))/D`, of which `f/−(f′ + ζf)`,
-//! the zero of the tangent of u, is a lower bound, and there is none where `f′ + ζf ≥ −D f`.
+//! The first zero of that is the cover. From ζ = 1 on, with D = √(ζ² − 1), it is `artanh(D f/−(f′ + ζf))/D`,
+//! of which `f/−(f′ + ζf)`, the zero of the tangent of u, is a lower bound, and there is none where
+//! `f′ + ζf ≥ −D f`.
 
 use super::jet::Jet;
 use crate::float::Float;
@@ -99,7 +100,8 @@ impl<F: Float> Cover<F> {
 mod tests {
     use super::{Cover, Jet};
 
-    /// The free vibration itself, g = 0, is positive up to its cover and no further, or where the cover is a bound at least up to it.
+    /// The free vibration itself, g = 0, is positive up to its cover and no further, or where the cover is a
+    /// bound at least up to it.
     #[test]
     fn free_vibration_is_positive_as_far_as_its_cover() {
         for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {

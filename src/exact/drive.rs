@@ -1,12 +1,12 @@
 //! The phase of the drive, reduced: whole half turns counted, the rest an angle.
 //!
-//! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. Motion goes on for millions of cycles without the
-//! angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of n: the
-//! half turns are the stretches on which the drive's rate of change keeps its sign, which is what the search for
-//! velocity zeros works by.
+//! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. Motion goes on for millions of cycles without
+//! the angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of
+//! n: the half turns are the stretches on which the drive's rate of change keeps its sign, which is what the
+//! search for velocity zeros works by.
 //!
-//! A phase given is within 2⁵³ half turns, and a motion of 2⁶⁰ more ends in no program: the counter does not overflow, and if it
-//! did, it would stay where it is.
+//! A phase given is within 2⁵³ half turns, and a motion of 2⁶⁰ more ends in no program: the counter does not
+//! overflow, and if it did, it would stay where it is.
 
 use crate::error::{Error, Number, Quantity, written};
 use crate::float::Float;
@@ -91,7 +91,8 @@ impl<F: Float> DrivePhase<F> {
     pub fn since(&self, earlier: Self) -> F {
         let turns = self.half_turns.saturating_sub(earlier.half_turns);
         let angle = self.angle - earlier.angle;
-        // A product that is exact needs no fused operation, which is a call where the processor's is not taken for granted.
+        // A product that is exact needs no fused operation, which is a call where the processor's is not
+        // taken for granted.
         match turns {
             0 => return angle,
             1 => return angle + F::pi(),

@@ -29,7 +29,8 @@ impl<F: Float> Equation<F> {
         Self::of(ratios.omega(), ratios.alpha(), ratios.damping_ratio(), ratios.static_friction_ratio())
     }
 
-    /// Free vibration with the damping ratio ζ and the static friction ratio η: no drive, and the unit of time 1/ω_n.
+    /// Free vibration with the damping ratio ζ and the static friction ratio η: no drive, and the unit of
+    /// time 1/ω_n.
     pub(crate) fn free(zeta: F, eta: F) -> Self {
         Self::of(F::int(1), F::int(0), zeta, eta)
     }
@@ -109,7 +110,8 @@ impl<F: Float> Equation<F> {
 
     /// (sin, cos) of p, φ and Ωφ, and sin m, from those of two angles.
     ///
-    /// Near Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and their halves are.
+    /// Near Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and
+    /// their halves are.
     #[inline]
     fn parts(&self, phi: F) -> Parts<F> {
         let (one, two) = (F::int(1), F::int(2));
@@ -127,7 +129,8 @@ impl<F: Float> Equation<F> {
         Parts { p, sin_m, free: sum(free, free), drive: sum(drive, drive) }
     }
 
-    /// The waves of `undamped_waves` at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there `m = β − π/2` and `p = m + π`.
+    /// The waves of `undamped_waves` at φ = π/Ω, by (sin β, cos β) of β = π/2Ω, Ω ≠ 1, ζ = 0: there
+    /// `m = β − π/2` and `p = m + π`.
     #[inline]
     pub(crate) fn half_turn(&self, (sin_beta, cos_beta): (F, F)) -> Waves<F> {
         let (zero, one, two) = (F::int(0), F::int(1), F::int(2));

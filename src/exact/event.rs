@@ -13,11 +13,11 @@
 //!
 //! * **g ≤ 0** (opposing). f/sin is concave in the sense of Sturm: f crosses zero once at most, and it does
 //!   if and only if f < 0 at the end.
-//! * **g ≥ 0** (helping). From any point, forward and backward, `f(φ ± h) ≥ f cos h ± f′ sin h` for 0 ≤ h ≤
-//!   π: nothing vanishes before the right side does, at `h = atan2(f, ∓f′)`, the *cover* of that point. f < 0
-//!   at the end means exactly one zero. Otherwise both ends have a cover, and where the two do not meet f has
-//!   a single dip in between, which is searched until it is found below zero, covered, or touching zero to
-//!   within the rounding of f: *grazing*.
+//! * **g ≥ 0** (helping). From any point, forward and backward, `f(φ ± h) ≥ f cos h ± f′ sin h` for
+//!   0 ≤ h ≤ π: nothing vanishes before the right side does, at `h = atan2(f, ∓f′)`, the *cover* of that
+//!   point. f < 0 at the end means exactly one zero. Otherwise both ends have a cover, and where the two do
+//!   not meet f has a single dip in between, which is searched until it is found below zero, covered, or
+//!   touching zero to within the rounding of f: *grazing*.
 //! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the
 //!   backward cover from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and
 //!   polished proves itself.
@@ -35,15 +35,15 @@
 //!
 //! # Work
 //!
-//! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because `w(φ) + w(φ + π)` is free of the
-//! natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at most 3π of natural time and four
-//! changes of sign of g, hence **at most 8 stretches** of up to 3⅛ radians. Outside, f is a slow and a fast
-//! wave of amplitudes G and r; while the slow one exceeds the other's amplitude there is no zero, and that
-//! part is left out ([`super::search::Safe`]). What remains of a window holds a zero once it is as long as
-//! the fast period, but for the rounding of the window's ends; each window is at least half a slow period,
-//! not shorter than the fast one: at most the end of one window and one fast period in the next are examined,
-//! two fast periods, again 8 stretches or a few more where rounding matters. A search that goes on for
-//! `π(1 + 2/Ω)`, one change of sign more than any slide, is
+//! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because
+//! `w(φ) + w(φ + π)` is free of the natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at
+//! most 3π of natural time and four changes of sign of g, hence **at most 8 stretches** of up to 3⅛ radians.
+//! Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one exceeds the other's
+//! amplitude there is no zero, and that part is left out ([`super::search::Safe`]). What remains of a window
+//! holds a zero once it is as long as the fast period, but for the rounding of the window's ends; each window
+//! is at least half a slow period, not shorter than the fast one: at most the end of one window and one fast
+//! period in the next are examined, two fast periods, again 8 stretches or a few more where rounding matters.
+//! A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
 //! [`Verdict::Lost`]: an error, never an answer. With damping the part that is left out is found anew from where the search is (`window`),
 //! because the free wave dies out, and the bound on the time is another.
 //!

@@ -177,7 +177,8 @@ mod tests {
     use crate::exact::{LongRun, State};
     use crate::{Border, Ratios};
 
-    /// With damping and without stops: what is found from the closed form is what the motion from rest leads to, which knows nothing of it.
+    /// With damping and without stops: what is found from the closed form is what the motion from rest leads
+    /// to, which knows nothing of it.
     #[test]
     fn a_damped_cycle_is_what_the_motion_from_rest_leads_to() {
         for i in 0..300u32 {

@@ -14,25 +14,30 @@ use crate::float::Float;
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[must_use]
 pub enum LongRun<F> {
-    /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md). Where Ω is 1/(2n) to within
-    /// rounding only, one multiplier rounds to 1: no start comes close to the limit in any time that a machine runs.
+    /// One periodic motion, symmetric and the same from every start (proved in docs/theory/stability.md).
+    /// Where Ω is 1/(2n) to within rounding only, one multiplier rounds to 1: no start comes close to the
+    /// limit in any time that a machine runs.
     ///
-    /// With a static friction above the kinetic one (η > 1) it is the limit of this start: others can have another, and it need not be
-    /// symmetric nor take one turn of the drive only ([`SteadyState::turns_per_cycle`]).
+    /// With a static friction above the kinetic one (η > 1) it is the limit of this start: others can have
+    /// another, and it need not be symmetric nor take one turn of the drive only
+    /// ([`SteadyState::turns_per_cycle`]).
     Periodic(SteadyState<F>),
-    /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one that this start leads to.
+    /// Ω = 1/(2n) exactly, without damping and without sticking: one of a family of periodic motions, the one
+    /// that this start leads to.
     Family(SteadyState<F>),
     /// Rest: from every start where α ≤ 1, and from this one where 1 < α ≤ η.
     Rest(Rest<F>),
-    /// η > 1: the motion from this start did not become periodic in the turns followed, and neighbours do not approach it.
+    /// η > 1: the motion from this start did not become periodic in the turns followed, and neighbours do not
+    /// approach it.
     Irregular(Irregular<F>),
-    /// Ω = 1 and α > 4/π without damping: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle, once it is large.
+    /// Ω = 1 and α > 4/π without damping: no bounded motion. The amplitude grows by πα − 4 (in B) a cycle,
+    /// once it is large.
     Unbounded {
         /// Growth of the maximum displacement in a cycle, in the limit.
         growth: F,
     },
-    /// No limit within the budget: where the motion is, and how far half a cycle still takes it. So too at Ω = 1/(2n) where friction is
-    /// so small beside the motion that the type cannot tell how fast it settles.
+    /// No limit within the budget: where the motion is, and how far half a cycle still takes it. So too at
+    /// Ω = 1/(2n) where friction is so small beside the motion that the type cannot tell how fast it settles.
     NotConverged {
         /// The state reached.
         state: State<F>,
@@ -80,7 +85,8 @@ impl<F: Float> LongRun<F> {
     /// The names of all kinds of limit.
     pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
 
-    /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which takes none.
+    /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which
+    /// takes none.
     pub const fn periods(&self) -> Option<F> {
         match self {
             Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods()),
@@ -101,8 +107,8 @@ impl<F: Float> LongRun<F> {
         if let Self::Irregular(motion) = self { Some(motion) } else { None }
     }
 
-    /// The least and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an irregular motion that were
-    /// observed.
+    /// The least and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
+    /// irregular motion that were observed.
     pub fn extrema(&self) -> Option<(F, F)> {
         let of_cycle = |steady: &SteadyState<F>| (steady.min_displacement(), steady.max_displacement());
         let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));

@@ -67,10 +67,11 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of `half_turns` of a periodic motion through `start`, `propagation` being those from there.
+    /// The statistics of `half_turns` of a periodic motion through `start`, `propagation` being those from
+    /// there.
     ///
-    /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at the seam: there a stop is cut
-    /// in two, and rounding says on which side of it a velocity zero is.
+    /// Stops and velocity zeros are counted from a point in the middle of a slide on, so that neither is at
+    /// the seam: there a stop is cut in two, and rounding says on which side of it a velocity zero is.
     ///
     /// # Errors
     /// As for [`follow`].
@@ -167,7 +168,8 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of a whole turn from those of its first half, the second being the first turned upside down.
+    /// The statistics of a whole turn from those of its first half, the second being the first turned upside
+    /// down.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
         for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
@@ -209,8 +211,9 @@ impl<F: Float> CycleStatistics<F> {
 /// Error 3 = |max x′ + min x′|/max x′     Error 4 = (|t₃ − t₁| − π/ω_d)/T
 /// ```
 ///
-/// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All are zero for a
-/// motion with `x(t + π/ω_d) = −x(t)`. Of a cycle of several turns T is the whole of them, and half of it takes the place of π/ω_d.
+/// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All
+/// are zero for a motion with `x(t + π/ω_d) = −x(t)`. Of a cycle of several turns T is the whole of them, and
+/// half of it takes the place of π/ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -20,7 +20,8 @@ pub(crate) struct Motion<F> {
 }
 
 impl<F: Float> Motion<F> {
-    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′ − 2ζw″` and `w⁗ = −Ω² αΩ cos θ − w″ − 2ζw‴`.
+    /// The two derivatives of w after the jerk: `w‴ = −Ω² α sin θ − w′ − 2ζw″` and
+    /// `w⁗ = −Ω² αΩ cos θ − w″ − 2ζw‴`.
     #[inline]
     pub(crate) fn higher(&self, equation: &Equation<F>) -> (F, F) {
         if equation.is_damped() {

@@ -42,7 +42,8 @@ impl<F: Float> Orbit<F> {
         Ok(Self { omega, states })
     }
 
-    /// How the motion is like one that has such a state after so many half turns again: the same states to 2⁻²⁰ of their size.
+    /// How the motion is like one that has such a state after so many half turns again: the same states to
+    /// 2⁻²⁰ of their size.
     pub(crate) fn compare(&self, half_turns: u32, (x, v): (F, F)) -> Likeness {
         if self.states.len() as u64 != u64::from(half_turns) {
             return Likeness::Other;

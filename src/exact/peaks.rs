@@ -16,7 +16,8 @@ use std::f64::consts::TAU;
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
-    /// Force of spring, friction and damper on what carries them, `|k x + r + c x′|`, in r_y. At rest it is the drive's own force.
+    /// Force of spring, friction and damper on what carries them, `|k x + r + c x′|`, in r_y. At rest it is
+    /// the drive's own force.
     pub transmitted_force: F,
     /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B.
     pub absolute_displacement: F,
@@ -25,8 +26,9 @@ pub struct Peaks<F> {
 impl<F: Float> SteadyState<F> {
     /// The peaks of a cycle, which is followed for the purpose.
     ///
-    /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`: both have a bounded second
-    /// derivative, by which the greatest is found without sampling. Accuracy at f64: 1e-13 of max x/B + α/Ω².
+    /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`: both
+    /// have a bounded second derivative, by which the greatest is found without sampling. Accuracy at f64:
+    /// 1e-13 of max x/B + α/Ω².
     ///
     /// # Errors
     /// Those of the motion ([`Trajectory`]).
@@ -56,8 +58,8 @@ impl<F: Float> SteadyState<F> {
 impl<F: Float> Peaks<F> {
     /// The peaks of a slide with damping.
     ///
-    /// With `w = w_f + h`, h free vibration, `x″ = a_f + h′` and the force `x + s + 2ζw = x_f + 2ζw_f − h′`, and no derivative of h exceeds
-    /// the energy `hypot(h″, h‴)` that it begins with.
+    /// With `w = w_f + h`, h free vibration, `x″ = a_f + h′` and the force `x + s + 2ζw = x_f + 2ζw_f − h′`,
+    /// and no derivative of h exceeds the energy `hypot(h″, h‴)` that it begins with.
     fn damped_slide(&mut self, slide: &Slide<F>, length: F, reach: F) {
         let (zero, one) = (F::int(0), F::int(1));
         let equation = &slide.equation;
@@ -104,7 +106,8 @@ impl<F: Float> Peaks<F> {
         }
         let ode = alpha + reach + one + square * alpha;
         let curvature = if omega < half {
-            // The slow and the fast wave apart: the one of frequency Ω, the other of amplitude `fast`, both in x″.
+            // The slow and the fast wave apart: the one of frequency Ω, the other of amplitude `fast`, both
+            // in x″.
             let part = square / (one - square);
             let fast =
                 (first.acceleration + part * first.force).hypot(first.jerk + part * (first.jerk + first.w));

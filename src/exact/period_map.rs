@@ -1,4 +1,5 @@
-//! The period map: Hᵐ, m half turns of the drive with the motion turned upside down after each, its derivative and its fixed points.
+//! The period map: Hᵐ, m half turns of the drive with the motion turned upside down after each, its
+//! derivative and its fixed points.
 
 use super::broken::Broken;
 use super::equation::Equation;
@@ -146,7 +147,8 @@ impl<F: Float> Trial<F> {
         Ok(best)
     }
 
-    /// Whether it comes back to within so many times the rounding, and how far it can be from a fixed point is known.
+    /// Whether it comes back to within so many times the rounding, and how far it can be from a fixed point
+    /// is known.
     pub(crate) fn is_periodic(&self, times: i32) -> bool {
         self.left.is_rounding(self.roundings(times)) && is_known(&self.y, self.inverse(), &self.left)
     }
@@ -155,8 +157,8 @@ impl<F: Float> Trial<F> {
         i32::try_from(self.m).unwrap_or(i32::MAX).saturating_mul(times)
     }
 
-    /// The same point as one of fewer half turns, where it comes back earlier: of a symmetric motion that settles slowly the first half
-    /// turn is not as near as the second.
+    /// The same point as one of fewer half turns, where it comes back earlier: of a symmetric motion that
+    /// settles slowly the first half turn is not as near as the second.
     pub(crate) fn earliest(
         self,
         equation: Equation<F>,

@@ -9,8 +9,9 @@ use core::ops::ControlFlow;
 
 /// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
 ///
-/// Each phase is made from its integers k and n, never by adding up steps, so that the millionth cycle is sampled as
-/// exactly as the first. Endless: a body at rest for ever goes on being sampled. It ends after an error only, that of the [`Trajectory`].
+/// Each phase is made from its integers k and n, never by adding up steps, so that the millionth cycle is
+/// sampled as exactly as the first. Endless: a body at rest for ever goes on being sampled. It ends after an
+/// error only, that of the [`Trajectory`].
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
@@ -66,8 +67,9 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
-    /// The next sample, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop on the way, of which
-    /// there are some 4 + 4/Ω in a cycle. Broken off, the next call goes on from there.
+    /// The next sample, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide
+    /// and stop on the way, of which there are some 4 + 4/Ω in a cycle. Broken off, the next call goes on
+    /// from there.
     ///
     /// An error is [`Error::Interrupted`] or that of the trajectory.
     #[doc(hidden)]

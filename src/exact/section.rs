@@ -11,8 +11,8 @@ use crate::float::Float;
 use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::{Cycle, SixReversals};
 
-/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to shoot from, with the natural time to
-/// its first velocity zero.
+/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to
+/// shoot from, with the natural time to its first velocity zero.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
@@ -44,7 +44,8 @@ pub(crate) fn settle_in<F: Float>(
     Ok((slide.point(half), half))
 }
 
-/// The middle of the rising half of a cycle with damping, and the natural time from there to the maximum displacement.
+/// The middle of the rising half of a cycle with damping, and the natural time from there to the maximum
+/// displacement.
 pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
     let two = F::int(2);
     let half = rising.half.period / two;
@@ -56,14 +57,15 @@ pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
     (Point { phase, x: rising.displacement(&at), w }, half)
 }
 
-/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not large beside the force. With
-/// damping every disturbance dies out, and its residual judges it.
+/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not
+/// large beside the force. With damping every disturbance dies out, and its residual judges it.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
     Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
 }
 
-/// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the maximum displacement.
+/// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the
+/// maximum displacement.
 pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
     let lag = cycle.displacement_phase() - cycle.velocity_phase();
     let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
@@ -72,7 +74,8 @@ pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -
     (point, lag / equation.omega)
 }
 
-/// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to that.
+/// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to
+/// that.
 pub(crate) fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
     let [first, _, third] = cycle.reversal_phases();
     let next = first + F::pi();

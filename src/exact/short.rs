@@ -1,9 +1,10 @@
 //! The motion of a short slide, by Taylor's series.
 //!
-//! A body that has just been let go starts with no velocity and no acceleration, and turns back after `w = αΩ [cos θ_i · C − sin θ_i · S]`
-//! has risen and fallen by no more than a small part of `αΩφ`. Where the force exceeds friction by little the slide is short, and
-//! the closed forms of C and S, made of functions of order φ, keep no digit of it: at α = 1 + 1e-14 the zero came out wrong by half
-//! its place. The derivatives at the start are known to full relative accuracy, each from the equation of motion:
+//! A body that has just been let go starts with no velocity and no acceleration, and turns back after
+//! `w = αΩ [cos θ_i · C − sin θ_i · S]` has risen and fallen by no more than a small part of `αΩφ`. Where the
+//! force exceeds friction by little the slide is short, and the closed forms of C and S, made of functions of
+//! order φ, keep no digit of it: at α = 1 + 1e-14 the zero came out wrong by half its place. The derivatives
+//! at the start are known to full relative accuracy, each from the equation of motion:
 //!
 //! ```text
 //! w⁽ⁿ⁺²⁾ = (αΩ cos(θ_i + Ωφ))⁽ⁿ⁾ − w⁽ⁿ⁾ − 2ζw⁽ⁿ⁺¹⁾,   w⁽⁰⁾ = w_i,   w⁽¹⁾ = a_i
@@ -25,8 +26,9 @@ impl<F: Float> Slide<F> {
 
     /// The motion at a short φ.
     ///
-    /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with damping a `4ζφ/n`-th, so that the
-    /// series is cut off after **at most PRECISION terms**, about 12 at f64.
+    /// From the third derivative of w on each term is a `(max(1, Ω) φ)²/n²`-th of an earlier one, or with
+    /// damping a `4ζφ/n`-th, so that the series is cut off after **at most PRECISION terms**, about 12 at
+    /// f64.
     pub(crate) fn short<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         let (zero, one) = (F::int(0), F::int(1));
         let Equation { omega, damping, .. } = self.equation;
@@ -121,7 +123,8 @@ mod tests {
             let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
             let start = DrivePhase::new(std::f64::consts::FRAC_PI_2 - early).unwrap();
             let s = Slide::released(equation, start, 0.0, Direction::Forward);
-            // In units of the phase h = Ωφ: w = α (e h²/2 − h³/6), x = α (e h³/6 − h⁴/24)/Ω², but for parts of h².
+            // In units of the phase h = Ωφ: w = α (e h²/2 − h³/6), x = α (e h³/6 − h⁴/24)/Ω², but for parts
+            // of h².
             for part in [0.1, 1.0, 2.9, 3.1] {
                 let h = part * early;
                 let m = s.motion(h / omega);

@@ -6,8 +6,9 @@ use crate::ratios::Ratios;
 
 /// Starts at ω_d t = 0 within |x| ≤ R and |v| ≤ R, in B and B ω_d: for [`super::Attractors`].
 ///
-/// The first is at rest at x = 0. The others are by the fractional parts of the multiples of 1/g and 1/g², g³ = g + 1, which fill a square
-/// more evenly than random numbers do: R₂ of M. Roberts, "The unreasonable effectiveness of quasirandom sequences" (2018).
+/// The first is at rest at x = 0. The others are by the fractional parts of the multiples of 1/g and 1/g²,
+/// g³ = g + 1, which fill a square more evenly than random numbers do: R₂ of M. Roberts, "The unreasonable
+/// effectiveness of quasirandom sequences" (2018).
 ///
 /// ```
 /// use stickslip::Ratios;

@@ -24,8 +24,8 @@ impl<F: Float> State<F> {
         Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
     }
 
-    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ, e = [`Float::RATIO_EXPONENT`], counts
-    /// as rest: it would end in a time that underflows.
+    /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ,
+    /// e = [`Float::RATIO_EXPONENT`], counts as rest: it would end in a time that underflows.
     ///
     /// # Errors
     /// Where one of them is not finite, θ is too large for its digits, or |x| or |v| is above 2ᵉ,

@@ -171,8 +171,8 @@ impl<F: Float> SteadyState<F> {
     /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
     /// its digits, so that its agreement with [`SteadyState::energy_out`], with damping together with
     /// [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near
-    /// Ω = 1, and where a motion is small beside the force). Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 +
-    /// 1/Ω) of itself, Δ₀ the maximum displacement.
+    /// Ω = 1, and where a motion is small beside the force). Accuracy at f64: within 1e-13
+    /// (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
         self.statistics.energy_in
     }
@@ -266,42 +266,4 @@ pub fn errors_after<F: Float>(
 }
 
 #[cfg(test)]
-mod tests {
-    use super::SteadyState;
-    use crate::Ratios;
-    use crate::exact::{LongRun, State, Trajectory};
-    use std::f64::consts::TAU;
-
-    /// From the state that is given, the motion comes back to it after a cycle, and is as far and as fast on
-    /// the way as it says.
-    #[test]
-    fn the_state_is_on_the_motion() {
-        for (omega, alpha) in [(0.3f64, 2.0f64), (0.4, 9.0), (0.7, 1.2), (1.6, 1.5), (3.0, 4.0)] {
-            let ratios = Ratios::new(omega, alpha).unwrap();
-            let found = LongRun::from_start(ratios, State::rest()).unwrap();
-            let steady: &SteadyState<f64> = found.steady_state().unwrap();
-            let start = steady.state();
-            let (mut most, mut fastest) = (0.0f64, 0.0f64);
-            for sample in
-                Trajectory::new(ratios, start).unwrap().samples(4000).unwrap().take(4001).map(Result::unwrap)
-            {
-                (most, fastest) = (most.max(sample.state.x), fastest.max(sample.state.v));
-            }
-            let close = |found: f64, sampled: f64| (found - sampled).abs() < 1e-5 * found;
-            assert!(close(steady.max_displacement(), most), "{omega} {alpha}: {most} {steady:?}");
-            assert!(close(steady.max_velocity(), fastest), "{omega} {alpha}: {fastest} {steady:?}");
-            let phases = Trajectory::new(ratios, start).unwrap();
-            let cycle_on = start.phase.later_by_half_turns(2);
-            let last = phases
-                .map(Result::unwrap)
-                .take_while(|phase| phase.start().phase.since(start.phase) < TAU)
-                .last()
-                .unwrap();
-            let back = last.at(cycle_on).state;
-            assert!(
-                (back.x - start.x).abs() < 1e-12 && (back.v - start.v).abs() < 1e-12,
-                "{back:?} {start:?}"
-            );
-        }
-    }
-}
+mod tests;

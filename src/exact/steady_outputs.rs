@@ -7,7 +7,8 @@ use crate::float::Float;
 type Output<F> = (&'static str, fn(&SteadyState<F>) -> F);
 
 impl<F: Float> SteadyState<F> {
-    /// Name and value of each output that is a number of its type; units and accuracy are those of the function of that name.
+    /// Name and value of each output that is a number of its type; units and accuracy are those of the
+    /// function of that name.
     ///
     /// ```
     /// use stickslip::{Ratios, exact::{LongRun, State, SteadyState}};

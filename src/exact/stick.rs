@@ -1,7 +1,8 @@
 //! Sticking: the body at rest until the force left over reaches the friction bound.
 //!
-//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It gives way forward where
-//! `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine, or never.
+//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It gives way forward
+//! where `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine, or
+//! never.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -14,8 +15,8 @@ pub(crate) struct Stick<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: DrivePhase<F>,
     pub(crate) x: F,
-    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever, which is where
-    /// `|x| ≤ η − α`.
+    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever,
+    /// which is where `|x| ≤ η − α`.
     ///
     /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
     pub(crate) release: Option<(DrivePhase<F>, Direction)>,
@@ -62,10 +63,11 @@ pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
     F::int(4) * F::epsilon() * (equation.alpha + x.abs() + equation.static_friction)
 }
 
-/// The angle of its half turn at which friction gives way in one direction; `None` where the force never exceeds it.
+/// The angle of its half turn at which friction gives way in one direction; `None` where the force never
+/// exceeds it.
 ///
-/// `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its rounding moves the body by nothing
-/// that x can resolve, and does not count.
+/// `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its rounding moves
+/// the body by nothing that x can resolve, and does not count.
 pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: Direction) -> Option<F> {
     let Equation { alpha, static_friction, .. } = *equation;
     let sign = direction.sign::<F>();
@@ -83,8 +85,8 @@ pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: D
 
 /// When friction gives way in one direction, from the phase `now` on.
 ///
-/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0 has one
-/// solution in each even half turn, where y < α. `falling`: the present half turn does not count.
+/// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0
+/// has one solution in each even half turn, where y < α. `falling`: the present half turn does not count.
 fn release<F: Float>(
     equation: &Equation<F>,
     now: DrivePhase<F>,
@@ -150,7 +152,8 @@ mod tests {
         }
     }
 
-    /// With static friction above the kinetic one: the force at the release is η, and was below it until then.
+    /// With static friction above the kinetic one: the force at the release is η, and was below it until
+    /// then.
     #[test]
     fn gives_way_at_the_static_friction() {
         for (alpha, eta, theta, x) in

@@ -1,9 +1,10 @@
 //! From one stop to the next half a turn later: a map of one number.
 //!
-//! A body at rest has forgotten how it came. The displacement x of its stop says when friction gives way, `α sin θ = x ± η` in
-//! closed form, and with it everything after: the stop half a turn later, at X. A symmetric motion with a stop is a fixed point of
-//! `G(x) = −X`. A disturbance δx is let go as (δx, 0), and is what the slides make of it when the body stops again:
-//! `G′ = −M₁₁`, M the product of their free vibrations and reversals (`matrix`).
+//! A body at rest has forgotten how it came. The displacement x of its stop says when friction gives way,
+//! `α sin θ = x ± η` in closed form, and with it everything after: the stop half a turn later, at X. A
+//! symmetric motion with a stop is a fixed point of `G(x) = −X`. A disturbance δx is let go as (δx, 0), and
+//! is what the slides make of it when the body stops again: `G′ = −M₁₁`, M the product of their free
+//! vibrations and reversals (`matrix`).
 
 use super::broken::Broken;
 use super::drive::DrivePhase;

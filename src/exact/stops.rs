@@ -1,17 +1,19 @@
 //! The periodic motion with stops, by the map from stop to stop (`stop_map`).
 //!
-//! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G is sought in the whole range
-//! of displacements that a body can rest at and be let go from, `−(1 + α) < x < α − 1` for a release forward.
+//! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G
+//! is sought in the whole range of displacements that a body can rest at and be let go from,
+//! `−(1 + α) < x < α − 1` for a release forward.
 //!
-//! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half a turn later, have not moved
-//! apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a zero. In the bracket the zero of the cubic through the last two
-//! points with their slopes G′ − 1 is tried next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket
-//! is halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the
+//! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half
+//! a turn later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a
+//! zero. In the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried
+//! next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket is
+//! halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the
 //! others end where they are expected to. Stops that do not overlap in time can break the bracket: that costs
 //! a search, and never an answer.
 //!
-//! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where there are no such stops half a turn
-//! apart there is no answer here, and `shooting` has to find the motion.
+//! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where
+//! there are no such stops half a turn apart there is no answer here, and `shooting` has to find the motion.
 
 use super::broken::Broken;
 use super::equation::Equation;
@@ -87,7 +89,8 @@ impl<F: Float> Sticking<F> {
         self.is_below
     }
 
-    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every start.
+    /// With damping, the rising half of the cycle without stops, from its border on: it is the limit of every
+    /// start.
     pub(crate) const fn rising(&self) -> Option<&Rising<F>> {
         self.rising.as_ref()
     }
@@ -102,8 +105,8 @@ impl<F: Float> Sticking<F> {
         found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
     }
 
-    /// The minimum that the motion would have, were the closed form right although it sticks a little; where it has none, what a slow drive
-    /// would leave it at.
+    /// The minimum that the motion would have, were the closed form right although it sticks a little; where
+    /// it has none, what a slow drive would leave it at.
     fn guess(&self) -> F {
         let (one, alpha) = (F::int(1), self.equation.alpha);
         let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
@@ -200,7 +203,8 @@ fn fixed_point<F: Float>(
 const MOST_FAILURES: u32 = 4;
 
 impl<F: Float> Miss<F> {
-    /// The step to the zero of the cubic through this point and the one before, with their slopes; Newton's step without one.
+    /// The step to the zero of the cubic through this point and the one before, with their slopes; Newton's
+    /// step without one.
     fn step(&self, before: Option<Self>) -> F {
         let (two, three) = (F::int(2), F::int(3));
         let newton = -(self.value / self.slope);
@@ -255,7 +259,8 @@ fn steady<F: Float>(
     }
     let Some((slide, phi)) = longest else { return Ok(None) };
     let off = (found.left.bounds().0 / (one - found.rate)).abs();
-    // The middle of the longest slide, with its own rounding; upside down, half a turn on, so that the next stop is this one again.
+    // The middle of the longest slide, with its own rounding; upside down, half a turn on, so that the next
+    // stop is this one again.
     let middle = slide.motion(phi / two);
     let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
     let y = Point { phase, x: -middle.x, w: -middle.w };

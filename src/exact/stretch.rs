@@ -1,4 +1,5 @@
-//! One stretch of the search for a zero: shorter than half a free period, with a right side g of one sign (`event` has the proofs).
+//! One stretch of the search for a zero: shorter than half a free period, with a right side g of one sign
+//! (`event` has the proofs).
 
 use super::jet::Jet;
 use super::search::{Found, Search, Verdict};
@@ -35,7 +36,8 @@ pub(crate) fn in_opposing<F: Float, M: Copy>(
     bracketed(search, from, to, false, guess, f)
 }
 
-/// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g as it is at h = 0; zero where there is none.
+/// The first zero of the bound `f cos h + f′ sin h + g (1 − cos h)` with g as it is at h = 0; zero where
+/// there is none.
 fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
     let Jet { value, first, second, .. } = jet;
     let g = second + value;
@@ -93,13 +95,15 @@ fn bracketed<F: Float, M: Copy>(
             return crossing(zero);
         }
         if !below {
-            // Nothing is known beyond `low` but the end to look at, at the latest after as many steps as the type has digits.
+            // Nothing is known beyond `low` but the end to look at, at the latest after as many steps as the
+            // type has digits.
             let inside = next > low && next < end && steps <= F::PRECISION;
             phi = if jet.first < zero && inside { next } else { end };
             continue;
         }
         let inside = next > low && next < high;
-        // Two steps in a row that do not halve the bracket call for a bisection, unless they are already tiny.
+        // Two steps in a row that do not halve the bracket call for a bisection, unless they are already
+        // tiny.
         let halved = width * F::int(2) <= last_width;
         let bisect = !inside || steps > F::PRECISION || (slow && !halved && step.abs() * F::int(64) > width);
         (slow, last_width) = (!halved && !bisect, width);
@@ -124,7 +128,8 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
 
 /// Whether what a step leaves is below the rounding of φ.
 ///
-/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of `max(1, Ω, 2ζ) h` each.
+/// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of
+/// `max(1, Ω, 2ζ) h` each.
 #[inline]
 fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
     let curvature = (jet.second * step / jet.first).abs();
@@ -216,9 +221,10 @@ const MOST_POLISHES: u32 = 6;
 
 /// The dip between two points with f ≥ 0 where g ≥ 0: a zero, a grazing, or nothing.
 ///
-/// Each point evaluated in the gap between the two covers replaces the end on its side. Next to a dip the covers of a
-/// pair at distance d leave a gap of the order of d², so that the gap closes quadratically. Where u falls (`cover`), its backward cover is
-/// longer than half a stretch, and the point replaces the left end; where it rises, the right one.
+/// Each point evaluated in the gap between the two covers replaces the end on its side. Next to a dip the
+/// covers of a pair at distance d leave a gap of the order of d², so that the gap closes quadratically. Where
+/// u falls (`cover`), its backward cover is longer than half a stretch, and the point replaces the left end;
+/// where it rises, the right one.
 fn dip<F: Float, M: Copy>(
     search: &Search<F>,
     left: (F, Jet<F>),

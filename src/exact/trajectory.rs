@@ -135,8 +135,8 @@ pub(crate) enum Next<F> {
 impl<F: Float> Next<F> {
     /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the static friction.
     ///
-    /// Within rounding of the bound the first derivative that is not zero decides: a force that rises lets go, one that
-    /// falls holds.
+    /// Within rounding of the bound the first derivative that is not zero decides: a force that rises lets
+    /// go, one that falls holds.
     #[inline]
     pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
         let sin_cos = phase.sin_cos();
@@ -166,13 +166,14 @@ impl<F: Float> Next<F> {
 
     /// What follows a velocity zero, and the name of what happens there.
     ///
-    /// A slide can be too short for its phase to move, and what follows begins at the same phase. A body that was let go there
-    /// is held until the force rises again, so that **no more than three slides** begin at a phase: one that a speed next to
-    /// nothing carries on, one back, one let go.
+    /// A slide can be too short for its phase to move, and what follows begins at the same phase. A body that
+    /// was let go there is held until the force rises again, so that **no more than three slides** begin at a
+    /// phase: one that a speed next to nothing carries on, one back, one let go.
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);
-        // A velocity that touches zero has a minimum there. A static friction above the kinetic one holds the body.
+        // A velocity that touches zero has a minimum there. A static friction above the kinetic one holds the
+        // body.
         let goes_on = zero.grazes && !equation.has_higher_static_friction();
         if goes_on && direction.sign::<F>() * zero.jerk > F::int(0) {
             return (Self::Slide(Slide::grazing(equation, zero.phase, zero.x, direction)), End::Grazing);
@@ -191,9 +192,11 @@ impl<F: Float> Next<F> {
     }
 }
 
-/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever, or after an error.
+/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever, or
+/// after an error.
 ///
-/// The error is [`Error::SearchBound`]: the search for the end of a slide has passed its proved bound. No input is known that leads to it.
+/// The error is [`Error::SearchBound`]: the search for the end of a slide has passed its proved bound. No
+/// input is known that leads to it.
 ///
 /// ```
 /// use stickslip::Ratios;
@@ -216,7 +219,8 @@ impl<F: Float> Trajectory<F> {
     /// The motion at (Ω, α) from a start.
     ///
     /// # Errors
-    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps few digits. Where ζ or η is above 2²⁰.
+    /// Where Ω is outside `[2⁻²⁰, 2²⁰]`: beyond, one slide turns through so many periods that a phase keeps
+    /// few digits. Where ζ or η is above 2²⁰.
     pub fn new(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
         let equation = Equation::new(resolved(ratios)?);
         Ok(Self::of(equation, start))

@@ -17,11 +17,11 @@
 //!
 //! # Why no velocity zero is missed
 //!
-//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Say the half turn begins where g ≥ 0, at f = 0 with f′ >
-//! 0, and g changes its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; from b, a later point, backward
-//! for `atan2(f, f′)`; and on the last stretch, not longer than π, because f is positive at its beginning,
-//! and zero at its end only. For Ω ≥ 1 all of it is shorter than π, and f(b) need not be looked at. In every
-//! other case the search of `velocity_zero` answers.
+//! The speed f has `f″ + f = g ∝ cos θ` (`event`). Say the half turn begins where g ≥ 0, at f = 0 with
+//! f′ > 0, and g changes its sign at φ = b. Then f > 0 for `0 < φ ≤ min(b, π)`; from b, a later point,
+//! backward for `atan2(f, f′)`; and on the last stretch, not longer than π, because f is positive at its
+//! beginning, and zero at its end only. For Ω ≥ 1 all of it is shorter than π, and f(b) need not be looked
+//! at. In every other case the search of `velocity_zero` answers.
 //!
 //! That the maximum speed is the one at θ₁ is proved where the cycle finds it; here the acceleration has to
 //! vanish there.

@@ -30,8 +30,8 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) grazes: bool,
 }
 
-/// A search that passed its proved bound: of no size, so that the answers it stands beside stay as small as they are.
-/// [`Slide::lost`] makes the error of it.
+/// A search that passed its proved bound: of no size, so that the answers it stands beside stay as small as
+/// they are. [`Slide::lost`] makes the error of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Lost;
 
@@ -61,7 +61,8 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Without a drive, or one below rounding, and from ζ = 1 on: the end of a slide that creeps to ∓1 for ever, when its velocity is rounding.
+    /// Without a drive, or one below rounding, and from ζ = 1 on: the end of a slide that creeps to ∓1 for
+    /// ever, when its velocity is rounding.
     ///
     /// It turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`super::FreeDecay`]).
     #[cold]
@@ -238,8 +239,9 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The two waves of the velocity with damping, where their windows take less than the stretches that they leave out: for Ω above 2 or below
-    /// 1/8, below 1/4 where the free wave soon dies out, and for ζ from 1/2 on.
+    /// The two waves of the velocity with damping, where their windows take less than the stretches that they
+    /// leave out: for Ω above 2 or below 1/8, below 1/4 where the free wave soon dies out, and for ζ from 1/2
+    /// on.
     #[inline]
     fn damped_waves(&self) -> Option<Box<Waves<F>>> {
         let (one, two, four) = (F::int(1), F::int(2), F::int(4));
@@ -249,15 +251,18 @@ impl<F: Float> Slide<F> {
         long.then(|| Box::new(Waves::of(self)))
     }
 
-    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω outside [1/2, 2] and ζ = 0.
+    /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω
+    /// outside [1/2, 2] and ζ = 0.
     ///
     /// `w = G cos θ + (free vibration of amplitude r)`, G = αΩ/(1 − Ω²).
     ///
     /// # Rounding
-    /// With the circular functions right to ε, G is right to 3ε|G|, and r to `ε r + 6ε max(1, Ω) |G|`: two products and sums of G with
-    /// cos θ and Ω sin θ, and the hypotenuse. The window is the one for G smaller and r larger (or the other way) by 8ε each, which rounding
-    /// cannot make too wide; [`Safe::next`] takes off the rounding of its ends. What is lost of a window is as long as an angle whose cosine is
-    /// 16ε max(1, Ω) from that of its end: some 1e-8 of a period where the window ends far from its crest, and at most the root of it.
+    /// With the circular functions right to ε, G is right to 3ε|G|, and r to `ε r + 6ε max(1, Ω) |G|`: two
+    /// products and sums of G with cos θ and Ω sin θ, and the hypotenuse. The window is the one for G smaller
+    /// and r larger (or the other way) by 8ε each, which rounding cannot make too wide; [`Safe::next`] takes
+    /// off the rounding of its ends. What is lost of a window is as long as an angle whose cosine is 16ε
+    /// max(1, Ω) from that of its end: some 1e-8 of a period where the window ends far from its crest, and at
+    /// most the root of it.
     fn safe_window(&self) -> Option<Safe<F>> {
         let (one, two) = (F::int(1), F::int(2));
         let Equation { omega, alpha, .. } = self.equation;

@@ -1,7 +1,7 @@
 //! What the drive puts into a slide and the damper takes out of it, each by its own closed form.
 //!
-//! With `S = α sin θ` and `C = αΩ cos θ`, multiplying `w″ + 2ζw′ + w = C` by S, by C and by w and integrating by parts gives, [·] being the
-//! value at the end less that at the start and L the natural time between them,
+//! With `S = α sin θ` and `C = αΩ cos θ`, multiplying `w″ + 2ζw′ + w = C` by S, by C and by w and integrating
+//! by parts gives, [·] being the value at the end less that at the start and L the natural time between them,
 //!
 //! ```text
 //! (1 − Ω²) W − 2ζ J     = [S²/2 − w′S + wC − 2ζwS]                                  = R₁
@@ -42,8 +42,8 @@ impl<F: Float> Slide<F> {
     /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
     /// ```
     ///
-    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy instead:
-    /// `[½x² + ½w²] + |Δx|`.
+    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy
+    /// instead: `[½x² + ½w²] + |Δx|`.
     pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let omega = self.equation.omega;
@@ -68,9 +68,10 @@ impl<F: Float> Slide<F> {
         (spring + kinetic) / F::int(2) + self.direction.sign::<F>() * (end.x - self.x)
     }
 
-    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then an
-    /// integral by Gauss's rule, and the drive's follows from the balance of energy. So they do where their terms nearly cancel, but for the
-    /// damper's along a slide of many periods, which is then right to the rounding of the drive's.
+    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their
+    /// digits: the damper's is then an integral by Gauss's rule, and the drive's follows from the balance of
+    /// energy. So they do where their terms nearly cancel, but for the damper's along a slide of many
+    /// periods, which is then right to the rounding of the drive's.
     #[cold]
     #[inline(never)]
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
@@ -118,8 +119,8 @@ impl<F: Float> Slide<F> {
         Works { drive, damper }
     }
 
-    /// `∫ 2ζw² dφ` up to φ by Gauss's rule with as many nodes as resolve that many periods at the precision of the type: of n nodes over
-    /// the angle 2h of w² the error is some `(eh/4n)²ⁿ`.
+    /// `∫ 2ζw² dφ` up to φ by Gauss's rule with as many nodes as resolve that many periods at the precision
+    /// of the type: of n nodes over the angle 2h of w² the error is some `(eh/4n)²ⁿ`.
     fn damper_by_quadrature(&self, phi: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let half_turns = (phi * self.equation.pace() / F::pi()).to_f64().min(64.0);

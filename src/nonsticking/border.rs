@@ -21,13 +21,14 @@
 //! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
 //!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
 //!   f(π/2) = 0, and S = 1/Ω²: **eq. 61 is exact for Ω ≥ 1/2.**
-//! * **Ω < 1/2.** sin(ζ − β)/cos β = sin(ζ − γ)/cos γ opposes T = tan γ for 0 < ζ < γ, helps it for γ < ζ < γ + π, and
-//!   so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its values there lie between the limit
-//!   1/Ω² and f at γ. Beyond γ + π, cos τ and 1/sin τ were larger one half period earlier: a value of |f| where the sine opposes T
-//!   is exceeded where it was as large and helped, and any value one period earlier. So the largest |f| has
-//!   γ ≤ ζ ≤ γ + π and the sign of T, or is the limit 1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and has no
-//!   zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0, π) of
-//!   `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
+//! * **Ω < 1/2.** sin(ζ − β)/cos β = sin(ζ − γ)/cos γ opposes T = tan γ for 0 < ζ < γ, helps it for
+//!   γ < ζ < γ + π, and so on in turn. Up to γ, G′ has one sign and G(0) = 0, so that f is monotonic: its
+//!   values there lie between the limit 1/Ω² and f at γ. Beyond γ + π, cos τ and 1/sin τ were larger one half
+//!   period earlier: a value of |f| where the sine opposes T is exceeded where it was as large and helped,
+//!   and any value one period earlier. So the largest |f| has γ ≤ ζ ≤ γ + π and the sign of T, or is the
+//!   limit 1/Ω² at ζ = 0. There G is monotonic on (γ, γ + π) and nonzero of opposite signs at its ends, and
+//!   has no zero elsewhere in the lobe: f has there **one** stationary point ζ* = γ + η, the only zero on (0,
+//!   π) of `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
 //!   `S = max(1/Ω², |f(ζ*)|)`.
 //!
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
@@ -40,12 +41,11 @@ mod range;
 mod shortfall;
 mod slope;
 mod stationary;
+mod turning_point;
 
 use crate::error::Error;
 use crate::float::{Field, Float, Task, pair::Pair};
 use crate::phase_function::PhaseFunction;
-#[cfg(any(test, feature = "matching"))]
-use crate::phase_function::one_minus_square;
 pub use lobe::{Lobe, Minimum};
 #[cfg(feature = "batch")]
 pub(crate) use near::border_near;
@@ -55,54 +55,11 @@ pub use shortfall::Shortfall;
 use stationary::inner_maximum;
 #[cfg(feature = "mp")]
 pub(crate) use stationary::{condition, condition_slope, stationary_point, stationary_value};
-
-/// Force left over at a reversal (eq. 57): `|p₀ sin ω_d t − k x| − r_y`.
-///
-/// The body slides on where it is ≥ 0; eq. 58 and 59 put it to 0 at t₂, where x = Δ₀ and x′ = 0.
+#[cfg(test)]
+pub(crate) use turning_point::turning_point_criterion;
+pub(crate) use turning_point::{border_force_ratio, turning_point_border};
 #[cfg(any(test, feature = "matching"))]
-#[inline]
-pub(crate) fn slip_excess<R: Field>(p0: R, sin_phase: R, stiffness: R, x: R, friction_bound: R) -> R {
-    // |p₀ sin ω_d t − k x| − r_y
-    (p0 * sin_phase - stiffness * x).abs() - friction_bound
-}
-
-/// Left less right side of eq. 60, the conditions 58 and 59 with Δ₀ from eq. 42:
-/// `B² [(αΩ/(1−Ω²))² − T²] (k/r_y − p₀/(r_y A))² − Ω²`.
-///
-/// `k/r_y = 1/B` and `p₀/(r_y A) = (1−Ω²)/B`. Zero on eq. 61.
-#[cfg(any(test, feature = "matching"))]
-#[inline]
-pub(crate) fn turning_point_residual<R: Field>(b: R, alpha: R, omega: R, tangent: R) -> R {
-    let q = one_minus_square(omega);
-    let stiffness_to_friction = R::int(1) / b;
-    let force_to_amplitude = q / b;
-    b.square()
-        * ((alpha * omega / q).square() - tangent.square())
-        * (stiffness_to_friction - force_to_amplitude).square()
-        - omega.square()
-}
-
-/// The border at the turning point (eq. 61): `α = √{(1/Ω² − 1)² [1 + (ΩT)²]} = hypot(K, 1/Ω² − 1)`.
-///
-/// `phase_function` is K(Ω), `one_minus_square` is 1 − Ω². Equivalent to `Δ₀/B ≥ 1/Ω²`. **Exact for Ω ≥ 1/2;
-/// below, necessary but not sufficient**, which the paper does not say: at Ω = 0.4 it gives 5.654…, and the
-/// body sticks up to 6.949… ([`Border`]). Tends to 4/π at Ω = 1, to √(1 + π²/4) as Ω → ∞. Source: Hong & Liu
-/// 2001, eq. 61. Accuracy at f64: 5 ulp.
-#[inline(always)]
-pub(crate) fn turning_point_border<R: Field>(phase_function: R, one_minus_square: R, omega: R) -> R {
-    // α = hypot(K, (1 − Ω²)/Ω²)
-    border_force_ratio(phase_function, one_minus_square / omega.square())
-}
-
-/// The border from the minimum displacement S of a cycle without stops: `α_min = hypot(K, (1 − Ω²) S)`, eq. 44
-/// solved for α.
-///
-/// `phase_function` is K(Ω), `width` is (1 − Ω²) S.
-#[inline(always)]
-pub(crate) fn border_force_ratio<R: Field>(phase_function: R, width: R) -> R {
-    // α_min = √{K² + [(1 − Ω²) S]²}
-    phase_function.hypot(width)
-}
+pub(crate) use turning_point::{slip_excess, turning_point_residual};
 
 /// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
 ///
@@ -115,12 +72,6 @@ fn is_stationary_value_larger<F: Float>(
     rises: bool,
 ) -> bool {
     rises | (width.value() > (one_minus_square / omega.wide().square()).value())
-}
-
-/// The criterion of eq. 62: `α ≥` [`turning_point_border`]. Necessary for every Ω, sufficient for Ω ≥ 1/2.
-#[cfg(test)]
-pub(crate) fn turning_point_criterion<F: Float>(phase_function: F, omega: F, alpha: F) -> bool {
-    alpha >= turning_point_border(phase_function, one_minus_square(omega), omega)
 }
 
 /// The minimum force ratio at a frequency ratio: exact, and by eq. 61.

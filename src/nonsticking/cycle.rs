@@ -1,12 +1,11 @@
 //! All of one non-sticking cycle.
 
+#[cfg(any(test, feature = "matching"))]
+mod matching;
+
 use super::border::Border;
 use super::damped::{self, DampedCycle};
-#[cfg(test)]
-use super::den_hartog;
 use super::half_cycle::HalfCycle;
-#[cfg(any(test, feature = "matching"))]
-use super::matching;
 use super::motion::Motion;
 use super::reversal::Reversal;
 use super::{Multipliers, stability, velocity, velocity_phase};
@@ -45,7 +44,8 @@ impl<F: Float> Cycle<F> {
     /// The cycle at (Ω, α).
     ///
     /// # Errors
-    /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above it.
+    /// [`Error::Sticks`] where α is below the exact border, [`Error::Unbounded`] where Ω = 1 and α is above
+    /// it.
     #[inline]
     pub fn new(ratios: Ratios<F>) -> Result<Self, Error> {
         if ratios.is_damped() {
@@ -219,46 +219,6 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// What the matching problem of the paper is given here: A/B, B/B = 1 and Ω. It knows no damping: A is
-    /// NaN with it.
-    #[cfg(any(test, feature = "matching"))]
-    pub(crate) fn given(&self) -> matching::Given<F> {
-        matching::Given {
-            amplitude: self.undamped_amplitude(),
-            friction_displacement: F::int(1),
-            omega: self.ratios.omega(),
-        }
-    }
-
-    /// The solution of the matching problem (eq. 21–25), lengths in units of B, with ω_d t₁ taken so that
-    /// t₂ − π/ω_d < t₁ < t₂.
-    #[cfg(test)]
-    pub(crate) fn unknowns(&self) -> matching::Unknowns<F> {
-        let early = self.velocity_phase > self.displacement_phase;
-        let turn = if early { F::int(2) * F::pi() } else { F::int(0) };
-        matching::Unknowns {
-            velocity_phase: self.velocity_phase - turn,
-            displacement_phase: self.displacement_phase,
-            max_velocity: self.max_velocity * self.ratios.omega(),
-            max_displacement: self.max_displacement,
-            deviation: self.deviation,
-        }
-    }
-
-    /// Den Hartog's half cycle of the same motion (eq. 54), in units of B. Without damping: NaN with it.
-    #[cfg(test)]
-    pub(crate) fn den_hartog(&self) -> den_hartog::FallingHalf<F> {
-        let one = F::int(1);
-        den_hartog::FallingHalf {
-            amplitude: self.undamped_amplitude(),
-            friction_displacement: one,
-            omega: self.ratios.omega(),
-            phase_lag: den_hartog::phase_lag(self.displacement_phase),
-            c1: den_hartog::sine_coefficient(one, PhaseFunction::of_valid(self.ratios.omega()).tangent()),
-            c2: den_hartog::cosine_coefficient(one),
-        }
-    }
-
     /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
     ///
     /// Accurate near Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite.
@@ -270,12 +230,6 @@ impl<F: Float> Cycle<F> {
     /// Velocity `x′/(Bω_d)` at any phase ω_d t: the derivative of [`Cycle::displacement_at`].
     pub fn velocity_at(&self, phase: F) -> F {
         self.motion.at(self.ratios.omega(), phase - self.displacement_phase).1
-    }
-
-    /// A/B of the equations that know no damping, NaN with it.
-    #[cfg(any(test, feature = "matching"))]
-    fn undamped_amplitude(&self) -> F {
-        if self.ratios.is_damped() { F::int(0) / F::int(0) } else { self.ratios.forced_amplitude() }
     }
 }
 

@@ -2,8 +2,8 @@
 //!
 //! The equation of motion in natural time, `x″ + 2ζx′ + x + sgn x′ = α sin θ` (units of B = r_y/k), has
 //! between its reversals a driven and a free part, and the cycle with two reversals and no stop follows from
-//! its matching conditions as without damping ([`mod@half_period`]). With `K = qH` the table of ζ = 0 holds with
-//! q for |1 − Ω²| and a shift G of the displacement:
+//! its matching conditions as without damping ([`mod@half_period`]). With `K = qH` the table of ζ = 0 holds
+//! with q for |1 − Ω²| and a shift G of the displacement:
 //!
 //! | | ζ = 0 | ζ > 0 |
 //! |---|---|---|
@@ -127,8 +127,8 @@ impl<F: Float> DampedCycle<F> {
 impl<F: Float> Rising<F> {
     /// At an α on or above the border.
     pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
-        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less than a cycle has at its
-        // turning points, which beside Ω = 1 is all that is left of the difference.
+        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less
+        // than a cycle has at its turning points, which beside Ω = 1 is all that is left of the difference.
         let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
         let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
         Self { half, amplitude, max_displacement }
@@ -150,7 +150,8 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Field> HalfPeriod<F> {
-    /// The middle of the two multipliers of half a cycle, and the square of what they are off it, times (1 + 1/R)²; by 1/R.
+    /// The middle of the two multipliers of half a cycle, and the square of what they are off it, times
+    /// (1 + 1/R)²; by 1/R.
     pub(crate) fn multipliers(&self, inverse: F) -> (F, F) {
         let (c, z) = (self.cosine, self.free.zeta * self.sine);
         // All divided by R, so that an infinite R gives the limit.

@@ -113,8 +113,8 @@ impl<F: Float> HalfCycle<F> {
         }
     }
 
-    /// A half cycle within the range of f64 for the start of an iteration: below 2⁻²⁵⁰ only the ratio of 1 −
-    /// Ω and cos β matters, and above 2²⁵⁰ only that Δ₀ is large.
+    /// A half cycle within the range of f64 for the start of an iteration: below 2⁻²⁵⁰ only the ratio of
+    /// 1 − Ω and cos β matters, and above 2²⁵⁰ only that Δ₀ is large.
     pub(crate) fn in_range(self) -> Self {
         let (least, greatest) = (F::exp2i(-F::RATIO_EXPONENT), F::exp2i(F::RATIO_EXPONENT));
         if !self.beside_one || self.one_minus_omega.abs() >= least {

@@ -15,9 +15,9 @@
 //! x = A cos Ω(φ₂ + u) + p cos u − q sin u − r(u) + Σ σ_j sgn(u_j − u) cos(u − u_j),      r = ±1 the friction
 //! ```
 //!
-//! solves the equation of motion and keeps its velocity at the reversals. It is antisymmetric, x(φ + π/Ω) =
-//! −x(φ), if the free vibration `p + iq` is what the three reversals feed: with `X = cos a + cos b − 1`,
-//! `Y = sin a − sin b`, β = π/2Ω,
+//! solves the equation of motion and keeps its velocity at the reversals. It is antisymmetric,
+//! x(φ + π/Ω) = −x(φ), if the free vibration `p + iq` is what the three reversals feed: with
+//! `X = cos a + cos b − 1`, `Y = sin a − sin b`, β = π/2Ω,
 //!
 //! ```text
 //! p cos β + Y sin β = 0,     q cos β − X sin β = 0,
@@ -115,8 +115,8 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]), and with a static friction above the kinetic
-    /// one, for which it is not known.
+    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]),
+    /// and with a static friction above the kinetic one, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         if ratios.has_higher_static_friction() {

@@ -155,8 +155,8 @@ impl<F: Float> Multipliers<F> {
         Self { half_cycle }
     }
 
-    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the one
-    /// with im > 0 first; of two real ones the one of larger modulus is first.
+    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the
+    /// one with im > 0 first; of two real ones the one of larger modulus is first.
     #[must_use]
     pub fn half_cycle(&self) -> [(F, F); 2] {
         self.half_cycle.parts()

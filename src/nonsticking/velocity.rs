@@ -26,8 +26,8 @@
 //! * **The sign of ρ.** What swings at ω_n is, at the maximum, `ρ/B = sin ψ/cos β` (eq. 27), and
 //!   `v′(0) = (1 − Ω sin β)/cos β` up to a positive factor. For Ω < 1 that has the sign of cos β, that of
 //!   ψ_p: v still rises towards ψ_p at ψ = 0, so that the maximum lies between 0 and ψ_p = ±π/2, and ρ > 0.
-//!   For Ω > 1, cos β > 0 and Ω sin β = (π/2) sin β/β > 1: v falls at ψ = 0, the maximum is before it, and ρ
-//!   < 0. So ρ has the sign of 1 − Ω.
+//!   For Ω > 1, cos β > 0 and Ω sin β = (π/2) sin β/β > 1: v falls at ψ = 0, the maximum is before it, and
+//!   ρ < 0. So ρ has the sign of 1 − Ω.
 //!
 //! So one bracket serves every Ω, and whatever a fast iteration finds inside it is the answer.
 

@@ -202,8 +202,8 @@ impl<F: Float> Drive<F> {
     /// The phase by which the force on the body is ahead of the motion of the base: `atan(c ω_d/k)` of a foot
     /// with a damper, otherwise 0.
     ///
-    /// Phases of this crate are those of the force, ω_d t. The displacement of the base is `u₀ sin(ω_d t −
-    /// lead)`, however its amplitude was given.
+    /// Phases of this crate are those of the force, ω_d t. The displacement of the base is
+    /// `u₀ sin(ω_d t − lead)`, however its amplitude was given.
     pub fn phase_lead(&self, oscillator: &Oscillator<F>) -> F {
         if self.excitation == Excitation::DampedFootMotion {
             (oscillator.damping() * self.angular_frequency).atan2(oscillator.stiffness())

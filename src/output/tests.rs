@@ -13,7 +13,8 @@ fn each_is_read_by_its_name() {
     );
 }
 
-/// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by hand.
+/// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by
+/// hand.
 #[test]
 fn each_has_the_unit_of_its_dimension() {
     let scales = Scales::<f64> {

@@ -13,9 +13,9 @@ impl<F: Float> PhaseFunction<F> {
     /// K′ = −(π/Ω³) T/β + (1 − 1/Ω²)(2β − sin 2β)/(2 cos²β)   for Ω ≥ 2,
     /// ```
     ///
-    /// with `T′ = −(π/2Ω²)(1 + T²)`; `w = (π/2)(1 − Ω)/Ω`, of which K = −(2/π)(1 + Ω) E(w), so that K′(1) =
-    /// −2/π; and `β = π/2Ω`, of which K = −(π/2)(1 − 1/Ω²) T/β: there the first form loses all digits, K′
-    /// being of the order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
+    /// with `T′ = −(π/2Ω²)(1 + T²)`; `w = (π/2)(1 − Ω)/Ω`, of which K = −(2/π)(1 + Ω) E(w), so that
+    /// K′(1) = −2/π; and `β = π/2Ω`, of which K = −(π/2)(1 − 1/Ω²) T/β: there the first form loses all
+    /// digits, K′ being of the order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
     #[must_use]
     pub fn slope(&self) -> F {
         let (omega, w, one) = (self.omega(), self.remainder(), F::int(1));

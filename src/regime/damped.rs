@@ -1,5 +1,5 @@
-//! The regime below the border with damping: six reversals without a stop, or a stop in every cycle; and the verdict of a machine, whose
-//! ratios carry rounding.
+//! The regime below the border with damping: six reversals without a stop, or a stop in every cycle; and the
+//! verdict of a machine, whose ratios carry rounding.
 
 use super::{Regime, Verdict};
 use crate::error::Error;
@@ -35,11 +35,12 @@ pub(crate) fn reverses_six_times<F: Float>(ratios: Ratios<F>) -> bool {
     edges(&ratios).is_some_and(|(low, high)| low <= ratios.alpha() && ratios.alpha() <= high)
 }
 
-/// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α, four of ζ. `error` is the border's own
-/// relative error bound.
+/// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
+/// four of ζ. `error` is the border's own relative error bound.
 ///
-/// Over so small a box the border is monotone in Ω and ζ but next to a peak that is as narrow, and its ends, the middle and points between
-/// tell its range. Where they differ by more than an eighth of it, such a peak may be inside: then the verdict is undecided. That is seen, not proved.
+/// Over so small a box the border is monotone in Ω and ζ but next to a peak that is as narrow, and its ends,
+/// the middle and points between tell its range. Where they differ by more than an eighth of it, such a peak
+/// may be inside: then the verdict is undecided. That is seen, not proved.
 ///
 /// # Errors
 /// Where a ratio leaves its domain.

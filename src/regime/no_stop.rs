@@ -52,12 +52,13 @@ impl<F: Float> NoStop<F> {
 /// The force ratios with which a body of the damping ratio ζ never stops at Ω, as intervals with their ends.
 ///
 /// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of
-/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping the motion from the border on is
-/// unbounded, and does not stop either. A little damping leaves some of the intervals below the border, and from
-/// ζ = 0.0215/(2n+1) on none.
+/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping the motion from the
+/// border on is unbounded, and does not stop either. A little damping leaves some of the intervals below the
+/// border, and from ζ = 0.0215/(2n+1) on none.
 ///
-/// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other α > 1; no motion of
-/// ten reversals or more without a stop was found, nor one of six elsewhere (`docs/theory/six-reversals.md`).
+/// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other
+/// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
+/// (`docs/theory/six-reversals.md`).
 ///
 /// ```
 /// use stickslip::regime::no_stop_force_ratios;
@@ -72,8 +73,8 @@ impl<F: Float> NoStop<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; without damping with the guard bits that
-/// the type has.
+/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; without damping with the
+/// guard bits that the type has.
 ///
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].

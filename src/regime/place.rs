@@ -16,9 +16,9 @@ use crate::ratios::Ratios;
 /// **Undecided.** The border is known to 8 units in the last place, its error bound
 /// ([`Place::BORDER_ERROR`]); where α is closer to it than that the verdict is [`Verdict::Undecided`], and a
 /// wider number type decides. Ω and α are taken as exact by [`Place::new`]. [`Place::of`] and
-/// [`crate::uncertainty::RatioBox`] know that they are not: their verdict holds for every Ω and α in the given intervals,
-/// over which the range of the border is known. Near a pole 1/(2n+1) that matters more
-/// than rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
+/// [`crate::uncertainty::RatioBox`] know that they are not: their verdict holds for every Ω and α in the
+/// given intervals, over which the range of the border is known. Near a pole 1/(2n+1) that matters more than
+/// rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
 ///
 /// ```
 /// use stickslip::uncertainty::{Interval, RatioBox};

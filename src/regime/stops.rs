@@ -18,8 +18,8 @@ pub struct Stops {
     pub velocity_zeros: u32,
 }
 
-/// The stops per cycle of the motion at (Ω, α) in the long run; `None` where there is no cycle: at rest (α ≤
-/// 1), and at Ω = 1 above the border.
+/// The stops per cycle of the motion at (Ω, α) in the long run; `None` where there is no cycle: at rest
+/// (α ≤ 1), and at Ω = 1 above the border.
 ///
 /// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all
 /// members but for those at its edge. A stop that is shorter than the motion is known to, beside a border, is
@@ -43,8 +43,8 @@ pub struct Stops {
 ///
 /// # Errors
 /// [`Error::Undecided`] where a stop, or the clearance without one, is smaller than the motion is known to;
-/// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than [`crate::exact::DEFAULT_BUDGET`] periods, and as for
-/// [`crate::exact::Trajectory::new`].
+/// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than
+/// [`crate::exact::DEFAULT_BUDGET`] periods, and as for [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
     let limit = LongRun::from_start(ratios.with_one_friction()?, State::rest())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {

@@ -9,8 +9,8 @@ use crate::output::Output;
 use crate::regime::Verdict;
 use crate::response::Response;
 
-/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other; and a damper, if there is
-/// one ([`MachineBox::with_damping`]).
+/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other;
+/// and a damper, if there is one ([`MachineBox::with_damping`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct MachineBox<F> {
@@ -58,7 +58,8 @@ impl<F: Float> MachineBox<F> {
 
     /// The same with a viscous damper of constant c in an interval.
     ///
-    /// Ranges are sampled then ([`MachineBox::range`]) or, with the feature `mp`, proved (`MachineBox::enclosed`).
+    /// Ranges are sampled then ([`MachineBox::range`]) or, with the feature `mp`, proved
+    /// (`MachineBox::enclosed`).
     ///
     /// # Errors
     /// Where an end of it is not finite or below 0.
@@ -103,14 +104,15 @@ impl<F: Float> MachineBox<F> {
         if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
 
-    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, each monotone in each parameter.
+    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, each
+    /// monotone in each parameter.
     ///
-    /// Its ends are taken, but under base motion, where k is in both, not every pair in it is. Widened by what the quotients and the
-    /// root may have lost to rounding.
+    /// Its ends are taken, but under base motion, where k is in both, not every pair in it is. Widened by
+    /// what the quotients and the root may have lost to rounding.
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`crate::Ratios`]; [`Error::Damped`] with a damper, for which nothing is known over a box
-    /// but by `MachineBox::enclosed` and `MachineBox::enclosed_verdict`.
+    /// Where a ratio leaves the domain of [`crate::Ratios`]; [`Error::Damped`] with a damper, for which
+    /// nothing is known over a box but by `MachineBox::enclosed` and `MachineBox::enclosed_verdict`.
     pub fn ratios(&self) -> Result<RatioBox<F>, Error> {
         if self.is_damped() {
             let (body, _) = self.at([F::int(1); 6])?;
@@ -137,11 +139,12 @@ impl<F: Float> MachineBox<F> {
         self.ratios()?.verdict()
     }
 
-    /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at no point that was looked
-    /// at.
+    /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at
+    /// no point that was looked at.
     ///
-    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin, by the module's head; sampled
-    /// otherwise, as is everything with a damper, and what belongs to the cycle where the body may stick. `points` is the number of points, or of pieces.
+    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin, by the
+    /// module's head; sampled otherwise, as is everything with a damper, and what belongs to the cycle where
+    /// the body may stick. `points` is the number of points, or of pieces.
     ///
     /// # Errors
     /// As [`MachineBox::ratios`], and where a scale over- or underflows.

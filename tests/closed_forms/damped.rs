@@ -349,7 +349,8 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
     assert!(inner > 100, "{inner}");
 }
 
-/// The verdict of a machine with a damper is that of its ratios but within rounding of an edge, where it is undecided.
+/// The verdict of a machine with a damper is that of its ratios but within rounding of an edge, where it is
+/// undecided.
 #[test]
 fn a_machine_with_a_damper_has_a_place() {
     let mut random = Random(17);

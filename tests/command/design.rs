@@ -104,7 +104,8 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
     assert!(loop_size(at * 1.001) < loop_size(at) && loop_size(at * 0.999) < loop_size(at));
 }
 
-/// Each question that knows a damper answers with one, in both kinds of units, and what is searched says so; the others refuse it.
+/// Each question that knows a damper answers with one, in both kinds of units, and what is searched says so;
+/// the others refuse it.
 #[test]
 fn with_a_damper() {
     let damped = "--omega 1 --damping-ratio 0.05";
@@ -145,7 +146,8 @@ fn with_a_damper() {
     refused(&format!("design {arguments} --damping-ratio 0.05"), says);
 }
 
-/// Forces and bands without a stop with a damper: six reversals a cycle with a little of it, and none with more.
+/// Forces and bands without a stop with a damper: six reversals a cycle with a little of it, and none with
+/// more.
 #[test]
 fn without_a_stop_with_a_damper() {
     let ends = |answer: &Value| answer["no_stop_force_ratios"].as_array().unwrap().len();

@@ -115,8 +115,8 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     }
 }
 
-/// A verdict that is decided is that of the rounded border, but for a few units in its last place at Ω =
-/// 1/(2n).
+/// A verdict that is decided is that of the rounded border, but for a few units in its last place at
+/// Ω = 1/(2n).
 fn place(ratios: Ratios<f64>, regime: Regime) {
     let place = Place::new(ratios);
     let margin = place.margin();

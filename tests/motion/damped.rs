@@ -488,8 +488,8 @@ fn fast_drives_settle_beside_critical_damping() {
     }
 }
 
-/// A slow creep under a fast drive ends where its velocity has fallen to that of the drive: after up to 10¹⁰ turns,
-/// of which floats no longer tell the phase.
+/// A slow creep under a fast drive ends where its velocity has fallen to that of the drive: after up to 10¹⁰
+/// turns, of which floats no longer tell the phase.
 #[test]
 fn a_long_creep_under_a_fast_drive_is_one_slide() {
     let far = 2f64.powi(20);

@@ -62,8 +62,8 @@ fn multipliers_at_a_known_point() {
 }
 
 /// The loss of digits that the problem itself brings: rounding a state costs ε (1 + 1/Ω) of its size, and
-/// half a turn leaves the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has α²/(α² −
-/// K²) of its own.
+/// half a turn leaves the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has
+/// α²/(α² − K²) of its own.
 fn condition(cycle: &Cycle<f64>) -> f64 {
     let (omega, alpha) = (cycle.ratios().omega(), cycle.ratios().alpha());
     let k = PhaseFunction::new(omega).unwrap().value();

@@ -304,7 +304,8 @@ fn campaign_of_six_reversals_with_a_damper() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Where the edges say that there is no cycle of six reversals with damping, the motion below the border stops.
+/// Where the edges say that there is no cycle of six reversals with damping, the motion below the border
+/// stops.
 fn damped_elsewhere(points: usize, seed: u64) -> (u32, Vec<String>) {
     let (mut random, mut compared, mut wrong) = (Random(seed), 0, Vec::new());
     for _ in 0..points {

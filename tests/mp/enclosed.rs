@@ -1,4 +1,5 @@
-//! Enclosures of the closed forms against the same outputs at 1024 bits, where they are sharp and where a decision is near.
+//! Enclosures of the closed forms against the same outputs at 1024 bits, where they are sharp and where a
+//! decision is near.
 
 use proptest::prelude::*;
 use stickslip::enclosed::{self, Enclosure, Known, Regime};
@@ -93,7 +94,8 @@ proptest! {
         let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio();
         let alpha = Exact::rounded(Mp::<2>::rounded(least * (Exact::from(1) + Exact::from(excess))));
         let widest = check(omega, alpha, if wide { 256 } else { 64 });
-        // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave another half.
+        // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave
+        // another half.
         prop_assert!(widest <= 1.5, "{omega} {alpha}: {widest} units");
     }
 
@@ -296,7 +298,8 @@ fn what_is_outside_the_domain_is_refused() {
     assert!(Known::exactly(Mp::<1>::NAN).is_err());
 }
 
-/// The motions of the exact solver at 256 bits, each proved to exist: place, stops, extrema and multipliers in their enclosures.
+/// The motions of the exact solver at 256 bits, each proved to exist: place, stops, extrema and multipliers
+/// in their enclosures.
 #[test]
 fn steady_motions_are_proved() {
     use stickslip::exact::{LongRun, State};
@@ -377,7 +380,8 @@ fn what_cannot_be_proved_is_not_claimed() {
     assert_eq!(reason("1", "2"), Unproved::NotPeriodic);
     assert_eq!(reason("1e-4", "3"), Unproved::TooManySlides);
     assert_eq!(reason("0.5", "3"), Unproved::Family);
-    // Force ratios on both sides of the border: the slides of some end earlier than those of others, and no number of bits tells which.
+    // Force ratios on both sides of the border: the slides of some end earlier than those of others, and no
+    // number of bits tells which.
     let both = Known::between(&known("1.5679"), &known("1.5681")).unwrap();
     let both = enclosed::steady(&known("0.7"), &both, &known("0.05"), &known("1"), 64).unwrap();
     let Err(Unproved::Undecided { event, bits, .. }) = both else { panic!("{both:?}") };
@@ -388,8 +392,8 @@ fn what_cannot_be_proved_is_not_claimed() {
     assert!(with(["1e10", "3", "0", "1"]).is_err() && with(["0.5", "3", "0", "0.99"]).is_err());
 }
 
-/// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`. `STICKSLIP_SEED`,
-/// `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` say which, how many and for how long at most.
+/// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.
+/// `STICKSLIP_SEED`, `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` say which, how many and for how long at most.
 #[test]
 #[ignore = "minutes; .ci/slow enclosures"]
 #[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
@@ -422,7 +426,8 @@ fn a_million_points() {
         let alpha = match i % 3 {
             0 => least * (1.0 + 20.0 * random()),
             1 => least * (1.0 + 2f64.powf(-52.0 * random())),
-            // Below the border only where no motion of six reversals has to be looked for, which has no enclosure.
+            // Below the border only where no motion of six reversals has to be looked for, which has no
+            // enclosure.
             _ => least * (1.0 + if omega < 0.5 { 1.0 } else { sign } * 2f64.powf(-4.0 - 48.0 * random())),
         };
         let begun = Instant::now();
@@ -471,8 +476,9 @@ fn a_million_points() {
     );
 }
 
-/// The guaranteed ranges of `uncertainty` at f64 in boxes of one point, where nothing but their margin for rounding lies between the two ends:
-/// how many have the enclosed value in them, and the largest part of a margin that rounding takes.
+/// The guaranteed ranges of `uncertainty` at f64 in boxes of one point, where nothing but their margin for
+/// rounding lies between the two ends: how many have the enclosed value in them, and the largest part of a
+/// margin that rounding takes.
 fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
     use stickslip::uncertainty::{Interval, RatioBox};
     let outputs = [
@@ -536,7 +542,8 @@ fn margins_of_many_ranges() {
     println!("{count} points, {compared} ranges with their value, at most {largest:.3} of a margin taken");
 }
 
-/// Ranges proved in balls have the outputs of points of the box, whatever the output, and close in on them as the box is cut into more parts.
+/// Ranges proved in balls have the outputs of points of the box, whatever the output, and close in on them as
+/// the box is cut into more parts.
 #[test]
 fn proved_ranges_have_the_outputs_of_the_box() {
     use stickslip::uncertainty::{Interval, RatioBox};

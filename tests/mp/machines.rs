@@ -66,7 +66,8 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
                 least <= low + rounding && high - rounding <= greatest,
                 "{base} {machine:?} {output:?}: {least} … {greatest}, but {low} … {high}"
             );
-            // Closer with more parts. What takes a search, cancels or hardly changes over the box stays wider for longer.
+            // Closer with more parts. What takes a search, cancels or hardly changes over the box stays wider
+            // for longer.
             let more = whole.enclosed(output, 100).unwrap().unwrap();
             assert!(more.is_guaranteed() && more.high - more.low <= greatest - least, "{output:?} {more:?}");
             let wider = (more.high - more.low) - (high - low);
@@ -78,7 +79,8 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
     }
 }
 
-/// A machine that is known exactly has its outputs to all digits; one on both sides of the border has a margin and no motion.
+/// A machine that is known exactly has its outputs to all digits; one on both sides of the border has a
+/// margin and no motion.
 #[test]
 fn what_is_exact_is_sharp_and_what_may_stick_has_no_range() {
     let exact = ([50.0, 1000.0, 5.0, 12.0, 6.0, 20.0], [0.0; 6]);

@@ -1,5 +1,5 @@
-//! `Mp<LIMBS>` against `rug::Float` of the same precision: every operation, on ordinary numbers and on zeros of
-//! both signs, infinities, NaN, and the ends of the exponent range.
+//! `Mp<LIMBS>` against `rug::Float` of the same precision: every operation, on ordinary numbers and on zeros
+//! of both signs, infinities, NaN, and the ends of the exponent range.
 
 #[macro_use]
 #[path = "../invariants/multiple.rs"]

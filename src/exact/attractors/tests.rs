@@ -5,7 +5,8 @@ use crate::Ratios;
 use crate::exact::machines::{ratios, starts};
 use crate::exact::{LongRun, State};
 
-/// Greatest and minimum displacement, stops, turns, symmetry and mirror image of each limit, by the maximum displacement.
+/// Greatest and minimum displacement, stops, turns, symmetry and mirror image of each limit, by the maximum
+/// displacement.
 type Found = (f64, f64, u32, u32, bool, bool);
 
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {

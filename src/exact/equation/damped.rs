@@ -1,4 +1,5 @@
-//! The functions of natural time with viscous damping; near resonance those of `nonsticking::damped::resonance`.
+//! The functions of natural time with viscous damping; near resonance those of
+//! `nonsticking::damped::resonance`.
 
 use super::{Equation, Waves};
 use crate::float::Float;
@@ -32,7 +33,8 @@ impl<F: Float> Equation<F> {
 
     /// Free vibration of w after φ from (w, w′), `rotation` being [`Equation::free_waves`] at φ.
     ///
-    /// From ζ = 1 on `w′ = −w/μ + (w_0′ + w_0/μ) e^{−μφ}` with the faster rate of decay μ = ζ + √(ζ² − 1): a slow creep keeps its digits.
+    /// From ζ = 1 on `w′ = −w/μ + (w_0′ + w_0/μ) e^{−μφ}` with the faster rate of decay μ = ζ + √(ζ² − 1): a
+    /// slow creep keeps its digits.
     pub(crate) fn freely(&self, phi: F, (s, c): (F, F), (w, rate): (F, F)) -> (F, F) {
         let after = w * c + rate * s;
         if self.damping < F::int(2) {
@@ -89,7 +91,8 @@ impl<F: Float> Equation<F> {
 
     /// `1 − c`, the way of a body from rest under a unit force, where s is [`Equation::free_waves`]' first.
     ///
-    /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μφ} − μs` with the slower rate of decay μ.
+    /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μφ} − μs` with the slower rate of
+    /// decay μ.
     fn step_response(&self, phi: F, s: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let free = self.vibration();

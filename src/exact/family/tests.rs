@@ -122,7 +122,8 @@ fn friction_that_cannot_be_seen_settles_nothing() {
     }
 }
 
-/// Where it can hardly be seen, a member is still found or said not to be, to within a distance that grows as friction fades.
+/// Where it can hardly be seen, a member is still found or said not to be, to within a distance that grows as
+/// friction fades.
 #[test]
 fn friction_that_can_hardly_be_seen() {
     for times in [1e6, 1e9, 1e12] {

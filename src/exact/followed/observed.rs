@@ -1,4 +1,5 @@
-//! What is seen of a motion that is followed: its slides, stops and extrema, how neighbours leave it, and whether it grows without bound.
+//! What is seen of a motion that is followed: its slides, stops and extrema, how neighbours leave it, and
+//! whether it grows without bound.
 
 use crate::exact::equation::Equation;
 use crate::exact::irregular::Irregular;
@@ -26,8 +27,8 @@ impl<F: Float> GrowthAtResonance<F> {
         is_resonant.then_some(Self { large, growth })
     }
 
-    /// The growth by turn, where the motion is so large that it does not stop any more, and grows: its averaged motion then turns towards
-    /// the drive, and grows for ever.
+    /// The growth by turn, where the motion is so large that it does not stop any more, and grows: its
+    /// averaged motion then turns towards the drive, and grows for ever.
     pub(super) fn seen(&self, before: &Point<F>, after: &Point<F>) -> Option<F> {
         let (early, late) = (before.x.hypot(before.w), after.x.hypot(after.w));
         (early > self.large && late > early).then_some(self.growth)

@@ -1,4 +1,5 @@
-//! The limits of docs/theory/static-friction.md, found from starts, and the motion itself against what is said of it.
+//! The limits of docs/theory/static-friction.md, found from starts, and the motion itself against what is
+//! said of it.
 
 use crate::exact::{LongRun, State, SteadyState, Trajectory};
 use crate::nonsticking::{damped, displacement::max_displacement};
@@ -87,7 +88,8 @@ fn the_limit_is_what_the_motion_comes_to() {
     }
 }
 
-/// The cycle that is found is a cycle of the motion: it comes back, and its extrema, works and multipliers are those of samples.
+/// The cycle that is found is a cycle of the motion: it comes back, and its extrema, works and multipliers
+/// are those of samples.
 #[test]
 fn what_is_found_comes_back() {
     for (omega, zeta, eta, alpha) in [
@@ -126,8 +128,9 @@ fn what_is_found_comes_back() {
     }
 }
 
-/// The motion of (0.47, 0.023, 2.48, 7.44) never repeats itself, and its neighbours neither leave nor approach it: with one or two stops in a
-/// turn the maximum displacement of a turn gives the next by a map of a circle onto itself.
+/// The motion of (0.47, 0.023, 2.48, 7.44) never repeats itself, and its neighbours neither leave nor
+/// approach it: with one or two stops in a turn the maximum displacement of a turn gives the next by a map of
+/// a circle onto itself.
 #[test]
 fn a_quasi_periodic_motion() {
     let ratios = ratios(0.47, 0.023, 2.48, 7.44);
@@ -254,8 +257,8 @@ fn the_border_is_that_of_the_motion_everywhere() {
     beside_the_border(100_000);
 }
 
-/// The motion from a start turned upside down, half a turn of the drive on, is the motion turned upside down: to the last bit, phase by
-/// phase.
+/// The motion from a start turned upside down, half a turn of the drive on, is the motion turned upside down:
+/// to the last bit, phase by phase.
 #[test]
 fn a_mirrored_start_has_the_mirrored_motion() {
     let part = |i: u32, step: f64| (f64::from(i) * step).fract();

@@ -7,8 +7,9 @@ use crate::exact::{LongRun, Signature, State, attractors};
 /// Half turns, stops in a cycle and extrema, of an unstable motion.
 type Unstable = (u32, u32, f64, f64);
 
-/// Beside every mirror pair of the six machines stands the symmetric motion that lost its stability to it, or an unstable pair that divides the
-/// plane; beside the two symmetric ones nothing: there the plane is divided by a jump of the period map.
+/// Beside every mirror pair of the six machines stands the symmetric motion that lost its stability to it, or
+/// an unstable pair that divides the plane; beside the two symmetric ones nothing: there the plane is divided
+/// by a jump of the period map.
 #[test]
 fn unstable_motions_beside_the_limits() {
     let symmetric = |x: f64| (1, 2, x, -x);
@@ -53,7 +54,8 @@ fn unstable_motions_beside_the_limits() {
     }
 }
 
-/// Every periodic limit that starts lead to is found by the search, and every stable motion of the search is a limit.
+/// Every periodic limit that starts lead to is found by the search, and every stable motion of the search is
+/// a limit.
 #[test]
 fn the_limits_are_among_them() {
     for (ratios, turns) in [

@@ -36,7 +36,8 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
     }
 }
 
-/// Where friction is rounding beside the force, a disturbance keeps its size: a quotient of the accelerations made it grow by 7e-5.
+/// Where friction is rounding beside the force, a disturbance keeps its size: a quotient of the accelerations
+/// made it grow by 7e-5.
 #[test]
 fn no_part_drives_two_motions_apart() {
     let equation =
@@ -91,10 +92,12 @@ fn a_walk_is_broken_off() {
     assert_eq!((broken.err().map(Error::from), parts, asked), (Some(Error::Interrupted), 6, 7));
 }
 
-/// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for ever.
+/// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for
+/// ever.
 #[test]
 fn a_turn_at_the_end_ends_it() {
-    // Found in random starts, and next to a member of a family; then at quarter turns of the body, at rest on arrival.
+    // Found in random starts, and next to a member of a family; then at quarter turns of the body, at rest on
+    // arrival.
     let found = (
         Ratios::new(2.0, 1.677_050_983_124_842_1).unwrap(),
         DrivePhase::of_half_turn(9, 1.570_796_326_794_887_7),

@@ -27,7 +27,8 @@ fn scales_are_the_sizes_of_the_terms() {
 
 #[test]
 fn against_forty_digits() {
-    // The textbook solution at 40 digits, rounded: (Ω, φ, x, w, w′) for α = 2.3, θ_i = 0.4, x_i = −0.7, w_i = 0.9.
+    // The textbook solution at 40 digits, rounded: (Ω, φ, x, w, w′) for α = 2.3, θ_i = 0.4, x_i = −0.7,
+    // w_i = 0.9.
     for (omega, phi, x, w, a) in REFERENCE {
         let m = slide(omega, 2.3, 0.4, -0.7, 0.9).motion(phi);
         let scale = 4e-16 * (1.0 + phi + omega * phi) * (1.0 + 2.3);

@@ -7,8 +7,8 @@ use crate::exact::state::State;
 use crate::exact::trajectory::{Body, Trajectory};
 use crate::exact::{LongRun, SteadyState};
 
-/// (Ω, α, ζ) of the i-th of a sequence that fills the space evenly: Ω from 0.04 to 3, α up to twice the least of a cycle without stops, every
-/// second one damped.
+/// (Ω, α, ζ) of the i-th of a sequence that fills the space evenly: Ω from 0.04 to 3, α up to twice the least
+/// of a cycle without stops, every second one damped.
 fn ratios(i: u32) -> Ratios<f64> {
     let spread = |step: f64| (f64::from(i) * step).fract();
     let omega = 0.04 * 75f64.powf(spread(0.618_034));
@@ -108,7 +108,8 @@ fn what_is_found_is_proved() {
     assert!(found > 300 && unproved == 0, "{unproved} of {found}");
 }
 
-/// The maximum displacement by a solution of its own: one slide for half a turn, two equations for its length and end, at 40 digits.
+/// The maximum displacement by a solution of its own: one slide for half a turn, two equations for its length
+/// and end, at 40 digits.
 #[test]
 fn the_extremum_is_right_to_the_last_places() {
     for (omega, alpha, zeta, extremum) in [

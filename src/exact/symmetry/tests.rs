@@ -30,8 +30,8 @@ fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     (symmetric, others)
 }
 
-/// At each break by a multiplier it is λ = −1, of J: det(1 + J) vanishes and det(1 − J) does not. On the stable side starts lead to the symmetric
-/// motion, on the other to a mirror pair.
+/// At each break by a multiplier it is λ = −1, of J: det(1 + J) vanishes and det(1 − J) does not. On the
+/// stable side starts lead to the symmetric motion, on the other to a mirror pair.
 #[test]
 fn symmetry_breaks_at_a_multiplier_of_minus_one() {
     let mut count = 0;
@@ -98,8 +98,8 @@ fn nothing_is_lost_with_equal_frictions() {
     }
 }
 
-/// At ω_d t = 0 the body rests or begins to slide: a speed of 5e-324 there was followed as a slide, with other multipliers, and the search
-/// never ended.
+/// At ω_d t = 0 the body rests or begins to slide: a speed of 5e-324 there was followed as a slide, with
+/// other multipliers, and the search never ended.
 #[test]
 fn a_speed_next_to_nothing_is_rest() {
     let found = symmetry_breaks(ratios(0.164_705_882_352_941_17, 0.02, 2.0, 9.1), 3.1, 9.1, 32).unwrap();

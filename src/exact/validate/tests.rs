@@ -58,7 +58,8 @@ fn it_is_what_newtons_method_finds() {
     assert!(found * 10 > all * 9, "{found} of {all}");
 }
 
-/// Of the cycle of a slightly other force and phase what is validated comes back to where it began, as the motion goes.
+/// Of the cycle of a slightly other force and phase what is validated comes back to where it began, as the
+/// motion goes.
 #[test]
 fn what_is_confirmed_comes_back() {
     let (mut found, mut all) = (0, 0);
@@ -129,7 +130,8 @@ fn the_signs_alone_mostly_do() {
     assert!(found * 100 > all * 95, "{found} of {all}");
 }
 
-/// Slides of any phase that are at rest again after half a turn: the signs never hide a velocity zero on the way.
+/// Slides of any phase that are at rest again after half a turn: the signs never hide a velocity zero on the
+/// way.
 #[test]
 fn the_signs_hide_no_velocity_zero() {
     let (mut shown, mut turning) = (0, 0);

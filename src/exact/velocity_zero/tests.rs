@@ -77,7 +77,8 @@ fn the_work_is_bounded() {
         (f64::from(i) * 0.618_033_988_749_895 + f64::from(j) * 0.414_213_562_373_095).fract()
     };
     let slides = 40_000;
-    // Evaluations, the most and in all: with half a period of the drive for a hint, and with one that is right to a percent.
+    // Evaluations, the most and in all: with half a period of the drive for a hint, and with one that is
+    // right to a percent.
     let (mut most, mut sum, mut sum_hinted) = (0, 0, 0);
     for i in 0..slides {
         let omega = 10f64.powf(6.0 * spread(i, 0) - 3.0);
@@ -112,7 +113,8 @@ fn the_work_is_bounded() {
     assert!(sum <= 150_300 && sum_hinted <= 94_400, "{sum} {sum_hinted}");
 }
 
-/// Over the whole range of Ω, with a free wave of any size beside the forced one: the windows without zeros are left out.
+/// Over the whole range of Ω, with a free wave of any size beside the forced one: the windows without zeros
+/// are left out.
 #[test]
 fn the_work_is_bounded_at_any_frequency() {
     let spread = |i: u32, step: f64| (f64::from(i) * step).fract();
@@ -145,7 +147,8 @@ fn the_work_is_bounded_at_any_frequency() {
     assert!(most <= 24 && sum <= 7 * slides, "{most} {sum}");
 }
 
-/// A drive so weak that its share of the velocity is zero in the type: the windows are half periods of the free wave.
+/// A drive so weak that its share of the velocity is zero in the type: the windows are half periods of the
+/// free wave.
 #[test]
 fn a_drive_that_cannot_be_seen_costs_nothing() {
     for (omega, alpha, x) in [(2f64.powi(20), 1e-150, 1e290), (1e5, 1e-140, 1e200), (3e3, 1e-150, 7e290)] {

@@ -47,8 +47,9 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self::new(mid, bound([self.rad, half_unit(mid)]))
     }
 
-    /// With δ = x − a and t = tan a: `tan x − t = (1 + t²) tan δ/(1 − t tan δ)`, the addition theorem. For |δ| ≤ r < √2,
-    /// `tan δ ≤ δ/(1 − δ²/2)` since sin δ ≤ δ and cos δ ≥ 1 − δ²/2 > 0. There is no pole between a and x where |t| tan r < 1.
+    /// With δ = x − a and t = tan a: `tan x − t = (1 + t²) tan δ/(1 − t tan δ)`, the addition theorem. For
+    /// |δ| ≤ r < √2, `tan δ ≤ δ/(1 − δ²/2)` since sin δ ≤ δ and cos δ ≥ 1 − δ²/2 > 0. There is no pole
+    /// between a and x where |t| tan r < 1.
     ///
     /// The whole line where a pole may be in the ball.
     #[inline(never)]
@@ -116,8 +117,8 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }
     }
 
-    /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so e^r − 1 ≤
-    /// r/(1 − r).
+    /// `eˣ`: `|eˣ − eᵃ| = eᵃ |e^(x−a) − 1| ≤ eᵃ r/(1 − r)` for r < 1, since e^r ≤ 1/(1 − r) and so
+    /// e^r − 1 ≤ r/(1 − r).
     #[must_use]
     pub(crate) fn exp(self) -> Self {
         let mid = self.mid.exp();

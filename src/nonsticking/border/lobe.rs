@@ -10,26 +10,26 @@
 //!   √(1 + π²/4).
 //! * **2n < u < 2n + 1**, T > 0: α_min rises with u. K² = (u − 1/u)² T² does, and
 //!   `(1 − Ω²) S = (u − 1/u) N/sin τ` with `N = sin ζ + T(cos τ − cos ζ)` does by its explicit derivative
-//!   `∂N/∂u = [(τ − π/2) cos η cos γ + (π/2)(cos τ + sin γ sin η)]/cos²γ = [τ cos η cos γ + (π/2)(cos τ − cos ζ)]/cos²γ > 0`:
-//!   g(η) = 0 asks for cos η > 0, so that τ < ζ < π.
-//! * **2n + 1 < u < 2n + 2**, T < 0, t = |T|, c = |cos γ|, n ≥ 1: there
-//!   `∂N/∂u = −[(π/2)(cos τ + sin γ sin η) + (π/2 − τ) c cos η]/c²` is negative, so that
-//!   `S/(1/Ω²) = N/(u sin τ)` falls throughout, from ∞ at the pole to less than 1/2 at 2n + 2: it is 1
-//!   **once**, at u_e, the end of the band where eq. 61 falls short. Up to u_e both K² and S fall fast enough
-//!   for α_min to fall: `|∂N/∂u|/N ≥ (π/2) t` and `|T′/T| ≥ π` by u, against `(u² + 1)/(u³ − u) < 1/2`, the
-//!   rate of u − 1/u; and t > 1/3, because N ≤ 2t + 1 < u sin(γ/u) otherwise. From u_e on α_min is eq. 61,
-//!   `(u² − 1)² (1 + t²/u²)`, whose derivative has the sign of `1 − H`,
-//!   `H = [π t (1 + t²) + 2t²/u] (u² − 1)/(4u (u² + t²))`. As u grows t falls. H grows with t at a given u:
-//!   t(1 + t²)/(u² + t²) and t²/(u² + t²) do. It falls with u at a given t ≤ √3: the derivative of (u² −
-//!   1)/(u (u² + t²)) has the sign of `−u⁴ + (3 + t²)u² + t² ≤ −(u⁴ − 6u² − 3)`, negative for u ≥ 3. So H
-//!   falls from u_e on, and there is one minimum.
+//!   `∂N/∂u = [(τ − π/2) cos η cos γ + (π/2)(cos τ + sin γ sin η)]/cos²γ = [τ cos η cos γ + (π/2)(cos τ − cos
+//!   ζ)]/cos²γ > 0`: g(η) = 0 asks for cos η > 0, so that τ < ζ < π.
+//! * **2n + 1 < u < 2n + 2**, T < 0, t = |T|, c = |cos γ|, n ≥ 1: there `∂N/∂u = −[(π/2)(cos τ + sin γ sin
+//!   η) + (π/2 − τ) c cos η]/c²` is negative, so that `S/(1/Ω²) = N/(u sin τ)` falls throughout, from ∞ at
+//!   the pole to less than 1/2 at 2n + 2: it is 1 **once**, at u_e, the end of the band where eq. 61 falls
+//!   short. Up to u_e both K² and S fall fast enough for α_min to fall: `|∂N/∂u|/N ≥ (π/2) t` and
+//!   `|T′/T| ≥ π` by u, against `(u² + 1)/(u³ − u) < 1/2`, the rate of u − 1/u; and t > 1/3, because
+//!   N ≤ 2t + 1 < u sin(γ/u) otherwise. From u_e on α_min is eq. 61, `(u² − 1)² (1 + t²/u²)`, whose
+//!   derivative has the sign of `1 − H`, `H = [π t (1 + t²) + 2t²/u] (u² − 1)/(4u (u² + t²))`. As u grows t
+//!   falls. H grows with t at a given u: t(1 + t²)/(u² + t²) and t²/(u² + t²) do. It falls with u at a given
+//!   t ≤ √3: the derivative of (u² − 1)/(u (u² + t²)) has the sign of
+//!   `−u⁴ + (3 + t²)u² + t² ≤ −(u⁴ − 6u² − 3)`, negative for u ≥ 3. So H falls from u_e on, and there is one
+//!   minimum.
 //!
 //! **t(u_e) = u_e tan(π/2u_e).** At ζ = π, τ = π/u, the condition g = 0 reads t = u tan(π/2u), and there
 //! |f| = t u cot(π/2u) = u², the limit at the turning point: both suprema meet where the condition holds. As u tan(π/2u) falls with u,
 //! t(u_e) is below 3 tan(π/6) = √3 for n ≥ 1, below 5 tan(π/10) = 1.6246 for n ≥ 2, and tends to π/2.
 //!
-//! So the minimum is where H = 1 or at u_e, whichever u is larger. In lobe 1 it is the former, smooth. For n
-//! ≥ 2 H(u_e) ≤ H at (t, u) = (1.6246, 5), which is 0.853: the minimum is the **corner** at u_e.
+//! So the minimum is where H = 1 or at u_e, whichever u is larger. In lobe 1 it is the former, smooth. For
+//! n ≥ 2 H(u_e) ≤ H at (t, u) = (1.6246, 5), which is 0.853: the minimum is the **corner** at u_e.
 //!
 //! The minima grow with n: that of lobe n is below α_min(1/(2n+2)) = (2n+2)² − 1, that of lobe n + 1 above
 //! (2n+3)² − 1.

@@ -158,8 +158,8 @@ fn shift_numerator<F: Float>(free: &Free<F>, period: F, decay: F, product: F) ->
     (slow * p * (two + m) - r * (two + p) * m) / (F::int(8) * free.frequency)
 }
 
-/// `sinh ζT − (ζ/d) sin dT = ζT · T² Σ_{j≥1} [U^j − V^j]/(T² (2j+1)!)`, U = (ζT)², V = (ζ² − 1)T², where `U −
-/// V = T²`, so that the quotient is `Σ U^i V^{j−1−i}`: nothing cancels.
+/// `sinh ζT − (ζ/d) sin dT = ζT · T² Σ_{j≥1} [U^j − V^j]/(T² (2j+1)!)`, U = (ζT)², V = (ζ² − 1)T², where `U
+/// − V = T²`, so that the quotient is `Σ U^i V^{j−1−i}`: nothing cancels.
 fn series<F: Float>(free: &Free<F>, period: F) -> F {
     let (u, v) = ((free.zeta * period).square(), -(free.square * period.square()));
     let most = u.or_larger(v.abs());

@@ -107,8 +107,9 @@ impl<F: Float> DampedCycle<F> {
 
     /// No derivative is larger than this until `time` after a moment.
     ///
-    /// The velocity v obeys `v″ + 2ζv′ + v = αΩ cos θ`, so that √(v² + v′²) grows by αΩ in a unit of time at most, and so for its
-    /// derivatives by αΩ² and αΩ³. Near resonance driven and free part are large and opposite, and this is far less than the sum of both.
+    /// The velocity v obeys `v″ + 2ζv′ + v = αΩ cos θ`, so that √(v² + v′²) grows by αΩ in a unit of time at
+    /// most, and so for its derivatives by αΩ² and αΩ³. Near resonance driven and free part are large and
+    /// opposite, and this is far less than the sum of both.
     fn together(&self, at: &Moment<F>, time: F) -> Together<F> {
         let omega = self.rising.half.omega;
         let ([_, a, jerk], Jet { second: snap, .. }) =
@@ -141,7 +142,8 @@ impl<F: Float> DampedCycle<F> {
 mod tests {
     use crate::{Cycle, Ratios, Response};
 
-    /// Dense samples of the cycle exceed nothing and come close: with little damping and much, slow drives and fast ones.
+    /// Dense samples of the cycle exceed nothing and come close: with little damping and much, slow drives
+    /// and fast ones.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
         for (omega, margin, zeta) in [
@@ -211,7 +213,8 @@ mod tests {
         }
     }
 
-    /// On the border at Ω = 1 driven and free part are 1/ζ times as large as their sum, and nothing grows with that but the rounding.
+    /// On the border at Ω = 1 driven and free part are 1/ζ times as large as their sum, and nothing grows
+    /// with that but the rounding.
     #[test]
     fn at_resonance_on_the_border_the_search_ends() {
         let peaks = |zeta: f64| {

@@ -1,7 +1,8 @@
 //! The linear oscillator beside its resonance, where the driven and the free part of a motion nearly cancel.
 //!
-//! Let s and c be the free vibrations from (x, x′) = (0, 1) and (1, 0), and λ = −ζ + id, d = √(1 − ζ²). The motion that the
-//! right side `e^{iΩτ}` brings about from rest is C + iS, the solution of `E″ + 2ζE′ + E = e^{iΩτ}`:
+//! Let s and c be the free vibrations from (x, x′) = (0, 1) and (1, 0), and λ = −ζ + id, d = √(1 − ζ²). The
+//! motion that the right side `e^{iΩτ}` brings about from rest is C + iS, the solution of
+//! `E″ + 2ζE′ + E = e^{iΩτ}`:
 //!
 //! ```text
 //! C + iS = (e^{iΩτ} − c − iΩs)/(1 − Ω² + 2iζΩ),   S′ = ΩC,   D = C′ = s − ΩS.
@@ -91,7 +92,8 @@ mod tests {
         [cycle.max_velocity(), cycle.velocity_phase(), acceleration, force, absolute]
     }
 
-    /// However little damping there is: the maximum velocity and the peaks keep their digits, and take no longer to find.
+    /// However little damping there is: the maximum velocity and the peaks keep their digits, and take no
+    /// longer to find.
     #[cfg(feature = "mp")]
     #[test]
     fn a_little_damping_at_resonance_costs_no_digits() {

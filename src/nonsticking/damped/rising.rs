@@ -63,7 +63,8 @@ pub(crate) struct Vibration<F> {
     pub(crate) start: (F, F),
     /// How long it lasts.
     pub(crate) end: F,
-    /// Where both parts nearly cancel, x and x′ at the start: there they are computed as one, which takes the place of the free part.
+    /// Where both parts nearly cancel, x and x′ at the start: there they are computed as one, which takes the
+    /// place of the free part.
     pub(crate) whole: Option<(F, F)>,
 }
 
@@ -113,7 +114,8 @@ impl<F: Field> Vibration<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone, or where it is resonant a bound of what it adds.
+    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone, or where it is resonant a bound of what it
+    /// adds.
     pub(crate) fn swing(&self) -> F {
         if self.whole.is_some() {
             return self.driven_bound();
@@ -123,7 +125,8 @@ impl<F: Float> Vibration<F> {
 }
 
 impl<F: Field> Vibration<F> {
-    /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part `−a cos Ωτ − H sin Ωτ` up: `(f_c, f_s)`.
+    /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part `−a cos Ωτ − H sin Ωτ` up:
+    /// `(f_c, f_s)`.
     fn force(&self) -> (F, F) {
         let (one, two) = (F::int(1), F::int(2));
         let (real, imaginary) = ((one - self.omega) * (one + self.omega), two * self.free.zeta * self.omega);
@@ -133,7 +136,8 @@ impl<F: Field> Vibration<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// The whole vibration at τ from (x₀, v₀), and by the drive: it takes the place of the free part, and the driven part is none.
+    /// The whole vibration at τ from (x₀, v₀), and by the drive: it takes the place of the free part, and the
+    /// driven part is none.
     fn whole_at(&self, tau: F, (x0, v0): (F, F)) -> Moment<F> {
         let (two, zeta, omega) = (F::int(2), self.free.zeta, self.omega);
         let Responses { free: (sine, cosine), drive, c, s, d, .. } = Responses::new(omega, &self.free, tau);
@@ -150,10 +154,11 @@ impl<F: Float> Vibration<F> {
         Moment { tau, drive, waves, free: State { x, v, a, jerk, snap } }
     }
 
-    /// A bound of what the drive adds to any of these in half a period, each as often as it is derived by Ωτ: 2π times its amplitude,
-    /// and by 1/Ω more for Ω < 1.
+    /// A bound of what the drive adds to any of these in half a period, each as often as it is derived by Ωτ:
+    /// 2π times its amplitude, and by 1/Ω more for Ω < 1.
     ///
-    /// x′ obeys the equation of motion with the right side f′: the size √(x′² + x″²) grows by no more than Ω|f| in a unit of time, and so on.
+    /// x′ obeys the equation of motion with the right side f′: the size √(x′² + x″²) grows by no more than
+    /// Ω|f| in a unit of time, and so on.
     fn driven_bound(&self) -> F {
         let (along, across) = self.force();
         let bound = F::int(2) * F::pi() * along.hypot(across);

@@ -6,8 +6,8 @@ use crate::float::Float;
 impl<F: Float> DampedCycle<F> {
     /// The energy that the damper takes in a cycle, in units of r_y B.
     ///
-    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near resonance these nearly cancel,
-    /// and the integral itself is computed.
+    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near
+    /// resonance these nearly cancel, and the integral itself is computed.
     pub(crate) fn damper_work(&self) -> F {
         let (half, two) = (&self.rising.half, F::int(2));
         let q2 = half.stiffness.square();
@@ -19,9 +19,11 @@ impl<F: Float> DampedCycle<F> {
         if half.is_resonant && cancels { F::int(4) * zeta * self.square_of_velocity() } else { work }
     }
 
-    /// `∫ x′² dτ` over half a cycle, by the double-exponential rule: `τ = T/(1 + e^{−π sinh t})` with equal steps of t.
+    /// `∫ x′² dτ` over half a cycle, by the double-exponential rule: `τ = T/(1 + e^{−π sinh t})` with equal
+    /// steps of t.
     ///
-    /// The integrand is entire, and each halving of the step about doubles the number of right digits. Source: H. Takahasi and M. Mori 1974.
+    /// The integrand is entire, and each halving of the step about doubles the number of right digits.
+    /// Source: H. Takahasi and M. Mori 1974.
     fn square_of_velocity(&self) -> F {
         let (one, two, end) = (F::int(1), F::int(2), self.rising.half.period);
         let bits = F::from_f64(f64::from(F::PRECISION));
@@ -69,7 +71,8 @@ mod tests {
         Cycle::new(ratios(alpha)).unwrap()
     }
 
-    /// At Ω = 1 on the border it tends to 7.10434086 ζ: that is 4ζ times the integral without damping, by quadrature at 60 digits.
+    /// At Ω = 1 on the border it tends to 7.10434086 ζ: that is 4ζ times the integral without damping, by
+    /// quadrature at 60 digits.
     #[test]
     fn a_little_damper_takes_little() {
         for zeta in [1e-18, 1e-15, 1e-12, 1e-9] {

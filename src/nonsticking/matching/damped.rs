@@ -1,22 +1,25 @@
 //! The matching equations 21–25 with viscous damping, solved by Newton's method without the closed forms.
 //!
-//! In natural time and lengths of the drive's static displacement, with `F(θ) = P sin θ − Q cos θ` the linear oscillator's answer
-//! (`P = (1 − Ω²)/q²`, `Q = 2ζΩ/q²`), friction b and the free vibrations s, c from (x, x′) = (0, 1) and (1, 0), the rising half cycle is
+//! In natural time and lengths of the drive's static displacement, with `F(θ) = P sin θ − Q cos θ` the linear
+//! oscillator's answer (`P = (1 − Ω²)/q²`, `Q = 2ζΩ/q²`), friction b and the free vibrations s, c from (x,
+//! x′) = (0, 1) and (1, 0), the rising half cycle is
 //!
 //! ```text
 //! x₁ = F − b + X c(τ) + ρ s(τ),   X = Δ₁ + b − F(θ₁),   ρ = V₀ − F′(θ₁),   τ = (θ − θ₁)/Ω
 //! ```
 //!
-//! from t₁ on, and the falling one from t₂ on `x₂ = F + b + (Δ₀ − b − F(θ₂)) c − F′(θ₂) s`. Eq. 21–25 are then
+//! from t₁ on, and the falling one from t₂ on `x₂ = F + b + (Δ₀ − b − F(θ₂)) c − F′(θ₂) s`. Eq. 21–25 are
+//! then
 //!
 //! ```text
 //! x₁′(t₂) = 0,   x₂′(t₃) = −V₀,   x₁(t₂) = Δ₀,   x₂(t₃) = −Δ₁,   x₁″(t₁) = 0,
 //! ```
 //!
-//! the second and the fourth being the paper's, followed forward from t₂ to t₃ = t₁ + π/ω_d and not backward, where a free vibration would grow.
+//! the second and the fourth being the paper's, followed forward from t₂ to t₃ = t₁ + π/ω_d and not backward,
+//! where a free vibration would grow.
 //!
-//! The friction grows from zero, where `x = F`, to its value at f64; where eq. 25 has several roots the fastest instant on a grid is taken. A
-//! path may end at a fold: then there is no cycle with that friction.
+//! The friction grows from zero, where `x = F`, to its value at f64; where eq. 25 has several roots the
+//! fastest instant on a grid is taken. A path may end at a fold: then there is no cycle with that friction.
 
 use super::Unknowns;
 use super::step::{

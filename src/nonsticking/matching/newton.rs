@@ -41,8 +41,8 @@ pub trait Solvable: Float {
     /// matching conditions with the free vibrations of a damped body, and at Ω = 1, too.
     ///
     /// # Errors
-    /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of the
-    /// friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
+    /// [`MatchingError::NoCycle`] where α is so low that no matched cycle exists (α < |K|), with the part of
+    /// the friction that has one; [`MatchingError::Resonance`] at Ω = 1; [`MatchingError::NoConvergence`] and
     /// [`MatchingError::NotACycle`] where the digits of the type do not suffice.
     fn solve(ratios: Ratios<Self>) -> Result<Solution<Self>, MatchingError>;
     /// Solves eq. 21–25 and 59 for t₁, t₂, V₀, Δ₀, Δ₁ and α at Ω: six equations, six unknowns.

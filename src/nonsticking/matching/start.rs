@@ -24,8 +24,7 @@ fn moved(x: &[f64; 5], by: &[f64; 5], times: f64) -> [f64; 5] {
     result
 }
 
-/// `x = A sin ω_d t`: maximum velocity at t₁ = 0, maximum displacement at π/2; half a turn later where A <
-/// 0.
+/// `x = A sin ω_d t`: maximum velocity at t₁ = 0, maximum displacement at π/2; half a turn later where A < 0.
 fn without_friction(system: &Balanced<f64>, below: bool) -> Point {
     let (sign, turn) = if below { (1.0, 0.0) } else { (-1.0, PI) };
     Point { at: [turn, turn + FRAC_PI_2, sign * system.omega, sign, 0.0], friction: 0.0 }

@@ -2,9 +2,9 @@
 //!
 //! # The matching problem
 //!
-//! Free vibration is `e^{Au}`, `A = [[0, 1], [−1, −2ζ]]`, with the waves C, S, D of [`equations::Wave`]. With the reversals
-//! σ = (1, −1, 1) at −a, 0, b and the free vibration g at the second of them, displacement with friction's part
-//! and velocity are
+//! Free vibration is `e^{Au}`, `A = [[0, 1], [−1, −2ζ]]`, with the waves C, S, D of [`equations::Wave`]. With
+//! the reversals σ = (1, −1, 1) at −a, 0, b and the free vibration g at the second of them, displacement with
+//! friction's part and velocity are
 //!
 //! ```text
 //! z(u) = forced wave + e^{Au} g + Σ σ_j sgn(u_j − u) e^{A(u − u_j)} (1, 0)ᵀ.
@@ -30,13 +30,14 @@
 //! cμ(−a) + g₁ + sκ(−a) = 1 + C(a) − C(−b),      −cμ(b) − g₁ − sκ(b) = 1 + C(−b) − C(a).
 //! ```
 //!
-//! At ζ = 0 they are the equations of [`super`]. Damping takes the pole away, and with it the endless force ratios there:
-//! the cycle exists where both cot β and t are small.
+//! At ζ = 0 they are the equations of [`super`]. Damping takes the pole away, and with it the endless force
+//! ratios there: the cycle exists where both cot β and t are small.
 //!
 //! # What is proved and what is searched
 //!
-//! As without damping, and with it without an exception: a cycle that is found is the limit of every start. That there is no other
-//! motion without a stop below the border is searched, against the exact motion (`docs/theory/six-reversals.md`).
+//! As without damping, and with it without an exception: a cycle that is found is the limit of every start.
+//! That there is no other motion without a stop below the border is searched, against the exact motion
+//! (`docs/theory/six-reversals.md`).
 
 mod edges;
 mod equations;
@@ -47,7 +48,8 @@ use crate::float::{AtPrecision, Float};
 pub(crate) use edges::force_ratios;
 pub(super) use equations::Problem;
 
-/// The cycle at an Ω < 1/2 and a ζ > 0 with the force as `αΩ²/q`, if the equations have a solution that belongs to the pole.
+/// The cycle at an Ω < 1/2 and a ζ > 0 with the force as `αΩ²/q`, if the equations have a solution that
+/// belongs to the pole.
 pub(super) fn at_force<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
     let start = followed(problem, force)?;
     solved(problem, Closing::Force(force), start)
@@ -58,7 +60,8 @@ fn solved<F: Float>(problem: &Problem<F>, closing: Closing<F>, start: Unknowns<F
     newton::polished(problem.omega, start, |y| problem.residuals(y, closing))
 }
 
-/// The solution for a force followed from the pole without damping, where it is a closed form, in steps of ζ and of the distance.
+/// The solution for a force followed from the pole without damping, where it is a closed form, in steps of ζ
+/// and of the distance.
 fn followed<F: Float>(problem: &Problem<F>, force: F) -> Option<Unknowns<F>> {
     struct Task<'a, F>(&'a Problem<F>, F);
 

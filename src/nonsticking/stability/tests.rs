@@ -63,7 +63,8 @@ fn a_disturbance_that_is_gone_at_once() {
     assert_eq!(m.cycles_to_settle(1e-12), Some(1));
 }
 
-/// Where the roots nearly coincide, on the border and beside Ω = 2, rounding of their product is larger than they are.
+/// Where the roots nearly coincide, on the border and beside Ω = 2, rounding of their product is larger than
+/// they are.
 #[test]
 fn at_a_double_root_the_larger_is_first() {
     let mut real = 0;

@@ -24,8 +24,8 @@ pub(super) fn from_centre_or_afar<F: Float>(
     }
 }
 
-/// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions of its own,
-/// which are the cost at high precision.
+/// [`fastest`] and x/B there, from a start at a lower precision. The displacement takes no circular functions
+/// of its own, which are the cost at high precision.
 pub(super) fn fastest_and_displacement<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> (Fastest<F>, F) {
     polish(half, F::narrowed(Start { half: half.in_range(), k, alpha }))
 }

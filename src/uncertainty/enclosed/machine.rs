@@ -16,8 +16,8 @@ use rug::Rational;
 type B = Ball<4>;
 
 impl<F: Float> MachineBox<F> {
-    /// The range of any output over the box in physical units ([`Output::unit`]), with its damper, proved in ball arithmetic: as
-    /// [`super::RatioBox::enclosed`].
+    /// The range of any output over the box in physical units ([`Output::unit`]), with its damper, proved in
+    /// ball arithmetic: as [`super::RatioBox::enclosed`].
     ///
     /// The margin tells whether the body sticks: nowhere in the box where its range is above 1.
     ///
@@ -62,12 +62,13 @@ impl<F: Float> MachineBox<F> {
 }
 
 impl<F: Float> MachineBox<F> {
-    /// The verdict that holds for the whole box, with its damper, by the range of the margin in ball arithmetic: as [`MachineBox::enclosed`], which
-    /// cuts the box into `pieces` parts at most.
+    /// The verdict that holds for the whole box, with its damper, by the range of the margin in ball
+    /// arithmetic: as [`MachineBox::enclosed`], which cuts the box into `pieces` parts at most.
     ///
-    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not reverse twice a cycle without a stop,
-    /// where it is below. That it then stops is searched, as in [`crate::Verdict::Sticking`]; where a cycle of six reversals may
-    /// be inside, next to a pole and with little damping, or the box takes more parts, the verdict is undecided.
+    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not
+    /// reverse twice a cycle without a stop, where it is below. That it then stops is searched, as in
+    /// [`crate::Verdict::Sticking`]; where a cycle of six reversals may be inside, next to a pole and with
+    /// little damping, or the box takes more parts, the verdict is undecided.
     ///
     /// # Errors
     /// As for [`MachineBox::enclosed`].
@@ -111,8 +112,8 @@ impl<F: Float> MachineBox<F> {
     }
 }
 
-/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16 from an odd number, 3 or more, and
-/// ζ below 1/128 (`regime::no_stop`).
+/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16
+/// from an odd number, 3 or more, and ζ below 1/128 (`regime::no_stop`).
 fn may_reverse_six_times(omega: &Ends, zeta: &Ends) -> bool {
     let reach = Rational::from((1, 16));
     let (from, to) =

@@ -17,9 +17,11 @@ pub(super) enum Over {
     Undecided,
 }
 
-/// The range over the whole box, cut into `most` parts at most; `None` where the function has no value somewhere, or that remains undecided.
+/// The range over the whole box, cut into `most` parts at most; `None` where the function has no value
+/// somewhere, or that remains undecided.
 ///
-/// Cut next is a part that is undecided, otherwise one that has an end of the range, across the parameter that is relatively widest there.
+/// Cut next is a part that is undecided, otherwise one that has an end of the range, across the parameter
+/// that is relatively widest there.
 pub(super) fn range(
     whole: Vec<Ends>,
     most: u32,

@@ -1,6 +1,8 @@
-//! The cycle with damping in balls: against the matching conditions, and against motions that are proved to exist.
+//! The cycle with damping in balls: against the matching conditions, and against motions that are proved to
+//! exist.
 //!
-//! The matching conditions ([`System`]) know the equation of motion and no closed form. Points: ζ below 1, there and above.
+//! The matching conditions ([`System`]) know the equation of motion and no closed form. Points: ζ below 1,
+//! there and above.
 
 #[cfg(test)]
 mod mutants;
@@ -110,7 +112,8 @@ impl<const W: usize> Found<W> {
         residuals.get(number).map(|residual| *residual * self.alpha)
     }
 
-    /// x/B and x′/(Bω_n) on the border, at the phase since the maximum displacement, by the matching conditions.
+    /// x/B and x′/(Bω_n) on the border, at the phase since the maximum displacement, by the matching
+    /// conditions.
     fn on_border(&self, turn: Ball<W>) -> (Ball<W>, Ball<W>) {
         let (alpha, unknowns) = self.border_unknowns();
         let (x, w) = self.system(alpha).falling_by(&unknowns, turn, waves);

@@ -100,7 +100,8 @@ pub(super) fn against<const W: usize>(
     ]
 }
 
-/// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), but next to a pole, where the body need not stop below the border.
+/// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), but next to a pole, where the body need not stop below the
+/// border.
 fn beside_the_border<const W: usize>(place: &Place, least: Ball<W>) -> Option<Residue> {
     let turns = place.omega.middle().recip();
     let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;

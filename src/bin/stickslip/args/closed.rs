@@ -47,8 +47,8 @@ pub(crate) struct BorderArgs {
     /// (needs a build with the feature mp)
     #[arg(long, conflicts_with = "no_stop")]
     pub(crate) enclose: bool,
-    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside Ω =
-    /// 1/3, 1/5, … count
+    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside
+    /// Ω = 1/3, 1/5, … count
     #[arg(long)]
     pub(crate) no_stop: bool,
     #[command(flatten)]

@@ -1,13 +1,14 @@
 //! The force ratios of the six-reversal cycle at one Ω and ζ: its two edges.
 //!
-//! At f64 the cycle is followed along the force, from where it is a closed form up to where a reversal would become a stop, and
-//! down; what is found is solved at the precision of the type.
+//! At f64 the cycle is followed along the force, from where it is a closed form up to where a reversal would
+//! become a stop, and down; what is found is solved at the precision of the type.
 
 use super::super::equations::{Closing, Unknowns};
 use super::{Problem, at_force, solved};
 use crate::float::Float;
 
-/// The least and the greatest α of the six-reversal cycle at an Ω and a ζ > 0 that are in their domains; `None` where there is none.
+/// The least and the greatest α of the six-reversal cycle at an Ω and a ζ > 0 that are in their domains;
+/// `None` where there is none.
 ///
 /// Accuracy at f64: 64 ulp; where the two meet the problem itself has half the digits.
 pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F) -> Option<(F, F)> {
@@ -18,7 +19,8 @@ pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F) -> Option<(F, F)> {
     (low <= high).then_some((low, high))
 }
 
-/// The problem, where Ω and ζ are near enough to a pole: on the edges cot β is between −1/17 and 1/30, and t below 1/29.
+/// The problem, where Ω and ζ are near enough to a pole: on the edges cot β is between −1/17 and 1/30, and t
+/// below 1/29.
 pub(in super::super) fn near_pole<F: Float>(omega: F, zeta: F) -> Option<Problem<F>> {
     let (one, two) = (F::int(1), F::int(2));
     if omega * two >= one || zeta * F::int(32) >= one {
@@ -30,7 +32,8 @@ pub(in super::super) fn near_pole<F: Float>(omega: F, zeta: F) -> Option<Problem
     (is_near && problem.loss * F::int(8) < one).then_some(problem)
 }
 
-/// An end of the force ratios at f64: the cycle there, the reversal that is a stop, and by how much the type's pole is nearer.
+/// An end of the force ratios at f64: the cycle there, the reversal that is a stop, and by how much the
+/// type's pole is nearer.
 struct End {
     at: Unknowns<f64>,
     edge: Closing<f64>,
@@ -47,8 +50,9 @@ impl End {
     }
 }
 
-/// What becomes of the greatest force's cycle when the distance from the pole is `scale` times smaller, to the first order in that distance: the
-/// force grows as much, and the arc next to the reversal that is a stop is as much shorter.
+/// What becomes of the greatest force's cycle when the distance from the pole is `scale` times smaller, to
+/// the first order in that distance: the force grows as much, and the arc next to the reversal that is a stop
+/// is as much shorter.
 fn nearer<F: Float>(at: Unknowns<F>, edge: &Closing<f64>, scale: F) -> Unknowns<F> {
     let Unknowns { before, after, sine, cosine, swing } = at;
     let (before, after) =
@@ -56,7 +60,8 @@ fn nearer<F: Float>(at: Unknowns<F>, edge: &Closing<f64>, scale: F) -> Unknowns<
     Unknowns { before, after, sine: sine * scale, cosine: cosine * scale, swing: swing * scale }
 }
 
-/// One cycle of the path: the force as AΩ², and by how much of it the reversal that is nearest to a stop is not one.
+/// One cycle of the path: the force as AΩ², and by how much of it the reversal that is nearest to a stop is
+/// not one.
 #[derive(Clone, Copy)]
 struct Node {
     force: f64,

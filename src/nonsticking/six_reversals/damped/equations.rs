@@ -17,7 +17,8 @@ pub(in super::super) struct Problem<F> {
     pub(super) loss: F,
 }
 
-/// Free vibration after the time u of either sign: from (x, x′) = (1, 0) it is at (C, −S), from (0, 1) at (S, D).
+/// Free vibration after the time u of either sign: from (x, x′) = (1, 0) it is at (C, −S), from (0, 1) at (S,
+/// D).
 #[derive(Debug, Clone, Copy)]
 pub(in super::super) struct Wave<F> {
     /// `C = e^{−ζu} (cos du + ζ sin(du)/d)`.

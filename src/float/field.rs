@@ -1,0 +1,78 @@
+//! The two lower layers of a number type: the field operations, and the circular functions.
+
+use core::fmt::Debug;
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// What most formulae need of their numbers: + − × ÷, √, magnitudes, small integers and ratios.
+///
+/// Domains and special values are those of IEEE 754 where the type has them: `sqrt(−1)` is NaN.
+pub trait Field:
+    Copy
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The integer `n`, exactly.
+    fn int(n: i32) -> Self;
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// `|self|`.
+    fn abs(self) -> Self;
+
+    /// The ratio `p/q`, rounded once.
+    #[inline(always)]
+    #[must_use]
+    fn ratio(p: i32, q: i32) -> Self {
+        Self::int(p) / Self::int(q)
+    }
+    /// `self²`.
+    #[inline(always)]
+    fn square(self) -> Self {
+        self * self
+    }
+    /// `√(self² + other²)`; a type may avoid needless overflow and underflow.
+    #[inline(always)]
+    fn hypot(self, other: Self) -> Self {
+        (self.square() + other.square()).sqrt()
+    }
+    /// `√(self² − other²)`: a leg of the right triangle with this hypotenuse and the `other` leg.
+    ///
+    /// For |other| ≤ |self|; a type may have a better way than the product of the difference and the sum.
+    #[inline(always)]
+    fn leg(self, other: Self) -> Self {
+        ((self - other) * (self + other)).sqrt()
+    }
+    /// `n self`.
+    #[inline(always)]
+    fn times(self, n: i32) -> Self {
+        Self::int(n) * self
+    }
+}
+
+/// What a formula with angles needs on top: π and the circular functions.
+pub trait Real: Field {
+    /// π, rounded once.
+    fn pi() -> Self;
+    /// `(sin self, cos self)`, the argument in radians.
+    fn sin_cos(self) -> (Self, Self);
+    /// `tan self`, the argument in radians.
+    fn tan(self) -> Self;
+    /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
+    fn atan2(self, x: Self) -> Self;
+    /// `self · a + b` with one rounding.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+
+    /// `sin self`.
+    #[inline]
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+    /// `cos self`.
+    #[inline]
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+}
