@@ -11,10 +11,10 @@ pub use quantity::Quantity;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// NaN or an infinity where a number is due.
+    /// NaN or an infinity where a finite number is required.
     #[error("{quantity} = {value} must be finite")]
     NotFinite {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: Number,
@@ -22,7 +22,7 @@ pub enum Error {
     /// Zero or negative where only a positive number makes sense.
     #[error("{quantity} = {value} must be > 0")]
     NotPositive {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: Number,
@@ -30,12 +30,12 @@ pub enum Error {
     /// Negative where only zero or a positive number makes sense.
     #[error("{quantity} = {value} must be ≥ 0")]
     Negative {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: Number,
     },
-    /// A damper in a question whose answer is known without one only.
+    /// A damper in a calculation that does not include damping.
     #[error(
         "damping ratio ζ = {damping_ratio} must be 0 here: this calculation does not include viscous damping"
     )]
@@ -51,7 +51,7 @@ pub enum Error {
         /// Static friction ratio η = r_s/r_y.
         static_friction_ratio: Number,
     },
-    /// A static friction above the kinetic one in a question whose answer is known for equal ones only.
+    /// A static friction above the kinetic one in a calculation that does not include it.
     #[error(
         "static friction ratio η = {static_friction_ratio} must be 1 here: this calculation does not include static friction above the kinetic one"
     )]
@@ -59,10 +59,10 @@ pub enum Error {
         /// Static friction ratio η = r_s/r_y.
         static_friction_ratio: Number,
     },
-    /// So small or so large that a result could under- or overflow.
+    /// A value so small or so large that a result could underflow or overflow.
     #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
     OutOfRange {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// Its value.
         value: Number,
@@ -74,7 +74,7 @@ pub enum Error {
     /// A range whose lower end is above its upper one.
     #[error("range of {quantity}: {low} must be ≤ {high}")]
     EmptyRange {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// Its lower end.
         low: Number,
@@ -101,7 +101,7 @@ pub enum Error {
     },
     /// No non-sticking cycle anywhere in a range of frequency ratios.
     #[error(
-        "force ratio α = {alpha} must be ≥ {least}, the least of the border for {low} ≤ Ω ≤ {high}: below it the body sticks throughout"
+        "force ratio α = {alpha} must be ≥ {least}, the minimum of the border for {low} ≤ Ω ≤ {high}: below it the body sticks throughout"
     )]
     SticksThroughout {
         /// Force ratio α.
@@ -116,7 +116,7 @@ pub enum Error {
     /// A target so small that the body would stick in a motion of that size.
     #[error("{quantity} = {value} must be ≥ {least} at Ω = {omega}: in a smaller motion the body sticks")]
     TargetSticks {
-        /// What it is.
+        /// The quantity.
         quantity: Quantity,
         /// The value asked for.
         value: Number,
@@ -125,53 +125,53 @@ pub enum Error {
         /// Frequency ratio Ω.
         omega: Number,
     },
-    /// A force ratio closer to the least of the border than the arithmetic can tell.
+    /// A force ratio too close to a minimum of the border for the arithmetic to decide.
     #[error(
-        "force ratio α = {alpha} must be further from {least}, the least of the border around Ω = {omega}, for this number type to tell on which side it is"
+        "force ratio α = {alpha} must differ more from {least}, the minimum of the border near Ω = {omega}, for this number type to decide on which side it is"
     )]
     Undecided {
         /// Force ratio α.
         alpha: Number,
         /// The least of the border.
         least: Number,
-        /// Where that is.
+        /// The frequency ratio of that minimum.
         omega: Number,
     },
-    /// A question without a finite answer at Ω = 1, where the body either sticks or moves ever more.
+    /// No finite answer at Ω = 1, where the body either sticks or its motion grows without bound.
     #[error(
-        "frequency ratio Ω = 1 must be left out for {quantity} to have an answer: there the body sticks or its motion grows without bound"
+        "frequency ratio Ω = 1 must be excluded for {quantity} to have an answer: there the body sticks or its motion grows without bound"
     )]
     AtResonance {
-        /// What was asked for.
+        /// The requested quantity.
         quantity: Quantity,
     },
     /// A response curve with too few measurements of cycles that do not stick.
     #[error(
-        "response curve: {count} of {of} measurements are of motion without sticking; 3 at least must be"
+        "response curve: {count} of {of} measurements are of motion without sticking; at least 3 must be"
     )]
     TooFewMeasurements {
-        /// How many there are.
+        /// Their number.
         count: usize,
-        /// Of how many in all.
+        /// The number of all measurements.
         of: usize,
     },
     /// A response curve that no friction and damping explain.
-    #[error("response curve: no friction and damping explain it; the search does not settle")]
+    #[error("response curve: no friction and damping fit it; the search did not converge")]
     NotIdentified,
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
         "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the frequency"
     )]
     ForceOfFrequency {
-        /// What shakes the body.
+        /// The drive.
         drive: &'static str,
     },
-    /// A base motion, whose force k u_g0 changes with the stiffness that is asked for.
-    #[error("drive = base motion must be a force: that of a base motion changes with the stiffness")]
+    /// A base motion, whose force k u_g0 depends on the unknown stiffness.
+    #[error("drive = base motion must be a force: under base motion the force would depend on the unknown stiffness")]
     BaseMotion,
-    /// A motion that creeps towards its limit longer than it was followed.
+    /// A motion that had not settled when the periods allowed were over.
     #[error(
-        "force ratio α = {alpha} must be followed further at Ω = {omega}: the motion has not settled within the periods allowed"
+        "force ratio α = {alpha} must be followed for more periods at Ω = {omega}: the motion did not settle within those allowed"
     )]
     NotSettled {
         /// Frequency ratio Ω.
@@ -179,9 +179,9 @@ pub enum Error {
         /// Force ratio α.
         alpha: Number,
     },
-    /// A search that passed its proved bound without an answer. No input is known that leads here.
+    /// A search that exceeded its proved bound without an answer. No input is known that causes it.
     #[error(
-        "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: the search ended there"
+        "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: the search stopped at that bound"
     )]
     SearchBound {
         /// What was searched for.
@@ -209,7 +209,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The quantity whose value is at fault on its own; `None` where two do not go together.
+    /// The quantity whose value alone is at fault; `None` where two values conflict.
     #[must_use]
     pub const fn quantity(&self) -> Option<Quantity> {
         match self {

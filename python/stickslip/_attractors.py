@@ -141,7 +141,7 @@ def attractors(
     reach : float, optional
         How far they are spread in displacement (B) and velocity (B w).
     max_periods : int
-        Periods of the drive to follow each start for.
+        Periods of the drive to follow from each start.
 
     Returns
     -------

@@ -121,7 +121,7 @@ impl<F: Float> Cycle<F> {
         best.fold(arrival * square, |best, (low, high)| greatest(low, high, best, bound, motion)) / square
     }
 
-    /// Greatest absolute displacement under a base that carries the surface, in B: the greatest |x + u|,
+    /// Maximum absolute displacement, with a base that carries the surface, in B: the greatest |x + u|,
     /// u = (α/Ω²) sin θ being the displacement of the base.
     ///
     /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x grows: y′ rises

@@ -77,25 +77,25 @@ pub(crate) struct CommandLine {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Does it stick, how far and how fast does it move, how much force keeps it from sticking?
+    /// Whether the body sticks, how far and how fast it moves, and the minimum force that keeps it sliding.
     #[command(after_help = RESPONSE_EXAMPLES)]
     Response(ResponseArgs),
-    /// The least force that keeps it from sticking at a frequency.
+    /// The minimum force that keeps the body from sticking at a frequency.
     #[command(after_help = BORDER_EXAMPLES)]
     Border(BorderArgs),
-    /// The exact motion in the long run, stops included.
+    /// The exact steady motion, stops included.
     #[command(after_help = STEADY_EXAMPLES)]
     Steady(SteadyArgs),
-    /// All limits that many starts lead to, where the static friction is above the kinetic one.
+    /// All limits that many starts lead to, with static friction above kinetic friction.
     #[command(after_help = ATTRACTORS_EXAMPLES)]
     Attractors(AttractorsArgs),
     /// The limit that each start in a plane of starts leads to, as CSV or a picture.
     #[command(after_help = BASINS_EXAMPLES)]
     Basins(BasinsArgs),
-    /// The exact motion from a start, phase by phase or sampled.
+    /// The exact motion from a start, segment by segment or sampled.
     #[command(after_help = SIMULATE_EXAMPLES)]
     Simulate(SimulateArgs),
-    /// Inverse problems: from what the machine is to do, to what it takes.
+    /// Inverse problems: the force, friction, frequencies or stiffness for a desired motion.
     #[command(subcommand, after_help = DESIGN_EXAMPLES)]
     Design(Question),
     /// Friction and damping from a measured response curve.
@@ -104,17 +104,17 @@ pub(crate) enum Command {
     /// Free vibration from a start: how many half cycles, and where it comes to rest.
     #[command(after_help = DECAY_EXAMPLES)]
     Decay(DecayArgs),
-    /// Hold every equation of the paper against computed cycles, at any precision; exit status 1 if one
+    /// Check every equation of the paper against computed cycles, at any precision; exit status 1 if one
     /// fails.
     #[command(after_help = VERIFY_EXAMPLES)]
     Verify(VerifyArgs),
-    /// A figure of the paper, or one of ours, from this library's results.
+    /// A figure of the paper, or a further one, from this library's results.
     #[command(after_help = FIGURE_EXAMPLES)]
     Figure(FigureArgs),
     /// All figures at once.
     #[command(after_help = FIGURES_EXAMPLES)]
     Figures(FiguresArgs),
-    /// Answers over a grid of Ω and α, in parallel, in order, resumable.
+    /// Answers over a grid of Ω and α, computed in parallel, written in order, resumable.
     #[command(after_help = SWEEP_EXAMPLES)]
     Sweep(SweepArgs),
     /// The plane of Ω and α by regime, margin, stops or any output, as CSV or a picture.
@@ -131,7 +131,7 @@ pub(crate) enum Command {
     /// Print a shell completion script.
     #[command(after_help = COMPLETIONS_EXAMPLES)]
     Completions(CompletionsArgs),
-    /// The manual page, or those of all commands.
+    /// Write the manual page, or those of all commands.
     #[command(after_help = MAN_EXAMPLES)]
     Man(ManArgs),
 }

@@ -26,7 +26,7 @@ pub(crate) use picture::capital;
 /// A value, with its kind where it is in the machine's units.
 type Found = (Option<Kind>, Cell<f64>);
 
-/// What is mapped.
+/// Quantity to map.
 enum Quantity<'a> {
     Regime,
     Margin,
@@ -205,7 +205,7 @@ impl<'a> Map<'a> {
     }
 }
 
-/// The force over the least force without sticking, α/α_min.
+/// The force over the minimum force without sticking, α/α_min.
 pub(crate) fn margin(response: &Response<f64>) -> f64 {
     Output::Margin.of(response).unwrap_or(f64::NAN)
 }

@@ -31,15 +31,15 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("max_velocity", "B ω_d", "maximum velocity V₀ (eq. 49)"),
             ("velocity_phase", "rad", "phase ω_d t₁ of the maximum velocity (eq. 46)"),
             ("deviation", "B", "displacement Δ₁ at the maximum velocity (eq. 47)"),
-            ("min_force_ratio", "1", "least force ratio α_min without sticking"),
+            ("min_force_ratio", "1", "minimum force ratio α_min without sticking"),
             ("min_force_ratio_turning_point", "1", "the same by eq. 61, which falls short below Ω = 1/2"),
             ("loop_size_stiffness", "1", "friction's energy in a cycle per p₀²/(2k), A₁ (eq. 64)"),
             ("loop_size_inertia", "1", "the same per p₀²/(2 m ω_d²), A₂ (eq. 67)"),
             ("best_force_ratio", "1", "force ratio α* of the largest A₁ (eq. 65)"),
             ("best_loop_size", "1", "that largest A₁ (eq. 66)"),
             ("best_force_ratio_slides", "", "whether the body slides at α*"),
-            ("contraction", "1", "part of a disturbance that is left after half a cycle"),
-            ("damper_work", "r_y B", "energy that the damper takes in a cycle, where damping was given"),
+            ("contraction", "1", "part of a disturbance that remains after half a cycle"),
+            ("damper_work", "r_y B", "energy that the damper dissipates in a cycle, where damping was given"),
             (
                 "border_phase",
                 "rad",
@@ -50,7 +50,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         ],
     ),
     (
-        "response, steady: what the machine feels of it",
+        "response, steady: the loads on the machine and its support",
         &[
             ("reversals_per_cycle", "", "reversals in a cycle: 2, or 6 close to Ω = 1/3, 1/5, …"),
             (
@@ -62,7 +62,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "transmitted_force",
                 "r_y",
-                "greatest force of spring, damper and friction on what carries them; m x″ with a moving foot",
+                "maximum force of spring, damper and friction on their support; m x″ with a moving foot",
             ),
             (
                 "transmissibility",
@@ -72,12 +72,12 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "max_absolute_displacement",
                 "B",
-                "greatest displacement in the room, over a base that carries the surface",
+                "maximum absolute displacement, with a base that carries the surface",
             ),
         ],
     ),
     (
-        "steady: the exact motion in the long run, stops included",
+        "steady: the exact steady motion, stops included",
         &[
             (
                 "limit",
@@ -94,26 +94,26 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             ("velocity_zeros_per_cycle", "", "instants of zero velocity in a cycle, a stop being one"),
             ("stick_fraction", "1", "part of the time at rest"),
             ("error_1", "1", "|max x + min x|/max x: 0 for a symmetric motion, as are the other three"),
-            ("error_2", "1", "what the phases of max x and min x differ by, less half a turn, in turns"),
+            ("error_2", "1", "difference of the phases of max x and min x, less half a turn, in turns"),
             ("error_3", "1", "|max x′ + min x′|/max x′"),
             ("error_4", "1", "error_2 of the velocities"),
             ("energy_in", "r_y B", "work of the drive in a cycle"),
             (
                 "energy_out",
                 "r_y B",
-                "work against friction in a cycle; damper_work comes on top where damping was given",
+                "work against friction in a cycle; damper_work is additional where damping was given",
             ),
             ("multipliers", "1", "Floquet multipliers of a cycle, as pairs of real and imaginary part"),
-            ("distance", "B", "estimate of how far the motion found is from the limit"),
+            ("distance", "B", "estimated distance of the motion found from the limit"),
             ("rest_position", "B", "where the body comes to rest for good"),
             ("periods", "2π/ω_d", "periods of the drive that were followed"),
             (
                 "turns_per_cycle",
                 "",
-                "turns of the drive in a cycle; this and the next four where static friction was given",
+                "turns of the drive in a cycle; this and the next four outputs where static friction was given",
             ),
-            ("symmetric", "", "whether half a cycle is the other half upside down: yes or no"),
-            ("lyapunov_exponent", "1", "of an irregular motion, by turn of the drive"),
+            ("symmetric", "", "whether half a cycle is the mirror image of the other half: yes or no"),
+            ("lyapunov_exponent", "1", "Lyapunov exponent of an irregular motion, per turn of the drive"),
             ("lyapunov_exponent_error", "1", "its standard error"),
             ("turns_observed", "", "turns of the drive over which an irregular motion was observed"),
         ],
@@ -127,22 +127,22 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
                 "its number, in the order of the first starts; limit is unstable where a multiplier is beyond 1",
             ),
             ("share", "1", "part of the starts that lead to it"),
-            ("starts", "", "how many of them"),
+            ("starts", "", "number of these starts"),
             ("first_x", "B", "displacement of the first of them, at ω_d t = 0"),
             ("first_v", "B ω_d", "its velocity"),
-            ("mirror", "", "number of the limit that is this one upside down"),
-            ("rest_from", "B", "least place of rest, or middle of a member of a family"),
-            ("rest_to", "B", "greatest of them"),
+            ("mirror", "", "number of the limit that is the mirror image of this one"),
+            ("rest_from", "B", "lowest position of rest, or middle of a member of a family"),
+            ("rest_to", "B", "highest position of rest"),
         ],
     ),
     (
-        "simulate: one phase a row, or one sample with --samples",
+        "simulate: one segment a row, or one sample with --samples",
         &[
             ("kind", "", "slide-forward, slide-backward or stick"),
             ("ends_by", "", "reversal, stop, grazing, release or never"),
             ("start_cycle", "", "whole cycles of the drive before the start; end_cycle and cycle likewise"),
             ("start_phase", "rad", "phase ω_d t of the start in its cycle; end_phase and phase likewise"),
-            ("duration", "rad", "length of the phase, in ω_d t"),
+            ("duration", "rad", "length of the segment, in ω_d t"),
             ("start_x", "B", "displacement at the start; end_x and x likewise"),
             ("start_v", "B ω_d", "velocity at the start; v likewise"),
             ("friction", "r_y", "force of friction"),
@@ -150,9 +150,9 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
         ],
     ),
     (
-        "map: beside these",
+        "map: in addition",
         &[
-            ("margin", "1", "force over the least force without sticking, α/α_min"),
+            ("margin", "1", "force over the minimum force without sticking, α/α_min"),
             ("stops", "", "stops in a cycle of the exact motion"),
         ],
     ),
@@ -161,7 +161,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
 /// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets behind the
 /// column's name.
 pub(crate) const PHYSICAL: &[(&str, &str)] = &[
-    ("drive", "what shakes the body: a force, the spring's foot, or a base that carries the surface"),
+    ("drive", "the drive: a force, the spring's foot, or a base that carries the surface"),
     ("frequency", "frequency of the drive in Hz"),
     ("angular_frequency", "ω_d"),
     ("natural_frequency", "ω_n = √(k/m)"),
@@ -178,10 +178,10 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
         "min_force, min_force_turning_point, best_force, no_stop_forces",
         "the force ratios of these names times r_y",
     ),
-    ("energy_per_cycle", "energy that friction takes in a cycle, 4 r_y Δ₀"),
-    ("damper_energy_per_cycle", "energy that the damper takes"),
+    ("energy_per_cycle", "energy that friction dissipates in a cycle, 4 r_y Δ₀"),
+    ("damper_energy_per_cycle", "energy that the damper dissipates"),
     ("best_force_energy", "friction's energy in a cycle at best_force"),
-    ("followed_for", "time that the exact motion was followed for"),
+    ("followed_for", "time for which the exact motion was followed"),
 ];
 
 /// Words for the title of a picture, where the name itself would not say it.
@@ -191,15 +191,15 @@ const TITLES: &[(&str, &str)] = &[
     ("displacement_phase", "phase of the maximum displacement"),
     ("velocity_phase", "phase of the maximum velocity"),
     ("deviation", "displacement at the maximum velocity"),
-    ("min_force_ratio", "least force ratio without sticking"),
-    ("min_force_ratio_turning_point", "least force ratio by eq. 61"),
+    ("min_force_ratio", "minimum force ratio without sticking"),
+    ("min_force_ratio_turning_point", "minimum force ratio by eq. 61"),
     ("loop_size_stiffness", "loop size A₁"),
     ("loop_size_inertia", "loop size A₂"),
     ("best_force_ratio", "force ratio of the largest loop"),
     ("best_loop_size", "size of the largest loop"),
     ("best_force_ratio_slides", "sliding at the force ratio of the largest loop"),
-    ("contraction", "part of a disturbance left after half a cycle"),
-    ("damper_work", "energy taken by the damper in a cycle"),
+    ("contraction", "part of a disturbance remaining after half a cycle"),
+    ("damper_work", "energy dissipated by the damper in a cycle"),
     ("border_phase", "phase of the first stop on the border"),
     ("least_displacement", "maximum displacement on the border"),
     ("sticks_per_cycle", "stops in a cycle"),
@@ -254,7 +254,7 @@ pub(crate) fn text() -> String {
         }
         text.push('\n');
     }
-    text.push_str("Of a machine, under physical, each with its unit\n\n");
+    text.push_str("For a machine, under physical, each with its unit\n\n");
     for (name, meaning) in PHYSICAL {
         if name.chars().count() > 29 {
             let _ = writeln!(text, "  {name}\n  {:<31}{meaning}", "");

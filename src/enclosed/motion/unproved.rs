@@ -64,7 +64,7 @@ impl Display for Unproved {
                     Event::Stop => "whether the body stays at rest throughout the stop that begins",
                     Event::Release => "when the stop is over that begins",
                 };
-                write!(f, "{bits} bits do not tell {question} at ω_d t = {phase:.6} rad")
+                write!(f, "{bits} bits do not decide {question} at ω_d t = {phase:.6} rad")
             }
             Self::NotAlone { bits } => {
                 write!(f, "{bits} bits do not show that the motion is the only one around")

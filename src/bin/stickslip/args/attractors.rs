@@ -10,7 +10,7 @@ pub(crate) struct RowsArgs {
     /// Also write each start with its limit to FILE, as rows of CSV, as they are found
     #[arg(long, value_name = "FILE")]
     pub(crate) rows: Option<PathBuf>,
-    /// Go on after the last complete row of --rows FILE: the answer is that of a run that was not broken off
+    /// Continue after the last complete row of --rows FILE; the answer is that of an uninterrupted run
     #[arg(long, requires = "rows")]
     pub(crate) resume: bool,
 }
@@ -38,15 +38,15 @@ pub(crate) struct AttractorsArgs {
     /// Number of starts
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value = "1000")]
     pub(crate) starts: String,
-    /// R: how far the starts reach, in units of B and of B ω_d [default: 3 + 2 η + 2 × the frictionless
-    /// amplitude, at most 20 α]
+    /// R, the largest displacement and velocity of the starts, in units of B and of B ω_d [default: 3 + 2
+    /// η + 2 × the frictionless amplitude, at most 20 α]
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) reach: Option<String>,
-    /// Periods of the drive to follow each start for
+    /// Periods of the drive to follow from each start
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
-    /// Also look for periodic motions of up to N turns of the drive that no start leads to, such as unstable
-    /// ones, by Newton's method from the same starts: a search, not a proof that there are no others
+    /// Also search for periodic motions of up to N turns of the drive that no start leads to, such as
+    /// unstable ones, by Newton's method from the same starts; there may be others
     #[arg(long, value_name = "N", allow_hyphen_values = true, value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) unstable: Option<u32>,
     #[command(flatten)]
@@ -76,14 +76,13 @@ pub(crate) struct BasinsArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
-    /// Displacements at the start, FROM:TO:COUNT [default: 101 values, as far as the starts of attractors
-    /// reach]
+    /// Initial displacements, FROM:TO:COUNT [default: 101 values over the range of the starts of attractors]
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) x0: Option<String>,
-    /// Velocities at the start, FROM:TO:COUNT [default: likewise]
+    /// Initial velocities, FROM:TO:COUNT [default: likewise]
     #[arg(long, value_name = "V", allow_hyphen_values = true)]
     pub(crate) v0: Option<String>,
-    /// Periods of the drive to follow each start for
+    /// Periods of the drive to follow from each start
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = 2000)]
     pub(crate) max_periods: u32,
     #[command(flatten)]
@@ -93,10 +92,10 @@ pub(crate) struct BasinsArgs {
     pub(crate) bits: Option<u32>,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
+    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Replace FILE where it exists
+    /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
 }

@@ -47,8 +47,8 @@ pub(crate) struct BorderArgs {
     /// (needs a build with the feature mp)
     #[arg(long, conflicts_with = "no_stop")]
     pub(crate) enclose: bool,
-    /// Also all force ratios without any stop: those of six reversals a cycle below the border beside
-    /// Ω = 1/3, 1/5, … count
+    /// Also list all force ratios without any stop, including those of six reversals a cycle below the border
+    /// near Ω = 1/3, 1/5, …
     #[arg(long)]
     pub(crate) no_stop: bool,
     #[command(flatten)]
@@ -57,8 +57,8 @@ pub(crate) struct BorderArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct VerifyArgs {
-    /// The residuals in ball arithmetic, rounding included: a ball with 0 in it holds, a ball without refutes
-    /// (needs a build with the feature mp)
+    /// Residuals in ball arithmetic, rounding included: a ball that contains 0 confirms an equation, any
+    /// other refutes it (needs a build with the feature mp)
     #[arg(long)]
     pub(crate) enclose: bool,
     /// Bits of precision (needs a build with the feature mp) [default: 53, f64; with --enclose 64]

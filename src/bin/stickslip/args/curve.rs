@@ -29,11 +29,11 @@ pub(crate) enum Curve {
     Velocity,
     /// Maximum acceleration
     Acceleration,
-    /// Greatest force of spring and friction on what carries them
+    /// Maximum force of spring and friction on their support
     Force,
-    /// That force over p₀; of a base that carries the surface the ratio of absolute accelerations
+    /// That force over p₀; with a base that carries the surface, the ratio of absolute accelerations
     Transmissibility,
-    /// Greatest absolute displacement under a base that carries the surface
+    /// Maximum absolute displacement, with a base that carries the surface
     Absolute,
 }
 
@@ -48,10 +48,10 @@ pub(crate) struct CurveArgs {
     pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// A picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
+    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Replace FILE where it exists
+    /// Replace FILE if it exists
     #[arg(long)]
     pub(crate) overwrite: bool,
 }
@@ -66,11 +66,10 @@ pub(crate) struct MotionPlotArgs {
     pub(crate) start: StartArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// A picture in FILE.svg or FILE.png, its data in FILE.csv [default: a picture in SVG, to standard
-    /// output]
+    /// Output file: a picture in FILE.svg or FILE.png, its data in FILE.csv [default: SVG to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Replace FILE where it exists
+    /// Replace FILE if it exists
     #[arg(long)]
     pub(crate) overwrite: bool,
 }

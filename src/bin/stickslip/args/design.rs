@@ -16,17 +16,17 @@ Examples:
 /// What is asked, in ratios or in physical units.
 #[derive(Debug, Subcommand)]
 pub(crate) enum Question {
-    /// The least force, or base motion, that keeps it from sticking
+    /// The minimum force, or base motion, that keeps the body from sticking
     Force(QuestionArgs),
-    /// The greatest friction with which a force keeps it from sticking
+    /// The maximum friction with which a force keeps the body from sticking
     Friction(QuestionArgs),
-    /// The frequencies, between --from and --to, at which it never sticks
+    /// The frequencies, between --from and --to, at which the body never sticks
     Bands(QuestionArgs),
     /// The force for the maximum displacement --target
     Displacement(QuestionArgs),
     /// The force for the maximum velocity --target
     Velocity(QuestionArgs),
-    /// The friction that dissipates most, without sticking or, with --sticking, of all
+    /// The friction that dissipates most, without sticking or, with --sticking, among all motions
     Dissipation(QuestionArgs),
     /// The stiffness, between --from and --to, that dissipates most without sticking
     Stiffness(QuestionArgs),
@@ -38,19 +38,20 @@ pub(crate) struct QuestionArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
-    /// Lower end of a range: of Ω or, in physical units, of what is asked for
+    /// Lower end of the range: of Ω or, in physical units, of the frequency or the stiffness
     #[arg(long, value_name = "LOW", allow_hyphen_values = true)]
     pub(crate) from: Option<String>,
-    /// Upper end of a range
+    /// Upper end of the range
     #[arg(long, value_name = "HIGH", allow_hyphen_values = true)]
     pub(crate) to: Option<String>,
-    /// Of dissipation: sticking allowed, to a proven tolerance of 1e-6
+    /// For dissipation: allow sticking, with a proven tolerance of 1e-6
     #[arg(long)]
     pub(crate) sticking: bool,
-    /// Of force and bands: any motion without a stop counts, also of six reversals a cycle beside 1/3, 1/5, …
+    /// For force and bands: include every motion without a stop, also those of six reversals a cycle near
+    /// Ω = 1/3, 1/5, …
     #[arg(long)]
     pub(crate) no_stop: bool,
-    /// What is to be reached: in units of B or B ω_d, or of length or length per time
+    /// Target value: in units of B or B ω_d, or of length or length per time
     #[arg(long, value_name = "X", allow_hyphen_values = true)]
     pub(crate) target: Option<String>,
     /// text or json

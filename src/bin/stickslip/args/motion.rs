@@ -43,7 +43,7 @@ pub(crate) struct SteadyArgs {
     pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) start: StartArgs,
-    /// Periods of the drive to follow the motion for before giving up on a limit
+    /// Maximum number of periods to follow the motion in search of a limit
     #[arg(long, value_name = "N", allow_hyphen_values = true, default_value_t = stickslip::exact::DEFAULT_BUDGET)]
     pub(crate) max_periods: u32,
     /// Guaranteed digits, and a proof that the motion exists: for --omega, --alpha and --damping-ratio
@@ -65,7 +65,7 @@ pub(crate) struct SimulateArgs {
     /// Cycles of the drive to follow
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(crate) cycles: String,
-    /// Samples in a cycle, evenly spaced, in place of the phases
+    /// Evenly spaced samples per cycle, instead of segments
     #[arg(long, value_name = "N", allow_hyphen_values = true)]
     pub(crate) samples: Option<String>,
     /// text, jsonl or csv

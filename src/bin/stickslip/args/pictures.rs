@@ -39,34 +39,33 @@ Examples:
 
 #[derive(Debug, Args)]
 pub(crate) struct FigureArgs {
-    /// Which figure
+    /// Name of the figure
     #[arg(
         value_name = "FIGURE",
         value_parser = PossibleValuesParser::new(stickslip::figures::NAMES),
         hide_possible_values = true
     )]
     pub(crate) name: String,
-    /// Where it goes: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: svg, to standard
-    /// output]
+    /// Output file: a drawing in FILE.svg or FILE.png, its data in FILE.csv [default: SVG to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Replace FILE where it exists
+    /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
 }
 
 #[derive(Debug, Args)]
 pub(crate) struct FiguresArgs {
-    /// Draw them all; without it their names are listed
+    /// Draw all figures; otherwise list their names
     #[arg(long)]
     pub(crate) all: bool,
-    /// The folder they go to
+    /// Output folder
     #[arg(long, value_name = "DIR", default_value = "docs/figures")]
     pub(crate) dir: PathBuf,
     /// svg, png or csv
     #[arg(long, value_enum, default_value = "svg", hide_possible_values = true)]
     pub(crate) format: Picture,
-    /// Replace the files that exist
+    /// Replace existing files
     #[arg(long)]
     pub(crate) overwrite: bool,
 }
@@ -92,7 +91,7 @@ impl Picture {
 
 #[derive(Debug, Args)]
 pub(crate) struct MapArgs {
-    /// What is mapped
+    /// Quantity to map
     #[arg(value_name = "QUANTITY", default_value = "regime")]
     pub(crate) quantity: String,
     #[command(flatten)]
@@ -101,10 +100,10 @@ pub(crate) struct MapArgs {
     pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// Where it goes: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows, to standard output]
+    /// Output file: a picture in FILE.svg or FILE.png, rows in FILE.csv [default: rows to standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Replace FILE where it exists
+    /// Replace FILE if it exists
     #[arg(long, requires = "out")]
     pub(crate) overwrite: bool,
 }

@@ -74,7 +74,7 @@ pub(crate) struct ForceArgs {
 #[derive(Debug, Args)]
 pub(crate) struct OutputArgs {
     /// CSV with a header, answered row by row: columns omega and alpha, or of a machine, such as
-    /// frequency[Hz]; what is the same in all rows may be an argument. - is standard input
+    /// frequency[Hz]; values that all rows share may be arguments. - is standard input
     #[arg(long, value_name = "FILE")]
     pub(crate) points: Option<PathBuf>,
     /// text or json for one answer [default: text]; jsonl or csv for --points [default: jsonl]

@@ -24,7 +24,7 @@ pub(crate) struct CompletionsArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct ManArgs {
-    /// A folder for the pages of all commands [default: the first page alone, to standard output]
+    /// Output folder for the pages of all commands [default: only the first page, to standard output]
     #[arg(long, value_name = "DIR")]
     pub(crate) out: Option<PathBuf>,
 }

@@ -69,17 +69,17 @@ pub(crate) struct SweepArgs {
     pub(crate) force: ForceArgs,
     #[command(flatten)]
     pub(crate) units: UnitArgs,
-    /// The columns wanted, of those the command WHAT gives [default: all]
+    /// The columns to write, among those of the command WHAT [default: all]
     #[arg(long, value_name = "NAMES", value_delimiter = ',')]
     pub(crate) outputs: Option<Vec<String>>,
     /// csv, jsonl or parquet (needs a build with the feature parquet) [default: by the end of FILE's name, or
     /// csv]
     #[arg(long, value_enum, hide_possible_values = true)]
     format: Option<SweepFormat>,
-    /// Where the rows go [default: standard output]
+    /// Output file [default: standard output]
     #[arg(long, value_name = "FILE")]
     pub(crate) out: Option<PathBuf>,
-    /// Go on after the last complete row of --out FILE; nothing is left to do where it is whole
+    /// Continue after the last complete row of --out FILE; a complete file is left as it is
     #[arg(long)]
     pub(crate) resume: bool,
     /// Part I of N parts of the sweep, each a run of its rows
@@ -88,7 +88,7 @@ pub(crate) struct SweepArgs {
     /// Header of CSV: names, or names with their units in brackets, such as max_displacement[B]
     #[arg(long, value_enum, default_value = "names", value_name = "HEADER")]
     pub(crate) header: Header,
-    /// No line of column names
+    /// Omit the line of column names
     #[arg(long)]
     pub(crate) no_header: bool,
     /// Bits of precision (needs a build with the feature mp)
