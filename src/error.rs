@@ -167,7 +167,9 @@ pub enum Error {
         drive: &'static str,
     },
     /// A base motion, whose force k u_g0 depends on the unknown stiffness.
-    #[error("drive = base motion must be a force: under base motion the force would depend on the unknown stiffness")]
+    #[error(
+        "drive = base motion must be a force: under base motion the force would depend on the unknown stiffness"
+    )]
     BaseMotion,
     /// A motion that had not settled when the periods allowed were over.
     #[error(

@@ -1,4 +1,4 @@
-//! What a motion adds up to, held against the equation of motion: works, distances, growth.
+//! Works, distances and growth of a motion, compared with the equation of motion.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -14,8 +14,8 @@ fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()
 }
 
-/// Of a motion that has not settled the work of the drive is not that against friction: what is between them
-/// is the change of the energy `(x² + w²)/2`.
+/// Before a motion has settled, the work of the drive and that against friction differ by the change of the
+/// energy `(x² + w²)/2`.
 #[test]
 fn the_works_balance_the_energy() {
     for i in 0..200 {
@@ -67,8 +67,8 @@ fn the_distance_is_in_the_units_of_a_state() {
     }
 }
 
-/// At Ω = 1 the amplitude E is that of a free swing in step with the drive, whose work in a turn is παE
-/// against 4E of friction: `d(E²/2) = (πα − 4) E`, so that E grows by πα − 4 a turn.
+/// At Ω = 1 the motion is a free swing of amplitude E in phase with the drive. In a turn the drive's work is
+/// παE, and friction takes 4E: `d(E²/2) = (πα − 4) E`, so that E grows by πα − 4 a turn.
 #[test]
 fn the_growth_at_resonance_is_that_of_the_motion() {
     for alpha in [1.4, 2.0, 5.0] {
@@ -88,7 +88,7 @@ fn the_growth_at_resonance_is_that_of_the_motion() {
     }
 }
 
-/// A motion that does not settle is followed for as many periods as it may, and a few half turns more.
+/// A motion that does not settle is followed for the periods allowed, and a few half turns more.
 #[test]
 fn a_budget_is_one_of_periods() {
     for most in [100, 400] {
@@ -114,7 +114,7 @@ fn errors_after_some_cycles_are_those_from_there() {
     }
 }
 
-/// Without a damper none takes work, however the motion was found.
+/// Without a damper its work is zero, however the motion was found.
 #[test]
 fn no_damper_takes_no_work() {
     let cycle = Cycle::new(ratios(0.7, 2.0)).unwrap();

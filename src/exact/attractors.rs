@@ -1,8 +1,8 @@
 //! All limits that a set of starts leads to.
 //!
 //! With a static friction above the kinetic one a machine can have several limits, and which it tends to
-//! depends on the start. Nothing here proves that there are no others than those found: the answer is one
-//! about the starts that were followed.
+//! depends on the start. Nothing here proves that the list is complete: the answer holds for the starts that
+//! were followed.
 
 mod signature;
 
@@ -22,14 +22,14 @@ pub(crate) use signature::at_zero;
 #[non_exhaustive]
 #[must_use]
 pub struct Attractor<F> {
-    /// The limit, as the first of its starts led to it.
+    /// The limit, as reached from the first of its starts.
     pub limit: LongRun<F>,
     /// The first of its starts, by its place in the list.
     pub first_start: usize,
     /// How many of the starts lead to it.
     pub starts: u64,
-    /// The limit that is this one turned upside down, by its place among those found; `None` where it is
-    /// symmetric, and where no start led to that one.
+    /// The index of the mirror image of this limit; `None` if the limit is symmetric, or if no start led to
+    /// its mirror image.
     pub mirror: Option<usize>,
     /// The lowest and the highest place of rest x/B, or middle of a member of a family, that was found;
     /// `None` for all other limits.
@@ -79,12 +79,12 @@ pub fn attractors<F: Float>(
 }
 
 impl<F: Float> Attractors<F> {
-    /// The limits among those of several starts, in their order: for starts that were followed elsewhere,
-    /// such as on several threads. The answer does not depend on how.
+    /// Collects the limits of several starts that were followed elsewhere, such as on several threads. They
+    /// are given in the order of the starts, and the answer does not depend on the threads.
     ///
-    /// * Periodic motions are one where they come to the same states, to 2⁻²⁰ of their size.
-    /// * Places of rest are one limit, and so are the members of a family, with the range that was found.
-    /// * Irregular motions are one where their extrema agree to 1/32 of their range.
+    /// * Two periodic motions are the same limit if their states agree to 2⁻²⁰ of their size.
+    /// * All places of rest are one limit, with the range that was found, and so are the members of a family.
+    /// * Two irregular motions are the same limit if their extrema agree to 1/32 of their range.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -117,13 +117,13 @@ impl<F: Float> Attractors<F> {
         self.of_start.iter().filter(|place| place.is_none()).count()
     }
 
-    /// None yet; [`Attractors::add`] counts them in.
+    /// An empty list; [`Attractors::add`] fills it.
     #[doc(hidden)]
     pub const fn new() -> Self {
         Self { found: Vec::new(), of_start: Vec::new() }
     }
 
-    /// Counts in the limit of the next start.
+    /// Counts the limit of the next start.
     ///
     /// # Errors
     /// As for [`Signature::of`].
@@ -155,9 +155,9 @@ impl<F: Float> Attractors<F> {
         self.found.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
-    /// Counts in the next start by the signature of its limit, where that is among those found or the start
-    /// had not settled; says whether it is. A signature takes the place of a limit that was found before,
-    /// such as by a run that was broken off.
+    /// Counts the next start by the signature of its limit, and returns whether it could: the limit has to be
+    /// among those found, or the start not to have settled. The signature stands for a limit that was found
+    /// earlier, such as by an interrupted run.
     #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {
@@ -181,7 +181,7 @@ impl<F: Float> Default for Attractors<F> {
 }
 
 impl<F: Float> Attractor<F> {
-    /// How it is like a limit of that signature.
+    /// Compares the limit with a signature.
     fn compare(&self, signature: &Signature<F>) -> Likeness {
         match (&self.limit, signature) {
             (LongRun::Periodic(_), &Signature::Periodic { half_turns, x, v }) => match &self.orbit {
@@ -198,7 +198,7 @@ impl<F: Float> Attractor<F> {
         }
     }
 
-    /// Takes the place of a limit into the range.
+    /// Extends the range by the place of a limit.
     fn widen(&mut self, signature: &Signature<F>) {
         if let (Some((low, high)), Some(x)) = (self.range, signature.middle()) {
             self.range = Some((if x < low { x } else { low }, high.or_larger(x)));
@@ -206,7 +206,7 @@ impl<F: Float> Attractor<F> {
     }
 }
 
-/// How one irregular motion is like another, by the greatest and the minimum displacement of each.
+/// Compares two irregular motions by their maximum and minimum displacements.
 fn alike<F: Float>(own: (F, F), other: (F, F)) -> Likeness {
     let (most, least) = own;
     let room = (most - least) / F::int(32);

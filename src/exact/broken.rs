@@ -1,8 +1,9 @@
-//! Why a calculation along the motion broke off, in one word of memory.
+//! Why a calculation along the motion ended early, in one word of memory.
 
 use crate::error::Error;
 
-/// Why a motion broke off: an [`Error`], boxed, so that what every slide returns stays small.
+/// Why the calculation of a motion ended early: a boxed [`Error`], so that the result of every slide stays
+/// small.
 #[derive(Debug)]
 pub(crate) struct Broken(Box<Error>);
 

@@ -1,10 +1,10 @@
-//! What a search may cost.
+//! The budget of a search.
 
 use super::broken::Broken;
 use crate::error::Error;
 use core::ops::ControlFlow;
 
-/// What a search may cost: half turns propagated, counted over all attempts, and whether its caller still
+/// The budget of a search: half turns propagated, counted over all attempts, and whether its caller still
 /// waits.
 pub(crate) struct Budget<'a> {
     pub(crate) half_turns: u64,
@@ -18,7 +18,7 @@ impl<'a> Budget<'a> {
         Self { half_turns: 0, most, keep_going: None }
     }
 
-    /// The same as long as the caller says so.
+    /// The same, as long as the caller allows.
     pub(crate) fn with(self, keep_going: &'a mut dyn FnMut() -> ControlFlow<()>) -> Self {
         Self { keep_going: Some(keep_going), ..self }
     }

@@ -1,7 +1,7 @@
-//! How far around a point a vibration is positive where the right side helps it (`event`).
+//! The interval around a point on which a vibration with a helping right side is positive (`event`).
 //!
-//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and lies above
-//! the free vibration that it touches for a time of π/d, from ζ = 1 on for all time:
+//! With `f″ + 2ζf′ + f = g ≥ 0`, u = e^{ζφ} f obeys `u″ + d²u = e^{ζφ} g ≥ 0`, d² = 1 − ζ², and therefore
+//! lies above its tangent free vibration for a time of π/d, and for all time if ζ ≥ 1:
 //!
 //! ```text
 //! u(φ ± h) ≥ u cos dh ± u′ sin(dh)/d,   u′ = e^{ζφ} (f′ + ζf).
@@ -14,7 +14,7 @@
 use super::jet::Jet;
 use crate::float::Float;
 
-/// What of the cover depends on ζ.
+/// The parameters of the cover that depend on ζ.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cover<F> {
     damping: F,
@@ -100,8 +100,8 @@ impl<F: Float> Cover<F> {
 mod tests {
     use super::{Cover, Jet};
 
-    /// The free vibration itself, g = 0, is positive up to its cover and no further, or where the cover is a
-    /// bound at least up to it.
+    /// The free vibration itself, g = 0, is positive exactly up to its cover; where the cover is only a
+    /// bound, at least up to it.
     #[test]
     fn free_vibration_is_positive_as_far_as_its_cover() {
         for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {

@@ -2,11 +2,11 @@
 //!
 //! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. Motion goes on for millions of cycles without
 //! the angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of
-//! n: the half turns are the stretches on which the drive's rate of change keeps its sign, which is what the
-//! search for velocity zeros works by.
+//! n: on each half turn the drive's rate of change keeps its sign, on which the search for velocity zeros
+//! relies.
 //!
-//! A phase given is within 2⁵³ half turns, and a motion of 2⁶⁰ more ends in no program: the counter does not
-//! overflow, and if it did, it would stay where it is.
+//! An initial phase is within 2⁵³ half turns, and no program follows 2⁶⁰ more: the counter does not overflow,
+//! and it would saturate if it did.
 
 use crate::error::{Error, Number, Quantity, written};
 use crate::float::Float;
@@ -91,8 +91,8 @@ impl<F: Float> DrivePhase<F> {
     pub fn since(&self, earlier: Self) -> F {
         let turns = self.half_turns.saturating_sub(earlier.half_turns);
         let angle = self.angle - earlier.angle;
-        // A product that is exact needs no fused operation, which is a call where the processor's is not
-        // taken for granted.
+        // An exact product needs no fused operation, which is a function call unless the target is known to
+        // have it.
         match turns {
             0 => return angle,
             1 => return angle + F::pi(),

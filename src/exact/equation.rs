@@ -10,14 +10,14 @@ use crate::ratios::Ratios;
 
 mod damped;
 
-/// The equation of motion with what of it depends on (Ω, α, ζ, η) alone. α = 0 is free vibration.
+/// The equation of motion, with the constants that depend only on (Ω, α, ζ, η). α = 0 is free vibration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Equation<F> {
     pub(crate) omega: F,
     pub(crate) alpha: F,
     /// 2ζ: the viscous force is 2ζw, in units of r_y.
     pub(crate) damping: F,
-    /// η: the force in units of r_y that a body at rest gives way at.
+    /// η: the force, in units of r_y, that releases a body at rest.
     pub(crate) static_friction: F,
     per_one_plus: F,
     /// `2/(1 − Ω)`, not used at Ω = 1.
@@ -59,7 +59,7 @@ impl<F: Float> Equation<F> {
         self.static_friction > F::int(1)
     }
 
-    /// `η − 1`: the acceleration of a body at the moment that it gives way.
+    /// `η − 1`: the acceleration of a body at its release.
     #[inline]
     pub(crate) fn static_excess(&self) -> F {
         self.static_friction - F::int(1)
@@ -71,7 +71,7 @@ impl<F: Float> Equation<F> {
         F::int(1).or_larger(self.omega).or_larger(self.damping)
     }
 
-    /// The error of a search from `phase` on that passed its bound.
+    /// The error of a search from `phase` on that exceeded its bound.
     #[cold]
     pub(crate) fn lost(&self, search: &'static str, phase: DrivePhase<F>, bound: &'static str) -> Broken {
         let theta = F::from_f64(phase.half_turns() as f64) * F::pi() + phase.angle();
@@ -110,8 +110,8 @@ impl<F: Float> Equation<F> {
 
     /// (sin, cos) of p, φ and Ωφ, and sin m, from those of two angles.
     ///
-    /// Near Ω = 1 m has to keep its relative accuracy, p and m are the two; elsewhere φ and Ωφ have to, and
-    /// their halves are.
+    /// Near Ω = 1, m has to keep its relative accuracy, and the two angles are p and m. Elsewhere φ and Ωφ
+    /// have to, and the two angles are their halves.
     #[inline]
     fn parts(&self, phi: F) -> Parts<F> {
         let (one, two) = (F::int(1), F::int(2));

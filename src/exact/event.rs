@@ -14,13 +14,13 @@
 //! * **g ≤ 0** (opposing). f/sin is concave in the sense of Sturm: f crosses zero once at most, and it does
 //!   if and only if f < 0 at the end.
 //! * **g ≥ 0** (helping). From any point, forward and backward, `f(φ ± h) ≥ f cos h ± f′ sin h` for
-//!   0 ≤ h ≤ π: nothing vanishes before the right side does, at `h = atan2(f, ∓f′)`, the *cover* of that
-//!   point. f < 0 at the end means exactly one zero. Otherwise both ends have a cover, and where the two do
-//!   not meet f has a single dip in between, which is searched until it is found below zero, covered, or
-//!   touching zero to within the rounding of f: *grazing*.
-//! * In both, a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second the
-//!   backward cover from it is `−f′ sin h > 0` over the whole stretch. So a zero that was merely guessed and
-//!   polished proves itself.
+//!   0 ≤ h ≤ π: f does not vanish before that bound does, at `h = atan2(f, ∓f′)`, the *cover* of that point.
+//!   f < 0 at the end means exactly one zero. Otherwise both ends have a cover, and where the two do not meet
+//!   f has a single dip in between, which is searched until it is found below zero, covered, or touching zero
+//!   to within the rounding of f: *grazing*.
+//! * In both cases a zero with f′ < 0 is the **first**: in the first case it is the only one, in the second
+//!   the backward cover from it is `−f′ sin h > 0` over the whole stretch. So a zero that was predicted and
+//!   refined needs no further proof.
 //!
 //! **With damping** the same holds of `u = e^{ζφ} f`, which has the zeros and the signs of f:
 //! `u″ + (1 − ζ²) u = e^{ζφ} g`, a right side with the sign of g. A stretch may be as long as π/√(1 − ζ²),
@@ -30,20 +30,20 @@
 //! These are statements of exact arithmetic. In floating point f > 0 at the beginning of a stretch, the sign
 //! of f at its end, the covers and the place where g changes its sign are each taken as computed, without a
 //! margin for their rounding; a dip counts as grazing where it is within `4ε` of the sum of the terms of f.
-//! So a zero can be taken for none, or none for a grazing, where f comes that close to zero without crossing
-//! it clearly: there the next float of an input has the other answer.
+//! So a zero can be missed, or a grazing reported without one, where f comes that close to zero without
+//! crossing it clearly. There the next float of an input has the other answer.
 //!
 //! # Work
 //!
 //! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because
 //! `w(φ) + w(φ + π)` is free of the natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at
 //! most 3π of natural time and four changes of sign of g, hence **at most 8 stretches** of up to 3⅛ radians.
-//! Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one exceeds the other's
-//! amplitude there is no zero, and that part is left out ([`super::search::Safe`]). What remains of a window
-//! holds a zero once it is as long as the fast period, but for the rounding of the window's ends; each window
-//! is at least half a slow period, not shorter than the fast one: at most the end of one window and one fast
-//! period in the next are examined, two fast periods, again 8 stretches or a few more where rounding matters.
-//! A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
+//! Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one exceeds the amplitude of
+//! the fast one there is no zero, and that part is skipped ([`super::search::Safe`]). What remains of a
+//! window holds a zero once it is as long as the fast period, but for the rounding of the window's ends; each
+//! window is at least half a slow period, not shorter than the fast one: at most the end of one window and
+//! one fast period in the next are examined, two fast periods, again 8 stretches or a few more where rounding
+//! matters. A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
 //! [`Verdict::Lost`]: an error, never an answer. With damping the part that is left out is found anew from where the search is (`window`),
 //! because the free wave dies out, and the bound on the time is another.
 //!
@@ -77,13 +77,14 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     let quarter = F::pi() / F::int(2);
     let mut half_turn = F::int(0);
     let mut helping = search.helping;
-    // From rest there is no zero within the rounding of a phase: what is seen there is rounding, and a slide
-    // would follow on itself.
+    // From rest there is no zero within the rounding of a phase: an apparent one is rounding, and the slide
+    // would follow itself.
     let mut passed = if from_zero { F::int(4) * F::epsilon() / search.omega } else { phi };
     if from_zero && search.limit.is_some_and(|limit| limit <= passed) {
         return Verdict::Clear(None);
     }
-    // The window that a stretch ended at: found anew from there its rounding could leave a rest of a stretch.
+    // The window at which a stretch ended: if it were computed again from there, rounding could leave a
+    // remainder of the stretch.
     let mut entered = None;
     for stretches in 0..u32::MAX {
         if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves.as_deref(), phi, stretches) {
@@ -152,11 +153,11 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     Verdict::Lost(phi)
 }
 
-/// Stretches that are examined without a look at the clock.
+/// Stretches that are examined before the time is checked.
 const USUAL_STRETCHES: u32 = 64;
 
-/// Whether φ is beyond the longest slide with a half turn more for rounding, or the stretches are more than
-/// so long a time is made of.
+/// Whether φ is beyond the longest slide, with a half turn more for rounding, or there were more stretches
+/// than such a time can contain.
 #[cold]
 #[inline(never)]
 fn is_overdue<F: Float>(omega: F, waves: Option<&Waves<F>>, phi: F, stretches: u32) -> bool {
@@ -199,7 +200,7 @@ mod tests {
         }
     }
 
-    /// A function without a zero, which no slide's velocity is: the search ends, and not with an answer.
+    /// A function without a zero, unlike the velocity of any slide: the search ends without an answer.
     #[test]
     fn a_search_that_passes_its_bound_says_so() {
         for omega in [1e-3, 0.3, 0.7, 1.0, 1.9, 40.0] {
@@ -215,7 +216,7 @@ mod tests {
                 "{omega}: {phi}"
             );
             assert!(f64::from(evaluations.get()) < 10.0 * (64.0 + omega + 1.0 / omega), "{omega}");
-            // With a limit that comes first there is nothing to look for beyond.
+            // With an earlier limit there is nothing to look for beyond it.
             assert!(matches!(next_zero(&search(omega, Some(2.0)), jet, f), Verdict::Clear(_)), "{omega}");
         }
     }

@@ -1,21 +1,20 @@
-//! Where the next velocity zero is expected: a hint for the search, which proves what it finds whatever the
-//! hint.
+//! Prediction of the next velocity zero: a hint for the search, which proves its result whatever the hint.
 //!
-//! Two slides in the same direction at the same phase differ by a free vibration, so that a zero found says
-//! where that of a slide nearby is. In a motion that settles the hint is good to the third power of what has
-//! not settled, and one evaluation answers where there were two or three.
+//! Two slides in the same direction at the same phase differ by a free vibration, so that a known zero
+//! predicts that of a neighbouring slide. In a settling motion the error of the hint is of third order in the
+//! residual, and one evaluation replaces two or three.
 
 use super::slide::Slide;
 use super::velocity_zero::VelocityZero;
 use crate::float::Float;
 
 impl<F: Float> VelocityZero<F> {
-    /// When the zero is expected where the start of the slide is disturbed by (δx, δw): a free vibration is
-    /// added. To second order, and unmoved where it would move far.
+    /// Predicted time of the zero if the start of the slide is disturbed by (δx, δw), which adds a free
+    /// vibration. It is of second order, and unchanged if the shift would be large.
     #[inline]
     pub(crate) fn expected(&self, (x, w): (F, F), damping: F) -> F {
         let (s, c) = self.rotation;
-        // By how little the velocity is less: −δw after a slide.
+        // The small decrease of the velocity: −δw after a slide.
         let less = s * x - (c - damping * s) * w;
         let acceleration = self.acceleration - (s * w + c * x) + damping * less;
         let first = less / acceleration;
@@ -25,21 +24,21 @@ impl<F: Float> VelocityZero<F> {
 }
 
 impl<F: Float> Slide<F> {
-    /// The length expected of the slide back that follows this one, if that begins almost as this one did,
-    /// upside down and half a turn on.
+    /// Predicted duration of the next slide, assuming that it is nearly the mirror image of this one, half a
+    /// turn later.
     #[inline]
     pub(crate) fn expected_next(&self, zero: &VelocityZero<F>, next: &Self) -> F {
         self.expected_of(zero, next, next.start.since(self.start) - F::pi(), -F::int(1))
     }
 
-    /// The length expected of a slide that begins almost as this one did.
+    /// Predicted duration of a slide that begins almost as this one did.
     #[inline]
     pub(crate) fn expected_again(&self, zero: &VelocityZero<F>, next: &Self) -> F {
         self.expected_of(zero, next, next.start.since(self.start), F::int(1))
     }
 
-    /// The length expected of a slide that begins later by an angle of the drive; with −1 for `upright` it is
-    /// the one upside down.
+    /// Predicted duration of a slide that begins later by an angle of the drive; with −1 for `upright`, of
+    /// its mirror image.
     ///
     /// Extrapolated to where this one began, at w = 0, it differs from it by a free vibration.
     #[inline]

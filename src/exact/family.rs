@@ -7,7 +7,7 @@
 //!
 //! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the
 //! edge, which touches the border of sticking: the distance falls like 1/cycles only. It never grows
-//! (`shooting`), so that once the motion is close to that member it is the limit to within that distance.
+//! (`shooting`), so that a motion close to that member has it as its limit to within that distance.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -59,13 +59,14 @@ pub(crate) fn member<F: Float>(
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
-        // Friction too small beside the motion for the type to see: nothing tells how much is left.
+        // Friction is too small beside the motion for the type to resolve, and the remainder cannot be known.
         let settles = one - other > rate_noise(cycle.count);
         let in_the_limit = |change: F| if settles { change / (one - other) } else { one / F::int(0) };
         let left = in_the_limit(change);
         let size = one + y.x.abs() + y.w.abs();
         let rounding = F::int(4) * (residual.bound() - change);
-        // A motion far outside loses less in a cycle than its own rounding: that it repeats says nothing.
+        // A motion far outside loses less in a cycle than its own rounding, so that its repetition proves
+        // nothing.
         if is_near(&equation, &y) && settles && (left <= rounding || (added && change <= rounding)) {
             let off = in_the_limit(residual.bound()) + rounding;
             return finish(equation, y, &cycle, (off, off), &mut budget);
@@ -98,7 +99,7 @@ fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
     y.x.abs() + y.w.abs() <= F::int(8) * reach
 }
 
-/// Half turns after which a motion of a family that still sticks is taken to creep.
+/// Half turns after which a motion of a family that still sticks counts as creeping.
 const LONG_CREEP: u64 = 400;
 
 /// The member at the edge of the family that is nearest to y, at the phase of y.
@@ -131,16 +132,16 @@ fn finish<F: Float>(
     budget: &mut Budget<'_>,
 ) -> Result<LongRun<F>, Error> {
     let (zero, one) = (F::int(0), F::int(1));
-    // A member reverses twice in a cycle and never stops. The outermost touches the bound of sticking, and
-    // what is seen of a stop there is rounding, or the way that is left to creep.
+    // A member reverses twice in a cycle and never stops. The outermost member touches the bound of sticking;
+    // an apparent stop there is rounding, or the remaining creep.
     let statistics = CycleStatistics {
         sticks: 0,
         zeros: 2,
         rest: zero,
         ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
     };
-    // No disturbance grows (`shooting`): above 1 it is all rounding, of a friction that the type cannot see
-    // beside the force.
+    // No disturbance grows (`shooting`): the excess above 1 is rounding, where the type cannot resolve
+    // friction beside the force.
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
     let shift = (statistics.max_x.value + statistics.min_x.value).abs();

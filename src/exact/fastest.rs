@@ -7,7 +7,7 @@
 //!
 //! With damping the acceleration obeys `f″ + 2ζf′ + f = g`, and short slides are searched in the same way; in
 //! a long one of any other Ω, or from ζ = 1/2 on, where a slide lasts for many periods, the search is that of
-//! the closed-form cycle, which knows how the free wave dies out.
+//! the closed-form cycle, which uses the decay of the free wave.
 //!
 //! # Why
 //!
@@ -52,7 +52,7 @@ impl<F: Float> Slide<F> {
             return Ok(self.fastest_of_damped(end, arrival));
         }
         let fast = two * F::pi() / one.or_larger(omega);
-        // A fast period from both ends can be all there is.
+        // A fast period from both ends can cover the whole slide.
         if (omega * two >= one && omega <= two) || is_damped || end <= two * fast {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
@@ -158,7 +158,7 @@ impl<F: Float> Slide<F> {
         let scale = if damped { self.velocity_scale::<true>() } else { self.velocity_scale::<false>() };
         let noise = F::int(4) * F::epsilon() * scale * F::int(1).or_larger(self.equation.omega);
         let (mut at, mut motion) = (from, *first);
-        // At an extremum to within rounding, or at a release, the jerk says which way it goes.
+        // At an extremum to within rounding, or at a release, the sign of the jerk decides.
         let mut from_zero = motion.acceleration.abs() <= noise;
         let mut speeds_up = sign * if from_zero { motion.jerk } else { motion.acceleration } > zero;
         for _ in 0..MOST_EXTREMA {
@@ -206,7 +206,7 @@ impl<F: Float> Slide<F> {
             helping: shifted.is_even() == (side > F::int(0)),
             from_zero,
             limit: Some(to - at),
-            // The end, where the motion is known, is looked at first.
+            // The end, where the motion is known, is evaluated first.
             hint: to - at,
             safe: None,
             noise,

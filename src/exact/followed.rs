@@ -1,39 +1,39 @@
-//! What a motion tends to from one start, where the static friction is above the kinetic one.
+//! The limit of a motion from one start, with a static friction above the kinetic one.
 //!
 //! Friction is not monotone then: a body at rest resists more than one that moves, two motions under the same
-//! drive can part, and what `shooting` proves for every start does not hold. Limits can coexist, be
-//! asymmetric, take several turns of the drive, or be irregular. So the motion itself is followed, and what
-//! is said of it is said of this start.
+//! drive can diverge, and the proof in `shooting` for every start does not hold. Limits can coexist, be
+//! asymmetric, take several turns of the drive, or be irregular. So the motion itself is followed, and the
+//! result holds for this start only.
 //!
-//! H takes the state half a turn on and turns it upside down (`shooting`). Let m be the least number with
+//! H advances the state by half a turn and changes its sign (`shooting`). Let m be the least number with
 //! `Hᵐ(y) = y`.
 //!
 //! * m odd: the motion is symmetric, `x(t + mT/2) = −x(t)`, and takes m turns.
 //! * m even: it is not, and takes m/2 turns; `H(y)` is on its mirror image, another motion.
 //!
-//! # How a periodic motion is told
+//! # How a periodic motion is recognised
 //!
-//! The state is compared with a reference, taken anew after 16, 32, 64, 128, 256, 384 … half turns, so that m
-//! up to [`LONGEST`] is found. Where it comes back to the reference by 2⁻²⁰ of its size, Newton's method on
-//! Hᵐ gives the periodic motion, with its derivative J along it. It is the limit of this start where all of
-//! these hold:
+//! The state is compared with a reference, which is renewed after 16, 32, 64, 128, 256, 384 … half turns, so
+//! that m up to [`LONGEST`] is found. Where it returns to the reference within 2⁻²⁰ of its size, Newton's
+//! method on Hᵐ gives the periodic motion, with its derivative J along it. It is the limit of this start
+//! where all of these hold:
 //!
 //! * its multipliers are within the unit circle;
 //! * it is within 2⁻¹² of the motion followed, relative to its size, and both have the same sequence of
 //!   slides and stops over m half turns;
 //! * the distance after those is that of the linearised motion, J times that before, to an eighth of itself.
 //!
-//! Then the motion is where the linearised map rules, and that contracts. Otherwise it is followed on.
+//! Then the motion is in the range of the linearised map, which contracts. Otherwise it is followed further.
 //!
-//! # How an irregular one is told
+//! # How an irregular motion is recognised
 //!
 //! A disturbance is carried along by the exact linearised motion from a quarter of the budget on; its mean
 //! logarithmic growth is the Lyapunov exponent. Where no periodic motion was found by the end of the budget,
 //! the motion does not come back to its last reference and the exponent is not below zero by more than four
 //! times its standard error, the motion is irregular as far as it was followed: chaotic where the exponent is
-//! above that, and otherwise one whose neighbours neither leave it nor approach it. Those exist: with one
-//! stop in a cycle the state is one number, and the map of a turn can be that of a circle onto itself, with
-//! breaks where a stop begins or ends; then the motion is quasi-periodic.
+//! above that, and otherwise one whose neighbours neither leave it nor approach it. Such motions exist: with
+//! one stop in a cycle the state is one number, and the map of a turn can be a map of a circle onto itself,
+//! with breaks where a stop begins or ends. Then the motion is quasi-periodic.
 
 mod observed;
 
@@ -66,7 +66,7 @@ pub(crate) fn limit<F: Float>(
     let mut y = Point { phase: start.phase, x: start.x, w: start.v * equation.omega };
     let mut reference = y;
     let (mut lag, mut next_reference) = (0u64, 16u64);
-    // Whether the motion came back to this reference, and to the one before.
+    // Whether the motion returned to this reference, and to the one before.
     let (mut is_tried, mut was_tried) = (false, false);
     let mut observed = Observed::new(budget.most);
     let mut change = F::int(0);
@@ -116,7 +116,7 @@ fn periodic<F: Float>(
     let begun = Trial::at(equation, *near, m, budget)?;
     let (begin, arrived, pattern) = (begun.y, begun.step.end, begun.step.pattern);
     if family::is_one(ratios) && !is_within(&begun.step.derivative, -F::exp2i(-20)) {
-        // One multiplier is 1: no step leads anywhere, and the motion is followed until its own change is
+        // One multiplier is 1: Newton's step is undefined, and the motion is followed until its own change is
         // rounding.
         let times = i32::try_from(m).unwrap_or(i32::MAX).saturating_mul(4);
         let is_settled = begun.left.is_rounding(times) && is_within(&begun.step.derivative, rate_noise(m));

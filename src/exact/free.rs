@@ -1,8 +1,8 @@
-//! Free vibration: no drive, and friction takes 2B off the amplitude in every half cycle; a damper takes a
-//! share of it.
+//! Free vibration: no drive. In every half cycle friction reduces the amplitude by 2B, and a damper by a
+//! fixed ratio.
 //!
 //! Displacements in units of B = r_y/k, velocities in B ω_n, time in 1/ω_n. From (x₀, v₀) the body slides
-//! about the point ∓1 that friction shifts its balance to. With d = √(1 − ζ²) the first turn is at
+//! about ∓1, its equilibrium with friction. With d = √(1 − ζ²) the first turn is at
 //!
 //! ```text
 //! x₁ = s (e^{−ζt₁} R − 1),   R² = y² + 2ζy|v₀| + v₀²,   y = s x₀ + 1,   s = sgn v₀,
@@ -18,8 +18,8 @@
 //! ```
 //!
 //! and there are `n = ⌈(|x₁| − η)/2⌉` of them, or `⌈ln(1 + (|x₁| − η)(1 − κ)/(2 + (η − 1)(1 − κ))) d/ζπ⌉`.
-//! From ζ = 1 on no half cycle comes to an end: the body turns once at most, and creeps to ±1 for ever where
-//! it slides after that or does not turn.
+//! From ζ = 1 on no half cycle ends: the body turns at most once; if it slides after that or does not turn,
+//! it creeps to ±1 for ever.
 
 use super::equation::Equation;
 use super::state::State;
@@ -143,8 +143,8 @@ impl<F: Float> FreeDecay<F> {
         first + lost * (first - (two + share) / share)
     }
 
-    /// How many half cycles after the first turn, ζ < 1: from the logarithm, and one more or less where
-    /// rounding says so.
+    /// Number of half cycles after the first turn, ζ < 1: from the logarithm, corrected by one for its
+    /// rounding.
     fn damped_turns(&self, excess: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let decrement = self.decrement();
@@ -165,12 +165,12 @@ impl<F: Float> FreeDecay<F> {
         (self.turns.to_f64() as u64).saturating_add(first)
     }
 
-    /// Where it turns first, x₁/B; where it creeps without a turn, the limit of that.
+    /// Displacement of the first turn, x₁/B; if the body creeps without a turn, the limit of the creep.
     pub const fn first_turn(&self) -> F {
         self.first_turn
     }
 
-    /// Where it comes to rest, x/B, or what it creeps to. Accuracy at f64: that of x₁, half a unit in its
+    /// Displacement x/B at rest, or the limit of a creep. Accuracy at f64: that of x₁, half a unit in its
     /// last place without damping, a few units of max(|x₁|, 1) with it.
     pub fn rest_position(&self) -> F {
         let left = self.left_after(self.turns);
@@ -197,7 +197,7 @@ impl<F: Float> FreeDecay<F> {
     }
 
     /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends
-    /// there when its velocity is rounding.
+    /// when its velocity is rounding.
     pub fn trajectory(&self) -> Trajectory<F> {
         Trajectory::of(Equation::free(self.zeta, self.eta), self.start)
     }

@@ -6,8 +6,8 @@ use crate::float::Float;
 /// A motion that was followed for many turns of the drive without becoming periodic, and whose neighbours do
 /// not approach it.
 ///
-/// All of it is observed over the turns followed, after a quarter of them: no proof that the motion stays
-/// irregular for ever. Displacements in units of B = r_y/k.
+/// All of it is observed over the turns followed, after the first quarter; it does not prove that the motion
+/// stays irregular for ever. Displacements in units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
@@ -79,7 +79,7 @@ mod tests {
         sum / f64::from(turns)
     }
 
-    /// The exponent is the same from every start, and that of two motions that part.
+    /// The exponent is the same from every start, and equals that of the distance between two motions.
     #[test]
     fn the_exponent_is_how_two_motions_part() {
         for (eta, alpha, expected) in [(2.5, 7.5, 0.135), (3.0, 8.5, 0.280)] {

@@ -1,5 +1,4 @@
-//! From one phase of the drive to another, through whatever happens in between, with what a disturbance
-//! becomes.
+//! Propagation of the motion from one phase of the drive to another, with the matrix of its disturbances.
 
 use super::broken::Broken;
 use super::budget::Budget;
@@ -29,7 +28,7 @@ pub(crate) enum Part<F> {
 #[derive(Debug)]
 pub(crate) struct Propagation<F> {
     pub(crate) end: Point<F>,
-    /// (δx, δw) at the end for that at the beginning.
+    /// The matrix that maps (δx, δw) at the beginning to the end.
     pub(crate) monodromy: Matrix<F>,
     /// The first parts, up to [`MOST_KEPT`].
     pub(crate) parts: Vec<Part<F>>,
@@ -93,8 +92,8 @@ pub(crate) fn propagate<F: Float>(
     Ok(Propagation { end, monodromy, parts, count, sticks, hint })
 }
 
-/// Follows the motion for `half_turns` from a point on, part by part: where it is then, with (δx, δw) there
-/// for that at the beginning.
+/// Follows the motion for `half_turns` from a point on, part by part. Returns its end and the matrix that
+/// maps (δx, δw) from the beginning to the end.
 ///
 /// # Work
 ///
@@ -103,8 +102,8 @@ pub(crate) fn propagate<F: Float>(
 /// which g ≥ 0, with or without a stop before it. So a half turn between two changes of sign of cos θ has at
 /// most `1 + 1/Ω` slides of the first kind that begin in it, one of the second kind before each and one after
 /// the last, and the slide that is under way: **at most 4 + 2/Ω velocity zeros**, and two parts for each. A
-/// half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides whose length is
-/// rounding come on top; four times as many parts are an error.
+/// half turn from any phase touches two such, with 1/Ω in all: at most 16 + 4/Ω parts. Slides with a length
+/// of rounding are additional; more than four times as many parts are an error.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`], and what `visit` says.

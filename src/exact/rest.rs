@@ -1,19 +1,19 @@
 //! α ≤ 1: the body ends at rest.
 //!
-//! It can rest for ever where `|x| ≤ 1 − α`. From a place outside it is moved on in every cycle; the distance
-//! to the nearest place of rest never grows (the motion is contracting, `shooting`). A start at rest a
-//! distance δ outside moves the body by less than `9δ²/(αΩ²)` towards it. Let τ be the phase from the extreme
-//! of the force and δ = α(1 − cos η): the force beyond the bound is α(cos τ − cos η), positive from −η to η.
-//! Without the spring's pull, which only holds it back, the speed would be (α/Ω²) [sin τ + sin η − (τ + η)
-//! cos η], zero again before τ = 2.02η for cos η ≥ 15/16, and the way at most 4.56 δ²/(αΩ²). With damping,
-//! which holds the body back as well, the way is at most that force over 2ζ, (α/2ζΩ) ∫(cos τ − cos η)
-//! dτ ≤ 1.89 δ √(δ/α)/2ζΩ. So once δ is below `α min(Ω², 1)/16` or `α min((2ζΩ)², 1)/16` the body creeps to
-//! the edge of the interval and never gets there: a limit in closed form, which no amount of simulation
+//! It can rest for ever where `|x| ≤ 1 − α`. From a place outside, every cycle moves it on; the distance to
+//! the nearest place of rest never grows (the motion is contracting, `shooting`). A start at rest a distance
+//! δ outside moves the body by less than `9δ²/(αΩ²)` towards it. Let τ be the phase from the extreme of the
+//! force and δ = α(1 − cos η): the force beyond the bound is α(cos τ − cos η), positive from −η to η. Without
+//! the spring's pull, which only holds it back, the speed would be (α/Ω²) [sin τ + sin η − (τ + η) cos η],
+//! zero again before τ = 2.02η for cos η ≥ 15/16, and the distance at most 4.56 δ²/(αΩ²). With damping, which
+//! holds the body back as well, the distance is at most the impulse of that force over 2ζ, (α/2ζΩ) ∫(cos
+//! τ − cos η) dτ ≤ 1.89 δ √(δ/α)/2ζΩ. So once δ is below `α min(Ω², 1)/16` or `α min((2ζΩ)², 1)/16` the body
+//! creeps to the edge of the interval and never reaches it. The limit has a closed form, which no simulation
 //! reaches (δ falls like 1/cycles).
 //!
 //! With a static friction above the kinetic one a body can rest for ever where `|x| ≤ η − α`. For α < 1 it
-//! ends there from every start, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that the way it slides is finite.
-//! It does not creep: what moves it begins with the acceleration η − 1.
+//! ends there from every start, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that the distance it slides is
+//! finite. It does not creep: each slide begins with the acceleration η − 1.
 
 use super::equation::Equation;
 use super::long_run::{LongRun, Rest};

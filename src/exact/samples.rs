@@ -9,9 +9,9 @@ use core::ops::ControlFlow;
 
 /// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
 ///
-/// Each phase is made from its integers k and n, never by adding up steps, so that the millionth cycle is
-/// sampled as exactly as the first. Endless: a body at rest for ever goes on being sampled. It ends after an
-/// error only, that of the [`Trajectory`].
+/// Each phase is computed from its integers k and n, never by adding up steps, so that the millionth cycle is
+/// sampled as exactly as the first. The iterator is endless, also for a body at rest for ever; it ends only
+/// after an error of the [`Trajectory`].
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
@@ -36,7 +36,7 @@ impl<F: Float> Trajectory<F> {
         if let Some(phase) = &current {
             let start = phase.start().phase;
             at.0 = start.cycles();
-            // Begun at a quotient, less its rounding, so that few samples are passed.
+            // The search begins at a quotient, less its rounding, so that few samples are skipped.
             let turn = start.reduced() / (F::int(2) * F::pi());
             let passed = F::from_f64(f64::from(per_cycle)) * (turn - F::int(8) * F::epsilon()) - F::int(1);
             at.1 = passed.to_f64() as u32;
@@ -68,8 +68,8 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 
 impl<F: Float> Samples<F> {
     /// The next sample, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide
-    /// and stop on the way, of which there are some 4 + 4/Ω in a cycle. Broken off, the next call goes on
-    /// from there.
+    /// and stop on the way, of which there are some 4 + 4/Ω in a cycle. After an interruption the next call
+    /// continues from there.
     ///
     /// An error is [`Error::Interrupted`] or that of the trajectory.
     #[doc(hidden)]
@@ -154,7 +154,7 @@ mod tests {
         }
     }
 
-    /// What is broken off at each slide and stop goes on to the same samples.
+    /// Sampling interrupted at each slide and stop yields the same samples.
     #[test]
     fn a_sample_can_be_broken_off() {
         let motion = Trajectory::new(Ratios::new(0.01, 1.7).unwrap(), State::rest()).unwrap();

@@ -1,4 +1,4 @@
-//! What the search for a zero is told, and what it answers (`event`).
+//! Input and result of the search for a zero (`event`).
 
 use super::cover::Cover;
 use super::jet::Jet;
@@ -59,7 +59,7 @@ pub(crate) struct Search<F> {
     pub(crate) safe: Option<Safe<F>>,
     /// Where no zero can be, with damping.
     pub(crate) waves: Option<Box<Waves<F>>>,
-    /// What rounding can make of a zero of f.
+    /// The rounding error of f near a zero.
     pub(crate) noise: F,
     /// The same at a short time: the coefficients of 1, φ, φ², φ³.
     pub(crate) short_noise: Option<[F; 4]>,
@@ -71,7 +71,7 @@ impl<F: Float> Search<F> {
         ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
     }
 
-    /// What rounding can make of a zero of f at φ.
+    /// The rounding error of f near a zero at φ.
     pub(crate) fn noise_at(&self, phi: F) -> F {
         let least = |x: F, y: F| if x < y { x } else { y };
         let long = self.waves.as_ref().map_or(self.noise, |waves| least(waves.noise_at(phi), self.noise));
@@ -80,10 +80,10 @@ impl<F: Float> Search<F> {
     }
 }
 
-/// What a stretch turned out to hold: a zero, or none, with the function at its end where that was evaluated.
+/// The result of a stretch: a zero, or none, with the function at its end if that was evaluated.
 pub(crate) enum Verdict<F, M> {
     Zero(Found<F, M>),
     Clear(Option<(Jet<F>, M)>),
-    /// A proved bound was passed without an answer, at this φ. Nothing is known of what is there.
+    /// A proved bound was exceeded without an answer, at this φ.
     Lost(F),
 }

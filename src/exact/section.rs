@@ -1,4 +1,4 @@
-//! Where to shoot from: a point in the middle of a slide, found from a start or from a closed form.
+//! The section for shooting: a point in the middle of a slide, found from a start or from a closed form.
 
 use super::broken::Broken;
 use super::drive::DrivePhase;
@@ -11,8 +11,8 @@ use crate::float::Float;
 use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::{Cycle, SixReversals};
 
-/// Follows the motion for two half turns, and takes the middle of its longest slide since as the place to
-/// shoot from, with the natural time to its first velocity zero.
+/// Follows the motion for two half turns, and takes the middle of its longest slide as the section, with the
+/// natural time to its first velocity zero.
 ///
 /// # Errors
 /// [`crate::Error::SearchBound`], [`crate::Error::Interrupted`].
@@ -57,8 +57,8 @@ pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
     (Point { phase, x: rising.displacement(&at), w }, half)
 }
 
-/// A non-sticking cycle as a place to shoot from. Below Ω = 2/3 it is known to be the limit: there Δ₀ is not
-/// large beside the force. With damping every disturbance dies out, and its residual judges it.
+/// A non-sticking cycle as the start of the shooting method. Below Ω = 2/3 it is known to be the limit: there
+/// Δ₀ is not large beside the force. With damping every disturbance dies out, and its residual judges it.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
     Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }
@@ -93,7 +93,7 @@ mod tests {
     use crate::exact::slide::{Direction, Slide};
     use crate::nonsticking::Cycle;
 
-    /// From the fastest point of a cycle the body comes to its maximum displacement in the time named.
+    /// From the fastest point of a cycle the body reaches its maximum displacement in the stated time.
     #[test]
     fn from_the_fastest_point_to_the_farthest() {
         for (omega, alpha) in

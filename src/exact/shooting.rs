@@ -1,6 +1,6 @@
 //! The periodic motion by Newton's method on the half-turn map.
 //!
-//! `H` takes the state (x, w) at a phase θ₀ half a turn of the drive on and turns it upside down: a symmetric
+//! `H` advances the state (x, w) at a phase θ₀ by half a turn of the drive and changes its sign: a symmetric
 //! motion is a fixed point of H, with `H′ = −M`, M the monodromy of the half turn. A Newton step is
 //! `(1 + M)⁻¹ (H(y) − y)`.
 //!

@@ -1,4 +1,4 @@
-//! Starts that fill a square of displacement and velocity evenly, always the same.
+//! A fixed sequence of starts that fills a square of displacement and velocity evenly.
 
 use super::state::State;
 use crate::float::Float;

@@ -1,11 +1,11 @@
-//! Where the body is, and what acts on it.
+//! The state of the body, and the forces on it.
 
 use super::drive::DrivePhase;
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::finite;
 
-/// Where the body is at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
+/// The state of the body at one phase of the drive: x in units of B = r_y/k, v in units of B ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct State<F> {
@@ -69,7 +69,7 @@ pub struct Instant<F> {
     pub state: State<F>,
     /// Acceleration `x″/(Bω_d²)`.
     pub acceleration: F,
-    /// Friction force `r_a/r_y`: the direction of sliding, ±1, or what holds the body, within ±η.
+    /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η.
     pub friction: F,
 }
 

@@ -1,4 +1,4 @@
-//! The motion in the long run.
+//! The steady state of the motion.
 
 use super::equation::Equation;
 use super::measures::{CycleStatistics, ErrorMeasures, Extreme};
@@ -10,8 +10,8 @@ use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// Turns of the drive in a cycle of a motion that the half-turn map repeats after so many half turns: as many
-/// where that is odd, and the motion symmetric; half as many where it is even.
+/// Turns of the drive in a cycle of a motion with this period in half turns: as many if it is odd, when the
+/// motion is symmetric, and half as many if it is even.
 fn turns<F: Float>(half_turns: u32) -> F {
     F::from_f64(f64::from(if half_turns % 2 == 1 { half_turns } else { half_turns / 2 }))
 }
@@ -85,7 +85,7 @@ impl<F: Float> Summary<F> {
 pub struct SteadyState<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
-    /// After how many half turns the state is the same again, upside down after an odd number.
+    /// The number of half turns after which the state repeats, mirrored if the number is odd.
     pub(crate) half_turns: u32,
     pub(crate) statistics: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
@@ -94,21 +94,22 @@ pub struct SteadyState<F> {
 }
 
 impl<F: Float> SteadyState<F> {
-    /// Turns of the drive in a cycle of the motion: 1, but for some motions with a static friction above the
-    /// kinetic one.
+    /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
+    /// the kinetic one.
     pub fn turns_per_cycle(&self) -> u32 {
         if self.half_turns % 2 == 1 { self.half_turns } else { self.half_turns / 2 }
     }
 
-    /// Whether each half of a cycle is the other turned upside down: always, but for a member of a family at
-    /// Ω = 1/(2n), and for some motions with a static friction above the kinetic one. Of one that is not
-    /// symmetric the mirror image is a motion, too.
+    /// Whether each half of a cycle is the mirror image of the other: always, except for members of a family
+    /// at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The mirror image of an
+    /// asymmetric motion is a motion, too.
     pub const fn is_symmetric(&self) -> bool {
         self.half_turns % 2 == 1
     }
 
-    /// Whether its neighbours approach it: both multipliers are within the unit circle. So it is for every
-    /// limit of a motion; a search for periodic motions ([`super::periodic_motions()`]) finds others, too.
+    /// Whether its neighbours approach it: both multipliers are within the unit circle. Every limit of a
+    /// motion is stable; a search for periodic motions ([`super::periodic_motions()`]) also finds unstable
+    /// ones.
     pub fn is_stable(&self) -> bool {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
     }
@@ -169,10 +170,10 @@ impl<F: Float> SteadyState<F> {
     }
 
     /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
-    /// its digits, so that its agreement with [`SteadyState::energy_out`], with damping together with
-    /// [`SteadyState::damper_work`], is a check, and from the balance of energy of each slide elsewhere (near
-    /// Ω = 1, and where a motion is small beside the force). Accuracy at f64: within 1e-13
-    /// (1 + Δ₀/B)(1 + 1/Ω) of itself, Δ₀ the maximum displacement.
+    /// its digits. Its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`] with
+    /// damping, is then a check. Elsewhere (near Ω = 1, and where a motion is small beside the force) it
+    /// follows from the balance of energy of each slide. Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of
+    /// itself, Δ₀ the maximum displacement.
     pub const fn energy_in(&self) -> F {
         self.statistics.energy_in
     }
@@ -184,14 +185,13 @@ impl<F: Float> SteadyState<F> {
     }
 
     /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
-    /// with
-    /// [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
+    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
     pub const fn damper_work(&self) -> F {
         self.statistics.damper_work
     }
 
-    /// The multipliers of the cycle, each (re, im): what a small disturbance is multiplied by in one period.
-    /// One is zero where the body stops.
+    /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
+    /// If the body stops, one is zero.
     pub const fn multipliers(&self) -> [(F, F); 2] {
         self.multipliers
     }
@@ -202,13 +202,13 @@ impl<F: Float> SteadyState<F> {
         a.hypot(b).or_larger(c.hypot(d))
     }
 
-    /// Estimates of how far the motion found is from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
+    /// Estimated distance of the motion found from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
     /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
     /// half-turn map at that state.
     ///
-    /// No proven bound, because the map is curved and has kinks; in 27,557 pairs of starts the motions found
-    /// were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n) to within rounding
-    /// the limit is known from the closed form, and this is rounding.
+    /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
+    /// motions found were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n) to
+    /// within rounding, the limit is known from the closed form, and the estimate is rounding.
     pub fn distance(&self) -> (F, F) {
         let (x, w) = self.distance;
         (x, w / self.equation.omega)
@@ -224,7 +224,8 @@ impl<F: Float> SteadyState<F> {
         State { phase: self.start.phase, x: self.start.x, v: self.start.w / self.equation.omega }
     }
 
-    /// The paper's error measures, over one cycle that is followed for the purpose: both halves on their own.
+    /// The paper's error measures, over one cycle that is followed for this purpose, with both halves
+    /// computed independently.
     ///
     /// # Errors
     /// [`Error::SearchBound`].

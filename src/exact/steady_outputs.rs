@@ -1,4 +1,4 @@
-//! The numbers of a steady state as one table, for whoever lists them.
+//! The numbers of a steady state as one table.
 
 use super::SteadyState;
 use crate::float::Float;

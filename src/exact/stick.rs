@@ -1,8 +1,8 @@
 //! Sticking: the body at rest until the force left over reaches the friction bound.
 //!
-//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It gives way forward
-//! where `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine, or
-//! never.
+//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It is released
+//! forward where `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine,
+//! or never.
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -15,8 +15,7 @@ pub(crate) struct Stick<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: DrivePhase<F>,
     pub(crate) x: F,
-    /// The phase at which the body gives way and the direction it takes; `None` where it rests for ever,
-    /// which is where `|x| ≤ η − α`.
+    /// The phase and direction of the release; `None` if the body rests for ever, that is if `|x| ≤ η − α`.
     ///
     /// Accuracy at f64: that of x divided by the drive's rate of change there, `α cos θ`.
     pub(crate) release: Option<(DrivePhase<F>, Direction)>,
@@ -57,14 +56,14 @@ impl<F: Float> Stick<F> {
     }
 }
 
-/// How far from its bound the friction force counts as at the bound: the rounding of `α sin θ − x`.
+/// The tolerance within which the friction force counts as at its bound: the rounding of `α sin θ − x`.
 #[inline]
 pub(crate) fn force_rounding<F: Float>(equation: &Equation<F>, x: F) -> F {
     F::int(4) * F::epsilon() * (equation.alpha + x.abs() + equation.static_friction)
 }
 
-/// The angle of its half turn at which friction gives way in one direction; `None` where the force never
-/// exceeds it.
+/// The angle of its half turn at which the body is released in one direction; `None` if the force never
+/// exceeds friction.
 ///
 /// `α sin θ = y = η ± x`. A maximum of the force that exceeds the bound by no more than its rounding moves
 /// the body by nothing that x can resolve, and does not count.
@@ -83,7 +82,7 @@ pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: D
     Some(y.atan2(product.sqrt()))
 }
 
-/// When friction gives way in one direction, from the phase `now` on.
+/// The phase of the release in one direction, from the phase `now` on.
 ///
 /// Mirrored for the backward direction: x → −x and half a turn later. `α sin θ = y = x + η` with cos θ > 0
 /// has one solution in each even half turn, where y < α. `falling`: the present half turn does not count.

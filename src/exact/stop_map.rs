@@ -1,10 +1,9 @@
 //! From one stop to the next half a turn later: a map of one number.
 //!
-//! A body at rest has forgotten how it came. The displacement x of its stop says when friction gives way,
-//! `α sin θ = x ± η` in closed form, and with it everything after: the stop half a turn later, at X. A
-//! symmetric motion with a stop is a fixed point of `G(x) = −X`. A disturbance δx is let go as (δx, 0), and
-//! is what the slides make of it when the body stops again: `G′ = −M₁₁`, M the product of their free
-//! vibrations and reversals (`matrix`).
+//! The state of a body at rest is its displacement x alone. It determines the release, `α sin θ = x ± η` in
+//! closed form, and so everything after it: the stop half a turn later, at X. A symmetric motion with a stop
+//! is a fixed point of `G(x) = −X`. A disturbance δx is released as (δx, 0) and changed by the slides until
+//! the body stops again: `G′ = −M₁₁`, M the product of their free vibrations and reversals (`matrix`).
 
 use super::broken::Broken;
 use super::drive::DrivePhase;
@@ -19,7 +18,7 @@ use super::trajectory::Next;
 use super::velocity_zero::{Lost, VelocityZero};
 use crate::float::Float;
 
-/// Where stops are looked for: let go in one direction, in one half turn of the drive.
+/// The stops of the search: those released in one direction, in one half turn of the drive.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Station {
     pub(crate) half_turn: i64,
@@ -31,7 +30,7 @@ pub(crate) struct Station {
 pub(crate) struct Passage<F> {
     /// Displacement of the stop that it begins with.
     pub(crate) from: F,
-    /// What it is let go at.
+    /// The point of its release.
     pub(crate) release: DrivePhase<F>,
     /// Slides and stops in between.
     pub(crate) parts: Vec<Part<F>>,
@@ -45,15 +44,15 @@ pub(crate) struct Passage<F> {
     pub(crate) is_proved: bool,
 }
 
-/// What ends of slides are expected by: a passage from a stop nearby.
+/// The passage from a neighbouring stop, by which ends of slides are predicted.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Expected<'a, F> {
     pub(crate) by: Option<&'a Passage<F>>,
-    /// Whether an end has to be proved, and not only found where it is expected.
+    /// Whether an end has to be proved, and not only found where it is predicted.
     pub(crate) is_proved: bool,
 }
 
-/// Parts of a passage, at the most: one of more is left to `shooting`.
+/// Maximum number of parts of a passage; longer ones are left to `shooting`.
 const MOST_PARTS: usize = 64;
 
 /// The passage from a stop at x; `None` where there is no such stop, at the beginning or half a turn later.
@@ -72,7 +71,7 @@ pub(crate) fn passage<F: Float>(
     let Some(angle) = release_angle(&equation, x, station.direction) else { return Ok(None) };
     let release = DrivePhase::of_half_turn(station.half_turn, angle);
     let next_half_turn = station.half_turn.saturating_add(1);
-    // Half a turn of the drive, or a free period where that is less and does not die out.
+    // Half a turn of the drive, or a free period if that is shorter and does not decay.
     let least_rate = if equation.is_damped() { F::int(0) } else { F::ratio(1, 2) };
     let usual = F::pi() / equation.omega.or_larger(least_rate);
     let mut slide = Slide::released(equation, release, x, station.direction);

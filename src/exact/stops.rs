@@ -1,19 +1,19 @@
 //! The periodic motion with stops, by the map from stop to stop (`stop_map`).
 //!
 //! The limit is the same from every start (`shooting`), so that none has to be followed: the fixed point of G
-//! is sought in the whole range of displacements that a body can rest at and be let go from,
+//! is sought in the whole range of displacements at which a body can rest and be released,
 //! `−(1 + α) < x < α − 1` for a release forward.
 //!
-//! **G(x) − x never rises.** Two bodies at rest side by side at x and y under the same drive, and again half
-//! a turn later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs met bracket a
-//! zero. In the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried
-//! next, which converges with the order 1 + √3; where that does not halve what is missed, the bracket is
-//! halved. Only the passages that can be the last have to be proved to be what the body does (`event`); the
-//! others end where they are expected to. Stops that do not overlap in time can break the bracket: that costs
-//! a search, and never an answer.
+//! ****G(x) − x never increases.** Two bodies at rest at x and y under the same drive, and again half a turn
+//! later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs found bracket a zero. In
+//! the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried next,
+//! which converges with the order 1 + √3. If that does not halve the residual, the bracket is halved. Only
+//! the passages that can be the last need a proof (`event`); the others end where they are predicted to.
+//! Stops that do not overlap in time can break the bracket: that costs a search, but never gives a wrong
+//! answer.
 //!
-//! What is found is judged as in `shooting`, by what half a turn misses and by the rounding of that. Where
-//! there are no such stops half a turn apart there is no answer here, and `shooting` has to find the motion.
+//! The result is judged as in `shooting`, by the residual of half a turn and its rounding. If there are no
+//! such stops half a turn apart, this search has no answer, and `shooting` has to find the motion.
 
 use super::broken::Broken;
 use super::equation::Equation;
@@ -41,7 +41,7 @@ const STATION: Station = Station { half_turn: 0, direction: Direction::Forward }
 /// Passages that are tried.
 const MOST_PASSAGES: u32 = 40;
 
-/// What the closed form of the cycle without stops says of a motion that may stick.
+/// Prediction of the closed form without stops for a motion that may stick.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sticking<F> {
     equation: Equation<F>,
@@ -105,8 +105,8 @@ impl<F: Float> Sticking<F> {
         found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
     }
 
-    /// The minimum that the motion would have, were the closed form right although it sticks a little; where
-    /// it has none, what a slow drive would leave it at.
+    /// The minimum displacement by the closed form, as if the motion did not stick; where there is none, the
+    /// position at which a slow drive would leave the body.
     fn guess(&self) -> F {
         let (one, alpha) = (F::int(1), self.equation.alpha);
         let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
@@ -186,11 +186,11 @@ fn fixed_point<F: Float>(
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
-        // From a miss of more than ε^¼ the next passage is not the last one.
+        // With a residual of more than ε^¼ the next passage is not the last one.
         is_proved = (here.value / (one + x.abs())).square().square() <= F::epsilon();
         let last = best.replace(tried);
         if is_closed {
-            // Rounding is left, a little more of it than expected.
+            // The residual is rounding, a little more of it than expected.
             let nearest = last.filter(|last| last.left.x.abs() < here.value.abs()).or(best);
             return Ok(nearest.filter(|found| found.is_proved && found.left.is_rounding(64)));
         }
@@ -199,7 +199,7 @@ fn fixed_point<F: Float>(
     Ok(None)
 }
 
-/// Displacements without a stop that are met before the search is given up.
+/// Maximum number of displacements without a stop before the search ends.
 const MOST_FAILURES: u32 = 4;
 
 impl<F: Float> Miss<F> {
@@ -259,8 +259,8 @@ fn steady<F: Float>(
     }
     let Some((slide, phi)) = longest else { return Ok(None) };
     let off = (found.left.bounds().0 / (one - found.rate)).abs();
-    // The middle of the longest slide, with its own rounding; upside down, half a turn on, so that the next
-    // stop is this one again.
+    // The middle of the longest slide, with its own rounding; mirrored and half a turn later, so that the
+    // next stop is this one again.
     let middle = slide.motion(phi / two);
     let phase = slide.start.advanced(equation.omega * phi / two).later_by_half_turns(1);
     let y = Point { phase, x: -middle.x, w: -middle.w };

@@ -21,7 +21,7 @@ pub(crate) fn in_opposing<F: Float, M: Copy>(
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
     let Stretch { from, to, jet, .. } = stretch;
-    // A hint beyond the stretch says that no zero is expected: the end decides.
+    // A hint beyond the stretch predicts no zero: the end decides.
     let mut guess = to;
     if search.hint > from && search.hint < to {
         guess = search.hint;
@@ -126,7 +126,7 @@ fn householder<F: Float>(jet: &Jet<F>) -> F {
     -above / below
 }
 
-/// Whether what a step leaves is below the rounding of φ.
+/// Whether the error after a step is below the rounding of φ.
 ///
 /// It leaves a multiple of `h⁴`, which is made of κ = f″h/f′ and of derivatives of the order of
 /// `max(1, Ω, 2ζ) h` each.
@@ -165,7 +165,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     let (right, right_motion) = f(to);
     let (left, left_motion) = match jet {
         Some(j) => (j, None),
-        // What the cover from the end does not leave open need not be looked at.
+        // The interval covered from the end need not be searched.
         None if right.value > F::int(0) && search.cover.backward(right) >= to - from => {
             return Verdict::Clear(Some((right, right_motion)));
         }
@@ -216,7 +216,7 @@ pub(crate) fn polished_guess<F: Float, M: Copy>(
     None
 }
 
-/// Six steps multiply the good digits by 4⁶: more never pays.
+/// Six steps multiply the number of correct digits by 4⁶: more are never useful.
 const MOST_POLISHES: u32 = 6;
 
 /// The dip between two points with f ≥ 0 where g ≥ 0: a zero, a grazing, or nothing.

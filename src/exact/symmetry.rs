@@ -12,9 +12,8 @@
 //!
 //! changes its sign. With a stop in each half turn one multiplier is 0, and f = 1 + tr J.
 //!
-//! A symmetric motion can also be lost at once, where the force left over at one of its velocity zeros comes
-//! to η: a stop begins or ends there, and the sequence of slides and stops is another. Then no multiplier
-//! announces it.
+//! A symmetric motion can also be lost by a jump, where the excess force at one of its velocity zeros reaches
+//! η: a stop begins or ends there, and the sequence of slides and stops changes. No multiplier announces it.
 
 use super::DrivePhase;
 use super::equation::Equation;
@@ -34,12 +33,11 @@ use crate::root::enclosed;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Loss {
-    /// A multiplier by half turn passes −1: the symmetric motion goes on, unstable, beside a mirror pair.
+    /// A multiplier per half turn passes −1: the symmetric motion continues, unstable, beside a mirror pair.
     Multiplier,
-    /// A multiplier by half turn comes to +1: two symmetric motions meet, and beyond there is neither.
+    /// A multiplier per half turn reaches +1: two symmetric motions meet, and beyond neither exists.
     Fold,
-    /// The force left over at one of its velocity zeros comes to η: the motion ends, or goes on with other
-    /// multipliers at once.
+    /// The excess force at one of its velocity zeros reaches η: the motion ends, or its multipliers jump.
     Jump,
 }
 
@@ -104,7 +102,7 @@ impl<F: Float> Machine<F> {
             .with_static_friction_ratio(self.ratios.static_friction_ratio())
     }
 
-    /// The symmetric motion that Newton's method comes to from a state.
+    /// The symmetric motion to which Newton's method converges from a state.
     fn symmetric(&self, alpha: F, seed: Point<F>) -> Result<Option<Symmetric<F>>, Error> {
         let equation = Equation::new(resolved(self.at(alpha)?)?);
         let budget = &mut Budget::of(0);
@@ -167,12 +165,11 @@ const FOLLOWED: u32 = 24;
 /// The force ratios between `low` and `high` at which a stable symmetric motion of one turn is lost: by its
 /// multiplier, or because it ends.
 ///
-/// The force ratios are looked at in so many equal `steps`, with the symmetric motions that Newton's method
-/// finds at each; where one of them is stable at one end of a step and not at the other, or not there, the
-/// force ratio in between is found to rounding. **Found by search**: a motion that is lost and regained
-/// within a step is not seen. The force ratio of `ratios` has no part in it. With a static friction equal to
-/// the kinetic one there are none: friction is monotone, and the one limit symmetric
-/// (docs/theory/stability.md).
+/// The range is divided into `steps` equal steps, and Newton's method finds the symmetric motions at each
+/// force ratio. If one of them is stable at one end of a step and unstable or absent at the other, the force
+/// ratio in between is found to rounding. **Found by search**: a motion that is lost and regained within a
+/// step is missed. The force ratio of `ratios` is ignored. With a static friction equal to the kinetic one
+/// there are none: friction is monotone, and the one limit symmetric (docs/theory/stability.md).
 ///
 /// ```
 /// use stickslip::Ratios;

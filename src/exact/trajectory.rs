@@ -53,7 +53,7 @@ pub struct Phase<F> {
 }
 
 impl<F: Float> Phase<F> {
-    /// Sliding, and which way, or sticking.
+    /// Sliding in one direction, or sticking.
     pub const fn kind(&self) -> Kind {
         match &self.body {
             Body::Slide(slide, _) => Kind::Slide(slide.direction),
@@ -61,7 +61,7 @@ impl<F: Float> Phase<F> {
         }
     }
 
-    /// What ends it.
+    /// The event that ends it.
     pub const fn ends_by(&self) -> End {
         self.end
     }
@@ -135,8 +135,8 @@ pub(crate) enum Next<F> {
 impl<F: Float> Next<F> {
     /// Slide or stick at a velocity zero: by `|α sin θ − x|` against the static friction.
     ///
-    /// Within rounding of the bound the first derivative that is not zero decides: a force that rises lets
-    /// go, one that falls holds.
+    /// Within rounding of the bound the first derivative that is not zero decides: a rising force releases
+    /// the body, a falling one holds it.
     #[inline]
     pub(crate) fn at_rest(equation: Equation<F>, phase: DrivePhase<F>, x: F) -> Self {
         let sin_cos = phase.sin_cos();
@@ -164,11 +164,11 @@ impl<F: Float> Next<F> {
         }
     }
 
-    /// What follows a velocity zero, and the name of what happens there.
+    /// The motion after a velocity zero, and the kind of event there.
     ///
     /// A slide can be too short for its phase to move, and what follows begins at the same phase. A body that
     /// was let go there is held until the force rises again, so that **no more than three slides** begin at a
-    /// phase: one that a speed next to nothing carries on, one back, one let go.
+    /// phase: one that a negligible speed carries on, one back, one after a release.
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);

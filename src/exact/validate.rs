@@ -4,15 +4,15 @@
 //! of natural length `π/Ω`. Where it ends the drive has turned by π, so that its own angle needs no circular
 //! function, and the free one, `π/Ω = 2β`, is the cycle's. The slide passes the section, the fastest point y
 //! at θ₁, on its way; half a turn from there goes on to the velocity zero and back on the mirrored slide.
-//! What the latter misses −y by is free vibration,
+//! The difference between its end and −y is a free vibration,
 //!
 //! ```text
 //! H(y) − y = −R (δx, w w′₊/w′₋),     δx = x(π/Ω) − Δ₀,  w = w(π/Ω)
 //! ```
 //!
 //! with w′₋ and w′₊ the accelerations before and after the reversal and R the rotation from θ₂ − π to θ₁: the
-//! residual that `shooting` judges, with the bound on the distance that comes of it. Its sign does not matter
-//! to either. The velocity zero is a rounding away from π/Ω, because friction reverses with the velocity:
+//! residual that `shooting` judges, together with its bound on the distance. Its sign matters to neither. The
+//! velocity zero is within rounding of π/Ω, because friction reverses with the velocity:
 //! `w′₋ = w′₊ − 2 < −2`.
 //!
 //! # Why no velocity zero is missed

@@ -1,4 +1,4 @@
-//! Where the velocity of a damped slide cannot vanish: what the search need not look at.
+//! Intervals in which the velocity of a damped slide cannot vanish, and which the search skips.
 //!
 //! Turned to the sign of the slide, the velocity is a forced wave and a free one, `f = G cos ψ + h`,
 //! ψ = ψ_0 + Ωφ, and from any φ on the free one keeps below a falling exponential, `|h(φ + t)| ≤ r e^{−βt}`:
@@ -122,7 +122,7 @@ impl<F: Float> Waves<F> {
             let end = inner_end((quarter - psi) / omega, one / four, clear)?;
             return (end > one).then(|| phi + end);
         }
-        // However far the forced wave has turned, it is not above G.
+        // Whatever its phase, the forced wave is at most G.
         let noise = self.free_noise(phi, rotation);
         if now.0 > self.gain + noise {
             let far = if self.free.swings() {

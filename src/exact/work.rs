@@ -1,4 +1,4 @@
-//! What the drive puts into a slide and the damper takes out of it, each by its own closed form.
+//! The works of the drive and of the damper in a slide, each by its own closed form.
 //!
 //! With `S = α sin θ` and `C = αΩ cos θ`, multiplying `w″ + 2ζw′ + w = C` by S, by C and by w and integrating
 //! by parts gives, [·] being the value at the end less that at the start and L the natural time between them,
@@ -61,7 +61,7 @@ impl<F: Float> Slide<F> {
         bracket / divisor
     }
 
-    /// What the energy of the body and the friction make of the way to `end`: `[½x² + ½w²] + |Δx|`.
+    /// The work of the drive by the balance of energy up to `end`: `[½x² + ½w²] + |Δx|`.
     fn gained(&self, end: &Motion<F>) -> F {
         let spring = (end.x - self.x) * (end.x + self.x);
         let kinetic = (end.w - self.w) * (end.w + self.w);
@@ -106,7 +106,7 @@ impl<F: Float> Slide<F> {
         let drive = (p * r1 + k * r2) / determinant;
         let mixed = (p * r2 - k * square * r1) / determinant;
         let mut damper = k * mixed + square * drive + (third(end) - third(&start));
-        // Little damping: what is left is rounding of terms without it.
+        // With little damping the remainder is rounding of the undamped terms.
         let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
         if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
             let is_short = phi * self.equation.pace() < F::int(16);

@@ -86,7 +86,7 @@ fn a_start_tends_to_where_the_motion_itself_does() {
     }
 }
 
-/// A member stays what it is, to within the distance that is named.
+/// A member repeats itself to within the stated distance.
 #[test]
 fn a_member_is_its_own_limit() {
     for n in 1..5 {
@@ -110,7 +110,7 @@ fn a_member_is_its_own_limit() {
     }
 }
 
-/// Where friction is below the rounding of the motion nothing tells how far the limit is.
+/// Where friction is below the rounding of the motion, the distance from the limit cannot be known.
 #[test]
 fn friction_that_cannot_be_seen_settles_nothing() {
     for times in [1e15, 1e16, 1e40] {
@@ -122,8 +122,8 @@ fn friction_that_cannot_be_seen_settles_nothing() {
     }
 }
 
-/// Where it can hardly be seen, a member is still found or said not to be, to within a distance that grows as
-/// friction fades.
+/// Where friction is barely resolved, a member is still found or ruled out, to within a distance that grows
+/// as friction decreases.
 #[test]
 fn friction_that_can_hardly_be_seen() {
     for times in [1e6, 1e9, 1e12] {
@@ -155,7 +155,7 @@ fn outside_of_the_family_the_edge_is_the_limit() {
             assert!((c - side * room).abs() < 1e-9 * amplitude, "n = {n}: {c} for {room}");
             let off = found.distance().0;
             assert!(off < 0.1 * amplitude && found.periods() < 400.0, "{off} {}", found.periods());
-            // It has stuck all the time, and is as near as it says.
+            // It has stuck all the time, and is as near as stated.
             let (there, _) = followed(equation, start, found.periods() as u32);
             assert!((there.x - amplitude - side * room).abs() <= off, "n = {n}: {there:?} {off}");
         }

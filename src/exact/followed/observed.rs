@@ -1,5 +1,5 @@
-//! What is seen of a motion that is followed: its slides, stops and extrema, how neighbours leave it, and
-//! whether it grows without bound.
+//! Observation of a motion that is followed: its slides, stops and extrema, the divergence of its neighbours,
+//! and whether it grows without bound.
 
 use crate::exact::equation::Equation;
 use crate::exact::irregular::Irregular;
@@ -27,17 +27,17 @@ impl<F: Float> GrowthAtResonance<F> {
         is_resonant.then_some(Self { large, growth })
     }
 
-    /// The growth by turn, where the motion is so large that it does not stop any more, and grows: its
-    /// averaged motion then turns towards the drive, and grows for ever.
+    /// The growth per turn of a motion so large that it no longer stops, and grows. Its averaged motion then
+    /// turns into phase with the drive, and grows for ever.
     pub(super) fn seen(&self, before: &Point<F>, after: &Point<F>) -> Option<F> {
         let (early, late) = (before.x.hypot(before.w), after.x.hypot(after.w));
         (early > self.large && late > early).then_some(self.growth)
     }
 }
 
-/// What is seen of a motion on the way.
+/// Observation of a motion while it is followed.
 pub(super) struct Observed<F> {
-    /// Half turns after which it counts, and those of one part of the time.
+    /// Half turns after which the observation begins, and those of one part of the time.
     from: u64,
     part: u64,
     is_counting: bool,
@@ -111,7 +111,7 @@ impl<F: Float> Observed<F> {
         usize::try_from(self.counted.checked_div(self.part).unwrap_or(0)).unwrap_or(usize::MAX)
     }
 
-    /// A state followed, the right way up.
+    /// A state of the motion, without the mirroring.
     pub(super) fn upright(&self, y: &Point<F>) -> Point<F> {
         if self.is_upside_down {
             Point { phase: y.phase.later_by_half_turns(1), x: -y.x, w: -y.w }
@@ -131,7 +131,7 @@ impl<F: Float> Observed<F> {
         if whole < PARTS as usize / 2 {
             return None;
         }
-        // By turn: two half turns.
+        // Per turn, which is two half turns.
         let means = self.growth.iter().take(whole).map(|sum| 2.0 * sum / self.part as f64);
         let count = whole as f64;
         let mean = means.clone().sum::<f64>() / count;

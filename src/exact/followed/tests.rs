@@ -1,5 +1,4 @@
-//! The limits of docs/theory/static-friction.md, found from starts, and the motion itself against what is
-//! said of it.
+//! The limits of docs/theory/static-friction.md, found from starts, and the motion itself compared with them.
 
 use crate::exact::{LongRun, State, SteadyState, Trajectory};
 use crate::nonsticking::{damped, displacement::max_displacement};
@@ -56,7 +55,7 @@ fn motions_of_an_independent_simulation() {
     }
 }
 
-/// The limit is that of the start and not its mirror image: what the motion itself comes to.
+/// The limit is the one that the motion itself approaches, and not its mirror image.
 #[test]
 fn the_limit_is_what_the_motion_comes_to() {
     for (omega, zeta, eta, alpha) in [(0.5, 0.02, 1.3, 4.0), (0.54, 0.03, 2.4, 4.2), (0.8, 0.02, 1.6, 1.5)] {
@@ -88,8 +87,8 @@ fn the_limit_is_what_the_motion_comes_to() {
     }
 }
 
-/// The cycle that is found is a cycle of the motion: it comes back, and its extrema, works and multipliers
-/// are those of samples.
+/// The cycle found is a cycle of the motion: it repeats, and its extrema, works and multipliers agree with
+/// samples.
 #[test]
 fn what_is_found_comes_back() {
     for (omega, zeta, eta, alpha) in [
@@ -119,7 +118,7 @@ fn what_is_found_comes_back() {
         assert!(stops.abs_diff(steady.sticks_per_cycle() as usize) <= 1, "{omega}: {stops}");
         let work = steady.energy_out() + steady.damper_work();
         assert!((steady.energy_in() / work - 1.0).abs() < 1e-11, "{omega}: {steady:?}");
-        // What a disturbance becomes in a cycle has the sum of the multipliers for its trace.
+        // The matrix of a disturbance over a cycle has the sum of the multipliers as its trace.
         let h = 1e-6;
         let moved = |dx: f64, dv: f64| end(State { x: start.x + dx, v: start.v + dv, ..start });
         let trace = (moved(h, 0.0).x - moved(-h, 0.0).x + moved(0.0, h).v - moved(0.0, -h).v) / (2.0 * h);
@@ -129,8 +128,8 @@ fn what_is_found_comes_back() {
 }
 
 /// The motion of (0.47, 0.023, 2.48, 7.44) never repeats itself, and its neighbours neither leave nor
-/// approach it: with one or two stops in a turn the maximum displacement of a turn gives the next by a map of
-/// a circle onto itself.
+/// approach it: with one or two stops in a turn, the maximum displacements of successive turns are related by
+/// a map of a circle onto itself.
 #[test]
 fn a_quasi_periodic_motion() {
     let ratios = ratios(0.47, 0.023, 2.48, 7.44);

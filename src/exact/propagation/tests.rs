@@ -92,8 +92,8 @@ fn a_walk_is_broken_off() {
     assert_eq!((broken.err().map(Error::from), parts, asked), (Some(Error::Interrupted), 6, 7));
 }
 
-/// A velocity zero at the very end: from rest there, with no time left, the body was found at rest again, for
-/// ever.
+/// A velocity zero exactly at the end: from rest there, with no time left, the body was found at rest again
+/// and again.
 #[test]
 fn a_turn_at_the_end_ends_it() {
     // Found in random starts, and next to a member of a family; then at quarter turns of the body, at rest on

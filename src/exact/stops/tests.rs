@@ -20,7 +20,7 @@ fn ratios(i: u32) -> Ratios<f64> {
         .unwrap()
 }
 
-/// The limit by shooting, which knows nothing of the map from stop to stop.
+/// The limit by shooting, which does not use the map from stop to stop.
 fn by_shooting(ratios: Ratios<f64>) -> Option<SteadyState<f64>> {
     let equation = Equation::new(ratios);
     let mut slides =

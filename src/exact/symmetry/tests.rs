@@ -1,4 +1,4 @@
-//! What is said to be lost is lost: the limits of starts on either side, and the multipliers there.
+//! A motion reported as lost is lost: the limits of starts on either side, and the multipliers there.
 
 use super::{Loss, Machine, SymmetryBreak, symmetry_breaks};
 use crate::exact::machines::ratios;

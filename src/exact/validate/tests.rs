@@ -58,8 +58,8 @@ fn it_is_what_newtons_method_finds() {
     assert!(found * 10 > all * 9, "{found} of {all}");
 }
 
-/// Of the cycle of a slightly other force and phase what is validated comes back to where it began, as the
-/// motion goes.
+/// For the cycle of a slightly different force and phase, a validated result returns to its beginning along
+/// the motion.
 #[test]
 fn what_is_confirmed_comes_back() {
     let (mut found, mut all) = (0, 0);
