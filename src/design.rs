@@ -1,4 +1,4 @@
-//! Inverse problems: the force, friction, frequency or stiffness that a required motion takes.
+//! Inverse problems: the force, friction, frequency or stiffness for a required motion.
 //!
 //! | question | in ratios | in physical units | file |
 //! |---|---|---|---|
@@ -13,17 +13,17 @@
 //! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! With a damper: all of them; in ratios the damping ratio ζ is an argument, 0 without a damper. Force,
-//! friction, displacement, velocity and the friction that dissipates most are then unique answers by proofs
-//! of their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
+//! All of them allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. Force,
+//! friction, displacement, velocity and the friction that dissipates most then have proofs of uniqueness of
+//! their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
 //!
-//! Each other answer is the only one, or the best of all, by an argument that stands beside it; none is found
-//! by sampling. With sticking allowed it is the best to within a tolerance, as far as each exact motion is as
-//! close to its limit as it says. An answer put back into the forward functions ([`crate::Cycle`],
-//! [`crate::Border`]) gives what was asked for, to rounding. “Sliding” is the motion of the closed forms, two
+//! Every other answer is proved, beside its function, to be the only one or the best of all; none is found by
+//! sampling. With sticking allowed it is the best to within a tolerance, provided that each exact motion is
+//! as close to its limit as estimated. An answer put back into the forward functions ([`crate::Cycle`],
+//! [`crate::Border`]) reproduces the target to rounding. “Sliding” is the motion of the closed forms, two
 //! reversals a cycle and no stop; below its border the body stops, or near a pole reverses six times
-//! ([`crate::nonsticking::SixReversals`]): what counts that, too, is searched there, not proved. On the
-//! border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
+//! ([`crate::nonsticking::SixReversals`]): answers that include such motions are searched there, not proved.
+//! On the border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
 
 mod band;
 mod bands;

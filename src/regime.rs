@@ -1,7 +1,7 @@
-//! What the body does in the long run, over the plane of Ω and α.
+//! The steady behaviour of the body over the plane of Ω and α.
 //!
-//! [`Regime`] names it, by comparison with the border as rounded; [`Place`] says where in the plane the point
-//! lies, how far from the border, and admits that it cannot tell where the arithmetic cannot.
+//! [`Regime`] classifies it by comparison with the rounded border. [`Place`] gives the point's place in the
+//! plane and its margin from the border, and is undecided where the arithmetic is.
 
 pub(crate) mod damped;
 mod no_stop;
@@ -24,7 +24,7 @@ use crate::float::Float;
 use crate::nonsticking::{Border, six_reversals};
 use crate::ratios::Ratios;
 
-/// What the body does in the long run.
+/// The steady behaviour of the body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -63,8 +63,7 @@ impl Regime {
 
 /// The regime at (Ω, α, ζ), given the border there.
 ///
-/// With a static friction above the kinetic one the border alone decides: what else there is depends on the
-/// start.
+/// With a static friction above the kinetic one the border alone decides: other motions depend on the start.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.has_higher_static_friction() {
         return regime_by_border(ratios, border);
@@ -79,7 +78,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
     by_border
 }
 
-/// The regime that the border alone tells.
+/// The regime by the border alone.
 pub(crate) fn regime_by_border<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.alpha() <= F::int(1) {
         Regime::Stuck

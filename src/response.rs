@@ -1,4 +1,4 @@
-//! The whole answer at one (Ω, α): the regime, and what exists there.
+//! The whole answer at one (Ω, α): the regime, and the outputs that exist there.
 
 use crate::float::{AtPrecision, Float, Task};
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
@@ -134,7 +134,7 @@ impl<F: Float> Response<F> {
         self.ratios
     }
 
-    /// What the body does in the long run.
+    /// The steady behaviour of the body.
     pub const fn regime(&self) -> Regime {
         self.regime
     }
@@ -171,8 +171,7 @@ impl<F: Float> Response<F> {
     }
 
     /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`,
-    /// Q = hypot(K, qG); it counts where it is not below
-    /// the border ([`Response::best_is_reached`]).
+    /// Q = hypot(K, qG); it counts where it is not below the border ([`Response::best_is_reached`]).
     pub const fn best_force_ratio(&self) -> F {
         self.best_force_ratio
     }

@@ -122,7 +122,7 @@ impl<const N: usize> Sensitivities<N> {
         Self { regime: response.regime(), outputs: outputs.collect() }
     }
 
-    /// What the body does in the long run.
+    /// The steady behaviour of the body.
     #[must_use]
     pub const fn regime(&self) -> Regime {
         self.regime

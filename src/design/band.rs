@@ -9,7 +9,7 @@ use crate::nonsticking::border::Lobe;
 pub enum Edge {
     /// The border: beyond it the body sticks.
     Border,
-    /// The range that was asked about: the band goes on.
+    /// The end of the given range: the band continues.
     Range,
 }
 
@@ -24,9 +24,9 @@ pub struct Band<F> {
     pub low: F,
     /// Upper end.
     pub high: F,
-    /// What the lower end is.
+    /// What bounds the lower end.
     pub low_edge: Edge,
-    /// What the upper end is.
+    /// What bounds the upper end.
     pub high_edge: Edge,
     /// The lobe of the border that the band is in; with a damper that its lower end would be in without one.
     /// Only that of index 0 can contain Ω = 1, where the body never sticks but its motion grows without

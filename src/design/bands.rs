@@ -4,9 +4,9 @@
 //! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside of the bands.
 //! `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one
 //! minimum and rises from it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe
-//! n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So all
-//! of them are found by looking once into each of those lobes: nothing is sampled, and nothing between two
-//! frequencies is missed. With a damper there is no such proof, and they are searched (`damped`).
+//! n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So one
+//! search in each of those lobes finds all bands: nothing is sampled, and nothing between two frequencies is
+//! missed. With a damper there is no such proof, and they are searched (`damped`).
 
 use super::band::{Band, Edge};
 use super::damped::{Damper, Search};
@@ -39,7 +39,7 @@ enum Source<F> {
     Searched(Box<Search<F>>),
 }
 
-/// What turns frequency ratios back into angular frequencies.
+/// The factor from frequency ratios to angular frequencies.
 #[derive(Debug, Clone, Copy)]
 struct Frequency<F> {
     natural: F,
@@ -49,15 +49,15 @@ struct Frequency<F> {
 
 /// All bands of Ω in `[low, high]` in which the force ratio α keeps the body sliding: `α_min(Ω) ≤ α`.
 ///
-/// Every one of them, and each exactly once: see the module's head. At each end the computed border is not
-/// above α and at the next float or two outside it is, so that [`crate::Response`] says what the band says. A
-/// band narrower than two floats beside an end of the range may be missing, and those in lobes beyond the
-/// resolution of the type near a pole are known to rounding only.
+/// The list is complete, and each band is in it once (see the head of this module). At each end the computed
+/// border is at most α, and a float or two outside it is above α, so that [`crate::Response`] agrees with the
+/// band. A band narrower than two floats next to an end of the range may be missing. Bands in lobes beyond
+/// the resolution of the type near a pole are known only to rounding.
 ///
 /// **With a damping ratio ζ > 0**, the same at every frequency, they are searched, not proved: the border is
-/// followed on a mesh that is fine near its peaks, each of its extrema next to α is looked for, and the ends
-/// are exact. A band or a gap may be missed that is far narrower than any structure of the border known. That
-/// there is none below Ω = 1/√(1 + α) is proved (`src/design/damped.rs`).
+/// evaluated on a mesh that is fine near its peaks, each of its extrema next to α is located, and the ends
+/// are exact. A band or a gap far narrower than any known structure of the border may be missed. That there
+/// is none below Ω = 1/√(1 + α) is proved (`src/design/damped.rs`).
 ///
 /// ```
 /// use stickslip::design::{Edge, bands};
@@ -91,7 +91,7 @@ pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Ba
 /// Without damping: lobe by lobe.
 fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
     let lowest = Lobe::new(u16::MAX).low_pole();
-    // Below the last lobe there is nothing to find for an α below its pole's 1/Ω² − 1.
+    // Below the last lobe there is no band for an α below 1/Ω² − 1 at its pole.
     let is_beyond = low < lowest && alpha < F::int(1) / lowest.square() - F::int(1);
     let (first, last) = ordered_lobes(if is_beyond { lowest.or_larger(low) } else { low }, high)?;
     // The casts of a float to an integer saturate.
@@ -102,8 +102,8 @@ fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error
 
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` sliding.
 ///
-/// Of the drive only its amplitude counts, p₀ or `k u_g0`: both are the same at every frequency. Otherwise as
-/// [`bands`].
+/// Only the amplitude of the drive matters, p₀ or `k u_g0`: both are the same at every frequency. Otherwise
+/// as [`bands`].
 ///
 /// # Errors
 /// As [`bands`], for `low/ω_n`, `high/ω_n` and p₀/r_y; [`Error::ForceOfFrequency`] for other base motions.
@@ -146,7 +146,7 @@ impl<F: Float> Iterator for Bands<F> {
 }
 
 impl<F: Float> Bands<F> {
-    /// The band in the units of the question.
+    /// The band in physical units.
     fn in_units(&self, band: Band<F>) -> Band<F> {
         let Some(Frequency { natural, low, high }) = self.frequency else { return band };
         let end = |edge, range: F, ratio: F| match edge {
@@ -195,8 +195,8 @@ pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result
     Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe }))
 }
 
-/// A frequency ratio in `(from, to]` where the body sticks, given that it does at `to`; not much further than
-/// need be.
+/// A frequency ratio in `(from, to]` where the body sticks, close to the band's end, given that it sticks at
+/// `to`.
 fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     let mut end = from + from;
     while end < to && slides(end) {
@@ -205,8 +205,8 @@ fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
     if end < to { end } else { to }
 }
 
-/// Whether α is closer to the minimum of a lobe than the type can tell: what is allowed for the error of the
-/// border, and beside a corner what the border changes within the rounding of its Ω.
+/// Whether α is too close to the minimum of a lobe for the type to decide. The tolerance is the error of the
+/// border and, next to a corner, the change of the border within the rounding of its Ω.
 fn is_too_close<F: Float>(alpha: F, least: F, omega: F) -> bool {
     let one = F::int(1);
     let error = F::int(crate::Place::<F>::BORDER_ERROR) * F::epsilon() * (one + one / omega);

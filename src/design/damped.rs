@@ -1,4 +1,4 @@
-//! Questions over a range of frequency with a damper: what is proved of them, and what is searched.
+//! Inverse problems over a range of frequency with a damper: what is proved, and what is searched.
 //!
 //! Without damping each lobe of the border has one minimum, so that nothing between two frequencies is missed
 //! (`bands`, `tuning`). No such proof is known with damping, where the border has finite peaks for poles.
@@ -135,8 +135,8 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// The extremum between three points on one side of α, of which the middle one is the nearest to it, if
-    /// it is on the other side.
+    /// Given three points on one side of α with the middle one nearest to it: the extremum between them, if
+    /// that is on the other side of α.
     fn hidden(&self, first: Node<F>, middle: Node<F>, last: Node<F>) -> Option<Node<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;

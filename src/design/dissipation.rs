@@ -7,8 +7,9 @@
 //! ```
 //!
 //! the root of a parabola in z: A₁ rises with α up to α* = √2 |K| (eq. 65) and falls from there on. The
-//! cycles that do not stick are those with α ≥ α_min(Ω). So the best of them is α* where α* ≥ α_min, and else
-//! the border itself, A₁ falling on all of α ≥ α_min: the larger of the two, and nothing else can be better.
+//! cycles that do not stick are those with α ≥ α_min(Ω). So the best of them is α* if α* ≥ α_min. Otherwise
+//! A₁ falls on all of α ≥ α_min, and the best is the border itself. In both cases it is the larger of the
+//! two.
 
 use super::force::ratios_of;
 use super::optimum::{Optimum, OptimumKind};
@@ -23,8 +24,8 @@ use crate::ratios::{Ratios, positive};
 /// do not stick: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where the
 /// loop of friction alone counts.
 ///
-/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. Which of the two it is changes continuously:
-/// where they meet, rounding may name either. Accuracy at f64 for ζ = 0: 8 ulp.
+/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. The optimum is continuous in Ω: where the
+/// two meet, rounding may select either. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside
@@ -79,8 +80,8 @@ fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
 /// stick.
 ///
 /// Mass, stiffness and damping are those of `body`; its own friction bound plays no part.
-/// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper it is the energy that
-/// friction takes; what the damper takes besides ([`crate::Cycle::damper_work`]) does not count.
+/// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper only the energy dissipated
+/// by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
 ///
 /// # Errors
 /// As there (but at Ω = 1 there is an answer with damping), and where r_y or the energy over- or underflows.

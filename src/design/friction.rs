@@ -8,8 +8,8 @@ use crate::ratios::positive;
 
 /// The maximum friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
-/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. Any smaller
-/// bound slides, and no greater one, because Ω does not depend on friction. Accuracy as
+/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. With any
+/// smaller bound the body slides, and with no greater one, because Ω does not depend on friction. Accuracy as
 /// [`super::min_amplitude`].
 ///
 /// # Errors

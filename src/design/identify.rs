@@ -7,12 +7,12 @@
 //! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK):
 //! ```
 //!
-//! smooth in κ and in ζ, which G, K, q and δ depend on. κ and ζ are found by the method of Levenberg and
-//! Marquardt, with the derivatives of dual numbers. The two parameters make the normal equations 2 by 2, so
-//! that no linear algebra is needed.
+//! which is smooth in κ and in ζ (G, K, q and δ depend on ζ). κ and ζ are found by the method of Levenberg
+//! and Marquardt, with the derivatives of dual numbers. The two parameters make the normal equations 2 by 2,
+//! so that no linear algebra is needed.
 //!
 //! Only cycles that do not stick follow these formulae. A measurement at which the body would stick with the
-//! parameters found is left out, and the rest fitted again, until the choice does not change.
+//! parameters found is omitted and the rest is fitted again, until the selection does not change.
 
 use crate::error::{Error, Quantity};
 use crate::float::Real;
@@ -35,7 +35,7 @@ pub struct Measurement {
     pub phase: Option<f64>,
 }
 
-/// What a measured response curve says of friction and damping.
+/// Friction and damping estimated from a measured response curve.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -45,23 +45,23 @@ pub struct Identified {
     pub friction_bound: Estimate,
     /// The damping ratio ζ; `c = 2ζ√(k m)`.
     pub damping_ratio: Estimate,
-    /// The relative standard error of one amplitude, and that of a phase in radians, as the residuals have
-    /// it.
+    /// The standard error of one measurement, estimated from the residuals: relative for an amplitude, in
+    /// radians for a phase.
     pub noise: f64,
-    /// Measured less computed amplitude, as a share of the measured one; `None` where the body sticks and the
-    /// measurement was left out.
+    /// Measured minus computed amplitude, relative to the measured one; `None` if the body sticks and the
+    /// measurement was omitted.
     pub residuals: Vec<Option<f64>>,
 }
 
-/// The friction bound and the damping ratio that explain a response curve of `body` under a force of
-/// amplitude p₀.
+/// The friction bound and the damping ratio that fit a response curve of `body` under a force of amplitude
+/// p₀.
 ///
 /// Mass and stiffness are those of `body`; its own friction bound and damping play no part. Errors of the
 /// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation,
 /// which the residuals give.
 ///
-/// It is the least sum of squares that the search meets: from the best of a grid of κ and ζ, then downhill.
-/// No proof says that there is no other.
+/// The answer is the least sum of squares found by a descent from the best point of a grid of κ and ζ. It is
+/// not proved to be the global minimum.
 ///
 /// # Errors
 /// Where a measurement is not finite or not > 0, where fewer than three measurements are of a cycle that does
@@ -88,7 +88,7 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
         }
         if slides == used {
             let [a, b, c] = normal(&points, &used, parameters).matrix;
-            // One amplitude at one frequency is that of many pairs of friction and damping.
+            // Many pairs of friction and damping give one amplitude at one frequency.
             if a * c - b * b <= LEAST_ANGLE * a * c {
                 return Err(Error::NotIdentified);
             }
@@ -100,14 +100,14 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
     Err(Error::NotIdentified)
 }
 
-/// Choices of measurements that are tried.
+/// Maximum number of selections of measurements.
 const ROUNDS: usize = 50;
-/// The least sin² of the angle between the derivatives by both parameters, below which the measurements do
-/// not tell them apart.
+/// The least sin² of the angle between the derivatives by both parameters, below which the measurements
+/// cannot separate them.
 const LEAST_ANGLE: f64 = 1e-12;
 /// Steps of a descent.
 const STEPS: usize = 200;
-/// The least damping ratio that is told from none.
+/// The least damping ratio that is distinguished from none.
 const LEAST_DAMPING: f64 = 1e-9;
 
 /// κ = r_y/p₀ and ζ.
@@ -175,7 +175,7 @@ fn normal(points: &[Point], used: &[bool], parameters: Parameters) -> Normal {
     n
 }
 
-/// The best of a grid, of those at which the most measurements slide.
+/// The best point of a grid, among those at which most measurements slide.
 fn best_of_grid(points: &[Point]) -> Result<Parameters, Error> {
     let mut best: Option<(usize, f64, Parameters)> = None;
     for i in 0..10 {
@@ -185,7 +185,7 @@ fn best_of_grid(points: &[Point]) -> Result<Parameters, Error> {
             let used: Vec<bool> = points.iter().map(|p| p.slides(parameters)).collect();
             let count = used.iter().filter(|&&slides| slides).count();
             let sum = normal(points, &used, parameters).sum;
-            // A point left out counts as one that is off by all of its amplitude.
+            // An omitted point counts as one with an error of its whole amplitude.
             let penalised = sum + points.len().saturating_sub(count) as f64;
             let better = best.is_none_or(|(_, least, _)| penalised < least);
             if count >= 3 && better {
@@ -208,7 +208,7 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
         let (g, h) = (here.gradient[0] * kappa, here.gradient[1] * zeta);
         let (p, q) = (a * (1.0 + damping), c * (1.0 + damping));
         let determinant = p * q - b * b;
-        // No damper at all is the end of the range: from there on friction alone is sought.
+        // At the end of the range there is no damper, and friction alone is fitted.
         let at_the_end = zeta <= LEAST_DAMPING && b * g <= p * h;
         let step = if at_the_end {
             [-g / p, 0.0]
@@ -230,7 +230,7 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
                 return Ok(at);
             }
         } else if damping > 1e12 {
-            // No smaller step goes down: the least to rounding.
+            // No smaller step descends: the minimum is reached to rounding.
             return Ok(at);
         } else {
             damping *= 10.0;

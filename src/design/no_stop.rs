@@ -14,7 +14,7 @@ use crate::ratios::positive;
 use crate::regime::{NoStop, no_stop_of};
 use crate::root;
 
-/// The forces p₀ with which `body` never stops at ω_d: r_y times [`crate::regime::no_stop_force_ratios`].
+/// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::regime::no_stop_force_ratios`].
 ///
 /// Unit of force. Proved and searched as there.
 ///
@@ -39,9 +39,9 @@ pub struct NoStopBand<F> {
     pub low: F,
     /// Upper end.
     pub high: F,
-    /// What the lower end is.
+    /// What bounds the lower end.
     pub low_edge: Edge,
-    /// What the upper end is.
+    /// What bounds the upper end.
     pub high_edge: Edge,
     /// 2, or 6 near a pole.
     pub reversals_per_cycle: u32,
@@ -51,9 +51,10 @@ pub struct NoStopBand<F> {
 /// ζ, by increasing Ω.
 ///
 /// Those of [`bands`], of two reversals a cycle, and one around or just below a pole 1/(2n+1) with
-/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the first are all there are, and of the
-/// second that is searched ([`crate::nonsticking::SixReversals`]). With damping both are searched, the second
-/// on a mesh of 64 frequencies beside each pole. Their ends are to a few floats.
+/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the list of the first is proved to be
+/// complete, and that of the second rests on a search ([`crate::nonsticking::SixReversals`]). With damping
+/// both are searched, the second on a mesh of 64 frequencies near each pole. The ends are accurate to a few
+/// floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
@@ -61,7 +62,7 @@ pub struct NoStopBand<F> {
 /// // Up to 0.3250, from 0.3298 to 0.3342 around 1/3, and from 0.3436 on.
 /// assert_eq!(found.iter().map(|band| band.reversals_per_cycle).collect::<Vec<_>>(), [2, 6, 2]);
 /// assert!((found[1].low - 0.32984).abs() < 1e-4 && (found[1].high - 0.33422).abs() < 1e-4);
-/// // With a little damping the second is narrower, with more it is gone.
+/// // A little damping narrows the second band, and more removes it.
 /// assert_eq!(bands_without_stop(80.0f64, 0.002, 0.32, 0.36)?.len(), 3);
 /// assert_eq!(bands_without_stop(80.0f64, 0.01, 0.32, 0.36)?.len(), 2);
 /// # Ok::<(), stickslip::Error>(())
@@ -116,7 +117,7 @@ pub fn bands_without_stop<F: Float>(
 /// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping: as
 /// [`bands_without_stop`].
 ///
-/// Of the drive only its amplitude counts, as for [`frequency_bands`].
+/// Only the amplitude of the drive matters, as for [`frequency_bands`].
 ///
 /// # Errors
 /// As [`frequency_bands`].
@@ -126,7 +127,7 @@ pub fn frequency_bands_without_stop<F: Float>(
     low: F,
     high: F,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
-    // Its errors, in the units of the question.
+    // Its errors, in physical units.
     let _ = frequency_bands(body, drive, low, high)?;
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;

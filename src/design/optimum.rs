@@ -1,6 +1,6 @@
-//! An optimum: where it is, what it is worth, and what makes it one.
+//! An optimum: its place, its value, and its kind.
 
-/// What makes a value the best one.
+/// The kind of an optimum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -8,9 +8,9 @@
 pub enum OptimumKind {
     /// The derivative is zero there, inside the region where the body does not stick.
     Interior,
-    /// The border: on the one side the body sticks, on the other it dissipates less.
+    /// On the border: on one side the body sticks, on the other it dissipates less.
     Border,
-    /// An end of the range that was asked about.
+    /// An end of the given range.
     RangeEnd,
     /// Inside the region where the body sticks in every cycle, by the exact motion.
     Sticking,
@@ -26,7 +26,7 @@ pub struct Optimum<F> {
     pub at: F,
     /// The largest value: the loop size A₁ or A₂ of a ratio, the energy of a cycle in physical units.
     pub value: F,
-    /// What makes it the best.
+    /// The kind of optimum.
     pub kind: OptimumKind,
 }
 
@@ -42,8 +42,8 @@ pub struct BoundedOptimum<F> {
     pub value: F,
     /// [`OptimumKind::Sticking`], or what it is among the motions that do not stick.
     pub kind: OptimumKind,
-    /// No argument has a larger value than this: proven, as far as each exact motion is within its
-    /// [`crate::exact::SteadyState::distance`] of the limit. What that and rounding may hide is part of it.
+    /// An upper bound on the value at any argument, rounding included. It is proven if each exact motion is
+    /// within its [`crate::exact::SteadyState::distance`] of the limit.
     pub bound: F,
     /// The optimum of those that do not stick.
     pub non_sticking: Optimum<F>,

@@ -1,10 +1,10 @@
 //! The friction that dissipates most under a given force, sticking allowed.
 //!
-//! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the way of a cycle in units of p₀/k,
-//! so that A₁ = 2ρJ.
+//! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the path length of a cycle in units
+//! of p₀/k, so that A₁ = 2ρJ.
 //!
-//! **More friction, less way.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of the
-//! equations of motion times the difference of the velocities, integrated over a cycle, leaves
+//! ****More friction, shorter path.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of
+//! the equations of motion times the difference of the velocities, integrated over a cycle, leaves
 //! `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of its bound: r v = |v|, |r| ≤ 1, and
 //! D = 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
 //!
@@ -14,29 +14,29 @@
 //!
 //! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a
 //! bound that becomes exact as the interval shrinks, and that turns a finite number of exact motions into a
-//! proof. Intervals whose bound is within the tolerance of the best value found are done with, the others are
-//! halved. What remains above the tolerance is nothing; the bound is returned with the answer.
+//! proof. Intervals whose bound is within the tolerance of the best value found are finished; the others are
+//! halved until none is left. The bound is returned with the answer.
 //!
 //! **A motion is known to within d.** Friction and damper are monotone, so that the motion found and the
 //! limit, δ = d apart in (x, w = x′/ω_n) at one instant, are never further apart. The difference of their
-//! ways in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, and that is small by two reasons:
+//! path lengths in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, which is small for two reasons:
 //!
 //! * `∮ |δw| dφ ≤ T d`, however often either stops.
 //! * Where neither goes backward, |w₁| − |w₂| is δx′, and where neither goes forward −δx′: over each such
-//!   time no more than the change of δx, whose size is at most d. Where they go opposite ways, `½(δx² + δw²)`
-//!   falls by 2|δw| dφ, altogether by ½d² at most. So with n changes between common forward and common
-//!   backward, `|δW| ≤ 2(n + 1) d + ¼d²`. Each change begins with one of the two starting from rest, forward
-//!   where `P = α sin θ − x ≥ 1`, backward where P ≤ −1. The P of the two are d apart at most, so that P of
-//!   the motion found goes 2 − 2d to and fro between two changes, 4α + W in a cycle:
-//!   `n ≤ 1 + (2α + ½W)/(1 − d)`.
+//!   time no more than the change of δx, whose size is at most d. Where they move in opposite directions,
+//!   `½(δx² + δw²)` falls by 2|δw| dφ, altogether by ½d² at most. So with n changes between common forward
+//!   and common backward, `|δW| ≤ 2(n + 1) d + ¼d²`. Each change begins with one of the two starting from
+//!   rest, forward where `P = α sin θ − x ≥ 1`, backward where P ≤ −1. The P of the two differ by at most d,
+//!   so that P of the motion found varies by at least 2 − 2d between two changes, and by at most 4α + W in a
+//!   cycle: `n ≤ 1 + (2α + ½W)/(1 − d)`.
 //!
-//! The second is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. By the smaller of
-//! them, and by the rounding of the sum, A₁ is taken as larger wherever it bounds an interval. The bound is
-//! as good as d, which is
+//! The second bound is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. Wherever A₁
+//! bounds an interval, it is increased by the smaller of the two and by the rounding of the sum. The bound
+//! relies on d, which is
 //! [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn, not an enclosure.
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1
-//! the way is zero.
+//! the path length is zero.
 
 use super::dissipation::most_dissipating_force_ratio;
 use super::force::ratios_of;
@@ -48,7 +48,7 @@ use crate::nonsticking::{Border, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
 use crate::ratios::{Ratios, positive, within};
 
-/// A loop size as found, and what it may be at most.
+/// A loop size as found, and an upper bound of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LoopSize<F> {
     found: F,
@@ -61,7 +61,7 @@ impl<F: Float> LoopSize<F> {
         Self { found: F::int(0), most: F::int(0) }
     }
 
-    /// Of a closed form: right to two units in the last place.
+    /// From a closed form, accurate to two units in the last place.
     fn closed(found: F) -> Self {
         Self { found, most: found * (F::int(1) + F::int(4) * F::epsilon()) }
     }
@@ -80,8 +80,8 @@ impl<F: Float> LoopSize<F> {
     }
 }
 
-/// How far the way of a motion may be from that of the limit, `distance` apart at one instant: by the
-/// module's head.
+/// Bound on the difference between the path length of a motion and that of its limit, `distance` apart at one
+/// instant (see the head of this module).
 fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let by_time = two * F::pi() / omega * distance;
@@ -116,7 +116,7 @@ fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
     at_low * (high / low) * (F::int(1) + F::int(2) * F::epsilon())
 }
 
-/// Greatest A₁ found, and where, with a bound on all that was looked at.
+/// The largest A₁ found, its place, and a bound on all values examined.
 struct Search<F> {
     omega: F,
     zeta: F,
@@ -135,7 +135,7 @@ impl<F: Float> Search<F> {
             (self.share, self.loop_size) = (share, size.found);
         }
         self.bound = self.bound.or_larger(size.most);
-        // What the motion itself leaves open no halving makes smaller.
+        // Halving does not reduce the uncertainty of the motion itself.
         if size.most > self.loop_size * (F::int(1) + self.tolerance / F::int(2)) {
             let (omega, alpha) = (written(self.omega), written(F::int(1) / share));
             return Err(Error::NotSettled { omega, alpha });
@@ -143,8 +143,8 @@ impl<F: Float> Search<F> {
         Ok(size)
     }
 
-    /// Looks at `[low, high]`, A₁ being at most `at_low` at its lower end, until no more than the tolerance
-    /// above the best can be in it.
+    /// Searches `[low, high]`, where A₁ is at most `at_low` at the lower end, until no value in it can exceed
+    /// the best by more than the tolerance.
     fn exhaust(&mut self, low: F, high: F, at_low: F) -> Result<(), Error> {
         let (one, two) = (F::int(1), F::int(2));
         let mut left = Vec::new();
@@ -173,7 +173,8 @@ impl<F: Float> Search<F> {
         self.refine(low, high, self.tolerance * self.share)
     }
 
-    /// Golden sections around the best so far: to about the root of the precision, all that a maximum allows.
+    /// Golden sections around the best so far, to about the root of the precision, which is the limit at a
+    /// maximum.
     fn refine(&mut self, low: F, high: F, width: F) -> Result<(), Error> {
         let golden = (F::int(3) - F::int(5).sqrt()) / F::int(2);
         let (mut a, mut b) = (self.share - width, self.share + width);
@@ -195,18 +196,18 @@ impl<F: Float> Search<F> {
     }
 }
 
-/// Intervals of the first look.
+/// Initial number of intervals.
 const COARSE: i32 = 32;
 
 /// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, sticking
-/// allowed: the global maximum to within a relative `tolerance` in A₁, by the bound of the module's head.
+/// allowed: the global maximum to within a relative `tolerance` in A₁, by the bound at the head of this
+/// module.
 ///
 /// With a damper only the loop of friction counts.
 ///
 /// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the
 /// precision, as any point of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick
-/// for the best, it is
-/// [`super::most_dissipating_force_ratio`].
+/// for the best, it is [`super::most_dissipating_force_ratio`].
 ///
 /// ```
 /// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
@@ -233,7 +234,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let share = one / least;
     let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement(), least)).most;
     let most = LoopSize::closed(non_sticking.value).most;
-    // What does not stick is a value to beat; both are one where the border is the best of it.
+    // The best cycle that does not stick is the first candidate; its place may be the border.
     let mut sticking =
         Search { omega, zeta, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
     sticking.exhaust(share, one, at_border)?;

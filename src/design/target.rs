@@ -144,7 +144,7 @@ fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Res
 ///
 /// V₀ is the greatest over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`: affine in a with a slope > 0, so that
 /// it grows with a and is convex in it, and it is at least its value at T/2, aΩ + h′(T/2). So Newton's method
-/// falls on the only solution from there.
+/// converges monotonically to the only solution from there.
 fn damped_velocity_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,
@@ -172,7 +172,7 @@ fn damped_velocity_target<F: Float>(
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;
         let next = amplitude - step;
-        // Beyond the solution by rounding, or at the border by it.
+        // Rounding put the step beyond the solution, or at the border.
         if !(step > F::epsilon() * amplitude && next > least) {
             break;
         }
@@ -191,12 +191,13 @@ fn velocity_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) 
         return Err(sticks(quantity, target, least_velocity * scale, omega));
     }
     let mut displacement = velocity;
-    // Quadratic from the first step on where V₀ is nearly affine, as it is; the bound is that of halving.
+    // Convergence is quadratic from the first step on, because V₀ is nearly affine; the number of steps is
+    // bounded as for bisection.
     for _ in 0..F::PRECISION {
         let (reached, slope) = max_velocity_from_displacement(&p, displacement);
         let step = (reached - velocity) / slope;
         let next = displacement - step;
-        // Beyond the solution by rounding, or at the border by it.
+        // Rounding put the step beyond the solution, or at the border.
         if !(step > F::epsilon() * displacement && next > least) {
             break;
         }
@@ -211,7 +212,7 @@ fn force_ratio_at<F: Float>(p: &PhaseFunction<F>, displacement: F) -> Result<F, 
     Ok(crate::Ratios::new(p.omega(), alpha)?.alpha())
 }
 
-/// The phase function at Ω ≠ 1: there no steady motion has the size asked for.
+/// The phase function at Ω ≠ 1: at resonance no steady motion has the target size.
 fn steady<F: Float>(omega: F, quantity: Quantity) -> Result<PhaseFunction<F>, Error> {
     let p = PhaseFunction::new(omega)?;
     if omega == F::int(1) { Err(Error::AtResonance { quantity }) } else { Ok(p) }

@@ -19,7 +19,7 @@
 //!   v = 4.
 //!
 //! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α
-//! n(n + 1)): lobes whose bound is below what has been found need not be looked into.
+//! n(n + 1)): lobes whose bound is below the best value found are skipped.
 
 use super::band::{Band, Edge};
 use super::bands::{band_in, bands};
@@ -53,7 +53,7 @@ pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> 
         let n = F::int(i32::from(lobe.index()));
         let is_beaten =
             |found: Optimum<F>| n > F::int(0) && found.value * alpha * n * (n + F::int(1)) > F::int(2);
-        // No band below the pole of a lobe that is out of reach.
+        // There is no band below the pole of a lobe that α cannot reach.
         if best.is_some_and(is_beaten) || alpha < F::int(4) * n * (n + F::int(1)) {
             break;
         }
@@ -108,8 +108,8 @@ fn growth<F: Float>(alpha: F, omega: F) -> F {
 /// which the body does not stick.
 ///
 /// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part.
-/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper it is the energy
-/// that friction takes, and the best of a search, not of a proof (`src/design/damped.rs`).
+/// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper it maximises the
+/// energy dissipated by friction, and is searched, not proved (`src/design/damped.rs`).
 ///
 /// # Errors
 /// As there (but with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force of a

@@ -1,4 +1,4 @@
-//! The cycle by its amplitude: what force, and what velocity, belong to a maximum displacement Δ₀.
+//! The cycle by its amplitude: the force and the maximum velocity that belong to a maximum displacement Δ₀.
 
 use super::border::border_force_ratio;
 use super::half_cycle::HalfCycle;

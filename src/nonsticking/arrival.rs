@@ -2,8 +2,8 @@
 //! circular functions.
 //!
 //! `v″ + Ω²v = F sin ψ` makes every derivative one fused product. v′ to the seventh order: the root h by the
-//! reversed series, then one step of Halley's with the polynomial. What the series leaves is of the fourth
-//! power of h, and the step makes the cube of that.
+//! reversed series, then one step of Halley's with the polynomial. The error of the series is of order h⁴,
+//! and the step reduces it to its cube.
 
 use crate::float::Float;
 
@@ -31,7 +31,7 @@ pub(crate) struct Moment<F> {
 pub(crate) struct Arrived<F> {
     /// ψ.
     pub(crate) psi: F,
-    /// What of the greatest v/(Bω_n) the velocity at the moment lacks.
+    /// The maximum of v/(Bω_n) less the velocity at this moment.
     pub(crate) gain: F,
     /// Δ₁/B.
     pub(crate) displacement: F,

@@ -1,8 +1,8 @@
 //! The minimum force ratio that keeps the body from sticking (eq. 57–62, and the exact condition).
 //!
-//! The cycle of eq. 40–56 is a motion of the oscillator only while it slides between its reversals.
-//! The paper asks for that at the turning point alone (eq. 58, 59), which gives eq. 61. Den Hartog's
-//! condition asks for it throughout the half cycle, x′ < 0 for 0 < τ = ω_d(t − t₂) < π:
+//! The cycle of eq. 40–56 is a motion of the oscillator only while it slides between its reversals. The paper
+//! requires that only at the turning point (eq. 58, 59), which gives eq. 61. Den Hartog's condition requires
+//! it throughout the half cycle, x′ < 0 for 0 < τ = ω_d(t − t₂) < π:
 //!
 //! ```text
 //! Δ₀/B ≥ S(Ω) = sup f(τ),   f(τ) = [sin(τ/Ω) + T (cos τ − cos(τ/Ω))]/(Ω sin τ),   f(0⁺) = 1/Ω²,
@@ -13,8 +13,8 @@
 //!
 //! # Where the supremum is, and why it is the global one
 //!
-//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω,
-//! `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and f(π − τ) = −f(τ): it is enough to find the largest
+//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω, `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and
+//! f(π − τ) = −f(τ): it is enough to find the largest
 //! |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ = −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, a known sign
 //! between known points.
 //!
@@ -32,7 +32,8 @@
 //!   `S = max(1/Ω², |f(ζ*)|)`.
 //!
 //! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
-//! short on the whole band; for T < 0 only next to the pole. One root whatever Ω: no scan, no sampling.
+//! short on the whole band; for T < 0 only next to the pole. There is one root at any Ω, and neither scan nor
+//! sampling.
 
 mod band_end;
 mod lobe;
@@ -63,7 +64,7 @@ pub(crate) use turning_point::{slip_excess, turning_point_residual};
 
 /// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
 ///
-/// Where T > 0 (`rises`) it is, even if rounding hides by how much.
+/// For T > 0 (`rises`) it is, even if the excess is below rounding.
 #[inline(always)]
 fn is_stationary_value_larger<F: Float>(
     one_minus_square: Pair<F>,
@@ -218,7 +219,7 @@ impl<F: Float> Border<F> {
     /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
     /// above the kinetic one other motions that stick can exist beside it.
     ///
-    /// Source: Den Hartog's condition in closed form but for one bracketed root. Accuracy at f64: 2 ulp.
+    /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
     pub const fn min_force_ratio(&self) -> F {
         self.min_force_ratio
     }
@@ -228,8 +229,8 @@ impl<F: Float> Border<F> {
         self.turning_point
     }
 
-    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` but for rounding, where the velocity first touches zero on
-    /// the border; 0 where that is the turning point itself.
+    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` up to rounding, where the velocity first touches zero on the
+    /// border; 0 if that is the turning point itself.
     pub const fn phase(&self) -> F {
         self.phase
     }

@@ -16,7 +16,7 @@ use crate::ratios::Ratios;
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
-/// Accuracies are those from the true border up. An α from the border as rounded up to a true border above it
+/// Accuracies are those from the true border up. An α between the rounded border and a true border above it
 /// counts as on the border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or
 /// nothing (`docs/accuracy.md`).
 ///
@@ -57,7 +57,7 @@ impl<F: Float> Cycle<F> {
         F::fused(NewCycle(ratios))
     }
 
-    /// The same without a reason where there is none.
+    /// The same as an `Option`, without the reason.
     #[inline]
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
         let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
@@ -181,7 +181,7 @@ impl<F: Float> Cycle<F> {
         self.deviation
     }
 
-    /// Contraction per half cycle, max |λ|: what is left of a small disturbance.
+    /// Contraction per half cycle, max |λ|: the factor by which a small disturbance shrinks.
     pub const fn contraction(&self) -> F {
         self.contraction
     }
@@ -207,7 +207,8 @@ impl<F: Float> Cycle<F> {
         self.motion.loop_sizes(&self.ratios)
     }
 
-    /// The energy that the damper takes in a cycle, in units of r_y B; 0 without one. Friction takes 4Δ₀/B.
+    /// The energy that the damper dissipates in a cycle, in units of r_y B; 0 without a damper. Friction
+    /// dissipates 4Δ₀/B.
     ///
     /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[ΩH (1 − Ω²) − 2ζΩ² a]/q²`, in the symbols of
     /// `docs/theory/damping.md`; the integral itself where these cancel, near Ω = 1 with little damping.

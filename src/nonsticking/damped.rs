@@ -92,7 +92,7 @@ impl<F: Float> DampedCycle<F> {
         MultiplierPair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
     }
 
-    /// What half a cycle leaves of a small disturbance, max |λ|.
+    /// The contraction of a small disturbance in half a cycle, max |λ|.
     pub(crate) fn contraction(&self) -> F {
         let (half, one) = (&self.rising.half, F::int(1));
         match self.multipliers() {
@@ -127,8 +127,8 @@ impl<F: Float> DampedCycle<F> {
 impl<F: Float> Rising<F> {
     /// At an α on or above the border.
     pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
-        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the border as rounded may be below the true one: no less
-        // than a cycle has at its turning points, which beside Ω = 1 is all that is left of the difference.
+        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the rounded border may be below the true one. Δ₀ is then at
+        // least its value on the border; near Ω = 1 nothing else remains of the difference.
         let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
         let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
         Self { half, amplitude, max_displacement }
@@ -150,7 +150,7 @@ impl<F: Field> Rising<F> {
 }
 
 impl<F: Field> HalfPeriod<F> {
-    /// The middle of the two multipliers of half a cycle, and the square of what they are off it, times
+    /// The mean of the two multipliers of half a cycle, and the square of their deviation from it, times
     /// (1 + 1/R)²; by 1/R.
     pub(crate) fn multipliers(&self, inverse: F) -> (F, F) {
         let (c, z) = (self.cosine, self.free.zeta * self.sine);

@@ -1,8 +1,8 @@
 //! Den Hartog's estimate (1931) of the same cycle (eq. 50–56).
 //!
 //! He puts the origin of time at the maximum displacement and drives with `p₀ cos(ω_d t + φ)`, so that one
-//! falling half cycle, 0 ≤ t ≤ π/ω_d, has only Δ₀ and φ to match:
-//! x(0) = Δ₀, x′(0) = 0, x(π/ω_d) = −Δ₀, x′(π/ω_d) = 0 (eq. 50–53).
+//! falling half cycle, 0 ≤ t ≤ π/ω_d, has only Δ₀ and φ to match: x(0) = Δ₀, x′(0) = 0, x(π/ω_d) = −Δ₀,
+//! x′(π/ω_d) = 0 (eq. 50–53).
 
 use crate::float::Real;
 
@@ -45,7 +45,7 @@ impl<R: Real> FallingHalf<R> {
     /// Displacement at the phase ω_d t, in `[0, π]` (eq. 54):
     /// `x = A cos(ω_d t + φ) + B + C₁ sin ω_n t + C₂ cos ω_n t`.
     ///
-    /// 0/0 at Ω = 1, with a loss of digits beside it; [`crate::nonsticking::Cycle::displacement_at`] is the
+    /// It is 0/0 at Ω = 1 and loses digits near it; [`crate::nonsticking::Cycle::displacement_at`] is the
     /// same motion without.
     pub(crate) fn displacement(&self, phase: R) -> R {
         let (s, c) = (phase / self.omega).sin_cos();

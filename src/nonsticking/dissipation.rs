@@ -15,8 +15,7 @@ pub(crate) fn loop_size<R: Field>(friction_bound: R, max_displacement: R) -> R {
 
 /// Loop size per lossless static elastic energy (eq. 64): `A₁ = 2ks/p₀² = 8(Δ₀/B)/α²`.
 ///
-/// `max_displacement` is Δ₀/B. How the loop depends on friction where k, p₀ and Ω are given.
-/// Source: Hong & Liu 2001, eq. 64.
+/// `max_displacement` is Δ₀/B. It compares frictions at given k, p₀ and Ω. Source: Hong & Liu 2001, eq. 64.
 #[inline(always)]
 pub(crate) fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R {
     // A₁ = 8(Δ₀/B)/α²
@@ -25,7 +24,7 @@ pub(crate) fn loop_size_stiffness<R: Field>(max_displacement: R, alpha: R) -> R 
 
 /// Loop size per lossless static pseudo-elastic energy (eq. 67): `A₂ = 2 m ω_d² s/p₀² = Ω² A₁`.
 ///
-/// How the loop depends on stiffness where m, p₀, ω_d and α are given. Source: Hong & Liu 2001, eq. 67.
+/// It compares stiffnesses at given m, p₀, ω_d and α. Source: Hong & Liu 2001, eq. 67.
 #[inline(always)]
 pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R {
     // A₂ = Ω² A₁
@@ -34,10 +33,9 @@ pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R
 
 /// The force ratio of the largest A₁ at a given Ω (eq. 65): `α* = √2 |K|`, from dA₁/dα = 0.
 ///
-/// **Where it counts.** The paper does not say that the optimum is only reached where the body does
-/// not stick there, α* ≥ α_min(Ω): for Ω ≥ 1/2 that is `Ω|T| ≥ 1`. Elsewhere the best non-sticking force
-/// ratio is the border itself. At Ω = 1/(2n) K = 0, and this formula gives 0.
-/// Source: Hong & Liu 2001, eq. 65.
+/// ****Condition.** The paper does not say that the optimum is reached only if the body does not stick there,
+/// α* ≥ α_min(Ω): for Ω ≥ 1/2 that is `Ω|T| ≥ 1`. Elsewhere the best non-sticking force ratio is the border
+/// itself. At Ω = 1/(2n) K = 0, and this formula gives 0. Source: Hong & Liu 2001, eq. 65.
 #[inline]
 pub(crate) fn best_force_ratio<R: Field>(phase_function: R) -> R {
     // α* = √2 |K|
@@ -46,7 +44,7 @@ pub(crate) fn best_force_ratio<R: Field>(phase_function: R) -> R {
 
 /// The largest A₁ at a given Ω (eq. 66): `A₁max = 4/(|K| |1 − Ω²|)`, reached at [`best_force_ratio`].
 ///
-/// Counts where that does. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
+/// It holds under the same condition. Infinite at Ω = 1 and at Ω = 1/(2n). Source: Hong & Liu 2001, eq. 66.
 #[inline]
 pub(crate) fn best_loop_size<R: Field>(phase_function: R, one_minus_square: R) -> R {
     // A₁max = 4/(|K| |1 − Ω²|)

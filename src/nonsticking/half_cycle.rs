@@ -24,7 +24,7 @@ pub(crate) struct HalfCycle<F> {
     omega: F,
     one_minus_omega: F,
     max_displacement: F,
-    /// What the rounded Δ₀/B lacks, where that is known.
+    /// The rounding error of Δ₀/B, if known.
     displacement_rest: F,
     sin_beta: F,
     cos_beta: F,
@@ -81,13 +81,13 @@ impl<F: Float> HalfCycle<F> {
         }
     }
 
-    /// The same with what the rounded Δ₀/B lacks.
+    /// The same with the rounding error of Δ₀/B.
     #[inline]
     pub(crate) fn with_rest(self, displacement_rest: F) -> Self {
         Self { displacement_rest, ..self }
     }
 
-    /// What the rounded Δ₀/B lacks.
+    /// The rounding error of Δ₀/B.
     pub(crate) const fn displacement_rest(&self) -> F {
         self.displacement_rest
     }
@@ -99,7 +99,7 @@ impl<F: Float> HalfCycle<F> {
     }
 
     /// The same half cycle at another precision: each field is converted on its own, 1 − Ω and cos β too, so
-    /// that an Ω closer to 1 than the other type can tell keeps its distance.
+    /// that an Ω closer to 1 than the other type can resolve keeps its distance.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> HalfCycle<G> {
         HalfCycle {
             omega: to(self.omega),

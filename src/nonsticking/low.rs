@@ -33,7 +33,7 @@ pub(crate) struct LowWaves<F> {
     /// 1/Ω.
     pub(crate) inverse: F,
     pub(crate) max_displacement: F,
-    /// What the rounded Δ₀/B lacks.
+    /// The rounding error of Δ₀/B.
     pub(crate) rest: F,
     /// `(sin β, cos β)`.
     pub(crate) beta: (F, F),

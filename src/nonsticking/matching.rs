@@ -1,4 +1,4 @@
-//! The matching problem (eq. 2–39): five unknowns, five equations, and what follows from them.
+//! The matching problem (eq. 2–39): five unknowns, five equations, and their consequences.
 //!
 //! In the paper's own symbols, for any number that has the field operations. Time enters as the phases ω_d t
 //! of the drive; the angle ω_n(t₂ − t₁) is their difference over Ω. Lengths (A, B, Δ₀, Δ₁, V₀/ω_n) share one
@@ -23,7 +23,7 @@ mod start;
 #[cfg(feature = "matching")]
 mod step;
 
-/// What is given: A (eq. 5), B (eq. 6) and Ω (eq. 9).
+/// The given quantities: A (eq. 5), B (eq. 6) and Ω (eq. 9).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Given<R> {
     /// Amplitude of the frictionless response `A = p₀/(k(1 − Ω²))` (eq. 5).
@@ -34,7 +34,7 @@ pub(crate) struct Given<R> {
     pub(crate) omega: R,
 }
 
-/// What is sought: t₁, t₂, V₀, Δ₀, Δ₁.
+/// The unknowns: t₁, t₂, V₀, Δ₀, Δ₁.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Unknowns<R> {

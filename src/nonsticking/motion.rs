@@ -9,7 +9,7 @@ use super::stability::Multipliers;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// What a cycle's waveform, loop sizes and multipliers are computed from.
+/// The basis of a cycle's waveform, loop sizes and multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion<F> {
     Undamped { half: HalfCycle<F>, reversal: Reversal<F> },

@@ -1,4 +1,4 @@
-//! What a machine feels of the cycle: acceleration, transmitted force, absolute motion. Beyond the paper.
+//! Loads on a machine and its support: acceleration, transmitted force, absolute motion. Beyond the paper.
 //!
 //! On the half cycle with x′ > 0, in centred time ψ from β (the minimum) to −β, β = π/2Ω, the drive is
 //!
@@ -15,7 +15,7 @@
 //!
 //! For Ω ≥ 1/2, g grows from ψ = 0 to β, as sin Ωψ/sin ψ is monotone there, and −g(0) ≤ 1: so |x″| is
 //! greatest on arrival. Below 1/2 the fast wave cos ψ/cos β may exceed it. It does so within a fast period of
-//! where the slow wave is greatest, or of an end.
+//! the crest of the slow wave, or of an end.
 
 use super::Cycle;
 use super::half_cycle::HalfCycle;
@@ -39,7 +39,7 @@ pub(crate) fn arrival_acceleration<R: Real>(max_displacement: R, omega: R) -> R 
     max_displacement + R::int(1) / omega.square()
 }
 
-/// Greatest force on what carries spring and surface, `Δ₀/B + 1` in r_y: that of the spring and of friction
+/// Maximum force on the support of spring and surface, `Δ₀/B + 1` in r_y: that of the spring and of friction
 /// together, `k x + r_y sgn x′`.
 #[inline]
 pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {

@@ -54,7 +54,7 @@ impl<F: Float> Circular<F> {
 #[derive(Clone, Copy)]
 pub(crate) struct Waves<F> {
     pub(crate) max_displacement: F,
-    /// What the rounded Δ₀/B lacks.
+    /// The rounding error of Δ₀/B.
     pub(crate) rest: F,
     pub(crate) at: Frequency<F>,
 }

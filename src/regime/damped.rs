@@ -38,9 +38,9 @@ pub(crate) fn reverses_six_times<F: Float>(ratios: Ratios<F>) -> bool {
 /// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
 /// four of ζ. `error` is the border's own relative error bound.
 ///
-/// Over so small a box the border is monotone in Ω and ζ but next to a peak that is as narrow, and its ends,
-/// the middle and points between tell its range. Where they differ by more than an eighth of it, such a peak
-/// may be inside: then the verdict is undecided. That is seen, not proved.
+/// Over so small a box the border is monotone in Ω and ζ except next to an equally narrow peak, and its
+/// values at the ends, in the middle and between give its range. If they differ by more than an eighth, such
+/// a peak may be inside, and the verdict is undecided. This is a check, not a proof.
 ///
 /// # Errors
 /// Where a ratio leaves its domain.
@@ -63,7 +63,7 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
     let middle = Border::of(&ratios).min_force_ratio();
     let (least, greatest) = borders.fold((middle, middle), range);
     let is_wide = (greatest - least) * F::int(8) > greatest;
-    // Such a peak is a maximum: what is far below all else is below it, too.
+    // Such a peak is a maximum: an α far below all other values is below it, too.
     let below = if is_wide { least / F::int(2) } else { least * (one - error) };
     let is_below = strongest < below;
     if weakest <= one {

@@ -1,4 +1,4 @@
-//! The force ratios with which the body never stops.
+//! The force ratios at which the body never stops.
 
 use crate::error::Error;
 use crate::float::{AtPrecision, Float};
@@ -53,11 +53,11 @@ impl<F: Float> NoStop<F> {
 ///
 /// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of
 /// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping the motion from the
-/// border on is unbounded, and does not stop either. A little damping leaves some of the intervals below the
-/// border, and from ζ = 0.0215/(2n+1) on none.
+/// border on is unbounded, and does not stop either. A little damping preserves some of the intervals below
+/// the border; from ζ = 0.0215/(2n+1) on there is none.
 ///
-/// **Proved**: in these intervals no motion stops in the long run. **Searched**: that it stops at all other
-/// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
+/// **Proved**: in these intervals no motion stops in the long run. ****Searched**: the body stops at all
+/// other α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
 /// (`docs/theory/six-reversals.md`).
 ///
 /// ```
@@ -73,8 +73,8 @@ impl<F: Float> NoStop<F> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
-/// Accuracy as of [`Border::min_force_ratio`] and 40 ulp for those of six reversals; without damping with the
-/// guard bits that the type has.
+/// The accuracy is that of [`Border::min_force_ratio`], and 40 ulp for six reversals; without damping the
+/// type's guard bits are used.
 ///
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].

@@ -1,4 +1,4 @@
-//! The regime that the exact motion shows, one with that of the closed forms.
+//! The regime of the exact motion, consistent with that of the closed forms.
 
 use super::{NoStop, Regime, no_stop_of, regime_of};
 use crate::exact::{LongRun, SteadyState};
@@ -6,7 +6,7 @@ use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::ratios::Ratios;
 
-/// What the exact motion does in the long run, in the terms of [`Regime`].
+/// The steady behaviour of the exact motion, as a [`Regime`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Observed {
@@ -26,9 +26,9 @@ pub struct Observed {
 /// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A
 /// stop, or the clearance of a velocity that nearly vanishes, may be smaller than that, within about 1e-10 of
 /// a border beside a pole and a few units in the last place elsewhere. There the borders decide, which are
-/// known to 8 and 64 units in the last place: a border as rounded belongs to what slides. So they do where
-/// the motion has not settled, because the regime is that of its limit. So this and [`crate::regime()`]
-/// agree.
+/// accurate to 8 and 64 units in the last place; a rounded border itself counts as sliding. The borders also
+/// decide where the motion has not settled, because the regime is that of its limit. So this function and
+/// [`crate::regime()`] agree.
 ///
 /// With a static friction above the kinetic one the regime is that of this long run, and no border decides:
 /// others can exist beside it.
@@ -57,8 +57,8 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
         by_border,
     };
     if ratios.has_higher_static_friction() {
-        // There can be motions with stops above the border, and others below it: what is seen is all that is
-        // known.
+        // There can be motions with stops above the border, and others below it: only the motion itself
+        // decides.
         return of(seen, sticks, false);
     }
     let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
@@ -71,7 +71,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     }
 }
 
-/// The border next to α, where what decides is smaller than what the motion is known to.
+/// The border next to α, if the decisive quantity is below the accuracy of the motion.
 pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady: &SteadyState<F>) -> bool {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let (x, v) = steady.distance();

@@ -1,4 +1,4 @@
-//! Where a point lies in the plane of Ω and α, and how surely.
+//! The place of a point in the plane of Ω and α, and its certainty.
 
 use super::{Family, Regime, Verdict, damped, regime_by_border};
 use crate::error::{Error, Quantity, written};
@@ -14,11 +14,11 @@ use crate::ratios::Ratios;
 /// there.
 ///
 /// **Undecided.** The border is known to 8 units in the last place, its error bound
-/// ([`Place::BORDER_ERROR`]); where α is closer to it than that the verdict is [`Verdict::Undecided`], and a
+/// ([`Place::BORDER_ERROR`]); if α is closer to the border, the verdict is [`Verdict::Undecided`], and a
 /// wider number type decides. Ω and α are taken as exact by [`Place::new`]. [`Place::of`] and
-/// [`crate::uncertainty::RatioBox`] know that they are not: their verdict holds for every Ω and α in the
-/// given intervals, over which the range of the border is known. Near a pole 1/(2n+1) that matters more than
-/// rounding: an error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
+/// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
+/// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
+/// error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
 ///
 /// ```
 /// use stickslip::uncertainty::{Interval, RatioBox};
@@ -26,11 +26,11 @@ use crate::ratios::Ratios;
 /// let place = Place::new(Ratios::new(0.4, 6.0)?);
 /// assert_eq!(place.verdict(), Verdict::Sticking);
 /// assert!((place.margin() - 0.8633419_f64).abs() < 1e-7);
-/// // On the border itself no f64 can tell.
+/// // On the border itself f64 cannot decide.
 /// let border = place.border().min_force_ratio();
 /// let verdict = Place::new(Ratios::new(0.4, border)?).verdict();
 /// assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
-/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 says nothing, twice the force does.
+/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided, twice the force is not.
 /// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
 /// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
 /// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
@@ -58,7 +58,7 @@ impl<F: Float> Place<F> {
     #[doc(hidden)]
     pub const DAMPED_BORDER_ERROR: i32 = 16;
 
-    /// The place of ratios that are exact as they stand.
+    /// The place of exact ratios.
     ///
     /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the
     /// verdict. A float that is 1/(2n) to within its rounding only has one limit, the symmetric cycle, though
@@ -105,8 +105,8 @@ impl<F: Float> Place<F> {
         Self { ratios, border, verdict }
     }
 
-    /// The place of ratios with a static friction above the kinetic one, where the border is all that is
-    /// known for every start.
+    /// The place of ratios with a static friction above the kinetic one, where only the border is known for
+    /// every start.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
         let (least, one) = (border.min_force_ratio(), F::int(1));
@@ -129,8 +129,8 @@ impl<F: Float> Place<F> {
     ///
     /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the
     /// verdict is [`Verdict::NonSticking`] or undecided, never [`Verdict::Degenerate`] or
-    /// [`Verdict::Unbounded`]. With a damper the range of the border over the rounding is seen at fifteen
-    /// points, not proved, and undecided where it changes by more than an eighth.
+    /// [`Verdict::Unbounded`]. With a damper the range of the border over the rounding is evaluated at
+    /// fifteen points, which is no proof; where it changes by more than an eighth the verdict is undecided.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`] or of the border; [`Error::StaticFriction`] for a
@@ -175,7 +175,7 @@ impl<F: Float> Place<F> {
         self.ratios
     }
 
-    /// What the body does in the long run.
+    /// The steady behaviour of the body.
     pub const fn verdict(&self) -> Verdict<F> {
         self.verdict
     }
@@ -185,7 +185,7 @@ impl<F: Float> Place<F> {
         &self.border
     }
 
-    /// The margin α/α_min: the force in units of the least that does not stick.
+    /// The margin α/α_min: the force over the minimum force without sticking.
     pub fn margin(&self) -> F {
         self.ratios.alpha() / self.border.min_force_ratio()
     }

@@ -1,4 +1,4 @@
-//! How often the body stops in a cycle, by the exact motion.
+//! The stops in a cycle of the exact motion.
 
 use super::{no_stop_of, observed};
 use crate::error::{Error, written};
@@ -7,7 +7,7 @@ use crate::float::Float;
 use crate::nonsticking::Border;
 use crate::ratios::Ratios;
 
-/// What happens to the velocity in one cycle of the steady motion.
+/// Stops and velocity zeros in one cycle of the steady motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stops {
@@ -22,10 +22,10 @@ pub struct Stops {
 /// (α ≤ 1), and at Ω = 1 above the border.
 ///
 /// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all
-/// members but for those at its edge. A stop that is shorter than the motion is known to, beside a border, is
-/// an error, not a count ([`observed()`]).
+/// members but for those at its edge. Next to a border, a stop shorter than the accuracy of the motion is an
+/// error, not a count ([`observed()`]).
 ///
-/// With a static friction above the kinetic one the motion can depend on the start: that is refused.
+/// With a static friction above the kinetic one the motion can depend on the start: this is an error.
 ///
 /// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity
 /// zeros ([`crate::Verdict::SixReversals`]).
@@ -42,7 +42,7 @@ pub struct Stops {
 /// ```
 ///
 /// # Errors
-/// [`Error::Undecided`] where a stop, or the clearance without one, is smaller than the motion is known to;
+/// [`Error::Undecided`] where a stop, or the clearance without one, is below the accuracy of the motion;
 /// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than
 /// [`crate::exact::DEFAULT_BUDGET`] periods, and as for [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {

@@ -1,11 +1,11 @@
-//! What can be said of a point of the plane.
+//! The verdict on a point of the plane.
 
 use super::Regime;
 use crate::float::Float;
 use crate::phase_function::one_minus_square;
 use crate::ratios::Ratios;
 
-/// What the body does in the long run, as far as the arithmetic can tell.
+/// The steady behaviour of the body, as far as the arithmetic can decide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -24,8 +24,8 @@ pub enum Verdict<F> {
     /// Beside a pole 1/(2n+1), below the border: it never stops, reverses six times a cycle, and settles on
     /// one symmetric cycle ([`crate::nonsticking::SixReversals`]).
     SixReversals,
-    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles, which one
-    /// depending on the start.
+    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles that depends on
+    /// the start.
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
     Unbounded,
@@ -51,8 +51,8 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// Whether the body sticks, for all that the verdict speaks of: it ends at rest or stops in every cycle;
-    /// or never does. `None` where it does for some and not for others, or where that is undecided.
+    /// Whether the body sticks at every point that the verdict covers, ending at rest or stopping in every
+    /// cycle, or at none. `None` if the points differ, or if it is undecided.
     #[must_use]
     pub const fn sticks(&self) -> Option<bool> {
         match self {

@@ -41,7 +41,7 @@ fn the_ends_slide_and_their_neighbours_stick() {
             for (end, edge, outward) in [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)] {
                 assert!(at(end) <= alpha, "{alpha} {end}");
                 let outside = at(end * (1.0 + outward * 4.0 * f64::EPSILON));
-                // Near 1.862 the border is flat: a float further it has not moved.
+                // Near 1.862 the border is flat: it is the same at the next float.
                 assert!(edge == Edge::Range || outside > alpha * (1.0 - 1e-15), "{alpha} {end}");
             }
         }

@@ -53,13 +53,13 @@ fn the_way_of_a_motion_known_within_d() {
         assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
     }
     assert!(worst > 1.0, "{worst}");
-    // Found with its own doubt, at the tolerance that leaves least room for it.
+    // Found with its own uncertainty, at the tolerance that leaves the least room for it.
     let best = most_dissipating_force_ratio_of_all(0.3, 0.0, 2e-8).unwrap();
     let again = loop_size_of_motion(0.3, best.at, 0.0).unwrap();
     assert!(best.bound >= again.most && again.most > again.found);
 }
 
-/// The doubt by changes of direction does not grow with the length of a cycle; that by its length does.
+/// The bound by changes of direction does not grow with the length of a cycle; the bound by its length does.
 #[test]
 fn a_long_cycle_is_known_as_well() {
     let doubt = |omega: f64| doubt_of_way(1e-10, omega, 2.0, 4.0);
@@ -69,7 +69,7 @@ fn a_long_cycle_is_known_as_well() {
     assert!((doubt_of_way(0.5, 0.1, 2.0, 4.0) / (std::f64::consts::TAU * 5.0) - 1.0).abs() < 1e-12);
 }
 
-/// A cycle of thousands of stops is known well enough for the coarsest question, and a fine one.
+/// A cycle of thousands of stops is accurate enough for the coarsest tolerance and for a fine one.
 #[test]
 fn far_below_one_a_motion_is_known() {
     for alpha in [1.7, 2.0, 32.0] {
@@ -130,7 +130,7 @@ fn with_a_damper_none_of_all_is_better() {
             let share = f64::from(i) / 300.0;
             let other = loop_size_of_motion(omega, 1.0 / share, zeta).unwrap().found;
             assert!(other <= best.bound, "{omega} {zeta} {i} {other} {best:?}");
-            // More friction, less way.
+            // More friction, shorter path.
             assert!(i == 1 || other / share <= last * (1.0 + 1e-12), "{omega} {zeta} {i}");
             last = other / share;
         }

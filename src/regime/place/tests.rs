@@ -123,7 +123,7 @@ fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
     assert_eq!(place(2.0).verdict(), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
     assert_eq!(place(1.2).verdict(), Verdict::Sticking);
     assert_eq!(place(2.0).margin(), 2.0 / place(2.0).border().min_force_ratio());
-    // A third as written is beside a pole: the force it takes is anyone's guess.
+    // A third as written is next to a pole, where the border is undetermined.
     let drive = Drive::force(1e16, 1.0 / 3.0).unwrap();
     assert_eq!(Place::of(&body, &drive).unwrap().verdict(), EITHER);
     assert!(Place::new(drive.ratios(&body).unwrap()).verdict().regime().is_some());
