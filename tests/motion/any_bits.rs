@@ -99,7 +99,13 @@ proptest! {
     }
 
     #[test]
-    fn any_ordinary_motion(e in -6.0..6.0, a in -1.0..8.0, theta in -9.0..9.0, x in -30.0..30.0, v in -30.0..30.0) {
+    fn any_ordinary_motion(
+        e in -6.0..6.0,
+        a in -1.0..8.0,
+        theta in -9.0..9.0,
+        x in -30.0..30.0,
+        v in -30.0..30.0,
+    ) {
         motion::trajectory(2f64.powf(e), 2f64.powf(a), theta, x, v);
         motion::long_run(2f64.powf(e), 2f64.powf(a), theta, x, v);
     }
@@ -154,7 +160,12 @@ proptest! {
     }
 
     #[test]
-    fn any_hard_damped_point(point in hard::<Point>(), zeta in hard::<DampingRatio>(), over in -2.0..8.0, phase in -700.0..700.0) {
+    fn any_hard_damped_point(
+        point in hard::<Point>(),
+        zeta in hard::<DampingRatio>(),
+        over in -2.0..8.0,
+        phase in -700.0..700.0,
+    ) {
         crate::invariants::damped_closed_forms(point.omega, point.alpha, zeta.0, phase);
         if let Ok(border) = Border::with_damping(point.omega, zeta.0) {
             let alpha = border.min_force_ratio() * f64::exp2(over);

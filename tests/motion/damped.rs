@@ -3,6 +3,8 @@
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
+mod creep;
+
 use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
@@ -51,6 +53,13 @@ fn plane(random: &mut Random) -> [f64; 3] {
     [omega, zeta, random.scale(1.001, 50.0)]
 }
 
+/// The forced response `α/(1 − Ω² + 2iζΩ)`: its part in phase with the drive, and that behind it.
+fn forced_response<F: Float>(omega: F, zeta: F, alpha: F) -> (F, F) {
+    let (spring, damper) = (F::int(1) - omega * omega, F::int(2) * zeta * omega);
+    let square = spring * spring + damper * damper;
+    (alpha * spring / square, alpha * damper / square)
+}
+
 /// The textbook solution of one slide at some other precision: forced wave and free wave.
 struct Textbook<F> {
     omega: F,
@@ -63,10 +72,7 @@ struct Textbook<F> {
 
 impl<F: Float> Textbook<F> {
     fn new([omega, zeta, alpha]: [F; 3], theta: F, x: F, w: F, sign: F) -> Self {
-        let one = F::int(1);
-        let (spring, damper) = (one - omega * omega, F::int(2) * zeta * omega);
-        let square = spring * spring + damper * damper;
-        let forced = (alpha * spring / square, alpha * damper / square);
+        let forced = forced_response(omega, zeta, alpha);
         let (s, c) = theta.sin_cos();
         let free = (x + sign - (forced.0 * s - forced.1 * c), w - omega * (forced.0 * c + forced.1 * s));
         Self { omega, zeta, forced, theta, free, sign }
@@ -302,12 +308,8 @@ fn multipliers_are_those_of_the_differenced_motion() {
         let state = steady.state();
         let after = |dx: Wide, dv: Wide| {
             let start = State { x: state.x + dx, v: state.v + dv, ..state };
-            let from = start.phase.half_turns() + 2;
-            let mut phases = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
-            let last = phases.find(|p| p.end().is_some_and(|e| e.phase.half_turns() > from)).unwrap();
-            let _ = last;
             let end = stickslip::exact::DrivePhase::in_cycle(
-                (from - state.phase.half_turns()) / 2,
+                1,
                 Wide::from(state.phase.half_turns() as f64) * Wide::pi() + state.phase.angle(),
             )
             .unwrap();
@@ -417,104 +419,4 @@ fn campaign_of_the_border() {
     assert!(wrong.is_empty(), "{} of {compared}: {:#?}", wrong.len(), &wrong[..wrong.len().min(20)]);
     println!("{compared} compared");
     closed_forms_are_the_limit(20_000, 6);
-}
-
-/// A start far outside on an overdamped spring creeps in for many turns of the drive: one slide.
-#[test]
-fn a_long_creep_is_one_slide() {
-    let start = State::new(0.0, -1e6, 0.0).unwrap();
-    let motion = Trajectory::new(ratios(1.0, 50.0, 2.0), start).unwrap();
-    let first = motion.map(Result::unwrap).next().unwrap();
-    assert!(first.duration().unwrap() > 100.0 * PI, "{first:?}");
-    assert!(matches!(first.kind(), Kind::Slide(_)));
-}
-
-/// A start so far out that the forced motion is below its rounding: the free vibration forgets it, and where
-/// the body then turns is known as well as from near by.
-#[test]
-fn a_creep_from_far_out_keeps_its_digits() {
-    type Wide = Mp<8>;
-    let mut random = Random(91);
-    let mut compared = 0;
-    for number in 0..300 {
-        let omega = random.scale(1e-3, 1e3);
-        let zeta = match number % 3 {
-            0 => random.scale(1.0, 50.0),
-            1 => 1.0 + random.between(-1.0, 1.0) * random.scale(1e-12, 1e-2),
-            _ => random.between(0.5, 1.0),
-        };
-        let (alpha, theta) = (random.scale(1.1, 20.0), random.between(0.0, TAU));
-        let far = random.scale(1e6, 1e70) * if random.next() < 0.5 { -1.0 } else { 1.0 };
-        let speed = if random.next() < 0.5 { 0.0 } else { far * random.between(-2.0, 2.0) / omega };
-        let narrow = Trajectory::new(ratios(omega, zeta, alpha), State::new(theta, far, speed).unwrap());
-        let wide = Trajectory::new(
-            ratios(Wide::from(omega), Wide::from(zeta), Wide::from(alpha)),
-            State::new(theta.into(), far.into(), speed.into()).unwrap(),
-        );
-        for (ours, exact) in narrow.unwrap().zip(wide.unwrap()).take(3) {
-            let (ours, exact) = (ours.unwrap(), exact.unwrap());
-            let (Some(a), Some(b)) = (ours.end(), exact.end()) else { break };
-            let given = [omega, zeta, alpha, theta, far, speed];
-            // What is still left of the start, a slide long, as far as its rounding goes.
-            let left = ours.start().x.abs()
-                * 1e-14
-                * (-zeta.min(1.0 / zeta) * ours.duration().unwrap() / omega / 2.0).exp();
-            let unit = (1e-11 * (1.0 + alpha) * (1.0 + omega.recip()) + left) * (1.0 + zeta);
-            let off = (Wide::from(a.x) - b.x).to_f64().abs();
-            assert!(off <= unit, "{given:?}: {off:e} of {unit:e}, {ours:?} {exact:?}");
-            compared += 1;
-            // A turn far out is where rounding decides what is next.
-            if ours.start().x.abs() < 1e6 {
-                break;
-            }
-        }
-    }
-    assert!(compared > 300, "{compared}");
-}
-
-/// Beside ζ = 1 a fast drive leads to the closed-form cycle as it does elsewhere.
-#[test]
-fn fast_drives_settle_beside_critical_damping() {
-    for omega in [1e2, 1e4, 1e5, 1e6] {
-        for zeta in [0.999, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.001, 1.1, 3.0] {
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
-            for over in [1.01, 2.0, 10.0] {
-                let steady = from_rest(ratios(omega, zeta, least * over));
-                let cycle = Cycle::new(ratios(omega, zeta, least * over)).unwrap();
-                let off = steady.max_displacement() / cycle.max_displacement() - 1.0;
-                assert!(off.abs() < 1e-9, "{omega} {zeta} {over}: {off:e} {steady:?}");
-            }
-        }
-    }
-}
-
-/// A slow creep under a fast drive ends where its velocity has fallen to that of the drive: after up to 10¹⁰
-/// turns, of which floats no longer tell the phase.
-#[test]
-fn a_long_creep_under_a_fast_drive_is_one_slide() {
-    let far = 2f64.powi(20);
-    for (omega, zeta, alpha, theta, eta) in [
-        (far, 259253.69232680587, 1.8620958891178843, -0.836716609037648, 1.0000056910680057),
-        (far, far, 1.9, 0.1, 1.0),
-        (far, 1e3, 1.2, 0.1, 1.3),
-        (1e5, 1e5, 3.0, -0.4, 1.0),
-        (40.0, far, 1.5, 0.2, 1.0),
-    ] {
-        let ratios = ratios(omega, zeta, alpha).with_static_friction_ratio(eta).unwrap();
-        let x = -1.0 - 1.5 * alpha / omega.hypot(2.0 * zeta) - alpha;
-        let start = State::new(theta, x, 0.0).unwrap();
-        let slide = Trajectory::new(ratios, start)
-            .unwrap()
-            .map(Result::unwrap)
-            .find(|phase| matches!(phase.kind(), Kind::Slide(_)))
-            .unwrap();
-        // The displacement decays as e^{−σt} to −1; the forced velocity is G = αΩ/|1 − Ω² + 2iζΩ|.
-        let slow = 1.0 / (zeta + (zeta * zeta - 1.0).sqrt());
-        let gain = alpha * omega / (1.0 - omega * omega).hypot(2.0 * zeta * omega);
-        let creep = slow * (-1.0 - slide.start().x) / (1.0 - slow * slow);
-        let time = (creep / gain).ln() / slow;
-        let lasts = slide.duration().unwrap() / omega;
-        let turn = TAU / omega;
-        assert!((lasts - time).abs() < turn + 1e-9 / slow, "{ratios:?}: {lasts} for {time}");
-    }
 }

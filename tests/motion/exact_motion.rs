@@ -402,7 +402,8 @@ fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
             compared += 1;
             if counts(&other) != counts(&from_rest) || far > bound || fast > bound {
                 differ.push(format!(
-                    "Ω = {omega:?}, α = {alpha:?}, from {from:?}: {far:e} {fast:e} of {bound:e}: {other:?} {from_rest:?}"
+                    "Ω = {omega:?}, α = {alpha:?}, from {from:?}: {far:e} {fast:e} of {bound:e}: {other:?} \
+                     {from_rest:?}"
                 ));
             }
         }

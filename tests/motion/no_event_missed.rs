@@ -84,7 +84,8 @@ fn brute_force_finds_no_earlier_zero() {
             let turned = phase.duration().unwrap() * (1.0 + 1.0 / omega);
             assert!(
                 least > -1e-15 * size * (4.0 + turned),
-                "motion {number}, Ω = {omega}, α = {alpha}, {start:?}: velocity {least:e} of {size:e} in {phase:?}"
+                "motion {number}, Ω = {omega}, α = {alpha}, {start:?}: velocity {least:e} of {size:e} in \
+                 {phase:?}"
             );
             let end = phase.at(phase.end().unwrap().phase).state.v * omega;
             assert!(

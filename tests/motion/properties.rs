@@ -116,7 +116,9 @@ proptest! {
     }
 
     #[test]
-    fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere(bytes in prop::collection::vec(any::<u8>(), 16)) {
+    fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere(
+        bytes in prop::collection::vec(any::<u8>(), 16),
+    ) {
         let omega = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega;
         let Ok(border) = Border::new(omega) else { return Ok(()) };
         prop_assert!(border.min_force_ratio() >= border.turning_point());

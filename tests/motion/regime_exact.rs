@@ -41,7 +41,8 @@ impl Count {
     fn print(&self, name: &str) {
         let Self { agreed, undecided, unsettled, wider, furthest } = self;
         println!(
-            "{name}: {agreed} agree, {undecided} undecided, {unsettled} unsettled, {wider} at 192 bits up to {furthest:e}"
+            "{name}: {agreed} agree, {undecided} undecided, {unsettled} unsettled, {wider} at 192 bits up \
+             to {furthest:e}"
         );
     }
 

@@ -67,7 +67,13 @@ proptest! {
     }
 
     #[test]
-    fn primitive_numbers(n in any::<i64>(), m in any::<i128>(), u in any::<u128>(), x in any::<f64>(), y in any::<f32>()) {
+    fn primitive_numbers(
+        n in any::<i64>(),
+        m in any::<i128>(),
+        u in any::<u128>(),
+        x in any::<f64>(),
+        y in any::<f32>(),
+    ) {
         macro_rules! check {
             ($($value:expr),*) => {$(
                 assert_same!(Mp::<1>::from($value), Float::with_val(64, $value), "{:?}", $value);

@@ -1,0 +1,115 @@
+//! Ranges over boxes of ratios: the guaranteed ones at f64, and those proved in balls.
+
+use super::{Exact, at_point};
+use stickslip::uncertainty::{Interval, RatioBox};
+use stickslip::{Border, Float as _, Output, Ratios, Response};
+
+/// The guaranteed ranges of `uncertainty` at f64 in boxes of one point, where nothing but their margin for
+/// rounding lies between the two ends: how many have the enclosed value in them, and the largest part of a
+/// margin that rounding takes.
+fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
+    let outputs = [
+        Output::MaxDisplacement,
+        Output::LoopSizeStiffness,
+        Output::LoopSizeInertia,
+        Output::MinForceRatio,
+        Output::Margin,
+        Output::BestForceRatio,
+        Output::MaxVelocity,
+    ];
+    let (mut compared, mut largest) = (0, 0.0f64);
+    for i in 0..count {
+        let share = |step: f64| (f64::from(i) * step + seed).fract();
+        let (n, sign) = ((1.0 + 9.0 * share(0.324_717_957_244_746)).floor(), share(0.569_840_290_998_053));
+        let omega = match i % 3 {
+            0 => 0.21 + 2.8 * share(0.618_033_988_749_895),
+            1 => (7.0 * (share(0.618_033_988_749_895) - 0.5)).exp(),
+            _ => (1.0 + (sign - 0.5).signum() * 2f64.powf(-2.0 - 49.0 * share(0.618_033_988_749_895))) / n,
+        };
+        let least = Border::new(omega).unwrap().min_force_ratio();
+        let alpha = least * (1.0 + 8.0 * share(0.754_877_666_246_693).powi(6) + 1e-12);
+        let found = at_point(omega, alpha);
+        let point = RatioBox::new(Interval::exactly(omega), Interval::exactly(alpha)).unwrap();
+        for output in outputs {
+            let Some(range) = point.range(output, 4).unwrap().filter(|range| range.is_guaranteed()) else {
+                continue;
+            };
+            let Some(enclosure) = found.get(output) else { continue };
+            let (mid, rad) = (Exact::from_rug(enclosure.mid()), Exact::from_rug(enclosure.rad()));
+            let (low, high) = (Exact::from(range.low), Exact::from(range.high));
+            let inside = low <= mid - rad && mid + rad <= high;
+            assert!(inside, "{omega:e} {alpha:e} {output:?}: {} … {} {enclosure}", range.low, range.high);
+            let off = ((mid.scale2(1) - low - high) / (high - low)).to_f64().abs();
+            (compared, largest) = (compared + 1, largest.max(off));
+        }
+    }
+    (compared, largest)
+}
+
+#[test]
+fn guaranteed_ranges_have_the_enclosed_values() {
+    let (compared, largest) = margins_hold(600, 0.0);
+    assert!(compared > 3000 && largest > 0.05 && largest < 1.0, "{compared} {largest}");
+}
+
+/// The same at 10⁵ points, for `docs/uncertainty.md`.
+#[test]
+#[ignore = "minutes; .ci/slow enclosures"]
+#[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
+fn margins_of_many_ranges() {
+    let count = std::env::var("STICKSLIP_POINTS").map_or(100_000, |n| n.parse().unwrap());
+    let (compared, largest) = margins_hold(count, 0.123);
+    println!("{count} points, {compared} ranges with their value, at most {largest:.3} of a margin taken");
+}
+
+/// Ranges proved in balls have the outputs of points of the box, whatever the output, and close in on them as
+/// the box is cut into more parts.
+#[test]
+fn proved_ranges_have_the_outputs_of_the_box() {
+    let outputs = [
+        Output::MaxDisplacement,
+        Output::VelocityPhase,
+        Output::MaxVelocity,
+        Output::Contraction,
+        Output::MinForceRatio,
+        Output::MaxAcceleration,
+        Output::MaxAbsoluteDisplacement,
+    ];
+    let boxes = [
+        (0.7, 0.72, 2.0, 2.1, 144, 4.0),
+        (1.4, 1.5, 2.5, 2.5, 40, 4.0),
+        (0.4, 0.4, 8.0, 9.0, 6, 10.0),
+        (0.41, 0.412, 9.0, 9.0, 6, 10.0),
+    ];
+    for (o1, o2, a1, a2, pieces, slack) in boxes {
+        let interval = |low, high| Interval::between(low, high).unwrap();
+        let ratios = RatioBox::new(interval(o1, o2), interval(a1, a2)).unwrap();
+        for output in outputs {
+            let values: Vec<f64> = (0..=8)
+                .flat_map(|i| (0..=8).map(move |j| (f64::from(i) / 8.0, f64::from(j) / 8.0)))
+                .filter_map(|(s, t)| {
+                    let ratios = Ratios::new(o1 + s * (o2 - o1), a1 + t * (a2 - a1)).unwrap();
+                    output.of(&Response::new(ratios))
+                })
+                .collect();
+            let range = ratios.enclosed(output, pieces).unwrap().unwrap();
+            let low = values.iter().copied().fold(f64::INFINITY, f64::min);
+            let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let rounding = 1e-13 * low.abs().max(high.abs());
+            assert!(range.is_guaranteed() && range.low <= low + rounding && high - rounding <= range.high);
+            let wider = (range.high - range.low) - (high - low);
+            assert!(
+                wider <= slack * (high - low) + 0.02 * high.abs(),
+                "{o1} {a1} {output:?}: {range:?} {low} {high}"
+            );
+        }
+    }
+    // A box on both sides of the border, of a pole or of Ω = 1 has no proved displacement, but a border.
+    for (o1, o2, a1, a2) in [(0.7, 0.71, 1.0, 2.0), (0.33, 0.34, 9.0, 9.5), (0.99, 1.01, 2.0, 2.0)] {
+        let interval = |low, high| Interval::between(low, high).unwrap();
+        let ratios = RatioBox::new(interval(o1, o2), interval(a1, a2)).unwrap();
+        assert_eq!(ratios.enclosed(Output::MaxDisplacement, 50), Ok(None), "{o1} {a1}");
+        let border = ratios.enclosed(Output::MinForceRatio, 50).unwrap();
+        assert_eq!(border.is_some(), o1 > 0.5, "{o1} {a1}");
+    }
+}
