@@ -24,6 +24,7 @@ fn run<const N: usize>(kernel: impl Fn(f64, f64) -> [f64; N], points: &[(f64, f6
 
 fn main() {
     let points = points::points(2000);
+    let low: Vec<_> = points::points_from(10_000, 0.35).into_iter().filter(|p| p.0 < 0.5).collect();
     let mut args = std::env::args().skip(1).filter(|a| a != "--bench");
     let (Some(kernel), Some(n)) = (args.next(), args.next().and_then(|n| n.parse().ok())) else {
         println!("instructions KERNEL N");
@@ -32,7 +33,11 @@ fn main() {
     let sum = match kernel.as_str() {
         "triple" => run(kernels::triple, &points, n),
         "cycle" => run(kernels::cycle, &points, n),
+        "five" => run(kernels::five, &points, n),
+        "cycle-low" => run(kernels::cycle, &low, n),
         "response" => run(kernels::response, &points, n),
+        "cycle-static-friction" => run(kernels::cycle_with_static_friction, &points, n),
+        "response-static-friction" => run(kernels::response_with_static_friction, &points, n),
         "damped" => run(kernels::damped, &points, n),
         other => {
             eprintln!("no kernel {other}");

@@ -22,7 +22,7 @@ report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
 
 all() {
     closed=$(program instructions)
-    for kernel in triple cycle response; do
+    for kernel in triple five cycle cycle-low response {cycle,response}-static-friction damped; do
         # The difference of two numbers of points, so that start-up does not count; the loop over the points does.
         once=$(collected "$closed" "$kernel" 10000)
         report "$kernel" $(($(collected "$closed" "$kernel" 30000) - once)) 20000

@@ -63,6 +63,9 @@ fn time(omega: &[f64], alpha: &[f64]) {
     report("stickslip, a point alone", "all of a cycle", &mut || {
         sum += points().map(|(&omega, &alpha)| kernels::cycle(omega, alpha)[0]).sum::<f64>();
     });
+    report("stickslip, a point alone", "five", &mut || {
+        sum += points().map(|(&omega, &alpha)| kernels::five(omega, alpha)[0]).sum::<f64>();
+    });
     std::hint::black_box(sum);
     for level in Level::ALL.into_iter().filter(|level| level.is_available() && *level != Level::Portable) {
         let batch = Batch::new().at_level(level);

@@ -2,7 +2,7 @@
 //!
 //! | file | equations | content |
 //! |---|---|---|
-//! | `cycle` | | all outputs of one cycle |
+//! | `cycle`, `undamped` | | all outputs of one cycle |
 //! | `matching` | 2–39, 45 | the five unknowns and the equations between them |
 //! | `den_hartog` | 50–56 | Den Hartog's own half cycle |
 //! | `displacement`, `reversal` | 40–44 | Δ₀ and ω_d t₂ |
@@ -41,6 +41,7 @@ pub(crate) mod printed;
 mod reversal;
 pub(crate) mod six_reversals;
 pub(crate) mod stability;
+mod undamped;
 mod velocity;
 mod waves;
 

@@ -42,7 +42,7 @@ impl<F: Float> Response<F> {
             return Self::damped(ratios);
         }
         if ratios.has_higher_static_friction() {
-            return Self::with_static_friction(ratios);
+            return F::fused(WithStaticFriction(ratios));
         }
         F::fused(NewResponse(ratios))
     }
@@ -51,12 +51,6 @@ impl<F: Float> Response<F> {
     fn of(ratios: Ratios<F>) -> Self {
         let p = PhaseFunction::of_valid(ratios.omega());
         Self::above(&p, ratios, Border::at(&p))
-    }
-
-    /// The answer without damping, where the static friction is above the kinetic one.
-    #[cold]
-    fn with_static_friction(ratios: Ratios<F>) -> Self {
-        Self::above(&PhaseFunction::of_valid(ratios.omega()), ratios, Border::of(&ratios))
     }
 
     /// The answer without damping by the border.
@@ -197,6 +191,20 @@ impl<F: Float> Task for NewResponse<F> {
     #[inline(always)]
     fn run(self) -> Response<F> {
         Response::of(self.0)
+    }
+}
+
+/// [`Response::new`] without damping, where the static friction is above the kinetic one.
+struct WithStaticFriction<F>(Ratios<F>);
+
+impl<F: Float> Task for WithStaticFriction<F> {
+    type Output = Response<F>;
+
+    #[inline(always)]
+    fn run(self) -> Response<F> {
+        let ratios = self.0;
+        let p = PhaseFunction::of_valid(ratios.omega());
+        Response::above(&p, ratios, Border::with_static_friction(&p, ratios.static_friction_ratio()))
     }
 }
 

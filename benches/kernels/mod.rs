@@ -65,3 +65,38 @@ pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
         Err(_) => [f64::NAN; 3],
     }
 }
+
+/// {Δ₀, A₁, V₀, t₁} of a checked [`Cycle`], whose check is the border: what the C program's five are.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
+    match Ratios::new(omega, alpha).and_then(Cycle::new) {
+        Ok(c) => [c.max_displacement(), c.loop_size_stiffness(), c.max_velocity(), c.velocity_phase()],
+        Err(_) => [f64::NAN; 4],
+    }
+}
+
+/// [`cycle`] where the static friction is 1.2 times the kinetic one.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn cycle_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {
+    let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_static_friction_ratio(1.2));
+    match ratios.and_then(Cycle::new) {
+        Ok(c) => [c.max_displacement(), c.max_velocity(), c.velocity_phase()],
+        Err(_) => [f64::NAN; 3],
+    }
+}
+
+/// The whole answer where the static friction is 1.2 times the kinetic one.
+#[allow(dead_code, reason = "not every program measures it")]
+#[inline(never)]
+pub(crate) fn response_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {
+    let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_static_friction_ratio(1.2));
+    match ratios.map(Response::new) {
+        Ok(answer) => {
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
+            [cycle(Cycle::max_displacement), cycle(Cycle::velocity_phase), answer.best_force_ratio()]
+        }
+        Err(_) => [f64::NAN; 3],
+    }
+}

@@ -91,7 +91,8 @@ impl<F: Float> Border<F> {
     /// # Errors
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: F) -> Result<Self, Error> {
-        crate::ratios::frequency_ratio(omega).map(|omega| F::fused(NewBorder(omega)))
+        let (omega, eta) = (crate::ratios::frequency_ratio(omega)?, F::int(1));
+        Ok(F::fused(Undamped { omega, eta }))
     }
 
     /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
@@ -111,40 +112,37 @@ impl<F: Float> Border<F> {
     pub fn of(ratios: &crate::Ratios<F>) -> Self {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))
-        } else if ratios.has_higher_static_friction() {
-            Self::with_static_friction(
-                &PhaseFunction::of_valid(ratios.omega()),
-                ratios.static_friction_ratio(),
-            )
         } else {
-            Self::at(&PhaseFunction::of_valid(ratios.omega()))
+            F::fused(Undamped { omega: ratios.omega(), eta: ratios.static_friction_ratio() })
         }
     }
 
     /// The border with a static friction of η times the kinetic one, ζ = 0: at the turning point the force
     /// has to exceed η, so that `Δ₀/B ≥ η/Ω²` there; inside the half cycle nothing changes, because the body
     /// slides there.
-    #[cold]
-    fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
+    #[inline(always)]
+    pub(crate) fn with_static_friction(p: &PhaseFunction<F>, eta: F) -> Self {
         let omega = p.omega();
         // S = η/Ω²
         let limit = eta.wide() / omega.wide().square();
         let turning_point = border_force_ratio(p.wide(), p.one_minus_square() * limit).value();
-        let inner = if omega < F::ratio(1, 2) { inner_maximum(omega) } else { None };
-        let inner = inner.map(|inner| (inner.force_ratio(p), inner));
-        match inner {
-            Some((least, inner)) if least > turning_point => Self {
-                min_force_ratio: least,
-                turning_point,
-                phase: inner.phase(),
-                least_displacement: (inner.width / p.one_minus_square()).value(),
-            },
-            _ => Self {
-                min_force_ratio: turning_point,
-                turning_point,
-                phase: F::int(0),
-                least_displacement: limit.value(),
-            },
+        let inner = if omega < F::ratio(1, 2) { inner_maximum(*p) } else { None };
+        if let Some(inner) = inner {
+            let least = inner.force_ratio(p);
+            if least > turning_point {
+                return Self {
+                    min_force_ratio: least,
+                    turning_point,
+                    phase: inner.phase(),
+                    least_displacement: (inner.width / p.one_minus_square()).value(),
+                };
+            }
+        }
+        Self {
+            min_force_ratio: turning_point,
+            turning_point,
+            phase: F::int(0),
+            least_displacement: limit.value(),
         }
     }
 
@@ -183,7 +181,7 @@ impl<F: Float> Border<F> {
         if omega >= F::ratio(1, 2) {
             return at_turning_point;
         }
-        match inner_maximum(omega) {
+        match inner_maximum(*p) {
             Some(inner) if inner.is_border(p) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
@@ -210,7 +208,7 @@ impl<F: Float> Border<F> {
         if p.omega() >= F::ratio(1, 2) {
             return turning_point;
         }
-        match inner_maximum(p.omega()) {
+        match inner_maximum(*p) {
             Some(inner) if inner.is_border(p) => turning_point.or_larger(inner.force_ratio(p)),
             _ => turning_point,
         }
@@ -246,15 +244,19 @@ impl<F: Float> Border<F> {
     }
 }
 
-/// [`Border::new`].
-struct NewBorder<F>(F);
+/// The border without damping at Ω and η.
+struct Undamped<F> {
+    omega: F,
+    eta: F,
+}
 
-impl<F: Float> Task for NewBorder<F> {
+impl<F: Float> Task for Undamped<F> {
     type Output = Border<F>;
 
     #[inline(always)]
     fn run(self) -> Border<F> {
-        Border::at(&PhaseFunction::of_valid(self.0))
+        let p = PhaseFunction::of_valid(self.omega);
+        if self.eta > F::int(1) { Border::with_static_friction(&p, self.eta) } else { Border::at(&p) }
     }
 }
 

@@ -5,12 +5,12 @@ mod matching;
 
 use super::border::Border;
 use super::damped::{self, DampedCycle};
-use super::half_cycle::HalfCycle;
 use super::motion::Motion;
 use super::reversal::Reversal;
-use super::{Multipliers, stability, velocity, velocity_phase};
+use super::undamped::Undamped;
+use super::{Multipliers, velocity, velocity_phase};
 use crate::error::{Error, written};
-use crate::float::{Float, Task, pair::Pair};
+use crate::float::{Float, Task};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
@@ -36,8 +36,6 @@ pub struct Cycle<F> {
     pub(super) displacement_phase: F,
     pub(super) max_velocity: F,
     pub(super) velocity_phase: F,
-    pub(super) deviation: F,
-    pub(super) contraction: F,
 }
 
 impl<F: Float> Cycle<F> {
@@ -52,7 +50,7 @@ impl<F: Float> Cycle<F> {
             return Self::damped(ratios);
         }
         if ratios.has_higher_static_friction() {
-            return Self::with_static_friction(ratios);
+            return F::fused(WithStaticFriction(ratios));
         }
         F::fused(NewCycle(ratios))
     }
@@ -62,17 +60,6 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn find(ratios: Ratios<F>) -> Option<Self> {
         let is_plain = !ratios.is_damped() && !ratios.has_higher_static_friction();
         if is_plain { F::fused(FindCycle(ratios)) } else { Self::new(ratios).ok() }
-    }
-
-    /// The cycle without damping where the static friction is above the kinetic one: the same motion, from a
-    /// higher border on.
-    #[cold]
-    fn with_static_friction(ratios: Ratios<F>) -> Result<Self, Error> {
-        let least = Border::of(&ratios).min_force_ratio();
-        if ratios.alpha() < least || ratios.omega() == F::int(1) {
-            return Err(no_cycle(ratios, least));
-        }
-        Ok(Self::at(&PhaseFunction::of_valid(ratios.omega()), ratios))
     }
 
     /// The cycle with damping.
@@ -95,8 +82,6 @@ impl<F: Float> Cycle<F> {
             displacement_phase: found.displacement_phase,
             max_velocity: found.max_velocity,
             velocity_phase: found.velocity_phase,
-            deviation: found.deviation,
-            contraction: found.contraction(),
         }
     }
 
@@ -105,22 +90,19 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn at(p: &PhaseFunction<F>, ratios: Ratios<F>) -> Self {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let reversal = Reversal::new(p, alpha).of_sliding(omega);
-        let Pair { hi: max_displacement, lo: rest } = reversal.max_displacement_pair();
-        let half = HalfCycle::new(p, max_displacement).with_rest(rest);
+        let displacement = reversal.max_displacement_pair();
         let displacement_phase = reversal.displacement_phase();
-        let sin_cos_beta = p.sin_cos_of_cycle();
-        let given = velocity::Given { reversal, alpha, displacement_phase, sin_cos_beta };
-        let (fastest, deviation) = velocity::fastest_and_deviation(&half, &given);
+        let given = velocity::Given { reversal, displacement, alpha, displacement_phase };
+        let (fastest, deviation) = velocity::fastest_of_cycle(p, &given);
         let velocity_phase = velocity_phase(displacement_phase, omega, fastest.psi);
+        let psi = fastest.psi;
         Self {
             ratios,
-            motion: Motion::Undamped { half, reversal },
-            max_displacement,
+            motion: Motion::Undamped(Undamped { reversal, displacement, psi, deviation, rounded: None }),
+            max_displacement: displacement.hi,
             displacement_phase,
             max_velocity: fastest.velocity,
             velocity_phase,
-            deviation,
-            contraction: stability::contraction(omega, max_displacement, sin_cos_beta),
         }
     }
 
@@ -128,13 +110,11 @@ impl<F: Float> Cycle<F> {
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Cycle<G> {
         Cycle {
             ratios: self.ratios.map(&to),
-            motion: self.motion.map(&to),
+            motion: self.motion.map(self.ratios.omega(), &to),
             max_displacement: to(self.max_displacement),
             displacement_phase: to(self.displacement_phase),
             max_velocity: to(self.max_velocity),
             velocity_phase: to(self.velocity_phase),
-            deviation: to(self.deviation),
-            contraction: to(self.contraction),
         }
     }
 
@@ -142,7 +122,7 @@ impl<F: Float> Cycle<F> {
     #[inline]
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {
         match &self.motion {
-            Motion::Undamped { half, .. } => half.sin_cos_beta(),
+            Motion::Undamped(cycle) => cycle.half(self.ratios.omega()).sin_cos_beta(),
             Motion::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
         }
     }
@@ -177,28 +157,34 @@ impl<F: Float> Cycle<F> {
 
     /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
     /// max(|Δ₁/B|, V₀/(Bω_d)).
-    pub const fn deviation(&self) -> F {
-        self.deviation
+    pub fn deviation(&self) -> F {
+        match &self.motion {
+            Motion::Undamped(cycle) => cycle.deviation(self.ratios.omega()),
+            Motion::Damped(cycle) => cycle.deviation,
+        }
     }
 
     /// Contraction per half cycle, max |λ|: the factor by which a small disturbance shrinks.
-    pub const fn contraction(&self) -> F {
-        self.contraction
+    pub fn contraction(&self) -> F {
+        match &self.motion {
+            Motion::Undamped(cycle) => cycle.contraction(self.ratios.omega()),
+            Motion::Damped(cycle) => cycle.contraction(),
+        }
     }
 
     /// The multipliers of this cycle.
     pub fn multipliers(&self) -> Multipliers<F> {
-        self.motion.multipliers(self.ratios.omega(), self.max_displacement)
+        self.motion.multipliers(self.ratios.omega())
     }
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
     pub fn loop_size_stiffness(&self) -> F {
-        self.loop_sizes().0
+        F::fused(LoopSizes(self)).0
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
     pub fn loop_size_inertia(&self) -> F {
-        self.loop_sizes().1
+        F::fused(LoopSizes(self)).1
     }
 
     /// (A₁, A₂).
@@ -215,7 +201,7 @@ impl<F: Float> Cycle<F> {
     /// On the border at Ω = 1 it is right to 1e-7 at f64 down to ζ = 1e-18, where it tends to 7.10434086 ζ.
     pub fn damper_work(&self) -> F {
         match &self.motion {
-            Motion::Undamped { .. } => F::int(0),
+            Motion::Undamped(_) => F::int(0),
             Motion::Damped(cycle) => cycle.damper_work(),
         }
     }
@@ -254,6 +240,37 @@ impl<F: Float> Task for FindCycle<F> {
     #[inline(always)]
     fn run(self) -> Self::Output {
         cycle_or_least(self.0).ok()
+    }
+}
+
+/// The cycle without damping where the static friction is above the kinetic one: the same motion, from a higher
+/// border on.
+struct WithStaticFriction<F>(Ratios<F>);
+
+impl<F: Float> Task for WithStaticFriction<F> {
+    type Output = Result<Cycle<F>, Error>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let ratios = self.0;
+        let p = PhaseFunction::of_valid(ratios.omega());
+        let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio();
+        if ratios.alpha() < least || ratios.omega() == F::int(1) {
+            return Err(no_cycle(ratios, least));
+        }
+        Ok(Cycle::at(&p, ratios))
+    }
+}
+
+/// [`Cycle::loop_sizes`].
+struct LoopSizes<'a, F>(&'a Cycle<F>);
+
+impl<F: Float> Task for LoopSizes<'_, F> {
+    type Output = (F, F);
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        self.0.loop_sizes()
     }
 }
 

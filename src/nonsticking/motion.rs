@@ -2,27 +2,24 @@
 
 use super::damped::DampedCycle;
 use super::dissipation::{loop_size_inertia, loop_size_stiffness};
-use super::half_cycle::HalfCycle;
 use super::phase::reduce;
-use super::reversal::Reversal;
 use super::stability::Multipliers;
+use super::undamped::Undamped;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
 /// The basis of a cycle's waveform, loop sizes and multipliers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Motion<F> {
-    Undamped { half: HalfCycle<F>, reversal: Reversal<F> },
+    Undamped(Undamped<F>),
     Damped(DampedCycle<F>),
 }
 
 impl<F: Float> Motion<F> {
     /// The same in another number type.
-    pub(super) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Motion<G> {
+    pub(super) fn map<G: Float>(self, omega: F, to: impl Fn(F) -> G) -> Motion<G> {
         match self {
-            Self::Undamped { half, reversal } => {
-                Motion::Undamped { half: half.map(&to), reversal: reversal.map(&to) }
-            }
+            Self::Undamped(cycle) => Motion::Undamped(cycle.map(omega, to)),
             Self::Damped(cycle) => Motion::Damped(cycle.map(to)),
         }
     }
@@ -31,7 +28,7 @@ impl<F: Float> Motion<F> {
     #[inline(always)]
     pub(super) fn loop_sizes(&self, ratios: &Ratios<F>) -> (F, F) {
         match self {
-            Self::Undamped { reversal, .. } => {
+            Self::Undamped(Undamped { reversal, .. }) => {
                 (reversal.loop_size_stiffness(), reversal.loop_size_inertia(ratios.omega()))
             }
             Self::Damped(cycle) => {
@@ -46,7 +43,8 @@ impl<F: Float> Motion<F> {
         let after_maximum = reduce(since_maximum);
         let rising = after_maximum >= F::pi();
         let (x, v) = match self {
-            Self::Undamped { half, .. } => {
+            Self::Undamped(cycle) => {
+                let half = cycle.half(omega);
                 let turns = if rising { F::int(3) } else { F::int(1) };
                 let psi = (turns * F::pi() / F::int(2) - after_maximum) / omega;
                 (half.displacement(psi), half.velocity(psi).value)
@@ -59,9 +57,9 @@ impl<F: Float> Motion<F> {
     }
 
     /// The multipliers per half cycle.
-    pub(super) fn multipliers(&self, omega: F, max_displacement: F) -> Multipliers<F> {
+    pub(super) fn multipliers(&self, omega: F) -> Multipliers<F> {
         match self {
-            Self::Undamped { half, .. } => Multipliers::new(omega, max_displacement, half.sin_cos_beta()),
+            Self::Undamped(cycle) => cycle.multipliers(omega),
             Self::Damped(cycle) => Multipliers::of_half_cycle(cycle.multipliers()),
         }
     }

@@ -59,7 +59,7 @@ impl<F: Float> Cycle<F> {
     /// `|x + 2ζx′ + sgn x′|`, the damper's force included.
     pub fn transmitted_force(&self) -> F {
         match &self.motion {
-            Motion::Undamped { .. } => transmitted_force(self.max_displacement),
+            Motion::Undamped(_) => transmitted_force(self.max_displacement),
             Motion::Damped(cycle) => cycle.transmitted_force(),
         }
     }
@@ -80,10 +80,10 @@ impl<F: Float> Cycle<F> {
         let omega = self.ratios().omega();
         match &self.motion {
             Motion::Damped(cycle) => cycle.max_acceleration() / omega.square(),
-            Motion::Undamped { .. } if F::int(2) * omega >= F::int(1) => {
+            Motion::Undamped(_) if F::int(2) * omega >= F::int(1) => {
                 arrival_acceleration(self.max_displacement, omega)
             }
-            Motion::Undamped { half, .. } => self.max_acceleration_below(half),
+            Motion::Undamped(cycle) => self.max_acceleration_below(&cycle.half(omega)),
         }
     }
 
@@ -128,11 +128,11 @@ impl<F: Float> Cycle<F> {
     /// and then falls, from −K/Ω² to K/Ω². So it has one zero, and y one extremum. Accuracy at f64: 1e-14 of
     /// Δ₀/B + α/Ω²; with damping 1e-13 of it.
     pub fn max_absolute_displacement(&self) -> F {
+        let omega = self.ratios().omega();
         let half = match &self.motion {
             Motion::Damped(cycle) => return cycle.max_absolute_displacement(),
-            Motion::Undamped { half, .. } => half,
+            Motion::Undamped(cycle) => cycle.half(omega),
         };
-        let omega = self.ratios().omega();
         let square = omega.square();
         let k = PhaseFunction::of_valid(omega).value();
         let beta = F::pi() / (F::int(2) * omega);

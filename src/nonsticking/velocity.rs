@@ -38,6 +38,7 @@ mod step;
 use super::Reversal;
 use super::half_cycle::HalfCycle;
 use super::low::{LowCircular, LowWaves};
+use super::undamped::half_cycle;
 use super::waves::{Circular, Waves};
 #[cfg(any(test, feature = "matching"))]
 use crate::float::{Field, Real};
@@ -124,43 +125,54 @@ pub(crate) fn fastest<F: Float>(half: &HalfCycle<F>, k: F, alpha: F) -> Fastest<
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return fastest_and_displacement(half, k, alpha).0;
     }
-    if let Some((found, _)) = by_waves(half, Pair::exact(k)) {
-        return found.differentiated(half);
-    }
-    from_centre_or_afar(half, k, alpha).0.differentiated(half)
+    let displacement = Pair::new(half.max_displacement(), half.displacement_rest());
+    let found = match by_waves(half.omega(), displacement, Pair::exact(k)) {
+        Some(found) => found,
+        None => from_centre_or_afar(half, k, alpha).0,
+    };
+    found.differentiated(|| *half)
 }
 
-/// What is known of a cycle besides its half cycle.
+/// What is known of a cycle at its frequency ratio.
 #[derive(Clone, Copy)]
 pub(crate) struct Given<F> {
     pub(crate) reversal: Reversal<F>,
+    /// Δ₀/B as rounded, and what that lacks.
+    pub(crate) displacement: Pair<F>,
     pub(crate) alpha: F,
     /// ω_d t₂.
     pub(crate) displacement_phase: F,
-    /// `(sin β, cos β)`.
-    pub(crate) sin_cos_beta: (F, F),
 }
 
-/// [`fastest`], and the deviation Δ₁/B there.
+/// [`fastest`] of a cycle, and the deviation Δ₁/B there where the way has it: not where [`Circular::deviation`] does.
 #[inline(always)]
-pub(crate) fn fastest_and_deviation<F: Float>(half: &HalfCycle<F>, given: &Given<F>) -> (Fastest<F>, F) {
-    let &Given { ref reversal, alpha, .. } = given;
-    let (omega, k) = (half.omega(), reversal.phase_function());
+pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>) -> (Fastest<F>, Option<F>) {
+    let &Given { ref reversal, alpha, displacement, .. } = given;
+    let (omega, k) = (p.omega(), reversal.phase_function());
     if F::PRECISION > f64::MANTISSA_DIGITS {
-        return fastest_and_displacement(half, k.value(), alpha);
+        let (found, deviation) = fastest_and_displacement(&half_cycle(p, displacement), k.value(), alpha);
+        return (found, Some(deviation));
     }
-    if omega < F::ratio(1, 2)
-        && let Some((found, displacement)) = by_low_waves(half, given)
-    {
-        let found = found.differentiated(half);
-        return (found, displacement.differentiated_as(|| reversal.deviation(omega, found.psi)));
+    let is_low = omega < F::ratio(1, 2);
+    if is_low && let Some((found, deviation)) = by_low_waves(*p, *given) {
+        let found = found.differentiated(|| half_cycle(p, displacement));
+        return (found, Some(deviation.differentiated_as(|| reversal.deviation(omega, found.psi))));
     }
-    if let Some((found, beta)) = by_waves(half, k) {
-        let found = found.differentiated(half);
-        return (found, Circular::new().deviation(omega, beta, k, found.psi));
+    if let Some(found) = by_waves(omega, displacement, k) {
+        return (found.differentiated(|| half_cycle(p, displacement)), None);
     }
-    let (found, at) = from_centre_or_afar(half, k.value(), alpha);
-    let found = found.differentiated(half);
+    let (found, deviation) = fastest_afar(*p, *given);
+    (found, Some(deviation))
+}
+
+/// The maximum velocity and Δ₁/B where no loop of a batch has them.
+#[cold]
+#[inline(never)]
+fn fastest_afar<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> (Fastest<F>, F) {
+    let (half, reversal, omega) = (half_cycle(&p, given.displacement), &given.reversal, p.omega());
+    let k = reversal.phase_function();
+    let (found, at) = from_centre_or_afar(&half, k.value(), given.alpha);
+    let found = found.differentiated(|| half);
     if omega < F::ratio(1, 2) {
         return (found, reversal.deviation(omega, found.psi));
     }
@@ -171,18 +183,16 @@ pub(crate) fn fastest_and_deviation<F: Float>(half: &HalfCycle<F>, given: &Given
 }
 
 /// The maximum velocity without circular functions of the type's own, where Ω ≥ 1/2 and the start is near
-/// enough; and (sin β, cos β).
+/// enough.
 #[inline(always)]
-fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F, F))> {
-    if !PhaseFunction::is_rational_enough(half.omega()) {
+fn by_waves<F: Float>(omega: F, displacement: Pair<F>, k: Pair<F>) -> Option<Fastest<F>> {
+    if !PhaseFunction::is_rational_enough(omega) {
         return None;
     }
-    let at = Frequency::new(&Offset::new(), half.omega(), k);
-    let (max_displacement, rest) = (half.max_displacement(), half.displacement_rest());
-    let waves = Waves { max_displacement, rest, at };
+    let at = Frequency::new(&Offset::new(), omega, k);
+    let waves = Waves { max_displacement: displacement.hi, rest: displacement.lo, at };
     let (found, velocity) = waves.arrive(&Circular::new(), waves.start());
-    let fastest = Fastest { psi: found.psi, velocity };
-    found.is_found.then_some((fastest, at.sin_cos_beta()))
+    found.is_found.then_some(Fastest { psi: found.psi, velocity })
 }
 
 /// The maximum velocity below Ω = 1/2 without circular functions of the type's own, where the start is near
@@ -190,12 +200,12 @@ fn by_waves<F: Float>(half: &HalfCycle<F>, k: Pair<F>) -> Option<(Fastest<F>, (F
 ///
 /// Not inlined, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
-fn by_low_waves<F: Float>(half: &HalfCycle<F>, given: &Given<F>) -> Option<(Fastest<F>, F)> {
-    F::fused(ByLowWaves { half: *half, given: *given })
+fn by_low_waves<F: Float>(p: PhaseFunction<F>, given: Given<F>) -> Option<(Fastest<F>, F)> {
+    F::fused(ByLowWaves { p, given })
 }
 
 struct ByLowWaves<F> {
-    half: HalfCycle<F>,
+    p: PhaseFunction<F>,
     given: Given<F>,
 }
 
@@ -204,14 +214,14 @@ impl<F: Float> Task for ByLowWaves<F> {
 
     #[inline(always)]
     fn run(self) -> Self::Output {
-        let Given { alpha, displacement_phase, sin_cos_beta, .. } = self.given;
-        let (omega, circular) = (self.half.omega(), LowCircular::new());
+        let Given { alpha, displacement, displacement_phase, .. } = self.given;
+        let (omega, circular) = (self.p.omega(), LowCircular::new());
         let waves = LowWaves {
             omega,
             inverse: F::int(1) / omega,
-            max_displacement: self.half.max_displacement(),
-            rest: self.half.displacement_rest(),
-            beta: sin_cos_beta,
+            max_displacement: displacement.hi,
+            rest: displacement.lo,
+            beta: self.p.sin_cos_of_cycle(),
         };
         let theta = waves.start(&circular, alpha, displacement_phase);
         let (found, velocity) = waves.arrive(&circular, displacement_phase, theta);
@@ -223,12 +233,12 @@ impl<F: Float> Fastest<F> {
     /// The same with its derivatives: ψ as the root of v′ = 0, the velocity at the constant ψ, where it is
     /// stationary.
     #[inline]
-    fn differentiated(self, half: &HalfCycle<F>) -> Self {
+    fn differentiated(self, half: impl Fn() -> HalfCycle<F>) -> Self {
         let psi = self.psi.implicit_root(|psi| {
-            let jet = half.velocity(psi);
+            let jet = half().velocity(psi);
             (jet.first, jet.second)
         });
-        let velocity = self.velocity.differentiated_as(|| half.velocity(psi.constant()).value);
+        let velocity = self.velocity.differentiated_as(|| half().velocity(psi.constant()).value);
         Self { psi, velocity }
     }
 }

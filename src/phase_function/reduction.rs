@@ -8,21 +8,26 @@ use crate::float::Float;
 /// significand is reduced again: `q = fl(1/Ω)` leaves a remainder `1 − qΩ` that one fused operation
 /// gives exactly, so each pass takes [`Float::PRECISION`] bits off the quotient, and the bound on Ω
 /// bounds the passes by `RATIO_EXPONENT / PRECISION + 2`.
-#[inline]
+#[inline(always)]
 pub(super) fn nearest_quarter<F: Float>(omega: F) -> (u8, F) {
+    if F::int(5) * omega >= F::int(2) { nearest_of_three(omega) } else { reduce_small(omega) }
+}
+
+/// [`nearest_quarter`] for Ω ≥ 2/5.
+// Always inline: most of what asks for K does not use the angle, and then it is not computed.
+#[inline(always)]
+pub(super) fn nearest_of_three<F: Float>(omega: F) -> (u8, F) {
     let one = F::int(1);
     if omega >= F::int(2) {
         (0, one)
     } else if F::int(3) * omega >= F::int(2) {
         (1, one - omega)
-    } else if F::int(5) * omega >= F::int(2) {
-        (2, one - F::int(2) * omega)
     } else {
-        reduce_small(omega)
+        (2, one - F::int(2) * omega)
     }
 }
 
-#[inline(never)]
+#[inline(always)]
 fn reduce_small<F: Float>(omega: F) -> (u8, F) {
     let mut quarter = 0;
     let mut rest = F::int(1);
@@ -37,6 +42,7 @@ fn reduce_small<F: Float>(omega: F) -> (u8, F) {
 }
 
 /// `q mod 4` of an integer q of either sign.
+#[inline(always)]
 fn modulo_four<F: Float>(q: F) -> u8 {
     let residue = q - F::int(4) * (q / F::int(4)).floor();
     (1..4).filter(|&n| residue >= F::int(n)).count() as u8

@@ -16,11 +16,11 @@
 //! **Elsewhere** the angle is reduced, and K is a quotient of pairs, or is computed with guard digits.
 
 use super::{
-    PhaseFunction, cotangent, is_beside_one, nearest_quarter, one_minus_square_wide,
+    PhaseFunction, cotangent, is_beside_one, nearest_of_three, nearest_quarter, one_minus_square_wide,
     phase_function_of_tangent, reduced, tangent,
 };
 use crate::float::circular::polynomial;
-use crate::float::{AtPrecision, Float, Real, pair::Pair};
+use crate::float::{AtPrecision, Float, Real, Task, pair::Pair};
 
 /// `8/π`, to twice the digits of f64; G's leading term is its negative.
 const EIGHT_OVER_PI: (f64, f64) = (2.546_479_089_470_325_5, -1.5742941340145989e-16);
@@ -64,9 +64,24 @@ impl<F: Float> PhaseFunction<F> {
     /// K by the form with G.
     #[inline(always)]
     pub(super) fn by_quotient(omega: F) -> Self {
-        let (quarter, rest) = nearest_quarter(omega);
+        Self::of_three(omega, Quotient::new().at(omega))
+    }
+
+    #[inline(always)]
+    fn of_three(omega: F, value: Pair<F>) -> Self {
+        let (quarter, rest) = nearest_of_three(omega);
         let remainder = Pair::exact(F::pi() * F::ratio(1, 2) * (rest / omega));
-        Self { omega, quarter, remainder, value: Quotient::new().at(omega) }
+        Self { omega, quarter, remainder, value }
+    }
+
+    /// At an Ω whose K is known.
+    #[inline(always)]
+    pub(crate) fn of_known(omega: F, value: Pair<F>) -> Self {
+        if Self::is_rational_enough(omega) {
+            return Self::of_three(omega, value);
+        }
+        let (quarter, remainder) = reduced(omega);
+        Self { omega, quarter, remainder, value }
     }
 
     /// K with care.
@@ -132,7 +147,7 @@ pub(crate) fn phase_function_beside_one<R: Real>(omega: R, w_cot_w: R) -> R {
 /// ```text
 /// K = −(2/π)(1 + Ω) E  beside Ω = 1,   (1 − Ω²) w/(Ω E)  for even q,   −(1 − Ω²) E/(Ω w)  for odd q.
 /// ```
-#[inline]
+#[inline(always)]
 fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
     if is_beside_one(omega) {
         let two_over_pi = Pair::exact(F::int(-2)) / Pair::pi();
@@ -156,13 +171,25 @@ pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pai
 #[cold]
 #[inline(never)]
 fn refined_parts<F: Float>(omega: F) -> (u8, Pair<F>, Pair<F>) {
-    let (quarter, w) = reduced(omega);
-    let value = if F::PRECISION > f64::MANTISSA_DIGITS {
-        F::guarded(Guarded(omega))
-    } else {
-        compensated(omega, quarter, w)
-    };
-    (quarter, w, value)
+    F::fused(Refined(omega))
+}
+
+/// [`refined_parts`].
+struct Refined<F>(F);
+
+impl<F: Float> Task for Refined<F> {
+    type Output = (u8, Pair<F>, Pair<F>);
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let (quarter, w) = reduced(self.0);
+        let value = if F::PRECISION > f64::MANTISSA_DIGITS {
+            F::guarded(Guarded(self.0))
+        } else {
+            compensated(self.0, quarter, w)
+        };
+        (quarter, w, value)
+    }
 }
 
 /// K(Ω) with guard digits, as a pair.

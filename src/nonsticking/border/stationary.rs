@@ -3,7 +3,7 @@
 
 use super::near::{Known, near};
 use super::{border_force_ratio, is_stationary_value_larger};
-use crate::float::{AtPrecision, Field, Float, Real, pair::Pair};
+use crate::float::{AtPrecision, Field, Float, Real, Task, pair::Pair};
 use crate::phase_function::{LowAngle, PhaseFunction, arc_less_sine, one_minus_square};
 use crate::root;
 
@@ -45,21 +45,36 @@ impl<F: Float> Inner<F> {
 
 /// The stationary value below Ω = 1/2; `None` where T = 0.
 ///
-/// Takes Ω alone and reduces it again, so that the path above 1/2 keeps everything in registers.
+/// Takes a copy, so that the path above 1/2 keeps everything in registers.
 #[inline(never)]
-pub(super) fn inner_maximum<F: Float>(omega: F) -> Option<Inner<F>> {
-    let p = PhaseFunction::of_valid(omega);
-    if p.is_even_subharmonic() {
-        return None;
+pub(super) fn inner_maximum<F: Float>(p: PhaseFunction<F>) -> Option<Inner<F>> {
+    F::fused(InnerMaximum(p))
+}
+
+/// [`inner_maximum`].
+struct InnerMaximum<F>(PhaseFunction<F>);
+
+impl<F: Float> Task for InnerMaximum<F> {
+    type Output = Option<Inner<F>>;
+
+    #[inline(always)]
+    fn run(self) -> Self::Output {
+        let (p, omega) = (self.0, self.0.omega());
+        if p.is_even_subharmonic() {
+            return None;
+        }
+        let angle = LowAngle::of(&p);
+        let known = Known::new(omega, &angle, p.wide());
+        let eta = match near(&known) {
+            Some(eta) => eta,
+            None => stationary_point(omega, known.gamma.value()),
+        };
+        let width = known.width(eta);
+        // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
+        let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
+        let width = Pair::new(hi, width.lo.constant());
+        Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })
     }
-    let angle = LowAngle::of(&p);
-    let known = Known::new(omega, &angle, p.wide());
-    let eta = near(&known).unwrap_or_else(|| stationary_point(omega, known.gamma.value()));
-    let width = known.width(eta);
-    // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
-    let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
-    let width = Pair::new(hi, width.lo.constant());
-    Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })
 }
 
 /// The derivative of `(1 − Ω²) S` by Ω.

@@ -30,7 +30,7 @@ impl<F: Float> Cycle<F> {
             displacement_phase: self.displacement_phase,
             max_velocity: self.max_velocity * self.ratios.omega(),
             max_displacement: self.max_displacement,
-            deviation: self.deviation,
+            deviation: self.deviation(),
         }
     }
 

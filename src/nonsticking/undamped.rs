@@ -1,0 +1,126 @@
+//! The cycle without damping between what is found of it at once and what it is asked for.
+//!
+//! The maximum velocity needs neither the deviation Δ₁ there nor the circular functions of the half cycle, nor does
+//! anything else need the contraction: each is computed when it is asked for.
+
+use super::half_cycle::HalfCycle;
+use super::reversal::Reversal;
+use super::stability::{Multipliers, contraction};
+use super::waves::Circular;
+use crate::float::{Float, Task, pair::Pair};
+use crate::phase_function::{Frequency, Offset, PhaseFunction};
+
+/// A cycle without damping, of which Δ₀, ω_d t₂, V₀ and ω_d t₁ are known.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Undamped<F> {
+    pub(super) reversal: Reversal<F>,
+    /// Δ₀/B as rounded, and what that lacks.
+    pub(super) displacement: Pair<F>,
+    /// The centred time ψ of the maximum velocity.
+    pub(super) psi: F,
+    /// Δ₁/B, where the way to the maximum velocity had it.
+    pub(super) deviation: Option<F>,
+    /// What more digits than the type has were used for.
+    pub(super) rounded: Option<Rounded<F>>,
+}
+
+/// A half cycle and the contraction, each rounded from more digits.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rounded<F> {
+    half: HalfCycle<F>,
+    contraction: F,
+}
+
+impl<F: Float> Undamped<F> {
+    /// The same in another number type.
+    pub(super) fn map<G: Float>(&self, omega: F, to: impl Fn(F) -> G) -> Undamped<G> {
+        Undamped {
+            reversal: self.reversal.map(&to),
+            displacement: self.displacement.map(&to),
+            psi: to(self.psi),
+            deviation: Some(to(self.deviation(omega))),
+            rounded: Some(Rounded {
+                half: self.half(omega).map(&to),
+                contraction: to(self.contraction(omega)),
+            }),
+        }
+    }
+
+    fn phase_function(&self, omega: F) -> PhaseFunction<F> {
+        PhaseFunction::of_known(omega, self.reversal.phase_function())
+    }
+
+    /// The half cycle at its frequency ratio Ω.
+    pub(super) fn half(&self, omega: F) -> HalfCycle<F> {
+        match self.rounded {
+            Some(rounded) => rounded.half,
+            None => half_cycle(&self.phase_function(omega), self.displacement),
+        }
+    }
+
+    /// Δ₁/B.
+    #[inline]
+    pub(super) fn deviation(&self, omega: F) -> F {
+        match self.deviation {
+            Some(known) => known,
+            None => F::fused(DeviationAt { omega, k: self.reversal.phase_function(), psi: self.psi }),
+        }
+    }
+
+    /// `max |λ|`.
+    #[inline]
+    pub(super) fn contraction(&self, omega: F) -> F {
+        match self.rounded {
+            Some(rounded) => rounded.contraction,
+            None => F::fused(ContractionAt {
+                omega,
+                k: self.reversal.phase_function(),
+                max_displacement: self.displacement.hi,
+            }),
+        }
+    }
+
+    pub(super) fn multipliers(&self, omega: F) -> Multipliers<F> {
+        Multipliers::new(omega, self.displacement.hi, self.half(omega).sin_cos_beta())
+    }
+}
+
+/// The half cycle at the frequency ratio of `p` with the maximum displacement Δ₀/B as rounded and what that lacks.
+pub(super) fn half_cycle<F: Float>(p: &PhaseFunction<F>, displacement: Pair<F>) -> HalfCycle<F> {
+    HalfCycle::new(p, displacement.hi).with_rest(displacement.lo)
+}
+
+/// Δ₁/B from Ω ≥ 1/2, K and the centred time of the maximum velocity.
+struct DeviationAt<F> {
+    omega: F,
+    k: Pair<F>,
+    psi: F,
+}
+
+impl<F: Float> Task for DeviationAt<F> {
+    type Output = F;
+
+    #[inline(always)]
+    fn run(self) -> F {
+        let Self { omega, k, psi } = self;
+        let beta = Frequency::new(&Offset::new(), omega, k).sin_cos_beta();
+        Circular::new().deviation(omega, beta, k, psi)
+    }
+}
+
+/// `max |λ|` from Ω, K and Δ₀/B.
+struct ContractionAt<F> {
+    omega: F,
+    k: Pair<F>,
+    max_displacement: F,
+}
+
+impl<F: Float> Task for ContractionAt<F> {
+    type Output = F;
+
+    #[inline(always)]
+    fn run(self) -> F {
+        let p = PhaseFunction::of_known(self.omega, self.k);
+        contraction(self.omega, self.max_displacement, p.sin_cos_of_cycle())
+    }
+}
