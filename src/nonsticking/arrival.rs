@@ -54,6 +54,13 @@ impl<F: Float> Moment<F> {
     /// The maximum of the velocity near this moment.
     #[inline(always)]
     pub(crate) fn fastest(&self, reciprocals: &Reciprocals<F>) -> Arrived<F> {
+        let &Self { psi, velocity, displacement, slower, .. } = self;
+        Nearby { psi, velocity, slopes: self.slopes(), displacement, slower }.fastest(reciprocals)
+    }
+
+    /// v′ and its derivatives.
+    #[inline(always)]
+    fn slopes(&self) -> [F; 8] {
         let &Self { velocity: value, slope: f0, forcing: (fs, fc), square, .. } = self;
         // v″ = −Ω²v + F sin ψ, and so on
         let f1 = (-square).mul_add(value, fs);
@@ -63,7 +70,30 @@ impl<F: Float> Moment<F> {
         let f5 = (-square).mul_add(f3, fs);
         let f6 = (-square).mul_add(f4, fc);
         let f7 = (-square).mul_add(f5, -fs);
+        [f0, f1, f2, f3, f4, f5, f6, f7]
+    }
+}
 
+/// The motion at one time by its derivatives there, whatever equation they obey.
+#[derive(Clone, Copy)]
+pub(crate) struct Nearby<F> {
+    /// ψ.
+    pub(crate) psi: F,
+    /// v/(Bω_n).
+    pub(crate) velocity: F,
+    /// Its first eight derivatives by ψ.
+    pub(crate) slopes: [F; 8],
+    /// x/B, where dx/dψ = −v.
+    pub(crate) displacement: F,
+    /// The time in which the fastest wave turns by 1.
+    pub(crate) slower: F,
+}
+
+impl<F: Float> Nearby<F> {
+    /// The maximum of the velocity near this time.
+    #[inline(always)]
+    pub(crate) fn fastest(&self, reciprocals: &Reciprocals<F>) -> Arrived<F> {
+        let &Self { velocity: value, slopes: [f0, f1, f2, f3, f4, f5, f6, f7], .. } = self;
         let quotient = F::int(1) / f1;
         let newton = -(f0 * quotient);
         let [half, .., sixth, _] = reciprocals.0;

@@ -21,6 +21,7 @@ pub(crate) mod half_period;
 mod peaks;
 pub(crate) mod resonance;
 pub(crate) mod rising;
+mod summit;
 mod work;
 
 use super::Border;
@@ -32,6 +33,7 @@ use crate::ratios::Ratios;
 use border::{least_displacement, supremum, turning_point};
 use half_period::HalfPeriod;
 use rising::Rising;
+use summit::Summit;
 
 /// The steady non-sticking motion with damping: the outputs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,16 +56,14 @@ impl<F: Float> DampedCycle<F> {
     pub(crate) fn of(rising: Rising<F>) -> Self {
         let Rising { half, max_displacement, .. } = rising;
         let displacement_phase = rising.displacement_phase();
-        let tau = fastest::fastest_time(&rising.vibration());
-        let moment = rising.at(tau);
-        let [velocity, ..] = rising.velocity(&moment);
+        let Summit { tau, velocity, displacement } = rising.summit();
         Self {
             rising,
             max_displacement,
             displacement_phase,
             max_velocity: velocity / half.omega,
             velocity_phase: reduce(displacement_phase - F::pi() + half.omega * tau),
-            deviation: rising.displacement(&moment),
+            deviation: displacement,
         }
     }
 

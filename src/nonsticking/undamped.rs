@@ -1,7 +1,7 @@
 //! The cycle without damping between what is found of it at once and what it is asked for.
 //!
-//! The maximum velocity needs neither the deviation Δ₁ there nor the circular functions of the half cycle, nor does
-//! anything else need the contraction: each is computed when it is asked for.
+//! The maximum velocity needs neither the deviation Δ₁ there nor the circular functions of the half cycle,
+//! and nothing else needs the contraction: each is computed when it is asked for.
 
 use super::half_cycle::HalfCycle;
 use super::reversal::Reversal;

@@ -52,6 +52,7 @@ fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
         "nonsticking/border/stationary.rs",
         "nonsticking/damped/border.rs",
         "nonsticking/damped/fastest.rs",
+        "nonsticking/damped/summit.rs",
         "nonsticking/velocity.rs",
         "nonsticking/velocity/iteration.rs",
     ];

@@ -127,7 +127,7 @@ impl<F: Float> Vibration<F> {
 impl<F: Field> Vibration<F> {
     /// The drive `f_c cos Ωτ + f_s sin Ωτ` that keeps the driven part `−a cos Ωτ − H sin Ωτ` up:
     /// `(f_c, f_s)`.
-    fn force(&self) -> (F, F) {
+    pub(crate) fn force(&self) -> (F, F) {
         let (one, two) = (F::int(1), F::int(2));
         let (real, imaginary) = ((one - self.omega) * (one + self.omega), two * self.free.zeta * self.omega);
         let (a, h) = self.driven;
