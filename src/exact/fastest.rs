@@ -5,9 +5,9 @@
 //! Outside 1/2 ≤ Ω ≤ 2 there can be as many as fast periods in the slide; but only the neighbourhoods of its
 //! ends and of the crest of the slow wave count.
 //!
-//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`, and short slides are searched in the same way; in
-//! a long one of any other Ω, or from ζ = 1/2 on, where a slide lasts for many periods, the search is that of
-//! the closed-form cycle, which uses the decay of the free wave.
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. Below Ω = 1/2 only the neighbourhoods of the crests of the forced wave count, as wide
+//! as the free one is large (`damped`). These, and otherwise slides that are short, are searched in the same way; what is long, for Ω
+//! above 2 or from ζ = 1/2 on, is searched as the closed-form cycle is, which knows how the free wave dies out.
 //!
 //! # Why
 //!
@@ -21,14 +21,13 @@
 
 use super::broken::Broken;
 use super::cover::Cover;
-use super::equation::Equation;
 use super::event::next_zero;
 use super::motion::Motion;
 use super::search::{Found, Search, Verdict};
 use super::slide::Slide;
 use crate::float::Float;
-use crate::nonsticking::damped::fastest::fastest_time;
-use crate::nonsticking::damped::rising::Vibration;
+
+mod damped;
 
 /// The fastest instant of a slide: its natural time and the velocity there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,13 +46,12 @@ impl<F: Float> Slide<F> {
         let omega = self.equation.omega;
         let mut best = Fastest { phi: zero, w: self.w };
         let start = self.motion_at_start();
-        let is_damped = self.equation.is_damped();
-        if is_damped && self.has_many_extrema(end) {
-            return Ok(self.fastest_of_damped(end, arrival));
+        if self.equation.is_damped() {
+            return self.fastest_damped(&start, end, arrival);
         }
         let fast = two * F::pi() / one.or_larger(omega);
-        // A fast period from both ends can cover the whole slide.
-        if (omega * two >= one && omega <= two) || is_damped || end <= two * fast {
+        // A fast period from both ends can be all there is.
+        if (omega * two >= one && omega <= two) || end <= two * fast {
             self.scan((zero, &start), (end, arrival), &mut best)?;
             return Ok(best);
         }
@@ -78,43 +76,6 @@ impl<F: Float> Slide<F> {
             }
         }
         Ok(best)
-    }
-
-    /// Whether a slide with damping may hold more extrema than a few.
-    #[cold]
-    #[inline(never)]
-    fn has_many_extrema(&self, end: F) -> bool {
-        let (one, two) = (F::int(1), F::int(2));
-        let Equation { omega, damping, .. } = self.equation;
-        let middle = omega * two >= one && omega <= two && damping < one;
-        !middle && end * one.or_larger(omega) > F::int(16)
-    }
-
-    /// The same where the extrema may be many and the free wave dies out, by the search of the closed-form
-    /// cycle.
-    #[cold]
-    #[inline(never)]
-    fn fastest_of_damped(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {
-        let equation = &self.equation;
-        let sign = self.direction.sign::<F>();
-        let (x, w) = equation.forced(self.sin_cos_start());
-        // s times the velocity, the drive's share as Ω(a sin Ωφ − H cos Ωφ).
-        let h = -(sign * w / equation.omega);
-        let (free_x, free_w) = (self.x + sign - x, self.w - w);
-        let motion = Vibration {
-            free: equation.vibration(),
-            omega: equation.omega,
-            driven: (-(sign * x), h),
-            start: (sign * free_x, sign * free_w),
-            end,
-            whole: None,
-        };
-        let phi = fastest_time(&motion);
-        let found = if phi >= end { arrival.w } else { self.motion(phi).w };
-        let start = Fastest { phi: F::int(0), w: self.w };
-        [Fastest { phi, w: found }, Fastest { phi: end, w: arrival.w }]
-            .into_iter()
-            .fold(start, |best, next| if sign * next.w > sign * best.w { next } else { best })
     }
 
     /// The natural time of the crest of the slow wave that lies in the slide, if one does.
@@ -238,11 +199,10 @@ mod tests {
             (40.0, 50.0),
         ] {
             let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
-            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start)
-                .unwrap()
-                .take(12)
-                .map(Result::unwrap)
-            {
+            let ratios = |zeta| Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+            let motions =
+                [0.0, 1e-3, 0.05, 0.4, 1.2].map(|zeta| Trajectory::new(ratios(zeta), start).unwrap());
+            for phase in motions.into_iter().flat_map(|motion| motion.take(12)).map(Result::unwrap) {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
                 // The whole slide, and cut short of its end.
                 for share in [1.0, 0.83, 0.61, 0.37, 0.12] {

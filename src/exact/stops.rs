@@ -29,7 +29,7 @@ use super::stop_map::{Expected, Passage, Station, passage};
 use crate::float::{Float, Task};
 use crate::nonsticking::Border;
 use crate::nonsticking::damped::border;
-use crate::nonsticking::damped::border::turning_point;
+use crate::nonsticking::damped::border::{is_far_below, turning_point};
 use crate::nonsticking::damped::half_period::HalfPeriod;
 use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::displacement::max_displacement;
@@ -79,8 +79,8 @@ impl<F: Float> Sticking<F> {
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
         // Below the condition at the turning point no border has to be searched for.
         let turns = amplitude >= turning_point(&half);
-        let rising = (turns && equation.alpha >= border(&half).min_force_ratio())
-            .then(|| Rising::of_force(half, equation.alpha));
+        let slides = || is_far_below(&half, amplitude) || equation.alpha >= border(&half).min_force_ratio();
+        let rising = (turns && slides()).then(|| Rising::of_force(half, equation.alpha));
         Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
     }
 

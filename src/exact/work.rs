@@ -11,9 +11,11 @@
 //!
 //! for the work of the drive `W = ∫ S w dφ` and `J = ∫ C w dφ`. None of it uses the balance of energy.
 
+use super::equation::Equation;
 use super::motion::Motion;
 use super::slide::Slide;
 use crate::float::Float;
+use crate::nonsticking::damped::squared::DrivenVelocity;
 
 /// The works of one slide, in r_y B.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,25 +70,43 @@ impl<F: Float> Slide<F> {
         (spring + kinetic) / F::int(2) + self.direction.sign::<F>() * (end.x - self.x)
     }
 
-    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their
-    /// digits: the damper's is then an integral by Gauss's rule, and the drive's follows from the balance of
-    /// energy. So they do where their terms nearly cancel, but for the damper's along a slide of many
-    /// periods, which is then right to the rounding of the drive's.
+    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then that
+    /// of its power series, and the drive's follows from the balance of energy. So they do where their terms nearly cancel, but for the
+    /// damper's along a slide of many periods, which is then right to the rounding of the drive's.
     #[cold]
     #[inline(never)]
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
-        let two = F::int(2);
-        let k = self.equation.damping;
-        let (p, _) = self.equation.stiffness();
+        let (p, imaginary) = self.equation.stiffness();
         let square = self.equation.omega.square();
-        let determinant = p.square() + k.square() * square;
+        let determinant = p.square() + imaginary.square();
         if determinant * F::int(4096) < F::int(1) {
-            let damper = self.damper_by_quadrature(phi);
+            let damper = self.damper_by_series(phi);
             return Works { drive: self.gained(end) + damper, damper };
         }
         let start = self.motion_at_start();
+        let Works { drive, mut damper } = self.closed_works(phi, &start, end);
+        // Little damping: what is left is rounding of terms without it.
+        let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
+        if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
+            let is_short = phi * self.equation.pace() < F::int(16);
+            damper = if is_short { self.damper_by_series(phi) } else { damper.or_larger(F::int(0)) };
+        }
+        let size = |m: &Motion<F>| m.force.square() + (m.acceleration * m.force).abs();
+        if size(end).or_larger(size(&start)) > F::int(32) * drive.abs() {
+            return Works { drive: self.gained(end) + damper, damper };
+        }
+        Works { drive, damper }
+    }
+
+    /// Both works by their closed forms alone.
+    fn closed_works(&self, phi: F, start: &Motion<F>, end: &Motion<F>) -> Works<F> {
+        let two = F::int(2);
+        let k = self.equation.damping;
+        let (p, imaginary) = self.equation.stiffness();
+        let determinant = p.square() + imaginary.square();
+        let square = self.equation.omega.square();
         let rate = |m: &Motion<F>| m.jerk + m.w + k * m.acceleration;
-        // Each bracket with the greatest of its terms.
+        // Each bracket at one end.
         let first = |m: &Motion<F>| {
             let (s, c) = (m.force, rate(m));
             s.square() / two - m.acceleration * s + m.w * c - k * m.w * s
@@ -100,62 +120,28 @@ impl<F: Float> Slide<F> {
             m.w * rate(m) - kinetic - k * m.w * (m.acceleration + k * m.w / two)
         };
         let (r1, r2) = (
-            first(end) - first(&start),
-            self.equation.alpha.square() * square * phi / two + (second(end) - second(&start)),
+            first(end) - first(start),
+            self.equation.alpha.square() * square * phi / two + (second(end) - second(start)),
         );
         let drive = (p * r1 + k * r2) / determinant;
         let mixed = (p * r2 - k * square * r1) / determinant;
-        let mut damper = k * mixed + square * drive + (third(end) - third(&start));
-        // With little damping the remainder is rounding of the undamped terms.
-        let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
-        if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
-            let is_short = phi * self.equation.pace() < F::int(16);
-            damper = if is_short { self.damper_by_quadrature(phi) } else { damper.or_larger(F::int(0)) };
-        }
-        let size = |m: &Motion<F>| m.force.square() + (m.acceleration * m.force).abs();
-        if size(end).or_larger(size(&start)) > F::int(32) * drive.abs() {
-            return Works { drive: self.gained(end) + damper, damper };
-        }
+        let damper = k * mixed + square * drive + (third(end) - third(start));
         Works { drive, damper }
     }
 
-    /// `∫ 2ζw² dφ` up to φ by Gauss's rule with as many nodes as resolve that many periods at the precision
-    /// of the type: of n nodes over the angle 2h of w² the error is some `(eh/4n)²ⁿ`.
-    fn damper_by_quadrature(&self, phi: F) -> F {
-        let (one, two) = (F::int(1), F::int(2));
-        let half_turns = (phi * self.equation.pace() / F::pi()).to_f64().min(64.0);
+    /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, each no longer than half of the fastest period.
+    fn damper_by_series(&self, phi: F) -> F {
+        let Equation { omega, damping, .. } = self.equation;
         // The cast of a float to an integer saturates.
-        let most = (F::PRECISION / 8).saturating_add((4.0 * half_turns).ceil() as u32).saturating_add(2);
-        let degree = F::from_f64(f64::from(most));
-        let speed_squared = |x: F| self.motion(phi * (one + x) / two).w.square();
-        let mut sum = F::int(0);
-        // The nodes lie in pairs around the middle, and one in it where there are as many as make one over.
-        for i in 1..=most.div_ceil(2) {
-            let (_, guess) = (F::pi() * (F::from_f64(f64::from(i)) - F::ratio(1, 4))
-                / (degree + F::ratio(1, 2)))
-            .sin_cos();
-            let is_middle = i.saturating_mul(2) > most;
-            let mut x = if is_middle { F::int(0) } else { guess };
-            let mut slope = one;
-            // Each step of Newton's method doubles the good digits of a guess right to some three.
-            for _ in 0..F::PRECISION.ilog2() {
-                let (mut before, mut value) = (one, x);
-                for n in 2..=most {
-                    let n = F::from_f64(f64::from(n));
-                    (before, value) = (value, ((two * n - one) * x * value - (n - one) * before) / n);
-                }
-                slope = degree * (before - x * value) / ((one - x) * (one + x));
-                let step = value / slope;
-                x = x - step;
-                if step.abs() <= F::epsilon() {
-                    break;
-                }
-            }
-            let weight = two / ((one - x) * (one + x) * slope.square());
-            let pair = if is_middle { speed_squared(x) } else { speed_squared(x) + speed_squared(-x) };
-            sum = sum + weight * pair;
-        }
-        self.equation.damping * sum * phi / two
+        let parts = (phi * self.equation.pace() / F::pi()).to_f64() as u32;
+        let parts = parts.saturating_add(1);
+        let half = phi / (F::int(2) * F::from_f64(f64::from(parts)));
+        let part = |n: u32| {
+            let m = self.motion(half * F::from_f64(2.0 * f64::from(n) + 1.0));
+            let force = (m.jerk + m.w + damping * m.acceleration, -(omega.square() * m.force));
+            DrivenVelocity { omega, damping, velocity: (m.w, m.acceleration), force }.square_around(half)
+        };
+        damping * (0..parts).fold(F::int(0), |sum, n| sum + part(n))
     }
 }
 
@@ -165,19 +151,55 @@ mod tests {
     use crate::exact::drive::DrivePhase;
     use crate::exact::equation::Equation;
     use crate::exact::slide::{Direction, Slide};
+    #[cfg(feature = "mp")]
+    use crate::float::Float;
 
-    /// Where the closed form keeps its digits the integral is the same, however long the slide.
+    /// Where the closed form keeps its digits the series is the same, however long the slide.
     #[test]
-    fn the_integral_has_nodes_enough() {
+    fn the_series_has_parts_enough() {
         for (omega, zeta) in [(0.7, 0.3), (3.0, 0.4), (0.4, 0.9), (0.2, 1.5)] {
             let ratios = Ratios::new(omega, 2.0).unwrap().with_damping_ratio(zeta).unwrap();
             let start = DrivePhase::new(0.4).unwrap();
             let slide = Slide::new(Equation::new(ratios), start, -0.7, 0.9, Direction::Forward);
             for phi in [0.3, 1.0, 2.0, 3.2, 4.5] {
                 let works = slide.works(phi, &slide.motion(phi));
-                let integral: f64 = slide.damper_by_quadrature(phi);
-                let off = (integral / works.damper - 1.0).abs();
+                let series: f64 = slide.damper_by_series(phi);
+                let off = (series / works.damper - 1.0).abs();
                 assert!(off < 1e-12, "Ω = {omega}, ζ = {zeta}, {phi}: {off:e}");
+            }
+        }
+    }
+
+    /// At 512 bits the closed form has digits left where it cancels: the series is the same to all that it has, and at f64 to nearly all of f64.
+    #[cfg(feature = "mp")]
+    #[test]
+    fn the_series_is_the_closed_form_to_all_digits() {
+        use crate::float::mp::Mp;
+        fn slide<F: Float>(omega: f64, zeta: f64, speed: f64) -> Slide<F> {
+            let ratios = Ratios::new(F::from_f64(omega), F::from_f64(3.0)).unwrap();
+            let ratios = ratios.with_damping_ratio(F::from_f64(zeta)).unwrap();
+            let start = DrivePhase::new(F::from_f64(0.375)).unwrap();
+            let (x, w) = (F::from_f64(-0.75), F::from_f64(speed));
+            Slide::new(Equation::new(ratios), start, x, w, Direction::Forward)
+        }
+        for omega in [0.15, 0.9, 1.0, 1.001, 10.0, 30.0, 300.0] {
+            for zeta in [1e-6, 0.005, 0.05, 0.5, 1.0, 3.0] {
+                for speed in [0.0, 0.01, 2.0] {
+                    for share in [0.01, 0.5, 1.0] {
+                        let phi = share * std::f64::consts::PI / f64::max(omega, 0.5);
+                        let wide = slide::<Mp<8>>(omega, zeta, speed);
+                        let time = Mp::from(phi);
+                        let (start, end) = (wide.motion_at_start(), wide.motion(time));
+                        let closed = wide.closed_works(time, &start, &end).damper;
+                        let off = |found: Mp<8>| ((found - closed) / closed).abs().to_f64();
+                        let by_series = off(wide.damper_by_series(time));
+                        assert!(by_series < 1e-130, "{omega} {zeta} {speed} {share}: {by_series:e}");
+                        let by_series = slide::<f64>(omega, zeta, speed).damper_by_series(phi);
+                        let unit = f64::EPSILON * (8.0 + 2.0 * phi * omega.max(1.0));
+                        // From rest the velocity is a difference of what the slide begins with and the time.
+                        assert!(off(by_series.into()) < 4.0 * unit, "{omega} {zeta} {speed} {share}");
+                    }
+                }
             }
         }
     }

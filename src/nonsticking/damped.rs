@@ -21,6 +21,7 @@ pub(crate) mod half_period;
 mod peaks;
 pub(crate) mod resonance;
 pub(crate) mod rising;
+pub(crate) mod squared;
 mod summit;
 mod work;
 

@@ -90,6 +90,17 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     }
 }
 
+/// Whether S is below an amplitude a by a sixteenth of that and more, and a is not small beside H: then α is above the border, and lobes that do not
+/// reach so far need not be searched.
+pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool {
+    let most = amplitude * F::ratio(15, 16);
+    if !(most > turning_point(half) && most * F::int(1024) > half.h.abs()) {
+        return false;
+    }
+    let has_lobes = half.free.swings() && half.omega * F::int(2) < half.free.frequency;
+    !has_lobes || greatest(half, Supremum { amplitude: most, touch: None }).touch.is_none()
+}
+
 /// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
 /// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
