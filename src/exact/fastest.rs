@@ -5,9 +5,10 @@
 //! Outside 1/2 ≤ Ω ≤ 2 there can be as many as fast periods in the slide; but only the neighbourhoods of its
 //! ends and of the crest of the slow wave count.
 //!
-//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. Below Ω = 1/2 only the neighbourhoods of the crests of the forced wave count, as wide
-//! as the free one is large (`damped`). These, and otherwise slides that are short, are searched in the same way; what is long, for Ω
-//! above 2 or from ζ = 1/2 on, is searched as the closed-form cycle is, which knows how the free wave dies out.
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. Below Ω = 1/2 only the neighbourhoods of the
+//! crests of the forced wave count, as wide as the free one is large (`damped`). These, and otherwise slides
+//! that are short, are searched in the same way; what is long, for Ω above 2 or from ζ = 1/2 on, is searched
+//! as the closed-form cycle is, which knows how the free wave dies out.
 //!
 //! # Why
 //!
@@ -199,10 +200,11 @@ mod tests {
             (40.0, 50.0),
         ] {
             let start = State::new(0.3, 4.0, -9.0 / omega).unwrap();
-            let ratios = |zeta| Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-            let motions =
-                [0.0, 1e-3, 0.05, 0.4, 1.2].map(|zeta| Trajectory::new(ratios(zeta), start).unwrap());
-            for phase in motions.into_iter().flat_map(|motion| motion.take(12)).map(Result::unwrap) {
+            for phase in Trajectory::new(Ratios::new(omega, alpha).unwrap(), start)
+                .unwrap()
+                .take(12)
+                .map(Result::unwrap)
+            {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
                 // The whole slide, and cut short of its end.
                 for share in [1.0, 0.83, 0.61, 0.37, 0.12] {

@@ -70,9 +70,10 @@ impl<F: Float> Slide<F> {
         (spring + kinetic) / F::int(2) + self.direction.sign::<F>() * (end.x - self.x)
     }
 
-    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their digits: the damper's is then that
-    /// of its power series, and the drive's follows from the balance of energy. So they do where their terms nearly cancel, but for the
-    /// damper's along a slide of many periods, which is then right to the rounding of the drive's.
+    /// The works with damping. Where `q² = (1 − Ω²)² + 4ζ²Ω²` is below 2⁻¹² the closed forms lose their
+    /// digits: the damper's is then that of its power series, and the drive's follows from the balance of
+    /// energy. So they do where their terms nearly cancel, but for the damper's along a slide of many
+    /// periods, which is then right to the rounding of the drive's.
     #[cold]
     #[inline(never)]
     fn damped_works(&self, phi: F, end: &Motion<F>) -> Works<F> {
@@ -129,7 +130,8 @@ impl<F: Float> Slide<F> {
         Works { drive, damper }
     }
 
-    /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, each no longer than half of the fastest period.
+    /// `∫ 2ζw² dφ` up to φ by the power series of w around the middles of parts, each no longer than half of
+    /// the fastest period.
     fn damper_by_series(&self, phi: F) -> F {
         let Equation { omega, damping, .. } = self.equation;
         // The cast of a float to an integer saturates.
@@ -170,7 +172,8 @@ mod tests {
         }
     }
 
-    /// At 512 bits the closed form has digits left where it cancels: the series is the same to all that it has, and at f64 to nearly all of f64.
+    /// At 512 bits the closed form has digits left where it cancels: the series is the same to all that it
+    /// has, and at f64 to nearly all of f64.
     #[cfg(feature = "mp")]
     #[test]
     fn the_series_is_the_closed_form_to_all_digits() {

@@ -269,8 +269,8 @@ fn stops_begin_at_the_border() {
     assert!(compared > 400 && wrong.is_empty(), "{} of {compared}: {wrong:#?}", wrong.len());
 }
 
-/// The works of steady states at random: the greatest difference of what comes in and what friction and damper take, of the whole and as a share of
-/// what rounding may make of it.
+/// The works of steady states at random: the greatest difference of what comes in and what friction and
+/// damper take, of the whole and as a share of what rounding may make of it.
 fn works_are_off(points: u64, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut of_all, mut of_rounding) = (0.0f64, 0.0f64);
@@ -296,7 +296,8 @@ fn works_balance() {
     works_are_off(400, 61);
 }
 
-/// Multipliers by following four motions next to the limit for a cycle: the greater error of the sum and of the product.
+/// Multipliers by following four motions next to the limit for a cycle: the greater error of the sum and of
+/// the product.
 fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     type Wide = Mp<4>;
     let h = Wide::exp2i(-80);

@@ -23,7 +23,7 @@ fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
 }
 
 /// (stops, velocity zeros) of the exact motion from rest.
-fn counts(ratios: Ratios<f64>) -> Option<(u32, u32)> {
+fn counts<F: Float>(ratios: Ratios<F>) -> Option<(u32, u32)> {
     let motion = LongRun::from_start(ratios, State::rest()).unwrap();
     motion.steady_state().map(|s| (s.sticks_per_cycle(), s.velocity_zeros_per_cycle()))
 }

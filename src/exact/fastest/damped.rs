@@ -42,12 +42,13 @@ impl<F: Float> Slide<F> {
         Ok(best)
     }
 
-    /// The parts (from, to) of a slide under a slow drive that can hold its maximum speed, none where not from < to: those around the crests of
-    /// the forced wave. `None` where they hold more extrema than a few, or there are more of them. `best` becomes the greatest of the speeds at
-    /// the ends and at the crest of the free wave that is nearest to one of the forced wave.
+    /// The parts (from, to) of a slide under a slow drive that can hold its maximum speed, none where not
+    /// from < to: those around the crests of the forced wave. `None` where they hold more extrema than a few,
+    /// or there are more of them. `best` becomes the greatest of the speeds at the ends and at the crest of
+    /// the free wave that is nearest to one of the forced wave.
     ///
-    /// The speed is `A cos(Ωφ − c) + u` with `|u| ≤ r`, the amplitude of the free wave at the start. Where the forced wave is less than a speed
-    /// that is reached by more than r, it is not the greatest.
+    /// The speed is `A cos(Ωφ − c) + u` with `|u| ≤ r`, the amplitude of the free wave at the start. Where
+    /// the forced wave is less than a speed that is reached by more than r, it is not the greatest.
     fn around_crests(&self, end: F, arrival: &Motion<F>, best: &mut Fastest<F>) -> Option<[(F, F); 2]> {
         let (zero, one, two, pi) = (F::int(0), F::int(1), F::int(2), F::pi());
         let omega = self.equation.omega;
@@ -90,7 +91,8 @@ impl<F: Float> Slide<F> {
         (least > -one && is_short && are_all).then_some(parts)
     }
 
-    /// The maximum speed where the extrema may be many and the free wave dies out, by the search of the closed-form cycle.
+    /// The maximum speed where the extrema may be many and the free wave dies out, by the search of the
+    /// closed-form cycle.
     #[cold]
     #[inline(never)]
     fn fastest_of_waves(&self, end: F, arrival: &Motion<F>) -> Fastest<F> {

@@ -90,8 +90,8 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     }
 }
 
-/// Whether S is below an amplitude a by a sixteenth of that and more, and a is not small beside H: then α is above the border, and lobes that do not
-/// reach so far need not be searched.
+/// Whether S is below an amplitude a by a sixteenth of that and more, and a is not small beside H: then α is
+/// above the border, and lobes that do not reach so far need not be searched.
 pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool {
     let most = amplitude * F::ratio(15, 16);
     if !(most > turning_point(half) && most * F::int(1024) > half.h.abs()) {

@@ -1,4 +1,5 @@
-//! The square of a velocity, integrated by its power series: where the closed forms of the damper's work would cancel.
+//! The square of a velocity, integrated by its power series: where the closed forms of the damper's work
+//! would cancel.
 
 use crate::float::Float;
 
@@ -24,8 +25,8 @@ impl<F: Float> DrivenVelocity<F> {
     /// ∫ w² dt = 2h Σ e_n/(n + 1) over even n,   e_n = Σ c_i c_{n−i}.
     /// ```
     ///
-    /// Of w, w′, f and f′ one at least is not small, so that from n = 6 on `e_n` is at most of the order of `(2 max(1, Ω, 2ζ) h)ⁿ⁻⁶/n!` of the
-    /// largest.
+    /// Of w, w′, f and f′ one at least is not small, so that from n = 6 on `e_n` is at most of the order of
+    /// `(2 max(1, Ω, 2ζ) h)ⁿ⁻⁶/n!` of the largest.
     pub(crate) fn square_around(&self, half: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let pace = two * half * one.or_larger(self.omega).or_larger(self.damping);

@@ -9,8 +9,8 @@ use crate::float::Float;
 impl<F: Float> DampedCycle<F> {
     /// The energy that the damper takes in a cycle, in units of r_y B.
     ///
-    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near resonance these nearly cancel,
-    /// and the power series of x′ is integrated.
+    /// `∮ 2ζ x′² dφ = 2ζT Ω²(α/q)² + 4G + 8ζI`, `I = 2[b (1 − Ω²) − 2ζΩ² a]/q²`: driven, free, and both. Near
+    /// resonance these nearly cancel, and the power series of x′ is integrated.
     pub(crate) fn damper_work(&self) -> F {
         let (half, two) = (&self.rising.half, F::int(2));
         let q2 = half.stiffness.square();

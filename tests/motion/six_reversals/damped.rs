@@ -27,6 +27,11 @@ fn damped_at(ratios: Ratios<f64>, alpha: f64) -> Ratios<f64> {
     at.with_damping_ratio(ratios.damping_ratio()).unwrap()
 }
 
+fn at_256_bits(ratios: Ratios<f64>) -> Ratios<Mp<4>> {
+    let at = Ratios::new(Mp::from(ratios.omega()), Mp::from(ratios.alpha())).unwrap();
+    at.with_damping_ratio(Mp::from(ratios.damping_ratio())).unwrap()
+}
+
 /// Both sides of each edge with damping, next to it and anywhere; what differs.
 fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<String>) {
     let (mut random, mut compared, mut unsettled, mut wrong) = (Random(seed + 1), 0, 0, Vec::new());
@@ -46,7 +51,12 @@ fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<S
                 Some((1.., _)) if !slides => compared += 1,
                 // Behind an edge close to a pole it creeps from one stop to the next.
                 None => unsettled += 1,
-                other => wrong.push(format!("{at:?} of {low} to {high}: {other:?}")),
+                // Close to a pole the rounding of the motion is that of another Ω, and moves an edge by more.
+                Some(other) => match counts(at_256_bits(at)) {
+                    Some((0, 6)) if slides => compared += 1,
+                    Some((1.., _)) if !slides => compared += 1,
+                    wide => wrong.push(format!("{at:?} of {low} to {high}: {other:?} {wide:?}")),
+                },
             }
         }
     }
