@@ -4,13 +4,13 @@ A body of mass m on a spring k slides over a surface whose friction carries at m
 
     m x'' + k x + r sgn(x') = p0 sin(w t)
 
-The package answers whether the body sticks, how far and how fast it moves, the least force that keeps it
-from sticking, and the friction that dissipates most: in closed form where it does not stick, and by its exact
-motion, stops included, everywhere.
+The package computes whether the body sticks, how far and how fast it moves, the minimum force that keeps it from
+sticking, and the friction that dissipates most: in closed form where it does not stick, and by its exact motion, stops
+included, everywhere.
 
 Two ratios decide the motion: the frequency ratio ``omega = w/sqrt(k/m)`` and the force ratio ``alpha = p0/r``.
 Displacements are in units of ``B = r/k``, velocities in ``B w``, energies of a cycle in ``r B``, phases in
-radians of the drive. `Machine` and `Drive` lead from and to physical units.
+radians of the drive. `Machine` and `Drive` convert from and to physical units.
 
 Every function takes numbers or arrays, and broadcasts as NumPy does.
 

@@ -19,15 +19,15 @@ class Attractor(Result):
     Attributes
     ----------
     attractor : int
-        Its place in the list.
+        Its index in the list.
     limit : str
         As for `steady`.
     share, starts : float and int
-        The share and the number of the starts that lead to it.
+        The share and the number of starts that lead to it.
     first_x, first_v : float
         The first of its starts (B, B w).
     mirror : int or None
-        The place of the limit that is this one upside down.
+        The index of the mirror image of this limit.
     symmetric : bool or None
     turns_per_cycle : int or None
         Turns of the drive in a cycle.
@@ -93,11 +93,11 @@ class Attractors(Result):
     omega, alpha, damping_ratio, static_friction_ratio : float
     starts : int
     reach : float or None
-        How far spread starts reach (B, B w).
+        The largest displacement and velocity of the spread starts (B, B w).
     unsettled : int
         Starts whose motion had not settled.
     of_start : array of int
-        The place of the limit that each start leads to; -1 where it had not settled.
+        The index of the limit that each start leads to; -1 if it had not settled.
     attractors : list of Attractor
     """
 
@@ -130,16 +130,17 @@ def attractors(
 ) -> Attractors:
     """All limits that many starts lead to: with a static friction above the kinetic one there can be several.
 
-    Nothing proves that there are no others: the answer is one about these starts.
+    The list is not proved to be complete: it holds for these starts.
 
     Parameters
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float
         Frequency ratio, force ratio, damping ratio, and static friction over the kinetic one.
     starts : int or sequence of (phase, displacement, velocity)
-        How many starts at phase 0, the first at rest and the others spread evenly, always the same; or the starts.
+        The number of starts at phase 0, the first at rest and the others spread evenly, always the same; or a list of
+        starts.
     reach : float, optional
-        How far they are spread in displacement (B) and velocity (B w).
+        Their largest displacement (B) and velocity (B w).
     max_periods : int
         Periods of the drive to follow from each start.
 

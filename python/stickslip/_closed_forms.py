@@ -44,12 +44,12 @@ class Response(Result):
     Attributes
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float or array
-        The ratios it is the answer for.
+        The ratios of the answer.
     regime : str or array of str
         ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``; ``"invalid"`` in an array for a
         point outside the domain.
     reversals_per_cycle : int or array
-        2, or 6 beside a pole ``omega = 1/(2n+1)`` below the border.
+        2, or 6 near a pole ``omega = 1/(2n+1)`` below the border.
     max_displacement, displacement_phase : float or array
         Maximum displacement (B) and its phase (rad).
     max_velocity, velocity_phase : float or array
@@ -63,7 +63,7 @@ class Response(Result):
     best_force_ratio, best_loop_size : float or array
         Force ratio of the largest loop at this omega, and its size.
     contraction : float or array
-        Share of a disturbance that half a cycle leaves.
+        Share of a disturbance that remains after half a cycle.
     margin : float or array
         ``alpha/min_force_ratio``.
     dynamic_amplification : float or array
@@ -115,7 +115,7 @@ class Border(Result):
     ----------
     omega, damping_ratio, static_friction_ratio : float or array
     min_force_ratio : float or array
-        The least force ratio without sticking.
+        The minimum force ratio without sticking.
     min_force_ratio_turning_point : float or array
         The same by eq. 61 of the source paper, which is necessary for every omega and sufficient from 1/2 on.
     border_phase : float or array
@@ -164,26 +164,26 @@ def response(
     static_friction_ratio : float or array
         Static friction over the kinetic one, >= 1. It raises the border; the cycle that does not stick is the same.
     outputs : names, optional
-        The outputs to compute for arrays, of `OUTPUTS`; a few cost less than all. Others are None.
+        The outputs to compute for arrays, from `OUTPUTS`; a few take less time than all. The others are None.
     out : mapping of names to arrays, optional
-        For arrays: where the outputs named go, in place of new arrays. Each is a C-contiguous array of float64 of the
-        broadcast shape; an array that is filled again and again costs no new memory.
+        For arrays: the arrays that receive the named outputs, instead of new ones. Each is a C-contiguous array of float64 of the
+        broadcast shape; a reused array needs no new memory.
     bits : int, optional
-        For a single point: at least so many bits, up to 1024, every output rounded once. Arguments then may be text,
+        For a single point: the precision in bits, up to 1024, with every output rounded once. Arguments may then be
+        text,
         `decimal.Decimal` or numbers of mpmath, and the answers are `decimal.Decimal`. A float is the binary number
         that it is: ``"0.7"`` and ``0.7`` differ in the 17th digit.
 
     Returns
     -------
     Response
-        Floats for single numbers, and arrays of the broadcast shape otherwise. What does not exist, as the
-        displacement of a body that sticks, is None, or NaN in an array.
+        Floats for single numbers, and arrays of the broadcast shape otherwise. A value that does not exist, such as
+        the displacement of a body that sticks, is None, or NaN in an array.
 
     Raises
     ------
     Error
-        Where a single number is outside the domain. In an array such a point is ``"invalid"`` and NaN, and so is one
-        that is masked.
+        If a single number is outside the domain. In an array such a point, or a masked one, is ``"invalid"`` and NaN.
 
     Examples
     --------
@@ -236,7 +236,7 @@ def border(
     *,
     bits: Optional[int] = None,
 ) -> Border:
-    """The least force ratio with which the body does not stick at omega.
+    """The minimum force ratio at which the body does not stick at omega.
 
     Parameters
     ----------

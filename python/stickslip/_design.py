@@ -30,7 +30,7 @@ class BestFriction(NamedTuple):
     """The friction bound that dissipates most."""
 
     friction: float
-    #: The energy that friction takes in a cycle.
+    #: The energy that friction dissipates in a cycle.
     energy: float
     #: ``"interior"``, or ``"border"`` where more friction would make the body stick.
     optimum: str
@@ -50,14 +50,14 @@ class Identified(NamedTuple):
 
     friction: Estimate
     damping_ratio: Estimate
-    #: Relative standard error of one amplitude, by the residuals.
+    #: Relative standard error of one amplitude, estimated from the residuals.
     noise: float
-    #: Measured less computed amplitude as a share of the measured one; NaN where the body sticks and it was left out.
+    #: Measured minus computed amplitude, relative to the measured one; NaN if the body sticks and it was omitted.
     residuals: Floats
 
 
 class Figure(NamedTuple):
-    """A figure, which a notebook shows."""
+    """A figure, which a notebook displays."""
 
     title: str
     caption: str
@@ -88,7 +88,7 @@ def identify(
     phase : array, optional
         Phase of the maximum displacement behind the force, in radians; NaN where it was not measured.
     units : str, optional
-        The system of numbers without units, such as ``"kN,mm"``; it has to be named where others have units.
+        The system of numbers without units, such as ``"kN,mm"``; it is required if other values have units.
 
     Returns
     -------

@@ -29,7 +29,7 @@ Quantity = Union[float, str]
 def read(
     given: Mapping[str, tuple[Any, str]], units: Optional[str]
 ) -> tuple[dict[str, float], Optional[str]]:
-    """The numbers of what is given, as (value, kind) by name, and the system of units they are in, where one is known."""
+    """The numbers of the given (value, kind) pairs, by name, and their system of units if it is known."""
     texts = [
         (name, value if isinstance(value, str) else repr(one(name, value)), kind) for name, (value, kind) in given.items()
     ]

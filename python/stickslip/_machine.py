@@ -25,7 +25,7 @@ _STANDARD_GRAVITY = 9.80665
 
 
 def _one_of(given: Mapping[str, Any], *names: str) -> Optional[str]:
-    """The name of the one that is given of several that say the same."""
+    """The name of the given one among several equivalent parameters."""
     found = [name for name in names if given[name] is not None]
     if len(found) > 1:
         raise _native.Error(f"{found[0]} and {found[1]}: give one of the two, the other follows")
@@ -42,7 +42,7 @@ def _positive(name: str, value: float) -> float:
 class Machine:
     """A body on its spring and friction surface.
 
-    Values are text with a unit, such as ``"12 kN/mm"``, in any mixture of units; or numbers in one consistent system.
+    Values are text with units, such as ``"12 kN/mm"``, in any mixture, or numbers in one consistent system.
 
     Parameters
     ----------
@@ -52,18 +52,18 @@ class Machine:
     period : float or str
         The natural period in place of the stiffness: ``k = m (2 pi/period)**2``.
     friction : float or str
-        Friction bound: the force of friction while it slides.
+        Friction bound: the force of friction while the body slides.
     friction_coefficient, gravity : float or str
         In place of the friction bound: ``friction_coefficient * mass * gravity``. Gravity is 9.80665 m/s**2 unless given, in
         SI where no system of units is known.
     friction_backward : float or str, optional
-        Friction bound against motion backward, where it differs from that forward.
+        Friction bound of backward motion, if it differs from that of forward motion.
     damping : float or str
         Constant of a viscous damper, >= 0.
     damping_ratio : float or str
         In place of it: ``c/(2 sqrt(k m))``.
     static_friction : float or str
-        The force at which the body at rest gives way, not below the friction bound.
+        The force that releases the body at rest, at least the friction bound.
     static_friction_ratio : float
         In place of it: static friction over the kinetic one, >= 1.
     units : str, optional
@@ -187,7 +187,7 @@ class Machine:
         return Response(answer._with({"physical": physical}))
 
     def steady(self, drive: Drive, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
-        """The motion in the long run, in ratios and, as ``physical``, in the units of the machine; see `steady`.
+        """The steady motion, in ratios and, as ``physical``, in the units of the machine; see `steady`.
 
         The start is in radians, B and B w.
         """
@@ -231,7 +231,8 @@ class Machine:
     ) -> Union[Phases, Samples]:
         """The exact motion from a phase of the drive (rad), a displacement and a velocity, in ratios and as ``physical``; see `simulate`.
 
-        Displacements are measured from ``physical.mean_displacement``, which a mean force or friction by direction makes.
+        Displacements are measured from ``physical.mean_displacement``, the shift by a mean force or by friction that
+        depends on the direction.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="50 kg", stiffness="1 kN/mm", friction="5 kN")
@@ -285,15 +286,16 @@ class Machine:
         return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
 
     def min_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
-        """The least amplitude with which the body does not stick, of a force or of another excitation by its name in `Drive`."""
+        """The minimum amplitude at which the body does not stick, of a force or of another excitation by its name in
+        `Drive`."""
         return _native.min_amplitude(self._body, excitation, self._frequency(angular_frequency))
 
     def max_friction(self, drive: Drive) -> float:
-        """The greatest friction bound with which the body does not stick under a drive."""
+        """The maximum friction bound with which the body does not stick under a drive."""
         return _native.max_friction(self._body, *self._single(drive))
 
     def best_friction(self, drive: Drive) -> "BestFriction":
-        """The friction bound with which friction dissipates most under a drive, of those that do not stick."""
+        """The friction bound that dissipates most under a drive, among those that do not stick."""
         from ._design import BestFriction
 
         friction, energy, optimum = _native.best_friction(self._body, *self._single(drive))
@@ -307,7 +309,7 @@ class Machine:
         force: Optional[Quantity] = None,
         foot_displacement: Optional[Quantity] = None,
     ) -> "list[Band]":
-        """The bands of angular frequency between two ends in which the body does not stick, all there are."""
+        """All bands of angular frequency between two ends in which the body does not stick."""
         from ._design import Band
 
         units = self.units if not any(isinstance(x, str) for x in (force, foot_displacement)) else None

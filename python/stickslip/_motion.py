@@ -16,7 +16,7 @@ _ENDS = ("reversal", "stop", "grazing", "release", "never")
 
 
 class Phases(Result):
-    """The motion phase by phase, one row for each slide and stop; see `simulate`.
+    """The motion segment by segment, one row for each slide and stop; see `simulate`.
 
     Attributes
     ----------
@@ -89,7 +89,7 @@ class Decay(Result):
     first_turn, rest_position : float
         Displacements (B).
     rest_time : float or None
-        Time until rest, in units of ``sqrt(m/k)``; None where it creeps there for ever.
+        Time until rest, in units of ``sqrt(m/k)``; None if the body creeps for ever.
     physical : Physical or None
         The same names in the units of the machine, where there is one.
     """
@@ -150,7 +150,7 @@ def simulate(
     cycles : float
         Drive cycles to follow, > 0.
     samples : int, optional
-        Samples in a cycle. Without it, the phases of the motion are returned.
+        Samples in a cycle. Without it, the segments of the motion are returned.
 
     Returns
     -------

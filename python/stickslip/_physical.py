@@ -56,7 +56,7 @@ _KIND_OF_SCALE = {
 
 
 def names_of(system: Optional[str], kinds: Mapping[str, str]) -> Optional[dict[str, str]]:
-    """The unit of each kind in a system of units, where one is known."""
+    """The unit of each kind in a system of units, if it is known."""
     return None if system is None else {name: _native.unit_of(system, kind) for name, kind in kinds.items()}
 
 
@@ -84,7 +84,7 @@ def in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Ma
 
 
 def felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict[str, Any]:
-    """The values of an answer with what the surroundings feel where the spring's foot moves."""
+    """The values of an answer, with the loads on the surroundings if the spring's foot moves."""
     values = answer._with({})
     acceleration = values.get("max_acceleration")
     if "foot" not in drive.excitation or acceleration is None:

@@ -16,7 +16,7 @@ Value = Union[float, Floats]
 
 
 class Codes(NamedTuple):
-    """Names at many points as places in a list, written out when they are asked for."""
+    """Names at many points, stored as indices and converted to text on request."""
 
     places: NDArray[np.uint8]
     names: Sequence[str]
@@ -60,7 +60,7 @@ class Result:
         return {name: getattr(self, name) for name in self._names}
 
     def _with(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The values as they are stored, and others in place of those of the same names."""
+        """The stored values, with some replaced by name."""
         own = {name: self._codes.get(name, self.__dict__.get(name)) for name in self._names}
         return {**own, **values}
 
@@ -116,7 +116,7 @@ class Points(NamedTuple):
         return int(np.prod(self.shape or ()))
 
     def in_shape(self) -> dict[str, Any]:
-        """The ratios as a result has them: numbers, or read-only arrays of the common shape."""
+        """The ratios for a result: numbers, or read-only arrays of the common shape."""
         if self.shape is None:
             return dict(zip(self.given, self.columns))
         return {name: np.broadcast_to(array, self.shape) for name, array in self.given.items()}
@@ -164,7 +164,7 @@ def points(**values: ArrayLike) -> Points:
 
 
 def shaped(columns: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> dict[str, Any]:
-    """The columns in the shape of what they were computed for."""
+    """The columns in the shape of their arguments."""
     return {name: column.reshape(shape) for name, column in columns.items()}
 
 
@@ -192,7 +192,7 @@ def digits(name: str, value: Any) -> str:
 
 
 def decimals(found: Mapping[str, Any]) -> dict[str, Any]:
-    """The digits of an answer as numbers that keep them."""
+    """The digits of an answer as decimal numbers."""
 
     def read(value: Any) -> Any:
         if isinstance(value, str):
@@ -205,7 +205,7 @@ def decimals(found: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def precision(bits: int) -> int:
-    """The bits asked for, as the compiled part takes them."""
+    """The precision in bits, for the compiled part."""
     if not 1 <= bits < 2**32:
         raise _native.Error(f"bits = {bits} must be >= 1")
     return int(bits)

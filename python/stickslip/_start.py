@@ -22,7 +22,7 @@ def three(start: Any) -> tuple[Any, Any, Any]:
 
 
 def state(start: Any) -> Start:
-    """A start as the compiled part takes it."""
+    """A start for the compiled part."""
     phase, displacement, velocity = (one(f"start: {name}", value) for name, value in zip(STATE, three(start)))
     return phase, displacement, velocity
 

@@ -14,17 +14,17 @@ from ._start import REST, STATE, Start, periods_of, state, three
 
 
 class Steady(Result):
-    """The long run of the motion from a start; see `steady`.
+    """The steady state of the motion from a start; see `steady`.
 
     Attributes
     ----------
     regime : str or array of str
-        What the motion shows: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``.
+        The regime of the motion: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``.
     limit : str or array of str
         ``"periodic"``, ``"family"``, ``"rest"``, ``"irregular"``, ``"none"`` or ``"not-converged"``.
     max_displacement, min_displacement, max_velocity, min_velocity : float or array
-        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. Of an irregular
-        motion the displacements of the turns observed.
+        Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. For an irregular
+        motion, the extreme displacements of the turns observed.
     sticks_per_cycle, velocity_zeros_per_cycle, reversals_per_cycle : int or array
         Counts; -1 in an array where there is none.
     stick_fraction : float or array
@@ -36,15 +36,15 @@ class Steady(Result):
     multipliers : list of (float, float)
         Multipliers of a whole cycle, real and imaginary parts (a single point only).
     contraction : float or array
-        Share of a disturbance that a cycle leaves.
+        Share of a disturbance that remains after a cycle.
     distance : float or array
-        Bound of the displacement's distance from the limit (B).
+        Estimated distance of the displacement from the limit (B).
     periods : float or array
-        Periods of the drive that were followed.
+        Number of drive periods that were followed.
     rest_position : float or array
         Where a stuck body rests (B).
     error_1, error_2, error_3, error_4 : float
-        Measures of asymmetry of the source paper (a single point only).
+        The source paper's measures of asymmetry (a single point only).
     turns_per_cycle : int or array
         Turns of the drive in a cycle; above 1 with a static friction above the kinetic one only.
     symmetric : bool or array
@@ -151,7 +151,7 @@ def steady(
     max_periods: int = _native.MAX_PERIODS,
     bits: Optional[int] = None,
 ) -> Steady:
-    """The motion in the long run, by the exact motion from a start, stops included.
+    """The steady state of the exact motion from a start, stops included.
 
     Parameters
     ----------
@@ -162,8 +162,7 @@ def steady(
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float or array
-        Static friction over the kinetic one, >= 1. Above 1 the limit is that of this start: others may lead to
-        another (`attractors`).
+        Static friction over the kinetic one, >= 1. Above 1 the limit may depend on the start (`attractors`).
     start : (phase, displacement, velocity)
         In radians of the drive, B and B w; rest unless given.
     max_periods : int

@@ -33,21 +33,21 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
     Parameters
     ----------
     table : Arrow table or record batch
-        With the columns ``omega`` and ``alpha``, and ``damping_ratio`` and ``static_friction_ratio`` where they count.
+        With the columns ``omega`` and ``alpha``, and optionally ``damping_ratio`` and ``static_friction_ratio``.
     outputs : names, optional
         The columns of the result, of `stickslip.OUTPUTS`.
 
     Returns
     -------
     Arrow table, or record batch for a record batch
-        A row for each row, with null for what does not exist.
+        One row for each row of the table, with null for values that do not exist.
     """
     chosen = OF_ARRAYS if outputs is None else known(outputs)
     return _native.arrow_response(table, list(chosen))
 
 
 def steady(table: Table, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Any:
-    """The motion in the long run at every row; see `stickslip.steady`.
+    """The steady motion at every row; see `stickslip.steady`.
 
     Parameters
     ----------

@@ -16,7 +16,7 @@ __all__ = ["Enclosure", "Response", "Steady", "Unproved", "border", "response", 
 
 
 class Enclosure(NamedTuple):
-    """All numbers within a radius of a midpoint; the output is one of them.
+    """An interval with midpoint and radius that contains the output.
 
     >>> from stickslip import enclosed
     >>> enclosed.border("0.4").min_force_ratio.mid
@@ -47,9 +47,9 @@ class Response(Result):
     regime : str or None
         ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None where that is undecided.
     bits : int
-        The bits it was computed with in the end.
+        The final precision of the computation, in bits.
     max_displacement, max_velocity, ... : Enclosure or None
-        The outputs by the names that `stickslip.response` has; None where one does not exist or has no enclosure.
+        The outputs, named as by `stickslip.response`; None if one does not exist or has no enclosure.
     """
 
     _names: ClassVar[Sequence[str]] = ("regime", "bits", *_native.OUTPUTS)
@@ -59,23 +59,23 @@ class Response(Result):
 
 
 class Steady(Result):
-    """A periodic motion that exists; see `steady`. It is true, where an `Unproved` is false.
+    """A periodic motion proved to exist; see `steady`. Its truth value is true, that of `Unproved` is false.
 
     Attributes
     ----------
     symmetric : bool
-        Whether each half of a cycle is the other turned upside down.
+        Whether each half of a cycle is the mirror image of the other.
     turns_per_cycle : int
         Turns of the drive in a cycle.
     max_displacement, min_displacement, max_velocity, min_velocity, stick_fraction : Enclosure
-        In B, B w, and as a part of a cycle.
+        In B, in B w, and as a part of a cycle.
     sticks_per_cycle, velocity_zeros_per_cycle : int
     multipliers : list of (Enclosure, Enclosure)
-        Real and imaginary part of what a cycle leaves of a disturbance.
+        Real and imaginary parts of the Floquet multipliers of a cycle.
     start_phase, start_displacement : Enclosure
         A release, or a reversal where the body never stops.
     only_within : float
-        Within this distance (B) of that place there is no other motion of the kind.
+        Within this distance (B) of that displacement there is no other motion of the same kind.
     bits : int
     """
 
@@ -113,7 +113,7 @@ class Steady(Result):
 
 
 class Unproved(NamedTuple):
-    """Why a steady motion is not proved to exist; it is false.
+    """Why a steady motion is not proved to exist; its truth value is false.
 
     >>> from stickslip import enclosed
     >>> enclosed.steady("0.7", "0.9")
@@ -155,7 +155,7 @@ def response(
     omega, alpha, damping_ratio, static_friction_ratio : str, Decimal, int, float or a number of mpmath
         The ratios, exactly as given; the last is static friction over the kinetic one.
     bits : int
-        As many are certain in each output, up to 8192.
+        The number of guaranteed bits in each output, up to 8192.
 
     Examples
     --------
