@@ -1,33 +1,13 @@
 //! The closed forms at any precision: against 40 digits computed independently, and N bits against 2N.
 
 use super::random::Random;
+use super::reference::outputs;
 use stickslip::float::mp::Mp;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.
 fn answers<F: Float>(omega: F, alpha: F) -> Vec<(&'static str, Option<F>)> {
     outputs(&Response::new(Ratios::new(omega, alpha).unwrap()))
-}
-
-/// Every output of a response.
-fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Option<F>)> {
-    let cycle = response.cycle().expect("every point is non-sticking");
-    let border = response.border();
-    vec![
-        ("max_displacement", Some(cycle.max_displacement())),
-        ("displacement_phase", Some(cycle.displacement_phase())),
-        ("max_velocity", Some(cycle.max_velocity())),
-        ("velocity_phase", Some(cycle.velocity_phase())),
-        ("deviation", Some(cycle.deviation())),
-        ("min_force_ratio", Some(border.min_force_ratio())),
-        ("min_force_ratio_turning_point", Some(border.turning_point())),
-        ("border_phase", Some(border.phase())),
-        ("loop_size_stiffness", response.loop_size_stiffness()),
-        ("loop_size_inertia", response.loop_size_inertia()),
-        ("best_force_ratio", Some(response.best_force_ratio())),
-        ("best_loop_size", response.best_loop_size()),
-        ("contraction", Some(cycle.contraction())),
-    ]
 }
 
 fn forty_digits<const L: usize>() {

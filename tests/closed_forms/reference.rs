@@ -1,6 +1,6 @@
 //! The closed forms against values computed independently at 90 digits, from the doubles of Ω and α.
 
-use stickslip::{Ratios, Response};
+use stickslip::{Float, Ratios, Response};
 
 /// One row of `tests/data/points.csv`: 40 digits a value, empty where it is infinite.
 struct Point {
@@ -26,8 +26,8 @@ fn points() -> Vec<Point> {
         .collect()
 }
 
-fn answers(omega: f64, alpha: f64) -> Vec<(&'static str, Option<f64>)> {
-    let response = Response::new(Ratios::new(omega, alpha).unwrap());
+/// Every output of the table, by name; the body must not stick.
+pub(crate) fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Option<F>)> {
     let cycle = response.cycle().expect("every point is non-sticking");
     let border = response.border();
     vec![
@@ -52,7 +52,7 @@ fn every_output_at_every_point_to_1e_13() {
     let points = points();
     assert_eq!(points.len(), 17);
     for Point { omega, alpha, values } in &points {
-        let answers = answers(*omega, *alpha);
+        let answers = outputs(&Response::new(Ratios::new(*omega, *alpha).unwrap()));
         assert_eq!(answers.len(), values.len(), "every column has its answer");
         for ((name, answer), (column, expected)) in answers.iter().zip(values) {
             assert_eq!(name, column);
