@@ -122,7 +122,8 @@ fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, LengthMismatc
                         let (name, point) = (OUTPUTS[place].name(), points[i]);
                         let (found, due) = (column[i], due[i][place]);
                         println!(
-                            "{level:?}, slices of {length}, {name} of {set:?}: {found:e} for {due:e} at {point:?}"
+                            "{level:?}, slices of {length}, {name} of {set:?}: {found:e} for {due:e} at \
+                             {point:?}"
                         );
                         is_same = false;
                     }

@@ -45,7 +45,8 @@ pub enum Error {
     },
     /// A static friction below the kinetic one.
     #[error(
-        "static friction ratio η = {static_friction_ratio} must be ≥ 1: static friction is not below the kinetic one"
+        "static friction ratio η = {static_friction_ratio} must be ≥ 1: static friction is not below the \
+         kinetic one"
     )]
     BelowKineticFriction {
         /// Static friction ratio η = r_s/r_y.
@@ -53,7 +54,8 @@ pub enum Error {
     },
     /// A static friction above the kinetic one in a calculation that does not include it.
     #[error(
-        "static friction ratio η = {static_friction_ratio} must be 1 here: this calculation does not include static friction above the kinetic one"
+        "static friction ratio η = {static_friction_ratio} must be 1 here: this calculation does not \
+         include static friction above the kinetic one"
     )]
     StaticFriction {
         /// Static friction ratio η = r_s/r_y.
@@ -101,7 +103,8 @@ pub enum Error {
     },
     /// No non-sticking cycle anywhere in a range of frequency ratios.
     #[error(
-        "force ratio α = {alpha} must be ≥ {least}, the minimum of the border for {low} ≤ Ω ≤ {high}: below it the body sticks throughout"
+        "force ratio α = {alpha} must be ≥ {least}, the minimum of the border for {low} ≤ Ω ≤ {high}: below \
+         it the body sticks throughout"
     )]
     SticksThroughout {
         /// Force ratio α.
@@ -127,7 +130,8 @@ pub enum Error {
     },
     /// A force ratio too close to a minimum of the border for the arithmetic to decide.
     #[error(
-        "force ratio α = {alpha} must differ more from {least}, the minimum of the border near Ω = {omega}, for this number type to decide on which side it is"
+        "force ratio α = {alpha} must differ more from {least}, the minimum of the border near Ω = {omega}, \
+         for this number type to decide on which side it is"
     )]
     Undecided {
         /// Force ratio α.
@@ -139,7 +143,8 @@ pub enum Error {
     },
     /// No finite answer at Ω = 1, where the body either sticks or its motion grows without bound.
     #[error(
-        "frequency ratio Ω = 1 must be excluded for {quantity} to have an answer: there the body sticks or its motion grows without bound"
+        "frequency ratio Ω = 1 must be excluded for {quantity} to have an answer: there the body sticks or \
+         its motion grows without bound"
     )]
     AtResonance {
         /// The requested quantity.
@@ -160,7 +165,8 @@ pub enum Error {
     NotIdentified,
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
-        "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the frequency"
+        "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the \
+         frequency"
     )]
     ForceOfFrequency {
         /// The drive.
@@ -168,12 +174,14 @@ pub enum Error {
     },
     /// A base motion, whose force k u_g0 depends on the unknown stiffness.
     #[error(
-        "drive = base motion must be a force: under base motion the force would depend on the unknown stiffness"
+        "drive = base motion must be a force: under base motion the force would depend on the unknown \
+         stiffness"
     )]
     BaseMotion,
     /// A motion that had not settled when the periods allowed were over.
     #[error(
-        "force ratio α = {alpha} must be followed for more periods at Ω = {omega}: the motion did not settle within those allowed"
+        "force ratio α = {alpha} must be followed for more periods at Ω = {omega}: the motion did not \
+         settle within those allowed"
     )]
     NotSettled {
         /// Frequency ratio Ω.
@@ -183,7 +191,8 @@ pub enum Error {
     },
     /// A search that exceeded its proved bound without an answer. No input is known that causes it.
     #[error(
-        "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: the search stopped at that bound"
+        "{search} from phase ω_d t = {phase} on at Ω = {omega}, α = {alpha} must be found within {bound}: \
+         the search stopped at that bound"
     )]
     SearchBound {
         /// What was searched for.
@@ -202,7 +211,8 @@ pub enum Error {
     Interrupted,
     /// No bounded motion: Ω = 1 and α above 4/π.
     #[error(
-        "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude grows in every cycle"
+        "frequency ratio Ω = 1 must be ≠ 1 for a bounded motion where α = {alpha} > 4/π: the amplitude \
+         grows in every cycle"
     )]
     Unbounded {
         /// Force ratio α.

@@ -77,7 +77,8 @@ fn the_page_has_the_errors_at_its_points() {
         let last = if printed < 1e4 { 0.005_001 } else { 0.06 * printed };
         assert!(
             (found - printed).abs() <= last,
-            "{row}: now {found} ulp; `cargo bench --features mp --bench accuracy -- 10000000 1 --write` renews the page"
+            "{row}: now {found} ulp; `cargo bench --features mp --bench accuracy -- 10000000 1 --write` \
+             renews the page"
         );
         compared += 1;
     };

@@ -333,7 +333,11 @@ mod any {
 
         /// Of any number of points, hard on purpose, wherever their slice begins.
         #[test]
-        fn batches_keep_their_promises(bytes in prop::collection::vec(any::<u8>(), 0..600), offset in 0usize..16, length in 0usize..400) {
+        fn batches_keep_their_promises(
+            bytes in prop::collection::vec(any::<u8>(), 0..600),
+            offset in 0usize..16,
+            length in 0usize..400,
+        ) {
             let mut from = Unstructured::new(&bytes);
             let mut points = Vec::new();
             while !from.is_empty() {

@@ -232,7 +232,10 @@ proptest! {
     }
 
     #[test]
-    fn the_range_of_the_border_holds_it(ends in (frequency_ratios(), frequency_ratios()), share in 0.0f64..1.0) {
+    fn the_range_of_the_border_holds_it(
+        ends in (frequency_ratios(), frequency_ratios()),
+        share in 0.0f64..1.0,
+    ) {
         let (low, high) = (ends.0.min(ends.1), ends.0.max(ends.1));
         let ratios = RatioBox::new(Interval::between(low, high).unwrap(), Interval::exactly(2.0)).unwrap();
         let range = ratios.range(Output::MinForceRatio, 0).unwrap().unwrap();

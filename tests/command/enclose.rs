@@ -32,7 +32,8 @@ fn the_closed_forms_with_their_error_bounds() {
         assert!((number("mid") - value).abs() < 1e-14 * value && number("rad") < 1e-18 * value, "{name}");
     }
     let damped = json(
-        "response --omega 0.4 --alpha 9 --damping-ratio 0.02 --static-friction-ratio 1.1 --enclose --format json",
+        "response --omega 0.4 --alpha 9 --damping-ratio 0.02 --static-friction-ratio 1.1 --enclose --format \
+         json",
     );
     let plain =
         json("response --omega 0.4 --alpha 9 --damping-ratio 0.02 --static-friction-ratio 1.1 --format json");

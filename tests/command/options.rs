@@ -11,7 +11,8 @@ const QUESTIONS: [&str; 27] = [
     "border --mass 50 --stiffness 1000 --friction 5 --frequency 6",
     "border --points POINTS",
     "steady --omega 0.5 --alpha 6",
-    "steady --mass 50 --stiffness 1000 --friction 5 --frequency 2.2360679774997896964 --foot-displacement 0.03",
+    "steady --mass 50 --stiffness 1000 --friction 5 --frequency 2.2360679774997896964 --foot-displacement \
+     0.03",
     "steady --points POINTS",
     "simulate --omega 0.4 --alpha 6 --cycles 1",
     "simulate --mass 50 --stiffness 1000 --friction 5 --frequency 2 --force 12 --cycles 1",

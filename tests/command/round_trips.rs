@@ -108,7 +108,8 @@ proptest! {
         };
         let due: Vec<Named> =
             motion.map(Result::unwrap).take_while(|p| p.start().phase.cycles() < cycles).map(|p| of_phase(&p)).collect();
-        let line = format!("simulate --omega={omega} --alpha={alpha:e} --x0={x} --v0={v:e} --cycles={cycles}");
+        let line = format!("simulate --omega={omega} --alpha={alpha:e} --x0={x} --v0={v:e} \
+            --cycles={cycles}");
         prop_assert_eq!(&of_csv::<f64>(&stdout(&format!("{line} --format csv"))), &due);
         let due: Vec<Named> = due.into_iter().map(sorted).collect();
         prop_assert_eq!(of_lines::<f64>(&stdout(&format!("{line} --format jsonl"))), due);

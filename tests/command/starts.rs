@@ -59,7 +59,8 @@ fn limits_of_starts_go_on_after_the_last_whole_row() {
 #[test]
 fn a_killed_run_goes_on() {
     // Slow enough to be met on its way: a start takes some 200 turns of a chaotic motion.
-    let question = "attractors --omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 --max-periods 400 \
+    let question = "attractors --omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 \
+        --max-periods 400 \
                     --starts 300";
     let (file, kept) = (place("starts-unbroken"), place("starts-killed"));
     let answer = stdout(&format!("{question} --rows {}", file.display()));

@@ -54,7 +54,8 @@ fn the_damper_that_dissipates_most() {
 #[test]
 fn a_response_curve_of_ones_own_machine() {
     let rows = stdout(
-        "response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --base-acceleration 0.15g \
+        "response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --base-acceleration \
+         0.15g \
          --frequency 0.6Hz:3Hz:4 --units N,mm",
     );
     let mut lines = rows.lines();
@@ -94,8 +95,10 @@ fn a_million_points_to_parquet() {
     use parquet::record::RowAccessor;
     let file = place("task-million.parquet");
     stdout(&format!(
-        "sweep response --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm --frequency 0.5Hz:5Hz:1000 \
-         --base-acceleration 0.08g:0.5g:1000 --outputs frequency,base_acceleration,physical.max_displacement --out {}",
+        "sweep response --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm --frequency \
+         0.5Hz:5Hz:1000 \
+         --base-acceleration 0.08g:0.5g:1000 --outputs \
+         frequency,base_acceleration,physical.max_displacement --out {}",
         file.display()
     ));
     let reader = SerializedFileReader::new(std::fs::File::open(file).unwrap()).unwrap();
@@ -107,7 +110,8 @@ fn a_million_points_to_parquet() {
         let row = row.unwrap();
         let (hertz, acceleration) = (row.get_double(0).unwrap(), row.get_double(1).unwrap());
         let one = json(&format!(
-            "response --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm --frequency {hertz}Hz \
+            "response --mass 800kg --period 2.2s --friction-coefficient 0.05 --units N,mm --frequency \
+             {hertz}Hz \
              --base-acceleration {acceleration}mm/s^2 --format json"
         ));
         close(number(&one["physical"]["max_displacement"]), row.get_double(2).unwrap(), 1e-12);
@@ -159,8 +163,10 @@ fn friction_and_damping_from_a_measured_curve() {
 #[test]
 fn machines_over_a_range() {
     let rows = stdout(
-        "sweep steady --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --frequency 0.8Hz,2Hz --units N,mm \
-         --base-acceleration 0.15g --outputs friction_coefficient,frequency,regime,physical.max_displacement,dynamic_amplification",
+        "sweep steady --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --frequency 0.8Hz,2Hz \
+         --units N,mm \
+         --base-acceleration 0.15g --outputs \
+         friction_coefficient,frequency,regime,physical.max_displacement,dynamic_amplification",
     );
     let lines: Vec<&str> = rows.lines().collect();
     assert_eq!(
@@ -170,7 +176,8 @@ fn machines_over_a_range() {
     assert_eq!(lines.len(), 5);
     for (line, (mu, hertz)) in lines[1..].iter().zip([(0.05, 0.8), (0.05, 2.0), (0.12, 0.8), (0.12, 2.0)]) {
         let one = json(&format!(
-            "steady --mass 800kg --period 2.2s --friction-coefficient {mu} --frequency {hertz}Hz --units N,mm \
+            "steady --mass 800kg --period 2.2s --friction-coefficient {mu} --frequency {hertz}Hz --units \
+             N,mm \
              --base-acceleration 0.15g --format json"
         ));
         let cells: Vec<&str> = line.split(',').collect();
@@ -187,17 +194,20 @@ fn machines_over_a_range() {
     let bands = stdout("design bands --mass 1kg --period 2s --friction 1N --force 3N --from 0.1Hz --to 3Hz");
     assert!(bands.contains("rad/s = 3 Hz"), "{bands}");
     let with_units = stdout(
-        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm --outputs \
+        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm \
+         --outputs \
          max_displacement[mm],alpha",
     );
     assert!(with_units.starts_with("alpha,max_displacement[mm]\n3.0,"), "{with_units}");
     refused(
-        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm --outputs \
+        "sweep response --mass 1kg --period 2s --friction 1N --force 3N,4N --frequency 3Hz --units N,mm \
+         --outputs \
          max_displacement[m]",
         &["--outputs max_displacement[m]", "choose from omega,"],
     );
     let map = stdout(
-        "map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 --frequency 0.8Hz,2Hz \
+        "map steady:max_displacement --mass 800kg --period 2.2s --friction-coefficient 0.05,0.12 \
+         --frequency 0.8Hz,2Hz \
          --base-acceleration 0.15g --units N,mm",
     );
     let mapped: Vec<&str> = map.lines().collect();

@@ -201,7 +201,8 @@ fn units_convert_in_and_out() {
         &format!("response {inches} --frequency 6 --force 1N"),
         &["--friction", "“rpm” is a unit of frequency", "a force (N, kN, lbf)"],
     );
-    let start = "simulate --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 6rad/s --force 12kN --cycles 1 --samples 4 --x0 3mm --v0 20mm/s --format csv";
+    let start = "simulate --mass 50t --stiffness 1kN/mm --friction 5kN --frequency 6rad/s --force 12kN \
+        --cycles 1 --samples 4 --x0 3mm --v0 20mm/s --format csv";
     let rows = stdout(start);
     let columns: Vec<&str> = rows.lines().next().unwrap().split(',').collect();
     let first: Vec<f64> = rows.lines().nth(1).unwrap().split(',').map(|x| x.parse().unwrap()).collect();
@@ -214,7 +215,8 @@ fn units_convert_in_and_out() {
 #[test]
 fn units_keep_all_digits_of_wide_numbers() {
     let answer = json(
-        "response --bits 256 --mass 3lb --period 2.2s --friction 1lbf --frequency 2Hz --force 12lbf --format json",
+        "response --bits 256 --mass 3lb --period 2.2s --friction 1lbf --frequency 2Hz --force 12lbf \
+         --format json",
     );
     // 3 × 0.45359237, and 12 pounds of force over one of friction.
     let mass = answer["physical"]["mass"].as_str().unwrap();
@@ -241,27 +243,81 @@ fn what_was_meant_is_said() {
 fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
     let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05";
     for (arguments, parts) in [
-        (format!("response {machine} --frequency 2s --force 1N"), vec!["--frequency 2s", "“s” is a unit of time", "Hz, rad/s, rpm"]),
-        (format!("response {machine} --frequency 2Hz --force 1kg"), vec!["--force 1kg", "“kg” is a unit of mass"]),
-        (format!("response {machine} --frequency 2Hz --force 1xN"), vec!["“xN” is not a known unit", "N, kN, lbf"]),
-        (format!("response {machine} --frequency 2Hz --force 12"), vec!["--force 12: has no unit beside --mass 800kg"]),
-        (format!("response {machine} --stiffness 1N/m --frequency 2Hz --force 1N"), vec!["--stiffness and --period"]),
-        (format!("response {machine} --friction 1N --frequency 2Hz --force 1N"), vec!["--friction and --friction-coefficient"]),
-        (format!("response {machine} --frequency 2Hz --force 1N --base-acceleration 0.15g"), vec!["--force and --base-acceleration"]),
-        (format!("response {machine} --frequency 2Hz"), vec!["--force (or --base-acceleration", "is missing"]),
+        (
+            format!("response {machine} --frequency 2s --force 1N"),
+            vec!["--frequency 2s", "“s” is a unit of time", "Hz, rad/s, rpm"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --force 1kg"),
+            vec!["--force 1kg", "“kg” is a unit of mass"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --force 1xN"),
+            vec!["“xN” is not a known unit", "N, kN, lbf"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --force 12"),
+            vec!["--force 12: has no unit beside --mass 800kg"],
+        ),
+        (
+            format!("response {machine} --stiffness 1N/m --frequency 2Hz --force 1N"),
+            vec!["--stiffness and --period"],
+        ),
+        (
+            format!("response {machine} --friction 1N --frequency 2Hz --force 1N"),
+            vec!["--friction and --friction-coefficient"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --force 1N --base-acceleration 0.15g"),
+            vec!["--force and --base-acceleration"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz"),
+            vec!["--force (or --base-acceleration", "is missing"],
+        ),
         (format!("response {machine} --force 1N"), vec!["--frequency is missing"]),
-        ("response --mass 800kg --friction 1N --frequency 2Hz --force 1N".to_owned(), vec!["--stiffness (or --period, or --omega) is missing"]),
-        ("response --mass 1kg --period -2s --friction 1N --frequency 2Hz --force 1N".to_owned(), vec!["--period -2s", "must be > 0"]),
-        ("response --mass 1kg --period 2s --friction-coefficient -1 --frequency 2Hz --force 1N".to_owned(), vec!["--friction-coefficient -1", "must be > 0"]),
-        ("response --mass 1kg --period 2s --friction 1N --gravity 3m/s2 --frequency 2Hz --force 1N".to_owned(), vec!["--gravity", "--friction-coefficient"]),
-        (format!("response {machine} --frequency 2Hz --base-acceleration -0.15g"), vec!["--base-acceleration -0.15g", "> 0"]),
-        (format!("response {machine} --frequency 2Hz --force 1N --units furlong,m"), vec!["--units", "“furlong” is not a unit of force"]),
-        ("steady --omega 0.5 --alpha 3.3 --static-friction 1.3".to_owned(), vec!["--static-friction 1.3: the static friction r_s", "--mass is missing", "give --static-friction-ratio"]),
-        ("steady --omega 0.5 --alpha 3.3 --damping 0.05".to_owned(), vec!["--damping 0.05: the damping constant c", "give --damping-ratio"]),
+        (
+            "response --mass 800kg --friction 1N --frequency 2Hz --force 1N".to_owned(),
+            vec!["--stiffness (or --period, or --omega) is missing"],
+        ),
+        (
+            "response --mass 1kg --period -2s --friction 1N --frequency 2Hz --force 1N".to_owned(),
+            vec!["--period -2s", "must be > 0"],
+        ),
+        (
+            "response --mass 1kg --period 2s --friction-coefficient -1 --frequency 2Hz --force 1N".to_owned(),
+            vec!["--friction-coefficient -1", "must be > 0"],
+        ),
+        (
+            "response --mass 1kg --period 2s --friction 1N --gravity 3m/s2 --frequency 2Hz --force 1N".to_owned(),
+            vec!["--gravity", "--friction-coefficient"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --base-acceleration -0.15g"),
+            vec!["--base-acceleration -0.15g", "> 0"],
+        ),
+        (
+            format!("response {machine} --frequency 2Hz --force 1N --units furlong,m"),
+            vec!["--units", "“furlong” is not a unit of force"],
+        ),
+        (
+            "steady --omega 0.5 --alpha 3.3 --static-friction 1.3".to_owned(),
+            vec!["--static-friction 1.3: the static friction r_s", "--mass is missing", "give --static-friction-ratio"],
+        ),
+        (
+            "steady --omega 0.5 --alpha 3.3 --damping 0.05".to_owned(),
+            vec!["--damping 0.05: the damping constant c", "give --damping-ratio"],
+        ),
         ("response --omega 2Hz --alpha 3".to_owned(), vec!["--omega 2Hz", "a plain number"]),
         ("steady --omega 2 --alpha 3 --x0 3mm".to_owned(), vec!["--x0 3mm", "a plain number"]),
-        ("design bands --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz".to_owned(), vec!["changes with the frequency"]),
-        ("design stiffness --mass 800kg --friction 1N --frequency 2Hz --force 3N --from 1Hz --to 2N/m".to_owned(), vec!["--from 1Hz", "a stiffness (N/m"]),
+        (
+            "design bands --mass 800kg --period 2.2s --friction 1N --base-displacement 3mm --from 1Hz --to 2Hz".to_owned(),
+            vec!["changes with the frequency"],
+        ),
+        (
+            "design stiffness --mass 800kg --friction 1N --frequency 2Hz --force 3N --from 1Hz --to 2N/m".to_owned(),
+            vec!["--from 1Hz", "a stiffness (N/m"],
+        ),
     ] {
         refused(&arguments, &parts);
     }
@@ -378,7 +434,8 @@ fn a_moving_foot_and_the_surface_feel_the_inertia() {
     {
         for question in ["response", "steady"] {
             let answer = json(&format!(
-                "{question} --mass 1kg --stiffness 100N/m --friction 1N --frequency {frequency}rad/s --foot-displacement {foot}m{damper} --format json"
+                "{question} --mass 1kg --stiffness 100N/m --friction 1N --frequency {frequency}rad/s \
+                 --foot-displacement {foot}m{damper} --format json"
             ));
             let physical = &answer["physical"];
             let acceleration = number(&physical["max_acceleration"]);
@@ -389,7 +446,8 @@ fn a_moving_foot_and_the_surface_feel_the_inertia() {
         }
     }
     let rows = stdout(
-        "response-curve transmissibility --mass 1kg --stiffness 100N/m --friction 1N --frequency 100rad/s,150rad/s --foot-displacement 40mm",
+        "response-curve transmissibility --mass 1kg --stiffness 100N/m --friction 1N --frequency \
+         100rad/s,150rad/s --foot-displacement 40mm",
     );
     let last = rows.lines().last().unwrap().split(',').nth(3).unwrap().parse::<f64>().unwrap();
     assert!((0.005..0.006).contains(&last), "{rows}");
@@ -398,7 +456,8 @@ fn a_moving_foot_and_the_surface_feel_the_inertia() {
 /// Of a base whose acceleration is given the force is the same at every frequency.
 #[test]
 fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
-    let isolator = "design bands --mass 800kg --period 2.2s --friction-coefficient 0.05 --from 0.1Hz --to 5Hz --format json";
+    let isolator = "design bands --mass 800kg --period 2.2s --friction-coefficient 0.05 --from 0.1Hz --to \
+        5Hz --format json";
     let base = json(&format!("{isolator} --base-acceleration 0.7m/s2"));
     let force = json(&format!("{isolator} --force 560N"));
     for end in ["frequency_from", "frequency_to"] {

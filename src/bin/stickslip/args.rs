@@ -45,24 +45,25 @@ Examples:
   stickslip help sweep
 
 Units:
-  Without a machine everything is a ratio: lengths in B = r_y/k, velocities in B ω_d, forces in r_y, energies in r_y B,
-  phases ω_d t in rad. A machine (--mass, --stiffness, --friction, --frequency) may be given with units: 800kg, 12kN/mm,
-  5kN, 2Hz, 0.15g; answers are in SI, or in those of --units, such as kN,mm. Bare numbers are in any one consistent
-  system, that of --units if given; a bare frequency is in rad/s. `stickslip outputs` defines every output.
+  Without a machine every value is a ratio: lengths are in B = r_y/k, velocities in B ω_d, forces in r_y, energies
+  in r_y B, phases ω_d t in rad. The values of a machine (--mass, --stiffness, --friction, --frequency) may have
+  units: 800kg, 12kN/mm, 5kN, 2Hz, 0.15g. Answers are in SI units, or in those of --units, such as kN,mm. Bare
+  numbers are in any one consistent system, that of --units if given; a bare frequency is in rad/s.
+  `stickslip outputs` defines every output.
 
 Exit status:
-  0    success; also where the reader of a pipe has gone, or standard output is closed (>&-) and the answer discarded
-  1    an identity of verify fails, or the system does, as by a full disk
-  2    the input is at fault; one line on standard error says what and how
+  0    success; also if the pipe was closed, or standard output is closed (>&-) and the answer discarded
+  1    an identity of verify fails, or a system error such as a full disk
+  2    invalid input, described by one line on standard error
   130  interrupted by Ctrl-C, SIGTERM or SIGHUP, within 0.3 s; the output ends at a complete record. A second
        interrupt ends the command at once.
 
 Files:
-  A file that exists is not replaced without --overwrite. Pictures and Parquet files appear whole or not at all; a
-  sweep that was broken off, even by kill -9 or a full disk, goes on with --resume, and so do the starts of attractors
-  and basins in their --rows FILE.
+  An existing file is replaced only with --overwrite. Pictures and Parquet files are written completely or not at
+  all. --resume continues a sweep that was interrupted, even by kill -9 or a full disk; attractors and basins continue
+  their --rows FILE in the same way.
 
-On a terminal, work of more than a second shows its progress, and words are coloured unless NO_COLOR is set.";
+On a terminal, work of more than a second shows its progress, and text is coloured unless NO_COLOR is set.";
 
 /// The harmonically forced Coulomb-friction oscillator m x″ + k x + r_y sgn(x′) = p₀ sin ω_d t.
 #[derive(Debug, Parser)]

@@ -140,7 +140,8 @@ impl<F: Value> Asked<'_, F> {
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
         let sentence = format!(
-            "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the spring's foot over a \
+            "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the \
+             spring's foot over a \
              surface that stays, or of {} {length} of a base that carries the surface.",
             of("force"),
             of("foot_displacement"),

@@ -136,7 +136,8 @@ impl<'a> Map<'a> {
             [a, b] => (a.clone(), b.clone()),
             grids => {
                 return Err(Failure::Input(format!(
-                    "map: {} of the quantities are grids, must be two, such as --frequency 0.3Hz:5Hz:200 --force \
+                    "map: {} of the quantities are grids, must be two, such as --frequency 0.3Hz:5Hz:200 \
+                     --force \
                      1kN:20kN:100",
                     grids.len()
                 )));

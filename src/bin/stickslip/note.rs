@@ -50,18 +50,22 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
             "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
         }
         Regime::Sticking => format!(
-            "Sticking: the body stops in each cycle; the force is {margin} of the minimum for continuous sliding."
+            "Sticking: the body stops in each cycle; the force is {margin} of the minimum for continuous \
+             sliding."
         ),
         Regime::NonSticking if response.cycle().is_none() => format!(
-            "Non-sticking: the body never stops; it reverses six times a cycle. The force is {margin} of the minimum for two reversals."
+            "Non-sticking: the body never stops; it reverses six times a cycle. The force is {margin} of \
+             the minimum for two reversals."
         ),
         Regime::NonSticking => {
             format!(
-                "Non-sticking: the body never stops; the force is {margin} times the minimum for continuous sliding."
+                "Non-sticking: the body never stops; the force is {margin} times the minimum for continuous \
+                 sliding."
             )
         }
         Regime::Unbounded => format!(
-            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the displacement grows in every cycle."
+            "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the \
+             displacement grows in every cycle."
         ),
     }
 }
@@ -90,7 +94,8 @@ pub(crate) fn response<F: Value>(
     if response.ratios().has_higher_static_friction() && response.regime() != Regime::Stuck {
         writeln!(
             out,
-            "\nWith static friction above the kinetic one the motion can depend on the start, and the verdict is that of\n\
+            "\nWith static friction above the kinetic one the motion can depend on the start, and the \
+             verdict is that of\n\
              the border alone; `stickslip steady` follows one start."
         )?;
     }

@@ -23,11 +23,12 @@ Examples:
   stickslip attractors --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --unstable 2
   stickslip attractors --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume
 
-The starts are at ω_d t = 0: the first at rest at x = 0, the others spread evenly over |x| ≤ R, |v| ≤ R, always the same. A limit
-that no start leads to is not found.
+The starts are at ω_d t = 0 and always the same: the first at rest at x = 0, the others spread evenly over
+|x| ≤ R, |v| ≤ R. A limit that no start leads to is not found.
 
-A run that was broken off, by Ctrl-C, kill -9 or a full disk, goes on with --resume, and with itself alone: machine and start of every
-row are compared, and as many whole rows, spread evenly, as a second allows. More --starts go on with fewer.";
+--resume continues a run that was interrupted, by Ctrl-C, kill -9 or a full disk. It has to be the same run: machine
+and start of every row are compared, and as many whole rows, evenly spaced, as a second allows. A run with more
+--starts continues one with fewer.";
 
 #[derive(Debug, Args)]
 pub(crate) struct AttractorsArgs {
@@ -67,8 +68,8 @@ Examples:
   stickslip basins --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --x0 -8:8:81 --v0 -8:8:81
   stickslip basins --omega 0.45 --alpha 7.5 --damping-ratio 0.02 --static-friction-ratio 2.5 --rows starts.csv --resume --out basins.svg
 
-The starts are at ω_d t = 0. As rows: the start, the number of its limit and what that is. A run that was broken off goes on with
---rows FILE --resume; from rows that are whole another picture is drawn at once.";
+The starts are at ω_d t = 0. Each row has the start, the number of its limit and the kind of the limit.
+--rows FILE --resume continues an interrupted run; from complete rows another picture is drawn at once.";
 
 #[derive(Debug, Args)]
 pub(crate) struct BasinsArgs {

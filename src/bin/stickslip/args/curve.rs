@@ -5,8 +5,9 @@ use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
 pub(crate) const CURVE_EXAMPLES: &str = "\
-The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log; any other quantity may be a list A,B,C, one curve for each,
-five at most. Where the body stops, the values are of the exact motion from rest, and the line is dashed.
+The frequency is a grid FROM:TO:COUNT, or FROM:TO:COUNT:log. Any other quantity may be a list A,B,C of at most five
+values, with one curve for each. Where the body stops, the values are those of the exact motion from rest, and the
+line is dashed.
 
 Examples:
   stickslip response-curve --mass 800kg --period 2.2s --friction-coefficient 0.05,0.08 --base-acceleration 0.15g \\

@@ -5,9 +5,9 @@ use clap::Args;
 use std::path::PathBuf;
 
 pub(crate) const IDENTIFY_EXAMPLES: &str = "\
-Friction and damping, with their standard errors, from a measured response curve; mass, stiffness and drive are known.
-The file has the columns frequency and amplitude (half of peak to peak), and phase where it was measured: ω_d t of the
-maximum displacement, the force being p₀ sin ω_d t. Units may stand in the header: frequency[Hz],amplitude[mm],phase[deg].
+Friction and damping, with their standard errors, from a measured response curve of known mass, stiffness and drive.
+The file has the columns frequency and amplitude (half of peak to peak), and optionally phase: ω_d t of the maximum
+displacement, if the force is p₀ sin ω_d t. The header may have units: frequency[Hz],amplitude[mm],phase[deg].
 
 Examples:
   stickslip identify curve.csv --mass 800kg --period 2.2s --base-acceleration 0.15g

@@ -22,12 +22,12 @@ Examples:
   stickslip figures --all --dir /tmp/data --format csv";
 
 pub(crate) const MAP_EXAMPLES: &str = "\
-Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (how many, from 16 starts); an output of `response`, such as
-loop_size_stiffness; or steady:NAME for one of `steady`, from rest, such as steady:max_displacement. Of a machine it is in the
-machine's units where it has any.
+Quantities: regime, margin (α/α_min), stops (per cycle, from rest), limits (their number, from 16 starts); an output
+of `response`, such as loop_size_stiffness; or steady:NAME for one of `steady`, from rest, such as
+steady:max_displacement. For a machine, a quantity with a unit is in the machine's units.
 
-Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default: --omega
-0.0525:1.9975:390 --alpha 0.025:7.975:160]. Ω or the frequency goes across.
+Two quantities are grids, FROM:TO:COUNT, FROM:TO:COUNT:log or A,B,C: Ω and α unless others are given [default:
+--omega 0.0525:1.9975:390 --alpha 0.025:7.975:160]. The horizontal axis is Ω or the frequency.
 
 Examples:
   stickslip map --out regime.svg

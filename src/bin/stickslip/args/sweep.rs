@@ -5,8 +5,8 @@ use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 
 pub(crate) const SWEEP_EXAMPLES: &str = "\
-Ω and α, and every quantity of a machine, may be a grid: FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for equal
-ratios, or a list A,B,C. The first of them, in the order of the options below, is the slow index.
+Ω and α, and every quantity of a machine, may be a grid: FROM:TO:COUNT, both ends included, FROM:TO:COUNT:log for
+equal ratios, or a list A,B,C. The first of them, in the order of the options below, varies slowest.
 
 Examples:
   stickslip sweep response --omega 0.5:2:301 --alpha 2,4,8 > sweep.csv
@@ -18,17 +18,17 @@ Examples:
     --base-acceleration 0.15g --units N,mm --outputs frequency,friction,physical.max_displacement --out stroke.csv
   stickslip sweep response --omega 0.5:2:301 --alpha 2:8:61 --shard 2/4 --no-header --out part2.csv
 
-The parts 1/n … n/n are the whole: as rows joined by cat, all but the first made with --no-header; as Parquet files
-read together, as any query engine does.
+The parts 1/n … n/n together are the whole sweep. Parts as rows are joined by cat, if all but the first are made with
+--no-header; Parquet files are read together by any query engine.
 
-A sweep that was broken off, by Ctrl-C, kill -9 or a full disk, goes on with --resume. It goes on with itself alone:
-Ω and α of every row that is kept are compared, and as many whole rows, spread evenly, as a second allows; without
-the columns omega and alpha all rows are computed anew to compare them. Rows of CSV and JSON lines are in FILE as they
-come; those of Parquet are in FILE.parts, Parquet files themselves, until the sweep is whole. A kill loses the last
-second of rows at most.
+--resume continues a sweep that was interrupted, by Ctrl-C, kill -9 or a full disk. It has to be the same sweep: Ω and
+α of every existing row are compared, and as many whole rows, evenly spaced, as a second allows. Without the columns
+omega and alpha all rows are computed again to compare them. Rows of CSV and JSON lines are written to FILE as they
+come. Rows of Parquet are kept in FILE.parts, which are Parquet files themselves, until the sweep is complete. A kill
+loses at most the last second of rows.
 
-Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B, phases are ω_d t in rad. A machine has columns in
-its own units as well, max_displacement[mm] beside max_displacement: --outputs calls it physical.max_displacement.";
+Lengths are in units of B = r_y/k, velocities of B ω_d, energies of r_y B; phases are ω_d t in rad. For a machine there
+are columns in its own units as well, such as max_displacement[mm], which --outputs calls physical.max_displacement.";
 
 /// What is swept.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

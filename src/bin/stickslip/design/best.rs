@@ -68,7 +68,8 @@ impl<F: Value> Asked<'_, F> {
             ));
         }
         if self.given.has(P::DampingRatio) {
-            let text = "--damping-ratio: it changes with the stiffness that is asked for; give the damping constant by --damping";
+            let text = "--damping-ratio: it changes with the stiffness that is asked for; give the damping \
+                constant by --damping";
             return Err(Failure::Input(text.to_owned()));
         }
         let body = self.body(false, true)?;

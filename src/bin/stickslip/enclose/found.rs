@@ -112,8 +112,11 @@ impl Answer<'_> {
                     "Below the border: no cycle of two reversals goes without a stop. This is certain."
                         .to_owned()
                 }
-                Some(Regime::NonSticking) if self.typed.iter().any(|(name, _)| *name == "static_friction_ratio") => {
-                    "Non-sticking: a cycle without a stop exists. This is certain; other starts may lead to other motions."
+                Some(Regime::NonSticking)
+                    if self.typed.iter().any(|(name, _)| *name == "static_friction_ratio") =>
+                {
+                    "Non-sticking: a cycle without a stop exists. This is certain; other starts may lead to \
+                     other motions."
                         .to_owned()
                 }
                 Some(Regime::NonSticking) => {

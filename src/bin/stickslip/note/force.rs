@@ -93,7 +93,8 @@ pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     match found.six_reversals() {
         None => format!("at a force of {border} {unit} or more"),
         Some((low, high)) => format!(
-            "at a force of {} to {} {unit}, where it reverses six times a cycle, and of {border} {unit} or more",
+            "at a force of {} to {} {unit}, where it reverses six times a cycle, and of {border} {unit} or \
+             more",
             digits(low),
             digits(high)
         ),

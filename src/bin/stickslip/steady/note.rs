@@ -33,7 +33,8 @@ pub(super) fn note<F: Value>(
         LongRun::Family(steady) => {
             writeln!(
                 out,
-                "{} At Ω = 1/(2n) the periodic motions are a family; this is the one that the start leads to.\n",
+                "{} At Ω = 1/(2n) the periodic motions are a family; the start \
+                 leads to this one.\n",
                 style::verdict(&verdict(steady, &seen))
             )?;
             motion(steady, point, units, out)
@@ -73,7 +74,8 @@ pub(super) fn note<F: Value>(
         LongRun::NotConverged { residual, periods, .. } => {
             let (periods, left) = (digits(periods.to_f64()), length(*residual));
             let sentence = format!(
-                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with --max-periods. By the borders its limit is {}.",
+                "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with \
+                 --max-periods. By the borders its limit is {}.",
                 seen.regime.name()
             );
             writeln!(out, "{}", style::verdict(&sentence))
