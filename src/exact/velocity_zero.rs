@@ -141,7 +141,7 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The error of a search along this slide that passed its bound.
+    /// The error of a search along this slide that exceeded its bound.
     #[cold]
     pub(crate) fn lost(&self, search: &'static str) -> Broken {
         let bound = if self.equation.is_damped() {
@@ -167,7 +167,7 @@ impl<F: Float> Slide<F> {
         self.motion_at_start().velocity_jet::<DAMPED>(&self.equation, self.direction.sign::<F>())
     }
 
-    /// What is known of the velocity before it is looked at.
+    /// The known properties of the velocity before its evaluation.
     #[inline]
     fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<F> {
         let sign = self.direction.sign::<F>();
@@ -239,9 +239,8 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The two waves of the velocity with damping, where their windows take less than the stretches that they
-    /// leave out: for Ω above 2 or below 1/8, below 1/4 where the free wave soon dies out, and for ζ from 1/2
-    /// on.
+    /// The two waves of the velocity with damping, if their windows cost less than the skipped stretches: for
+    /// Ω > 2 or Ω < 1/8, for Ω < 1/4 if the free wave decays soon, and for ζ ≥ 1/2.
     #[inline]
     fn damped_waves(&self) -> Option<Box<Waves<F>>> {
         let (one, two, four) = (F::int(1), F::int(2), F::int(4));
