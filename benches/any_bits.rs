@@ -83,7 +83,7 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
     let [omega, alpha, third] = input;
     let (known, moved) = (in_domain(omega), alpha > 0.0 && alpha <= 2f64.powi(250));
     count.value("K", input, PhaseFunction::new(omega).map(|p| p.value()), Some(known));
-    let border = Border::new(omega).map(|b| b.min_force_ratio());
+    let border = Border::new(omega).map(|b| b.min_force_ratio);
     let least = border.as_ref().copied().unwrap_or(f64::NAN);
     count.value("border", input, border, Some(known));
     let ratios = Ratios::new(omega, alpha);
@@ -98,16 +98,16 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
     count.value("Δ₀ for", input, design::force_ratio_for_displacement(omega, 0.0, third), None);
     count.value("ratios", input, ratios.clone().map(|r| r.alpha()), Some(known && moved));
     let Ok(ratios) = ratios else { return };
-    count.value("cycle", input, Cycle::new(ratios).map(|c| c.max_velocity()), Some(slides));
+    count.value("cycle", input, Cycle::new(ratios).map(|c| c.max_velocity), Some(slides));
     let answer = Response::new(ratios);
-    assert_eq!(answer.cycle().is_some(), slides, "{input:?}");
-    count.value("α*", input, Ok(answer.best_force_ratio()), Some(true));
-    let Some(cycle) = answer.cycle() else { return };
+    assert_eq!(answer.cycle.as_ref().is_some(), slides, "{input:?}");
+    count.value("α*", input, Ok(answer.best_force_ratio), Some(true));
+    let Some(cycle) = answer.cycle.as_ref() else { return };
     for (name, x) in [
-        ("Δ₀", cycle.max_displacement()),
-        ("V₀", cycle.max_velocity()),
-        ("t₂", cycle.displacement_phase()),
-        ("t₁", cycle.velocity_phase()),
+        ("Δ₀", cycle.max_displacement),
+        ("V₀", cycle.max_velocity),
+        ("t₂", cycle.displacement_phase),
+        ("t₁", cycle.velocity_phase),
         ("A₁", cycle.loop_size_stiffness()),
         ("A₂", cycle.loop_size_inertia()),
         ("λ", cycle.contraction()),

@@ -53,7 +53,7 @@ impl Random {
             2 => (1.0 + beside) / (1.0 + (i % 7) as f64),
             _ => 0.05 + 0.95 * self.uniform(),
         };
-        let border = Border::new(omega).map_or(1.0, |border| border.min_force_ratio());
+        let border = Border::new(omega).map_or(1.0, |border| border.min_force_ratio);
         let alpha = match i % 5 {
             0 => border,
             1 => border.next_up(),

@@ -35,7 +35,7 @@ fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
 #[inline(never)]
 fn steady_map(omega: &[f64], alpha: &[f64]) -> f64 {
     let motions = stickslip::batch::Batch::new().steady(omega, alpha).unwrap_or_default();
-    motions.iter().flatten().filter_map(|m| Some(m.steady_state()?.max_displacement())).sum()
+    motions.iter().flatten().filter_map(|m| Some(m.steady_state()?.max_displacement.value)).sum()
 }
 
 fn main() {

@@ -9,7 +9,9 @@ use stickslip::{Error, Ratios};
 
 fn greatest(omega: f64, alpha: f64, zeta: f64) -> Result<Option<f64>, Error> {
     let ratios = Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?;
-    Ok(LongRun::from_start(ratios, State::rest())?.steady_state().map(|steady| steady.max_displacement()))
+    Ok(LongRun::from_start(ratios, State::default())?
+        .steady_state()
+        .map(|steady| steady.max_displacement.value))
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

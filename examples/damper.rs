@@ -32,7 +32,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
         let slip_load = share * best.at;
         let floor = floor(slip_load)?;
         let cycle = Cycle::new(drive.ratios(&floor)?)?;
-        let stroke = cycle.max_displacement() * Scales::new(&floor, &drive)?.length;
+        let stroke = cycle.max_displacement * Scales::new(&floor, &drive)?.length;
         let energy = 4.0 * slip_load * stroke;
         let (kilonewton, millimetre) = (slip_load / 1e3, stroke * 1e3);
         writeln!(

@@ -24,7 +24,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
         let least = design::min_amplitude(&spool, Excitation::Force, TAU * hertz)?;
         let dither = Drive::force(1.2 * least, TAU * hertz)?;
         let cycle = Cycle::new(dither.ratios(&spool)?)?;
-        let shake = cycle.max_displacement() * Scales::new(&spool, &dither)?.length;
+        let shake = cycle.max_displacement * Scales::new(&spool, &dither)?.length;
         writeln!(out, "{hertz:>6} Hz  {least:>9.2} N  ± {:.0} µm", 1e6 * shake)?;
     }
     Ok(())

@@ -32,8 +32,8 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
         let frequency = TAU * hertz;
         let drive = Drive::force(MASS * FLOOR, frequency)?;
         let response = Response::new(drive.ratios(&cabinet)?);
-        let cycle = response.cycle().ok_or("it sticks: the exact motion has the answer")?;
-        let slide = cycle.max_displacement() * Scales::new(&cabinet, &drive)?.length;
+        let cycle = response.cycle.as_ref().ok_or("it sticks: the exact motion has the answer")?;
+        let slide = cycle.max_displacement * Scales::new(&cabinet, &drive)?.length;
         let felt = (stiffness * slide + FRICTION) / MASS;
         let least = design::min_amplitude(&cabinet, Excitation::Force, frequency)? / MASS;
         writeln!(out, "{hertz:>5} Hz   {slide:>7.4} m   {felt:>8.3} m/s²   {least:>10.3} m/s²")?;

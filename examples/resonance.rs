@@ -23,8 +23,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Error>> {
     let (one, alpha) = (Number::int(1), Number::ratio(3, 2));
     let at_resonance = Number::int(4) / Number::pi();
-    writeln!(out, "border at Ω = 1  {:.200}", Border::new(one)?.min_force_ratio())?;
-    writeln!(out, "less 4/π         {:e}", (Border::new(one)?.min_force_ratio() - at_resonance).to_f64())?;
+    writeln!(out, "border at Ω = 1  {:.200}", Border::new(one)?.min_force_ratio)?;
+    writeln!(out, "less 4/π         {:e}", (Border::new(one)?.min_force_ratio - at_resonance).to_f64())?;
     let limit = (alpha.square() - at_resonance.square()).sqrt();
     writeln!(out, "Ω − 1      Δ₀/B           Δ₀/B |1 − Ω²| off its limit   1 − |λ|")?;
     for exponent in ["-1", "-3", "-10", "-50", "-150"] {
@@ -32,7 +32,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
             let offset: Number = format!("{sign}1e{exponent}").parse()?;
             let omega = one + offset;
             let cycle = Cycle::new(Ratios::new(omega, alpha)?)?;
-            let reach = cycle.max_displacement();
+            let reach = cycle.max_displacement;
             let scaled = reach * ((one - omega) * (one + omega)).abs();
             let (off, settling) = ((scaled / limit - one).abs(), one - cycle.contraction());
             writeln!(

@@ -95,30 +95,23 @@ impl Regime {
 
 /// The answer at ratios that are known, or known to intervals.
 #[derive(Debug, Clone)]
+#[non_exhaustive]
 pub struct Response {
-    answers: Answers,
+    /// What the body does; `None` where that is undecided at these [`bits`](Response::bits).
+    pub regime: Option<Regime>,
+    /// The bits it was computed with in the end.
+    pub bits: u32,
+    values: Vec<(Output, Enclosure)>,
 }
 
 impl Response {
-    /// What the body does; `None` where that is undecided at [`Response::bits`].
-    #[must_use]
-    pub const fn regime(&self) -> Option<Regime> {
-        self.answers.regime
-    }
-
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
     /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0,
     /// 2π) by what the ball needs.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
-        self.answers.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
-    }
-
-    /// The bits it was computed with in the end.
-    #[must_use]
-    pub const fn bits(&self) -> u32 {
-        self.answers.bits
+        self.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
     }
 }
 
@@ -203,7 +196,11 @@ impl<'a> At<'a> {
     }
 
     fn answered(&self, bits: u32) -> Result<Response, Error> {
-        sharpest(self, valid(bits)?).map(|answers| Response { answers })
+        sharpest(self, valid(bits)?).map(|found| Response {
+            regime: found.regime,
+            bits: found.bits,
+            values: found.values,
+        })
     }
 
     /// Whether nothing but Ω and α is asked for.

@@ -23,7 +23,7 @@
 //! |---|---|
 //! | `event`, `search`, `stretch`, `cover`, `window` | the next zero of a vibration, with its proof |
 //! | `velocity_zero`, `fastest`, `expect` | the end of a slide, its maximum speed, and where both are looked for first |
-//! | [`Trajectory`], [`Samples`] | the motion phase by phase, and at evenly spaced phases |
+//! | [`Trajectory`], [`Samples`] | the motion segment by segment, and at evenly spaced phases |
 //! | [`FreeDecay`] | no drive: half cycles and place of rest in closed form |
 //!
 //! | limit | |
@@ -96,16 +96,15 @@ pub use drive::DrivePhase;
 pub use free::FreeDecay;
 pub use irregular::Irregular;
 pub use long_run::{DEFAULT_BUDGET, LongRun, Rest};
-pub use measures::ErrorMeasures;
+pub use measures::{ErrorMeasures, Extreme};
 pub use peaks::Peaks;
 pub use periodic::{PeriodicMotion, periodic_motions};
 pub use samples::Samples;
-pub use slide::Direction;
 pub use starts::Starts;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};
-pub use trajectory::{End, Kind, Phase, Trajectory};
+pub use trajectory::{End, Kind, Segment, Trajectory};
 
 // For the command and the Python package, which follow many starts on several threads and go on with runs
 // that were broken off.

@@ -15,8 +15,8 @@
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Response::new(drive.ratios(&body)?);
 //! let scales = Scales::new(&body, &drive)?;
-//! assert_eq!(answer.regime(), Regime::NonSticking);
-//! let metres = answer.cycle().map(|cycle| cycle.max_displacement() * scales.length);
+//! assert_eq!(answer.regime, Regime::NonSticking);
+//! let metres = answer.cycle.map(|cycle| cycle.max_displacement * scales.length);
 //! assert!((metres.unwrap() - 0.009914465_f64).abs() < 1e-9);
 //! # Ok::<(), stickslip::Error>(())
 //! ```
@@ -83,7 +83,7 @@
 //! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
 //! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
-//! | τ* | [`Border::phase`] | where the velocity first touches zero | rad |
+//! | τ* | [`Border::touching_phase`] | where the velocity first touches zero | rad |
 //!
 //! # Features
 //!

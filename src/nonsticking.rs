@@ -65,10 +65,11 @@ pub(crate) use dissipation::{
     best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
     loop_size_stiffness,
 };
+pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
 pub(crate) use {
     displacement::{cos_displacement_phase, sin_displacement_phase},
-    peaks::{arrival_acceleration, dynamic_amplification, transmitted_force},
+    peaks::{arrival_acceleration, transmitted_force},
 };
 // The paper's other forms, for the proofs and for `verify`.
 #[cfg(all(any(test, feature = "matching"), not(feature = "mp")))]

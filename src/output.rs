@@ -3,6 +3,7 @@
 use crate::float::{Field, Float};
 #[cfg(feature = "serde")]
 use crate::nonsticking::Cycle;
+use crate::nonsticking::dynamic_amplification;
 use crate::oscillator::Scales;
 use crate::response::Response;
 
@@ -75,10 +76,10 @@ macro_rules! outputs {
     (@is_of_cycle cycle) => { true };
     (@is_of_cycle $other:ident) => { false };
     (@of $response:ident, cycle $cycle:ident, $value:expr) => {
-        $response.cycle().map(|$cycle| $value)
+        $response.cycle.as_ref().map(|$cycle| $value)
     };
     (@of $response:ident, border $border:ident, $value:expr) => {{
-        let $border = $response.border();
+        let $border = $response.border;
         Some($value)
     }};
     (@of $response:ident, response $given:ident, $value:expr) => {{
@@ -94,13 +95,13 @@ macro_rules! outputs {
 
 outputs! {
     /// Maximum displacement Δ₀ (B; length).
-    MaxDisplacement "max_displacement": cycle => cycle.max_displacement(), in scales => scales.length;
+    MaxDisplacement "max_displacement": cycle => cycle.max_displacement, in scales => scales.length;
     /// Phase ω_d t₂ of the maximum displacement (rad; time).
-    DisplacementPhase "displacement_phase": cycle => cycle.displacement_phase(), in scales => scales.time;
+    DisplacementPhase "displacement_phase": cycle => cycle.displacement_phase, in scales => scales.time;
     /// Maximum velocity V₀ (Bω_d; velocity).
-    MaxVelocity "max_velocity": cycle => cycle.max_velocity(), in scales => scales.velocity;
+    MaxVelocity "max_velocity": cycle => cycle.max_velocity, in scales => scales.velocity;
     /// Phase ω_d t₁ of the maximum velocity (rad; time).
-    VelocityPhase "velocity_phase": cycle => cycle.velocity_phase(), in scales => scales.time;
+    VelocityPhase "velocity_phase": cycle => cycle.velocity_phase, in scales => scales.time;
     /// Deviation Δ₁ (B; length).
     Deviation "deviation": cycle => cycle.deviation(), in scales => scales.length;
     /// Loop size A₁ (p₀²/2k; the energy dissipated in a cycle).
@@ -112,25 +113,25 @@ outputs! {
     /// Contraction per half cycle (1; 1).
     Contraction "contraction": cycle => cycle.contraction(), in _scales => F::int(1);
     /// Margin α/α_min (1; 1).
-    Margin "margin": response => Some(response.ratios().alpha() / response.border().min_force_ratio()),
+    Margin "margin": response => Some(response.ratios.alpha() / response.border.min_force_ratio),
         in _scales => F::int(1);
     /// Minimum force ratio without sticking, α_min (1; the minimum force p₀).
-    MinForceRatio "min_force_ratio": border => border.min_force_ratio(), in scales => scales.force;
+    MinForceRatio "min_force_ratio": border => border.min_force_ratio, in scales => scales.force;
     /// The same by eq. 61 (1; force).
-    TurningPointForceRatio "min_force_ratio_turning_point": border => border.turning_point(),
+    TurningPointForceRatio "min_force_ratio_turning_point": border => border.turning_point,
         in scales => scales.force;
     /// Minimum Δ₀, S, of a cycle that does not stick (B; length).
-    LeastDisplacement "least_displacement": border => border.least_displacement(), in scales => scales.length;
+    LeastDisplacement "least_displacement": border => border.min_displacement, in scales => scales.length;
     /// Phase τ* where the velocity first touches zero on the border (rad; time).
-    TouchingPhase "border_phase": border => border.phase(), in scales => scales.time;
+    TouchingPhase "border_phase": border => border.touching_phase, in scales => scales.time;
     /// Force ratio α* of the largest loop (1; force).
-    BestForceRatio "best_force_ratio": response => Some(response.best_force_ratio()),
+    BestForceRatio "best_force_ratio": response => Some(response.best_force_ratio),
         in scales => scales.force;
     /// Loop size A₁max there (p₀²/2k; energy).
-    BestLoopSize "best_loop_size": response => response.best_loop_size(),
+    BestLoopSize "best_loop_size": response => response.best_loop_size,
         in scales => scales.energy_stiffness;
     /// Dynamic amplification k Δ₀/p₀ (1; 1).
-    DynamicAmplification "dynamic_amplification": cycle => cycle.dynamic_amplification(),
+    DynamicAmplification "dynamic_amplification": cycle => dynamic_amplification(cycle.max_displacement, cycle.ratios.alpha()),
         in _scales => F::int(1);
     /// Maximum acceleration |x″| (B ω_d²; acceleration).
     MaxAcceleration "max_acceleration": cycle => cycle.max_acceleration(),
@@ -138,7 +139,7 @@ outputs! {
     /// Maximum force of spring and friction on what carries them (r_y; force).
     TransmittedForce "transmitted_force": cycle => cycle.transmitted_force(), in scales => scales.force;
     /// That force over p₀ (1; 1).
-    Transmissibility "transmissibility": cycle => cycle.transmissibility(), in _scales => F::int(1);
+    Transmissibility "transmissibility": cycle => cycle.transmitted_force() / cycle.ratios.alpha(), in _scales => F::int(1);
     /// Maximum absolute displacement under a base that carries the surface (B; length).
     MaxAbsoluteDisplacement "max_absolute_displacement": cycle => cycle.max_absolute_displacement(),
         in scales => scales.length;

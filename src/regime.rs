@@ -69,7 +69,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
         return regime_by_border(ratios, border);
     }
     if !ratios.is_damped() {
-        return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio());
+        return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio);
     }
     let by_border = regime_by_border(ratios, border);
     if by_border == Regime::Sticking && damped::reverses_six_times(ratios) {
@@ -82,7 +82,7 @@ pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regi
 pub(crate) fn regime_by_border<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.alpha() <= F::int(1) {
         Regime::Stuck
-    } else if ratios.alpha() < border.min_force_ratio() {
+    } else if ratios.alpha() < border.min_force_ratio {
         Regime::Sticking
     } else if ratios.omega() == F::int(1) && !ratios.is_damped() {
         Regime::Unbounded
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn the_border_belongs_to_what_slides() {
         for omega in [0.22, 0.4, 0.7, 1.5] {
-            let least: f64 = Border::new(omega).unwrap().min_force_ratio();
+            let least: f64 = Border::new(omega).unwrap().min_force_ratio;
             assert_eq!(regime(omega, least), Ok(Regime::NonSticking));
             assert_eq!(regime(omega, least.next_down()), Ok(Regime::Sticking));
         }

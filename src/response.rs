@@ -11,20 +11,31 @@ use crate::regime::{Regime, has_two_reversals, regime_of};
 /// ```
 /// use stickslip::{Ratios, Regime, Response};
 /// let answer = Response::new(Ratios::new(0.4f64, 6.0)?);
-/// assert_eq!(answer.regime(), Regime::Sticking);
-/// assert!((answer.border().min_force_ratio() - 6.949737755908733).abs() < 1e-13);
+/// assert_eq!(answer.regime, Regime::Sticking);
+/// assert!((answer.border.min_force_ratio - 6.949737755908733).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct Response<F> {
-    ratios: Ratios<F>,
-    regime: Regime,
-    border: Border<F>,
-    cycle: Option<Cycle<F>>,
-    loop_sizes: Option<(F, F)>,
-    best_force_ratio: F,
-    best_loop_size: F,
+    /// The ratios (Ω, α).
+    pub ratios: Ratios<F>,
+    /// The steady behaviour of the body.
+    pub regime: Regime,
+    /// The border of the two-reversal cycle at this Ω, exact and by eq. 61.
+    pub border: Border<F>,
+    /// The two-reversal cycle, where there is one.
+    pub cycle: Option<Cycle<F>>,
+    /// Loop size A₁ of the cycle (eq. 64), where there is one.
+    pub loop_size_stiffness: Option<F>,
+    /// Loop size A₂ of the cycle (eq. 67), where there is one.
+    pub loop_size_inertia: Option<F>,
+    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`,
+    /// Q = hypot(K, qG); it counts where it is not below the border ([`Response::best_is_reached`]).
+    pub best_force_ratio: F,
+    /// The largest loop A₁ at this Ω (eq. 66); `None` at Ω = 1 and Ω = 1/(2n), where it is infinite.
+    pub best_loop_size: Option<F>,
 }
 
 impl<F: Float> Response<F> {
@@ -57,22 +68,24 @@ impl<F: Float> Response<F> {
     #[inline(always)]
     fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
         let regime = regime_of(ratios, &border);
-        let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio());
+        let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
         // No closures: they would be compiled apart, without the processor's fused operation.
-        let (cycle, loop_sizes) = if slides {
+        let (cycle, loop_size_stiffness, loop_size_inertia) = if slides {
             let cycle = Cycle::at(p, ratios);
-            (Some(cycle), Some(cycle.loop_sizes()))
+            let (a1, a2) = cycle.loop_sizes();
+            (Some(cycle), Some(a1), Some(a2))
         } else {
-            (None, None)
+            (None, None, None)
         };
         Self {
             ratios,
             regime,
             border,
             cycle,
-            loop_sizes,
+            loop_size_stiffness,
+            loop_size_inertia,
             best_force_ratio: best_force_ratio_at(p),
-            best_loop_size: best_loop_size_at(p),
+            best_loop_size: finite(best_loop_size_at(p)),
         }
     }
 
@@ -82,7 +95,7 @@ impl<F: Float> Response<F> {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
         let regime = regime_of(ratios, &border);
-        let cycle = (ratios.alpha() >= border.min_force_ratio() && regime == Regime::NonSticking)
+        let cycle = (ratios.alpha() >= border.min_force_ratio && regime == Regime::NonSticking)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {
@@ -90,9 +103,10 @@ impl<F: Float> Response<F> {
             regime,
             border,
             cycle,
-            loop_sizes: cycle.map(|c| (c.loop_size_stiffness(), c.loop_size_inertia())),
+            loop_size_stiffness: cycle.map(|c| c.loop_size_stiffness()),
+            loop_size_inertia: cycle.map(|c| c.loop_size_inertia()),
             best_force_ratio,
-            best_loop_size,
+            best_loop_size: finite(best_loop_size),
         }
     }
 
@@ -113,24 +127,15 @@ impl<F: Float> Response<F> {
                     regime: found.regime,
                     border: found.border.map(&back),
                     cycle: found.cycle.map(|cycle| cycle.map(&back)),
-                    loop_sizes: found.loop_sizes.map(|(a1, a2)| (back(a1), back(a2))),
+                    loop_size_stiffness: found.loop_size_stiffness.map(&back),
+                    loop_size_inertia: found.loop_size_inertia.map(&back),
                     best_force_ratio: back(found.best_force_ratio),
-                    best_loop_size: back(found.best_loop_size),
+                    best_loop_size: found.best_loop_size.map(&back).and_then(finite),
                 }
             }
         }
 
         F::guarded(Task(ratios))
-    }
-
-    /// The ratios (Ω, α).
-    pub const fn ratios(&self) -> Ratios<F> {
-        self.ratios
-    }
-
-    /// The steady behaviour of the body.
-    pub const fn regime(&self) -> Regime {
-        self.regime
     }
 
     /// Reversals in a cycle of the motion without a stop: 2, or 6 near a pole below the border, where the
@@ -144,42 +149,17 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// The border of the two-reversal cycle at this Ω, exact and by eq. 61.
-    pub const fn border(&self) -> &Border<F> {
-        &self.border
-    }
-
-    /// The two-reversal cycle, where there is one.
-    pub const fn cycle(&self) -> Option<&Cycle<F>> {
-        self.cycle.as_ref()
-    }
-
-    /// Loop size A₁ of the cycle (eq. 64), where there is one.
-    pub fn loop_size_stiffness(&self) -> Option<F> {
-        self.loop_sizes.map(|(a1, _)| a1)
-    }
-
-    /// Loop size A₂ of the cycle (eq. 67), where there is one.
-    pub fn loop_size_inertia(&self) -> Option<F> {
-        self.loop_sizes.map(|(_, a2)| a2)
-    }
-
-    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`,
-    /// Q = hypot(K, qG); it counts where it is not below the border ([`Response::best_is_reached`]).
-    pub const fn best_force_ratio(&self) -> F {
-        self.best_force_ratio
-    }
-
-    /// The largest loop A₁ at this Ω (eq. 66); `None` at Ω = 1 and Ω = 1/(2n), where it is infinite.
-    pub fn best_loop_size(&self) -> Option<F> {
-        self.best_loop_size.is_finite().then_some(self.best_loop_size)
-    }
-
     /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Where it does, the best
     /// non-sticking force ratio is the border itself.
     pub fn best_is_reached(&self) -> bool {
-        self.best_force_ratio >= self.border.min_force_ratio()
+        self.best_force_ratio >= self.border.min_force_ratio
     }
+}
+
+/// A number that is not infinite.
+#[inline(always)]
+fn finite<F: Float>(x: F) -> Option<F> {
+    if x.is_finite() { Some(x) } else { None }
 }
 
 /// [`Response::new`].
@@ -229,12 +209,12 @@ mod tests {
         ] {
             assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
             let response = Response::new(Ratios::new(omega, alpha).unwrap());
-            assert_eq!(response.regime(), expected);
-            assert_eq!(response.cycle().is_some(), expected == Regime::NonSticking);
+            assert_eq!(response.regime, expected);
+            assert_eq!(response.cycle.as_ref().is_some(), expected == Regime::NonSticking);
             // Loop sizes are those of the cycle, and exist with it.
-            let of_cycle = |f: fn(&Cycle<f64>) -> f64| response.cycle().map(f);
-            assert_eq!(response.loop_size_stiffness(), of_cycle(Cycle::loop_size_stiffness));
-            assert_eq!(response.loop_size_inertia(), of_cycle(Cycle::loop_size_inertia));
+            let of_cycle = |f: fn(&Cycle<f64>) -> f64| response.cycle.as_ref().map(f);
+            assert_eq!(response.loop_size_stiffness, of_cycle(Cycle::loop_size_stiffness));
+            assert_eq!(response.loop_size_inertia, of_cycle(Cycle::loop_size_inertia));
         }
     }
 
@@ -244,7 +224,7 @@ mod tests {
         let at = |omega| Response::new(Ratios::new(omega, 3.0).unwrap());
         assert!(at(1.5).best_is_reached());
         assert!(!at(0.6).best_is_reached());
-        assert_eq!(at(0.5).best_loop_size(), None);
-        assert_eq!(at(1.0).best_loop_size(), None);
+        assert_eq!(at(0.5).best_loop_size, None);
+        assert_eq!(at(1.0).best_loop_size, None);
     }
 }

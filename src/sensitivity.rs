@@ -119,7 +119,7 @@ impl<const N: usize> Sensitivities<N> {
             let found = output.of(response)? * unit(output);
             Some((output, Sensitivity { value: found.value(), by: found.derivatives() }))
         });
-        Self { regime: response.regime(), outputs: outputs.collect() }
+        Self { regime: response.regime, outputs: outputs.collect() }
     }
 
     /// The steady behaviour of the body.
@@ -156,7 +156,7 @@ mod tests {
 
     #[test]
     fn by_ratios_is_the_slope_of_a_short_way() {
-        let at = |omega, alpha| Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement();
+        let at = |omega, alpha| Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement;
         let found = Sensitivities::by_ratios(Ratios::new(0.7, 2.0).unwrap());
         let delta = found.of(Output::MaxDisplacement).unwrap();
         assert_eq!((delta.value, found.regime()), (at(0.7, 2.0), Regime::NonSticking));
@@ -165,7 +165,7 @@ mod tests {
         let by_alpha = (at(0.7, 2.0 + h) - at(0.7, 2.0 - h)) / (2.0 * h);
         assert!((delta.by[0] / by_omega - 1.0).abs() < 1e-8 && (delta.by[1] / by_alpha - 1.0).abs() < 1e-8);
         let border = found.of(Output::MinForceRatio).unwrap();
-        assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio());
+        assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio);
         let all: Vec<_> = found.iter().collect();
         assert!(all.len() > 10 && all.contains(&(Output::MaxDisplacement, delta)));
         let sticking = Sensitivities::by_ratios(Ratios::new(0.7, 1.1).unwrap());
@@ -179,7 +179,7 @@ mod tests {
         let found = Sensitivities::by_parameters(&body, &Drive::force(9.0, 1.5).unwrap()).unwrap();
         let delta = found.of(Output::MaxDisplacement).unwrap();
         let cycle = Cycle::new(Ratios::new(0.75, 3.0).unwrap()).unwrap();
-        assert!((delta.value / (cycle.max_displacement() * 3.0 / 8.0) - 1.0).abs() < 1e-14);
+        assert!((delta.value / (cycle.max_displacement * 3.0 / 8.0) - 1.0).abs() < 1e-14);
         let [_, _, by_friction, by_force, _] = delta.elasticities([2.0, 8.0, 3.0, 9.0, 1.5]);
         let grown = by_friction + by_force;
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");

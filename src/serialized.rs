@@ -29,13 +29,13 @@ fn in_map<S: Serializer>(
 /// The ratios, the regime, and every [`Output`]; null where it does not exist.
 impl<F: Float + Serialize> Serialize for Response<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let ratios = self.ratios();
+        let ratios = self.ratios;
         in_map(serializer, None, |map| {
             map.serialize_entry("omega", &ratios.omega())?;
             map.serialize_entry("alpha", &ratios.alpha())?;
             map.serialize_entry("damping_ratio", &ratios.damping_ratio())?;
             map.serialize_entry("static_friction_ratio", &ratios.static_friction_ratio())?;
-            map.serialize_entry("regime", self.regime().name())?;
+            map.serialize_entry("regime", self.regime.name())?;
             for output in Output::ALL {
                 map.serialize_entry(output.name(), &output.of(self))?;
             }
@@ -47,7 +47,7 @@ impl<F: Float + Serialize> Serialize for Response<F> {
 /// The ratios, and every [`Output`] of the cycle.
 impl<F: Float + Serialize> Serialize for Cycle<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let ratios = self.ratios();
+        let ratios = self.ratios;
         in_map(serializer, None, |map| {
             map.serialize_entry("omega", &ratios.omega())?;
             map.serialize_entry("alpha", &ratios.alpha())?;
@@ -65,10 +65,10 @@ impl<F: Float + Serialize> Serialize for Cycle<F> {
 impl<F: Float + Serialize> Serialize for Border<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry(Output::MinForceRatio.name(), &self.min_force_ratio())?;
-            map.serialize_entry(Output::TurningPointForceRatio.name(), &self.turning_point())?;
-            map.serialize_entry(Output::LeastDisplacement.name(), &self.least_displacement())?;
-            map.serialize_entry(Output::TouchingPhase.name(), &self.phase())
+            map.serialize_entry(Output::MinForceRatio.name(), &self.min_force_ratio)?;
+            map.serialize_entry(Output::TurningPointForceRatio.name(), &self.turning_point)?;
+            map.serialize_entry(Output::LeastDisplacement.name(), &self.min_displacement)?;
+            map.serialize_entry(Output::TouchingPhase.name(), &self.touching_phase)
         })
     }
 }
@@ -79,15 +79,15 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
             map.serialize_entry("turns_per_cycle", &self.turns_per_cycle())?;
-            map.serialize_entry("sticks_per_cycle", &self.sticks_per_cycle())?;
-            map.serialize_entry("velocity_zeros_per_cycle", &self.velocity_zeros_per_cycle())?;
+            map.serialize_entry("sticks_per_cycle", &self.sticks_per_cycle)?;
+            map.serialize_entry("velocity_zeros_per_cycle", &self.velocity_zeros_per_cycle)?;
             map.serialize_entry("symmetric", &self.is_symmetric())?;
             map.serialize_entry("stable", &self.is_stable())?;
-            map.serialize_entry("multipliers", &self.multipliers())?;
+            map.serialize_entry("multipliers", &self.multipliers)?;
             for (name, output) in Self::OUTPUTS {
                 map.serialize_entry(name, &output(self))?;
             }
-            map.serialize_entry("periods", &self.periods())?;
+            map.serialize_entry("periods", &self.periods)?;
             map.serialize_entry("state", &self.state())
         })
     }
@@ -97,10 +97,10 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
 impl<F: Float + Serialize> Serialize for FreeDecay<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry("half_cycles", &self.half_cycles())?;
-            map.serialize_entry("first_turn", &self.first_turn())?;
-            map.serialize_entry("rest_position", &self.rest_position())?;
-            map.serialize_entry("rest_time", &Some(self.rest_time()).filter(|time| time.is_finite()))
+            map.serialize_entry("half_cycles", &self.half_cycles)?;
+            map.serialize_entry("first_turn", &self.first_turn)?;
+            map.serialize_entry("rest_position", &self.rest_position)?;
+            map.serialize_entry("rest_time", &Some(self.rest_time).filter(|time| time.is_finite()))
         })
     }
 }
@@ -147,8 +147,8 @@ impl<const N: usize> Serialize for Sensitivities<N> {
 impl Serialize for MonteCarlo {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry("draws", &self.draws())?;
-            map.serialize_entry("invalid", &self.invalid())?;
+            map.serialize_entry("draws", &self.draws)?;
+            map.serialize_entry("invalid", &self.invalid)?;
             for (regime, count) in self.regimes() {
                 map.serialize_entry(regime.name(), count)?;
             }
@@ -187,11 +187,11 @@ impl Serialize for enclosed::Regime {
 impl Serialize for enclosed::Response {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry("regime", &self.regime())?;
+            map.serialize_entry("regime", &self.regime)?;
             for output in Output::ALL {
                 map.serialize_entry(output.name(), &self.get(output))?;
             }
-            map.serialize_entry("bits", &self.bits())
+            map.serialize_entry("bits", &self.bits)
         })
     }
 }

@@ -242,7 +242,7 @@ impl<F: Float> Tally<F> {
 
     fn verdict(self, equation: &'static str, statement: &'static str, standing: Standing) -> Verdict {
         let (residual, at) = match self.worst {
-            Some((residual, cycle)) => (residual, Some(cycle.ratios())),
+            Some((residual, cycle)) => (residual, Some(cycle.ratios)),
             None => (F::int(0), None),
         };
         let damping_ratio = at.filter(Ratios::is_damped).map(|ratios| ratios.damping_ratio().to_string());
@@ -271,7 +271,7 @@ fn is_nan<F: Float>(x: F) -> bool {
 
 /// The cycle at α `times` the exact border, where there is one.
 fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
-    let least = Border::new(omega).ok()?.min_force_ratio();
+    let least = Border::new(omega).ok()?.min_force_ratio;
     Ratios::new(omega, least * times).and_then(Cycle::new).ok()
 }
 

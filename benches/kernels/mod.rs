@@ -28,10 +28,10 @@ impl Task for Three {
 pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     match Ratios::new(omega, alpha).and_then(Cycle::new) {
         Ok(c) => [
-            c.max_displacement(),
-            c.displacement_phase(),
-            c.max_velocity(),
-            c.velocity_phase(),
+            c.max_displacement,
+            c.displacement_phase,
+            c.max_velocity,
+            c.velocity_phase,
             c.deviation(),
             c.contraction(),
         ],
@@ -45,8 +45,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
 pub(crate) fn response(omega: f64, alpha: f64) -> [f64; 3] {
     match Ratios::new(omega, alpha).map(Response::new) {
         Ok(answer) => {
-            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
-            [cycle(Cycle::max_displacement), cycle(Cycle::velocity_phase), answer.best_force_ratio()]
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle.as_ref().map_or(f64::NAN, value);
+            [cycle(|it| it.max_displacement), cycle(|it| it.velocity_phase), answer.best_force_ratio]
         }
         Err(_) => [f64::NAN; 3],
     }
@@ -58,9 +58,9 @@ pub(crate) fn response(omega: f64, alpha: f64) -> [f64; 3] {
 pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
     match Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(0.05)).map(Response::new) {
         Ok(answer) => {
-            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
-            let least = answer.border().min_force_ratio();
-            [cycle(Cycle::max_displacement), cycle(Cycle::max_velocity), least]
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle.as_ref().map_or(f64::NAN, value);
+            let least = answer.border.min_force_ratio;
+            [cycle(|it| it.max_displacement), cycle(|it| it.max_velocity), least]
         }
         Err(_) => [f64::NAN; 3],
     }
@@ -71,7 +71,7 @@ pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
 #[inline(never)]
 pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
     match Ratios::new(omega, alpha).and_then(Cycle::new) {
-        Ok(c) => [c.max_displacement(), c.loop_size_stiffness(), c.max_velocity(), c.velocity_phase()],
+        Ok(c) => [c.max_displacement, c.loop_size_stiffness(), c.max_velocity, c.velocity_phase],
         Err(_) => [f64::NAN; 4],
     }
 }
@@ -82,7 +82,7 @@ pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
 pub(crate) fn cycle_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {
     let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_static_friction_ratio(1.2));
     match ratios.and_then(Cycle::new) {
-        Ok(c) => [c.max_displacement(), c.max_velocity(), c.velocity_phase()],
+        Ok(c) => [c.max_displacement, c.max_velocity, c.velocity_phase],
         Err(_) => [f64::NAN; 3],
     }
 }
@@ -94,8 +94,8 @@ pub(crate) fn response_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] 
     let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_static_friction_ratio(1.2));
     match ratios.map(Response::new) {
         Ok(answer) => {
-            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle().map_or(f64::NAN, value);
-            [cycle(Cycle::max_displacement), cycle(Cycle::velocity_phase), answer.best_force_ratio()]
+            let cycle = |value: fn(&Cycle<f64>) -> f64| answer.cycle.as_ref().map_or(f64::NAN, value);
+            [cycle(|it| it.max_displacement), cycle(|it| it.velocity_phase), answer.best_force_ratio]
         }
         Err(_) => [f64::NAN; 3],
     }

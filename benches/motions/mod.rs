@@ -6,9 +6,12 @@ use stickslip::{Cycle, Ratios};
 /// What a steady state is compared by.
 fn answer(motion: &LongRun<f64>) -> [f64; 4] {
     match motion.steady_state() {
-        Some(s) => {
-            [s.max_displacement(), s.max_velocity(), s.max_displacement_phase(), s.max_velocity_phase()]
-        }
+        Some(s) => [
+            s.max_displacement.value,
+            s.max_velocity.value,
+            s.max_displacement.phase.reduced(),
+            s.max_velocity.phase.reduced(),
+        ],
         None => [f64::NAN; 4],
     }
 }
@@ -16,7 +19,7 @@ fn answer(motion: &LongRun<f64>) -> [f64; 4] {
 /// The exact steady state from rest.
 #[inline(never)]
 pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
-    match Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest())) {
+    match Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default())) {
         Ok(motion) => answer(&motion),
         Err(_) => [f64::NAN; 4],
     }
@@ -26,7 +29,7 @@ pub(crate) fn steady_from_rest(omega: f64, alpha: f64) -> [f64; 4] {
 #[inline(never)]
 pub(crate) fn steady_with_damping(omega: f64, alpha: f64, zeta: f64) -> [f64; 4] {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
-    match ratios.and_then(|r| LongRun::from_start(r, State::rest())) {
+    match ratios.and_then(|r| LongRun::from_start(r, State::default())) {
         Ok(motion) => answer(&motion),
         Err(_) => [f64::NAN; 4],
     }
@@ -41,7 +44,7 @@ pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
 /// Twenty slides from rest: ten periods where the motion does not stop.
 #[inline(never)]
 pub(crate) fn twenty_slides(omega: f64, alpha: f64) -> [f64; 1] {
-    match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::rest())) {
+    match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::default())) {
         Ok(motion) => [motion.filter_map(|p| p.ok()?.end()).take(20).map(|end| end.x).sum()],
         Err(_) => [f64::NAN],
     }

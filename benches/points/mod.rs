@@ -27,7 +27,7 @@ pub(crate) fn points_from(n: usize, least: f64) -> Vec<(f64, f64)> {
         if (omega - 1.0).abs() > 0.02
             && let Ok(border) = Border::new(omega)
         {
-            points.push((omega, border.min_force_ratio() * (1.05 + 3.0 * uniform())));
+            points.push((omega, border.min_force_ratio * (1.05 + 3.0 * uniform())));
         }
     }
     points

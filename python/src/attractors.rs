@@ -80,7 +80,7 @@ fn limits(
     max_periods: u32,
     stop: &Stop,
 ) -> Result<Attractors<f64>, Error> {
-    let limit = |start: &State<f64>| LongRun::within_while(ratios, *start, max_periods, &mut || stop.asked());
+    let limit = |start: &State<f64>| LongRun::within(ratios, *start, max_periods, &mut || stop.asked());
     Attractors::of_limits(starts.par_iter().map(limit).collect::<Result<Vec<_>, _>>()?)
 }
 
@@ -106,10 +106,10 @@ fn row<'py>(
     dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
     dict.set_item("max_displacement", limit.extrema().map(|(_, most)| most))?;
     dict.set_item("min_displacement", limit.extrema().map(|(least, _)| least))?;
-    dict.set_item("sticks_per_cycle", steady.map(SteadyState::sticks_per_cycle))?;
-    dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
-    dict.set_item("stick_fraction", steady.map(|s| s.stick_fraction()))?;
-    dict.set_item("multipliers", steady.map(|s| s.multipliers().to_vec()))?;
+    dict.set_item("sticks_per_cycle", steady.map(|s| s.sticks_per_cycle))?;
+    dict.set_item("velocity_zeros_per_cycle", steady.map(|s| s.velocity_zeros_per_cycle))?;
+    dict.set_item("stick_fraction", steady.map(|s| s.stick_fraction))?;
+    dict.set_item("multipliers", steady.map(|s| s.multipliers.to_vec()))?;
     dict.set_item("lyapunov_exponent", irregular.map(|m| m.lyapunov_exponent))?;
     dict.set_item("lyapunov_exponent_error", irregular.map(|m| m.lyapunov_exponent_error))?;
     dict.set_item("rest_from", found.range.map(|(low, _)| low))?;

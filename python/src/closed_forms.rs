@@ -39,7 +39,7 @@ pub(crate) const fn code(regime: Option<Regime>) -> u8 {
 fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
     let answer = Response::new(ratios(point).map_err(refused)?);
     let dict = PyDict::new(py);
-    dict.set_item("regime", answer.regime().name())?;
+    dict.set_item("regime", answer.regime.name())?;
     dict.set_item("reversals_per_cycle", answer.reversals_per_cycle())?;
     for output in Output::ALL {
         dict.set_item(output.name(), output.of(&answer))?;

@@ -15,8 +15,8 @@ fn known(name: &str, text: &str) -> PyResult<Known> {
 fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<'py, PyDict>> {
     let found = found.map_err(refused)?;
     let dict = PyDict::new(py);
-    dict.set_item("regime", found.regime().map(Regime::name))?;
-    dict.set_item("bits", found.bits())?;
+    dict.set_item("regime", found.regime.map(Regime::name))?;
+    dict.set_item("bits", found.bits)?;
     for output in Output::ALL {
         dict.set_item(output.name(), found.get(output).map(Enclosure::decimal))?;
     }

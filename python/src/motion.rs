@@ -10,9 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use stickslip::Error;
-use stickslip::exact::{
-    DEFAULT_BUDGET, Direction, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory,
-};
+use stickslip::exact::{DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::regime::{Observed, observed};
 
 /// The most rows of a simulation: what fits into memory.
@@ -47,7 +45,7 @@ fn follow(
     keep_going: &mut dyn FnMut() -> ControlFlow<()>,
 ) -> Result<Found, Error> {
     let ratios = ratios(point)?;
-    let limit = LongRun::within_while(ratios, State::new(phase, x, v)?, periods, keep_going)?;
+    let limit = LongRun::within(ratios, State::new(phase, x, v)?, periods, keep_going)?;
     let seen = observed(ratios, &limit);
     Ok(Found { limit, seen })
 }
@@ -111,7 +109,7 @@ fn steady_at<'py>(
     for (name, value) in NUMBERS.into_iter().chain(OF_STATIC_FRICTION) {
         dict.set_item(name, value(limit))?;
     }
-    dict.set_item("velocity_zeros_per_cycle", steady.map(SteadyState::velocity_zeros_per_cycle))?;
+    dict.set_item("velocity_zeros_per_cycle", steady.map(|s| s.velocity_zeros_per_cycle))?;
     dict.set_item("sticks_per_cycle", found.seen.sticks)?;
     dict.set_item("reversals_per_cycle", found.seen.reversals)?;
     dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
@@ -124,7 +122,7 @@ fn steady_at<'py>(
     };
     let peaks = peaks.transpose().map_err(refused)?;
     let alpha = point.1;
-    let amplitude = steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()));
+    let amplitude = steady.map(|s| s.max_displacement.value.abs().max(s.min_displacement.value.abs()));
     for (name, value) in [
         ("dynamic_amplification", amplitude.map(|x| x / alpha)),
         ("max_acceleration", peaks.map(|p| p.acceleration)),
@@ -134,7 +132,7 @@ fn steady_at<'py>(
     ] {
         dict.set_item(name, value)?;
     }
-    dict.set_item("multipliers", steady.map(|s| s.multipliers().to_vec()))?;
+    dict.set_item("multipliers", steady.map(|s| s.multipliers.to_vec()))?;
     let errors = steady.map(SteadyState::errors).transpose().map_err(refused)?;
     let errors = errors.map(|e| [e.error_1, e.error_2, e.error_3, e.error_4]);
     for (i, name) in ["error_1", "error_2", "error_3", "error_4"].into_iter().enumerate() {
@@ -190,7 +188,7 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
     for (name, value) in SteadyState::OUTPUTS {
         table.number(name, numbers(&|limit| number(limit, name, value)));
     }
-    table.count("velocity_zeros_per_cycle", of_cycle(SteadyState::velocity_zeros_per_cycle));
+    table.count("velocity_zeros_per_cycle", of_cycle(|s| s.velocity_zeros_per_cycle));
     table.count("sticks_per_cycle", counts(&|f| f.seen.sticks.map(u64::from)));
     table.count("reversals_per_cycle", counts(&|f| f.seen.reversals.map(u64::from)));
     for (name, value) in NUMBERS {
@@ -228,12 +226,12 @@ fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<B
             if kinds.len() == MOST_ROWS {
                 return Err(format!("cycles {cycles}: more than {MOST_ROWS} phases"));
             }
-            kinds.push(match phase.kind() {
-                Kind::Slide(Direction::Forward) => 0,
-                Kind::Slide(Direction::Backward) => 1,
+            kinds.push(match phase.kind {
+                Kind::SlideForward => 0,
+                Kind::SlideBackward => 1,
                 Kind::Stick => 2,
             });
-            ends.push(match phase.ends_by() {
+            ends.push(match phase.ends_by {
                 End::Reversal => 0,
                 End::Stop => 1,
                 End::Grazing => 2,
@@ -345,10 +343,10 @@ fn decay_at(
     let decay =
         FreeDecay::new(displacement, velocity, damping_ratio, static_friction_ratio).map_err(refused)?;
     let dict = PyDict::new(py);
-    dict.set_item("half_cycles", decay.half_cycles())?;
-    dict.set_item("first_turn", decay.first_turn())?;
-    dict.set_item("rest_position", decay.rest_position())?;
-    dict.set_item("rest_time", Some(decay.rest_time()).filter(|time| time.is_finite()))?;
+    dict.set_item("half_cycles", decay.half_cycles)?;
+    dict.set_item("first_turn", decay.first_turn)?;
+    dict.set_item("rest_position", decay.rest_position)?;
+    dict.set_item("rest_time", Some(decay.rest_time).filter(|time| time.is_finite()))?;
     Ok(dict)
 }
 

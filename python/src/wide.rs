@@ -80,7 +80,7 @@ fn digits<F: Display>(value: Option<F>) -> Cell {
 fn response<F: Float>(ratios: Ratios<F>) -> Cells {
     let answer = Response::guarded(ratios);
     let mut cells = vec![
-        ("regime", Cell::Word(answer.regime().name())),
+        ("regime", Cell::Word(answer.regime.name())),
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
@@ -99,17 +99,17 @@ fn steady<F: Float>(
     periods: u32,
     stop: &Stop,
 ) -> Result<Cells, stickslip::Error> {
-    let limit = LongRun::within_while(ratios, start, periods, &mut || stop.asked())?;
+    let limit = LongRun::within(ratios, start, periods, &mut || stop.asked())?;
     let seen = observed(ratios, &limit);
     let steady = limit.steady_state();
     let errors = steady.map(SteadyState::errors).transpose()?;
-    let multipliers = steady.map(SteadyState::multipliers);
+    let multipliers = steady.map(|s| s.multipliers);
     let pairs = multipliers.map(|m| m.map(|(re, im)| (re.to_string(), Some(im.to_string()))).to_vec());
     let mut cells = vec![
         ("regime", Cell::Word(seen.regime.name())),
         ("limit", Cell::Word(limit.name())),
         ("sticks_per_cycle", Cell::Count(seen.sticks)),
-        ("velocity_zeros_per_cycle", Cell::Count(steady.map(SteadyState::velocity_zeros_per_cycle))),
+        ("velocity_zeros_per_cycle", Cell::Count(steady.map(|s| s.velocity_zeros_per_cycle))),
         ("reversals_per_cycle", Cell::Count(seen.reversals)),
         ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
         ("rest_position", digits(limit.rest_position())),

@@ -124,7 +124,7 @@ impl<'a> Slices<'a, { Output::ALL.len() }> {
             }
         }
         if let Some(slot) = self.regime.as_mut().and_then(|slice| slice.get_mut(place)) {
-            *slot = answer.map(|answer| answer.regime());
+            *slot = answer.map(|answer| answer.regime);
         }
     }
 }

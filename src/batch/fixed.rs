@@ -46,7 +46,7 @@ impl FixedOmega {
     /// Where Ω is not finite, not > 0 or outside the domain of [`crate::Ratios`].
     pub fn new(omega: f64) -> Result<Self, Error> {
         let p = PhaseFunction::new(omega)?;
-        let border = Border::new(omega)?.min_force_ratio();
+        let border = Border::new(omega)?.min_force_ratio;
         let point =
             PointAt { omega, phase_function: p.wide(), one_minus_square: p.one_minus_square(), border };
         let of_omega = if has_loops(omega) {
@@ -66,12 +66,6 @@ impl FixedOmega {
     #[must_use]
     pub const fn omega(&self) -> f64 {
         self.point.omega
-    }
-
-    /// The exact border α_min at this Ω.
-    #[must_use]
-    pub const fn min_force_ratio(&self) -> f64 {
-        self.point.border
     }
 
     /// Whether the loops over α reach this Ω.

@@ -16,5 +16,5 @@ pub(crate) fn steady(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
     {
         return Ok(found);
     }
-    LongRun::from_start(ratios, State::rest())
+    LongRun::from_start(ratios, State::default())
 }

@@ -160,7 +160,7 @@ impl<F: Float> Bands<F> {
 /// The band of `lobe` within `[low, high]`, if there is one.
 pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Band<F>>, Error> {
     // Not negative where the body slides.
-    let excess = |omega: F| alpha - Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio();
+    let excess = |omega: F| alpha - Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio;
     let slides = |omega: F| excess(omega) >= F::int(0);
     let from = low.or_larger(lobe.low_pole());
     let to = lobe.high_pole().filter(|&pole| pole < high).unwrap_or(high);

@@ -108,7 +108,7 @@ impl<F: Float> Search<F> {
     }
 
     fn excess(&self, omega: F) -> F {
-        self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio()
+        self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio
     }
 
     /// The next point, with the extrema between points where one may be on the other side of α.

@@ -41,7 +41,7 @@ fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
         return Err(Error::AtResonance { quantity: Quantity::LoopSizeStiffness });
     }
     let (k, border) = (p.value(), Border::at(&p));
-    let (interior, least) = (best_force_ratio(k), border.min_force_ratio());
+    let (interior, least) = (best_force_ratio(k), border.min_force_ratio);
     Ok(if interior >= least {
         Optimum {
             at: interior,
@@ -51,7 +51,7 @@ fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
     } else {
         Optimum {
             at: least,
-            value: loop_size_stiffness(border.least_displacement(), least),
+            value: loop_size_stiffness(border.min_displacement, least),
             kind: OptimumKind::Border,
         }
     })
@@ -65,13 +65,13 @@ fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
 fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
     let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
-    let least = border.min_force_ratio();
+    let least = border.min_force_ratio;
     if force_ratio >= least {
         return Optimum { at: force_ratio, value: loop_size, kind: OptimumKind::Interior };
     }
     Optimum {
         at: least,
-        value: loop_size_stiffness(border.least_displacement(), least),
+        value: loop_size_stiffness(border.min_displacement, least),
         kind: OptimumKind::Border,
     }
 }
@@ -121,7 +121,7 @@ mod tests {
             let best = most_dissipating_force_ratio(omega, 0.0).unwrap();
             let found = loop_size(omega, best.at * (1.0 + 1e-15));
             assert!((found / best.value - 1.0).abs() < 1e-12, "{omega}");
-            let least = crate::Border::new(omega).unwrap().min_force_ratio();
+            let least = crate::Border::new(omega).unwrap().min_force_ratio;
             for j in 0..300 {
                 let alpha = least * (1.0 + 0.01 * f64::from(j).powi(2));
                 assert!(loop_size(omega, alpha) <= best.value * (1.0 + 1e-13), "{omega} {alpha}");
@@ -150,7 +150,7 @@ mod tests {
             let energy = |friction: f64| {
                 let body = Oscillator::new(2.0, 8.0, friction).unwrap().with_damping_ratio(zeta).unwrap();
                 let cycle = Cycle::new(drive.ratios(&body).unwrap()).ok()?;
-                Some(4.0 * friction * cycle.max_displacement() * friction / 8.0)
+                Some(4.0 * friction * cycle.max_displacement * friction / 8.0)
             };
             let at_best: f64 = energy(best.at * (1.0 - 1e-13)).unwrap();
             assert!((at_best / best.value - 1.0).abs() < 1e-11, "{omega} {zeta}");
@@ -170,7 +170,7 @@ mod tests {
             let body = Oscillator::new(2.0, 8.0, best.at * (1.0 - 1e-15)).unwrap();
             let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
             let length = Scales::new(&body, &drive).unwrap().length;
-            let energy: f64 = 4.0 * body.friction_bound() * cycle.max_displacement() * length;
+            let energy: f64 = 4.0 * body.friction_bound() * cycle.max_displacement * length;
             assert!((best.value / energy - 1.0).abs() < 1e-12, "{frequency}");
         }
     }

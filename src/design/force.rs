@@ -27,7 +27,7 @@ pub fn min_amplitude<F: Float>(
 ) -> Result<F, Error> {
     let unit = Drive::new(excitation, F::int(1), angular_frequency)?.force_amplitude(body);
     let border = border_of(body, angular_frequency)?;
-    let force = positive(Quantity::ForceAmplitude, body.friction_bound() * border.min_force_ratio())?;
+    let force = positive(Quantity::ForceAmplitude, body.friction_bound() * border.min_force_ratio)?;
     Ok(Drive::new(excitation, force / unit, angular_frequency)?.amplitude())
 }
 
@@ -50,7 +50,7 @@ mod tests {
     fn with_damping_and_whatever_shakes_it() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
         for omega in [0.4, 0.7, 1.0, 3.0] {
-            let least = Border::with_damping(omega, 0.05).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, 0.05).unwrap().min_force_ratio;
             let force: f64 = min_amplitude(&body, Excitation::Force, 2.0 * omega).unwrap();
             assert!((force / (3.0 * least) - 1.0).abs() < 1e-13, "{omega}: {force}");
             for excitation in [

@@ -16,7 +16,7 @@ use crate::ratios::positive;
 /// Where Ω leaves the domain of [`crate::Ratios`], or r_y over- or underflows.
 pub fn max_friction<F: Float>(body: &Oscillator<F>, drive: &Drive<F>) -> Result<F, Error> {
     let border = border_of(body, drive.angular_frequency())?;
-    positive(Quantity::FrictionBound, drive.force_amplitude(body) / border.min_force_ratio())
+    positive(Quantity::FrictionBound, drive.force_amplitude(body) / border.min_force_ratio)
 }
 
 #[cfg(test)]
@@ -33,7 +33,7 @@ mod tests {
                 let friction: f64 = max_friction(&body, &drive).unwrap();
                 let regime = |share: f64| {
                     let body = Oscillator::new(2.0, 8.0, friction * share).unwrap();
-                    Response::new(drive.ratios(&body).unwrap()).regime()
+                    Response::new(drive.ratios(&body).unwrap()).regime
                 };
                 let slides = if omega == 1.0 { Regime::Unbounded } else { Regime::NonSticking };
                 assert_eq!(regime(1.0 - 1e-12), slides, "{omega}");

@@ -130,7 +130,7 @@ impl Point {
         let Ok(ratios) = Ratios::new(self.omega, 1.0 / kappa).and_then(|r| r.with_damping_ratio(zeta)) else {
             return false;
         };
-        1.0 / kappa >= damped::border(&damped::half_period(&ratios)).min_force_ratio()
+        1.0 / kappa >= damped::border(&damped::half_period(&ratios)).min_force_ratio
     }
 
     /// The residuals of amplitude and phase, relative and in radians.

@@ -24,8 +24,8 @@ use crate::root;
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
     let found = no_stop_of(&ratios_of(body, angular_frequency)?)?;
     let forces = found.map(|x| body.friction_bound() * x);
-    positive(Quantity::ForceAmplitude, forces.least())?;
-    positive(Quantity::ForceAmplitude, forces.border())?;
+    positive(Quantity::ForceAmplitude, forces.min())?;
+    positive(Quantity::ForceAmplitude, forces.border)?;
     Ok(forces)
 }
 
@@ -264,7 +264,7 @@ mod tests {
     fn in_physical_units() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
         let forces = forces_without_stop(&body, 2.0 * 0.331).unwrap();
-        assert!((forces.least() / 161.019_919_536_129_45f64 - 1.0).abs() < 1e-13);
+        assert!((forces.min() / 161.019_919_536_129_45f64 - 1.0).abs() < 1e-13);
         let drive = Drive::force(240.0, 1.0).unwrap();
         let found = frequency_bands_without_stop(&body, &drive, 0.6, 0.8).unwrap();
         let ratios = bands_without_stop(80.0f64, 0.0, 0.3, 0.4).unwrap();

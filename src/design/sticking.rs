@@ -69,11 +69,11 @@ impl<F: Float> LoopSize<F> {
     /// Of the exact motion: A₁ = 2W/α², W the work against friction in units of r_y B.
     fn of_motion(steady: &SteadyState<F>, omega: F, alpha: F) -> Self {
         let (x, v) = steady.distance();
-        let work = steady.energy_out();
+        let work = steady.energy_out;
         let doubt = doubt_of_way(x.hypot(v * omega), omega, alpha, work);
         // Each end of a slide is rounded, and so is the sum.
-        let ends = F::from_f64(f64::from(steady.velocity_zeros_per_cycle()) + 4.0);
-        let rounding = F::int(2) * F::epsilon() * ends * (work + steady.max_displacement().abs());
+        let ends = F::from_f64(f64::from(steady.velocity_zeros_per_cycle) + 4.0);
+        let rounding = F::int(2) * F::epsilon() * ends * (work + steady.max_displacement.value.abs());
         let most = work + doubt + rounding;
         let size = |work: F| F::int(2) * (work / alpha) / alpha;
         Self { found: size(work), most: size(most) }
@@ -99,7 +99,7 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F, zeta: F) -> Result<LoopSize
     if alpha <= F::int(1) {
         return Ok(LoopSize::none());
     }
-    match LongRun::from_start(Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?, State::rest())? {
+    match LongRun::from_start(Ratios::new(omega, alpha)?.with_damping_ratio(zeta)?, State::default())? {
         LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(LoopSize::of_motion(&steady, omega, alpha)),
         LongRun::Rest(_) => Ok(LoopSize::none()),
         LongRun::Unbounded { .. } => Err(Error::Unbounded { alpha: written(alpha) }),
@@ -230,9 +230,9 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let tolerance = within(Quantity::Tolerance, tolerance, F::epsilon().sqrt(), one)?;
     let non_sticking = most_dissipating_force_ratio(omega, zeta)?;
     let border = Border::with_damping(omega, zeta)?;
-    let least = border.min_force_ratio();
+    let least = border.min_force_ratio;
     let share = one / least;
-    let at_border = LoopSize::closed(loop_size_stiffness(border.least_displacement(), least)).most;
+    let at_border = LoopSize::closed(loop_size_stiffness(border.min_displacement, least)).most;
     let most = LoopSize::closed(non_sticking.value).most;
     // The best cycle that does not stick is the first candidate; its place may be the border.
     let mut sticking =

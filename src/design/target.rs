@@ -63,7 +63,7 @@ pub fn force_for_displacement<F: Float>(
 /// use stickslip::{Cycle, Ratios};
 /// let alpha: f64 = stickslip::design::force_ratio_for_velocity(1.0, 0.05, 8.0)?;
 /// let cycle = Cycle::new(Ratios::new(1.0, alpha)?.with_damping_ratio(0.05)?)?;
-/// assert!((cycle.max_velocity() - 8.0).abs() < 1e-13);
+/// assert!((cycle.max_velocity - 8.0).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -109,7 +109,7 @@ pub fn force_for_velocity<F: Float>(
 fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
     let p = steady(omega, quantity)?;
     let displacement = positive(quantity, target)? / scale;
-    let least = Border::at(&p).least_displacement();
+    let least = Border::at(&p).min_displacement;
     if displacement < least {
         return Err(sticks(quantity, target, least * scale, omega));
     }
@@ -127,7 +127,7 @@ fn damped_displacement_target<F: Float>(
 ) -> Result<F, Error> {
     let half = damped::half_period(ratios);
     let displacement = positive(quantity, target)? / scale;
-    let least = damped::border(&half).least_displacement();
+    let least = damped::border(&half).min_displacement;
     if displacement < least {
         return Err(sticks(quantity, target, least * scale, ratios.omega()));
     }
@@ -160,7 +160,7 @@ fn damped_velocity_target<F: Float>(
         let [speed, ..] = rising.velocity(&moment);
         (speed / half.omega, moment.drive.0)
     };
-    let least = damped::border(&half).least_displacement() + half.shift;
+    let least = damped::border(&half).min_displacement + half.shift;
     let (least_velocity, _) = reached(least);
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, half.omega));
@@ -185,7 +185,7 @@ fn damped_velocity_target<F: Float>(
 fn velocity_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) -> Result<F, Error> {
     let p = steady(omega, quantity)?;
     let velocity = positive(quantity, target)? / scale;
-    let least = Border::at(&p).least_displacement();
+    let least = Border::at(&p).min_displacement;
     let (least_velocity, _) = max_velocity_from_displacement(&p, least);
     if velocity < least_velocity {
         return Err(sticks(quantity, target, least_velocity * scale, omega));
@@ -247,7 +247,7 @@ mod tests {
             let force: f64 = force_for_displacement(&body, frequency, target * scale).unwrap();
             let drive = crate::Drive::force(force, frequency).unwrap();
             let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
-            assert!((cycle.max_displacement() / target - 1.0).abs() < 1e-13, "{omega}");
+            assert!((cycle.max_displacement / target - 1.0).abs() < 1e-13, "{omega}");
         }
         let error = force_for_displacement(&body, 1.4, 0.1).unwrap_err();
         assert!(matches!(error, Error::TargetSticks { .. }));
@@ -269,9 +269,9 @@ mod tests {
         // ω_n = 2, B = 3/8, ω_d = 1.4: Ω = 0.7.
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
         let cycle = Cycle::new(Ratios::new(0.7f64, 2.0).unwrap()).unwrap();
-        let force = force_for_displacement(&body, 1.4, cycle.max_displacement() * 0.375).unwrap();
+        let force = force_for_displacement(&body, 1.4, cycle.max_displacement * 0.375).unwrap();
         assert!((force - 6.0).abs() < 1e-14);
-        let force = force_for_velocity(&body, 1.4, cycle.max_velocity() * 0.375 * 1.4).unwrap();
+        let force = force_for_velocity(&body, 1.4, cycle.max_velocity * 0.375 * 1.4).unwrap();
         assert!((force - 6.0).abs() < 1e-14);
         let error = force_for_displacement(&body, 1.4, 0.5).unwrap_err().to_string();
         assert!(error.starts_with("maximum displacement Δ₀ = 0.5 must be ≥ 0.76"), "{error}");

@@ -14,6 +14,7 @@ use crate::float::Float;
 use crate::ratios::Ratios;
 pub use signature::Signature;
 pub(crate) use signature::at_zero;
+use std::ops::ControlFlow;
 
 /// A limit, and how many starts lead to it.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,8 +74,10 @@ pub fn attractors<F: Float>(
     starts: &[State<F>],
     periods: u32,
 ) -> Result<Attractors<F>, Error> {
-    let limits: Result<Vec<_>, _> =
-        starts.iter().map(|start| LongRun::within(ratios, *start, periods)).collect();
+    let limits: Result<Vec<_>, _> = starts
+        .iter()
+        .map(|start| LongRun::within(ratios, *start, periods, &mut || ControlFlow::Continue(())))
+        .collect();
     Attractors::of_limits(limits?)
 }
 

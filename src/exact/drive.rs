@@ -26,7 +26,7 @@ impl<F: Float> DrivePhase<F> {
     ///
     /// # Errors
     /// Where θ is not finite, or above 2⁵² half turns, where no digit of the angle is left.
-    pub fn new(theta: F) -> Result<Self, Error> {
+    pub(crate) fn of(theta: F) -> Result<Self, Error> {
         let theta = finite(Quantity::DrivePhase, theta)?;
         let most = F::pi() * F::from_f64(MOST_HALF_TURNS);
         if theta.abs() > most {
@@ -43,8 +43,8 @@ impl<F: Float> DrivePhase<F> {
     /// The phase after `cycles` whole cycles and the angle θ of a further one.
     ///
     /// # Errors
-    /// As for [`DrivePhase::new`], and beyond 2⁵¹ cycles either way.
-    pub fn in_cycle(cycles: i64, theta: F) -> Result<Self, Error> {
+    /// Where θ is not finite, or above 2⁵² half turns, where no digit of the angle is left; and beyond 2⁵¹ cycles either way.
+    pub fn new(cycles: i64, theta: F) -> Result<Self, Error> {
         let half_turns = cycles.saturating_mul(2);
         if half_turns.unsigned_abs() > MOST_HALF_TURNS as u64 {
             return Err(Error::OutOfRange {
@@ -54,7 +54,7 @@ impl<F: Float> DrivePhase<F> {
                 greatest: written(MOST_HALF_TURNS / 2.0),
             });
         }
-        Self::new(theta).map(|p| p.later_by_half_turns(half_turns))
+        Self::of(theta).map(|p| p.later_by_half_turns(half_turns))
     }
 
     /// Whole half turns n.
@@ -81,14 +81,14 @@ impl<F: Float> DrivePhase<F> {
 
     /// `(sin θ, cos θ)`.
     #[inline]
-    pub fn sin_cos(&self) -> (F, F) {
+    pub(crate) fn sin_cos(&self) -> (F, F) {
         let (s, c) = self.angle.sin_cos();
         if self.is_even() { (s, c) } else { (-s, -c) }
     }
 
     /// `θ − θ′`: exact in whole half turns up to one rounding.
     #[inline]
-    pub fn since(&self, earlier: Self) -> F {
+    pub(crate) fn since(&self, earlier: Self) -> F {
         let turns = self.half_turns.saturating_sub(earlier.half_turns);
         let angle = self.angle - earlier.angle;
         // An exact product needs no fused operation, which is a function call unless the target is known to
@@ -149,6 +149,15 @@ impl<F: Float> DrivePhase<F> {
     }
 }
 
+/// `θ − θ′`: exact in whole half turns up to one rounding.
+impl<F: Float> core::ops::Sub for DrivePhase<F> {
+    type Output = F;
+
+    fn sub(self, earlier: Self) -> F {
+        self.since(earlier)
+    }
+}
+
 /// More half turns than any angle of the library's types can still resolve.
 const MOST_HALF_TURNS: f64 = 4_503_599_627_370_496.0;
 
@@ -158,15 +167,15 @@ mod tests {
     use std::f64::consts::{PI, TAU};
 
     fn phase(theta: f64) -> DrivePhase<f64> {
-        DrivePhase::new(theta).unwrap()
+        DrivePhase::of(theta).unwrap()
     }
 
     #[test]
     fn cycles_that_are_too_many_are_refused() {
         let most = 1i64 << 51;
-        assert!(DrivePhase::in_cycle(most, 0.3f64).is_ok() && DrivePhase::in_cycle(-most, 0.3f64).is_ok());
+        assert!(DrivePhase::new(most, 0.3f64).is_ok() && DrivePhase::new(-most, 0.3f64).is_ok());
         for cycles in [most + 1, -most - 1, i64::MAX, i64::MIN] {
-            let message = DrivePhase::in_cycle(cycles, 4.0f64).unwrap_err().to_string();
+            let message = DrivePhase::new(cycles, 4.0f64).unwrap_err().to_string();
             let domain = "≥ -2251799813685248 and ≤ 2251799813685248";
             assert!(message.starts_with(&format!("whole cycles = {cycles} must be {domain}")), "{message}");
         }
@@ -204,7 +213,7 @@ mod tests {
     #[test]
     fn a_million_cycles_cost_no_digit() {
         let near = phase(1.25);
-        let far = DrivePhase::in_cycle(1_000_000, 1.25).unwrap();
+        let far = DrivePhase::new(1_000_000, 1.25).unwrap();
         assert_eq!(near.sin_cos(), far.sin_cos());
         assert_eq!(far.cycles(), 1_000_000);
         assert!((far.since(near) - 1e6 * TAU).abs() < 2e-9);
@@ -214,7 +223,7 @@ mod tests {
 
     #[test]
     fn what_is_no_phase_is_refused() {
-        let message = |theta: f64| DrivePhase::new(theta).unwrap_err().to_string();
+        let message = |theta: f64| DrivePhase::of(theta).unwrap_err().to_string();
         assert_eq!(message(f64::NAN), "phase ω_d t = NaN must be finite");
         assert!(message(1e18).starts_with("phase ω_d t = 1e18 must be ≥"));
     }

@@ -17,7 +17,7 @@ use super::propagation::{Propagation, propagate};
 use super::shooting::{Budget, Residual, rate_noise};
 use super::slide::{Direction, Slide};
 use super::state::Point;
-use super::steady::{SteadyState, Summary};
+use super::steady::{Found, SteadyState, Summary};
 use crate::error::Error;
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -32,7 +32,7 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
         return false;
     }
     let p = PhaseFunction::of_valid(ratios.omega());
-    p.is_even_subharmonic() && ratios.alpha() >= Border::of(&ratios).min_force_ratio()
+    p.is_even_subharmonic() && ratios.alpha() >= Border::of(&ratios).min_force_ratio
 }
 
 /// The member that the motion through a point tends to.
@@ -145,7 +145,7 @@ fn finish<F: Float>(
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
     let shift = (statistics.max_x.value + statistics.min_x.value).abs();
-    Ok(LongRun::Family(SteadyState {
+    Ok(LongRun::Family(SteadyState::of(Found {
         equation,
         start,
         half_turns: if shift <= F::int(2) * distance.0 { 1 } else { 2 },
@@ -153,7 +153,7 @@ fn finish<F: Float>(
         multipliers: [(one, zero), (other, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    }))
+    })))
 }
 
 #[cfg(test)]

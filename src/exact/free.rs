@@ -33,19 +33,30 @@ use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 /// ```
 /// use stickslip::exact::FreeDecay;
 /// let decay = FreeDecay::new(12.0f64, 6.0, 0.0, 1.0)?;
-/// assert_eq!(decay.half_cycles(), 8);
-/// assert!((decay.rest_position() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
+/// assert_eq!(decay.half_cycles, 8);
+/// assert!((decay.rest_position - (15.0 - 205f64.sqrt())).abs() < 1e-14);
 /// let damped = FreeDecay::new(12.0f64, 6.0, 0.05, 1.0)?;
-/// assert_eq!(damped.half_cycles(), 6);
+/// assert_eq!(damped.half_cycles, 6);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct FreeDecay<F> {
+    /// Displacement of the first turn, x₁/B; if the body creeps without a turn, the limit of the creep.
+    pub first_turn: F,
+    /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one
+    /// is part of a half cycle where v₀ ≠ 0. A creep that never ends counts as one.
+    pub half_cycles: u64,
+    /// Displacement x/B at rest, or the limit of a creep. Accuracy at f64: that of x₁, half a unit in its
+    /// last place without damping, a few units of max(|x₁|, 1) with it.
+    pub rest_position: F,
+    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other.
+    /// Infinite where it creeps, from ζ = 1 on.
+    pub rest_time: F,
     start: State<F>,
     zeta: F,
     eta: F,
-    first_turn: F,
     /// The time of the first turn; infinite where there is none.
     first_time: F,
     /// Half cycles after the first turn.
@@ -68,7 +79,17 @@ impl<F: Float> FreeDecay<F> {
         if zeta > zero {
             crate::ratios::within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(20))?;
         }
-        let mut found = Self { start, zeta, eta, first_turn: x, first_time: zero, turns: zero };
+        let mut found = Self {
+            first_turn: x,
+            half_cycles: 0,
+            rest_position: x,
+            rest_time: zero,
+            start,
+            zeta,
+            eta,
+            first_time: zero,
+            turns: zero,
+        };
         if v != zero {
             (found.first_turn, found.first_time) = found.turning();
         }
@@ -83,6 +104,9 @@ impl<F: Float> FreeDecay<F> {
                 one
             };
         }
+        found.half_cycles = found.counted();
+        found.rest_position = found.resting();
+        found.rest_time = found.time();
         Ok(found)
     }
 
@@ -158,21 +182,12 @@ impl<F: Float> FreeDecay<F> {
         if self.left_after(turns) > self.eta { turns + one } else { turns.or_larger(one) }
     }
 
-    /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one
-    /// is part of a half cycle where v₀ ≠ 0. A creep that never ends counts as one.
-    pub fn half_cycles(&self) -> u64 {
+    fn counted(&self) -> u64 {
         let first = u64::from(self.start.v != F::int(0));
         (self.turns.to_f64() as u64).saturating_add(first)
     }
 
-    /// Displacement of the first turn, x₁/B; if the body creeps without a turn, the limit of the creep.
-    pub const fn first_turn(&self) -> F {
-        self.first_turn
-    }
-
-    /// Displacement x/B at rest, or the limit of a creep. Accuracy at f64: that of x₁, half a unit in its
-    /// last place without damping, a few units of max(|x₁|, 1) with it.
-    pub fn rest_position(&self) -> F {
+    fn resting(&self) -> F {
         let left = self.left_after(self.turns);
         let half = self.turns / F::int(2);
         let is_opposite = (half != half.floor()) != (self.first_turn < F::int(0));
@@ -180,9 +195,7 @@ impl<F: Float> FreeDecay<F> {
         F::int(0) + if is_opposite { -left } else { left }
     }
 
-    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other.
-    /// Infinite where it creeps, from ζ = 1 on.
-    pub fn rest_time(&self) -> F {
+    fn time(&self) -> F {
         let (zero, one) = (F::int(0), F::int(1));
         if self.zeta == zero {
             return self.first_time + self.turns * F::pi();
@@ -196,7 +209,7 @@ impl<F: Float> FreeDecay<F> {
         self.first_time + self.turns * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
     }
 
-    /// The same motion phase by phase, by the machinery of the driven one: phases are ω_n t. A creep ends
+    /// The same motion segment by segment, by the machinery of the driven one: phases are ω_n t. A creep ends
     /// when its velocity is rounding.
     pub fn trajectory(&self) -> Trajectory<F> {
         Trajectory::of(Equation::free(self.zeta, self.eta), self.start)

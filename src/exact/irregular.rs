@@ -46,6 +46,7 @@ impl<F: Float> Irregular<F> {
 mod tests {
     use crate::Ratios;
     use crate::exact::{DrivePhase, LongRun, State, Trajectory};
+    use std::ops::ControlFlow;
 
     fn ratios(eta: f64, alpha: f64) -> Ratios<f64> {
         let ratios = Ratios::new(0.45, alpha).unwrap().with_damping_ratio(0.02).unwrap();
@@ -54,7 +55,7 @@ mod tests {
 
     /// The state a turn of the drive later.
     fn turn(ratios: Ratios<f64>, start: State<f64>) -> State<f64> {
-        let target = DrivePhase::in_cycle(1, 0.0).unwrap();
+        let target = DrivePhase::new(1, 0.0).unwrap();
         let mut parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
         let part = parts.find(|part| part.end().is_none_or(|end| target.since(end.phase) <= 0.0)).unwrap();
         State { phase: start.phase, ..part.at(target).state }
@@ -86,7 +87,8 @@ mod tests {
             let ratios = ratios(eta, alpha);
             for (x, v) in [(0.0, 0.0), (4.0, 1.0), (-3.0, 6.0)] {
                 let start = State::new(0.0, x, v).unwrap();
-                let limit = LongRun::within(ratios, start, 16_000).unwrap();
+                let limit =
+                    LongRun::within(ratios, start, 16_000, &mut || ControlFlow::Continue(())).unwrap();
                 let LongRun::Irregular(motion) = limit else { panic!("{limit:?}") };
                 let (found, error) = (motion.lyapunov_exponent, motion.lyapunov_exponent_error);
                 assert!(motion.is_chaotic() && (found - expected).abs() < 0.03 * expected, "{motion:?}");

@@ -10,7 +10,7 @@ use super::rest::come_to_rest;
 use super::section::{cycle_guess, fastest_point, middle_of_rise, on_six_reversals, settle_in};
 use super::shooting::{Budget, Guess, Shot, shoot};
 use super::state::{Point, State};
-use super::steady::{SteadyState, Summary};
+use super::steady::{Found, SteadyState, Summary};
 use super::stops::Sticking;
 use super::trajectory::resolved;
 use super::validate::validated;
@@ -33,19 +33,11 @@ impl<F: Float> LongRun<F> {
     /// # Errors
     /// As for [`super::Trajectory::new`].
     pub fn from_start(ratios: Ratios<F>, start: State<F>) -> Result<Self, Error> {
-        Self::within(ratios, start, DEFAULT_BUDGET)
+        Self::budgeted(ratios, start, Budget::of(2 * u64::from(DEFAULT_BUDGET)))
     }
 
-    /// The same, following the motion for at most `periods` periods of the drive.
-    ///
-    /// # Errors
-    /// As for [`super::Trajectory::new`].
-    pub fn within(ratios: Ratios<F>, start: State<F>, periods: u32) -> Result<Self, Error> {
-        Self::budgeted(ratios, start, Budget::of(2 * u64::from(periods)))
-    }
-
-    /// The same, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide and stop,
-    /// of which one takes about a microsecond at f64.
+    /// The same, following the motion for at most `periods` periods of the drive, as long as `keep_going` says
+    /// [`ControlFlow::Continue`]: it is asked at every slide and stop, of which one takes about a microsecond at f64.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -53,14 +45,14 @@ impl<F: Float> LongRun<F> {
     /// use stickslip::{Error, Ratios};
     /// let mut slides = 0;
     /// let mut few = || { slides += 1; if slides < 1000 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) } };
-    /// let limit = LongRun::within_while(Ratios::new(1e-5f64, 2.0)?, State::rest(), 100, &mut few);
+    /// let limit = LongRun::within(Ratios::new(1e-5f64, 2.0)?, State::default(), 100, &mut few);
     /// assert_eq!(limit, Err(Error::Interrupted));
     /// # Ok::<(), Error>(())
     /// ```
     ///
     /// # Errors
     /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
-    pub fn within_while(
+    pub fn within(
         ratios: Ratios<F>,
         start: State<F>,
         periods: u32,
@@ -107,7 +99,7 @@ impl<F: Float> LongRun<F> {
                 // Below the border, of six reversals or with stops: then the limit is that from rest.
                 let (at, hint) = match SixReversals::new(ratios) {
                     Some(cycle) => on_six_reversals(equation, &cycle),
-                    None => settle_in(equation, State::rest(), &mut Budget::of(0))?,
+                    None => settle_in(equation, State::default(), &mut Budget::of(0))?,
                 };
                 Ok(Some(Guess { at, hint, is_limit: false }))
             }
@@ -129,7 +121,7 @@ impl<F: Float> LongRun<F> {
                 let statistics =
                     CycleStatistics::of_periodic(equation, fixed.start, 1, &fixed.propagation, &mut budget)?
                         .doubled();
-                Ok(Self::Periodic(SteadyState {
+                Ok(Self::Periodic(SteadyState::of(Found {
                     equation,
                     start: fixed.start,
                     half_turns: 1,
@@ -137,7 +129,7 @@ impl<F: Float> LongRun<F> {
                     multipliers,
                     distance: fixed.distance,
                     periods,
-                }))
+                })))
             }
             Shot::Unsettled(y, residual) => Ok(unsettled(&equation, &y, residual, &budget)),
         }
@@ -152,7 +144,7 @@ impl<F: Float> SteadyState<F> {
     /// # Errors
     /// As for [`crate::exact::Trajectory::new`].
     pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
-        let ratios = resolved(cycle.ratios())?;
+        let ratios = resolved(cycle.ratios)?;
         let equation = Equation::new(ratios);
         let is_family = family::is_one(ratios);
         if !is_family && let Some(steady) = validated(equation, cycle) {
@@ -185,28 +177,28 @@ mod tests {
             let spread = |step: f64| (f64::from(i) * step).fract();
             let omega = 10f64.powf(2.3 * spread(0.618_034) - 1.1);
             let zeta = 10f64.powf(3.0 * spread(0.437_016) - 2.5);
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             let ratios = Ratios::new(omega, least * (1.001 + 3.0 * spread(0.754_878))).unwrap();
             let ratios = ratios.with_damping_ratio(zeta).unwrap();
-            let here = LongRun::from_start(ratios, State::rest()).unwrap();
+            let here = LongRun::from_start(ratios, State::default()).unwrap();
             let here = here.steady_state().unwrap_or_else(|| panic!("{ratios:?}"));
             let equation = Equation::new(ratios);
-            let (at, hint) = settle_in(equation, State::rest(), &mut Budget::of(0)).unwrap();
+            let (at, hint) = settle_in(equation, State::default(), &mut Budget::of(0)).unwrap();
             let there = LongRun::shot(equation, at, hint, || Ok(None), Budget::of(2000)).unwrap();
             let there = there.steady_state().unwrap_or_else(|| panic!("{ratios:?}: {there:?}"));
-            let size = 1.0 + here.max_displacement() + here.max_velocity() * omega;
+            let size = 1.0 + here.max_displacement.value + here.max_velocity.value * omega;
             let off = |s: &crate::exact::SteadyState<f64>| s.distance().0 + s.distance().1 * omega;
             let room = off(here) + off(there) + 64.0 * f64::EPSILON * size * (1.0 + 1.0 / omega);
             for (a, b) in [
-                (here.max_displacement(), there.max_displacement()),
-                (here.min_displacement(), there.min_displacement()),
-                (here.max_velocity() * omega, there.max_velocity() * omega),
+                (here.max_displacement.value, there.max_displacement.value),
+                (here.min_displacement.value, there.min_displacement.value),
+                (here.max_velocity.value * omega, there.max_velocity.value * omega),
             ] {
                 assert!((a - b).abs() <= room, "{ratios:?}: {a} {b} {room:e}");
             }
-            assert!(here.periods() < 3.0, "{ratios:?}: {}", here.periods());
-            assert_eq!((here.sticks_per_cycle(), there.sticks_per_cycle()), (0, 0), "{ratios:?}");
-            assert_eq!(here.velocity_zeros_per_cycle(), 2, "{ratios:?}");
+            assert!(here.periods < 3.0, "{ratios:?}: {}", here.periods);
+            assert_eq!((here.sticks_per_cycle, there.sticks_per_cycle), (0, 0), "{ratios:?}");
+            assert_eq!(here.velocity_zeros_per_cycle, 2, "{ratios:?}");
         }
     }
 
@@ -218,13 +210,13 @@ mod tests {
         for i in 0..400u32 {
             let spread = |step: f64| (f64::from(i) * step).fract();
             let omega = 10f64.powf(2.0 * spread(0.618_034) - 1.3);
-            let alpha = 1.05 + 2.0 * spread(0.754_878) * Border::new(omega).unwrap().min_force_ratio();
+            let alpha = 1.05 + 2.0 * spread(0.754_878) * Border::new(omega).unwrap().min_force_ratio;
             let ratios = Ratios::new(omega, alpha).unwrap();
             let far = State::new(7.0 * spread(0.569_840), 3.0 * alpha, -2.0 * alpha / omega).unwrap();
-            for start in [State::rest(), far] {
+            for start in [State::default(), far] {
                 let limit = LongRun::from_start(ratios, start).unwrap();
                 let Some(steady) = limit.steady_state() else { panic!("{omega} {alpha} {limit:?}") };
-                (periods, most) = (periods + steady.periods(), most.max(steady.periods()));
+                (periods, most) = (periods + steady.periods, most.max(steady.periods));
             }
         }
         // 4.33 a start.

@@ -89,7 +89,7 @@ impl<F: Float> LongRun<F> {
     /// takes none.
     pub const fn periods(&self) -> Option<F> {
         match self {
-            Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods()),
+            Self::Periodic(steady) | Self::Family(steady) => Some(steady.periods),
             Self::Rest(rest) => Some(rest.periods),
             Self::Irregular(motion) => Some(motion.periods),
             Self::Unbounded { .. } => None,
@@ -107,10 +107,11 @@ impl<F: Float> LongRun<F> {
         if let Self::Irregular(motion) = self { Some(motion) } else { None }
     }
 
-    /// The least and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
+    /// The minimum and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
     /// irregular motion that were observed.
     pub fn extrema(&self) -> Option<(F, F)> {
-        let of_cycle = |steady: &SteadyState<F>| (steady.min_displacement(), steady.max_displacement());
+        let of_cycle =
+            |steady: &SteadyState<F>| (steady.min_displacement.value, steady.max_displacement.value);
         let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
         irregular.or_else(|| self.steady_state().map(of_cycle))
     }

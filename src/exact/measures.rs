@@ -13,11 +13,13 @@ use crate::float::Float;
 
 /// An extreme value and its phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Extreme<F> {
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Extreme<F> {
     /// The value: x/B or x′/(Bω_d).
-    pub(crate) value: F,
-    /// Where it is taken first.
-    pub(crate) phase: DrivePhase<F>,
+    pub value: F,
+    /// Where it is taken first; [`DrivePhase::reduced`] gives it in [0, 2π).
+    pub phase: DrivePhase<F>,
 }
 
 impl<F: Float> Extreme<F> {
@@ -235,7 +237,7 @@ mod tests {
     use crate::exact::state::Point;
 
     fn phase(theta: f64) -> DrivePhase<f64> {
-        DrivePhase::new(theta).unwrap()
+        DrivePhase::of(theta).unwrap()
     }
 
     #[test]

@@ -83,7 +83,7 @@ mod tests {
         {
             let ratios = Ratios::new(omega, 1.7).unwrap();
             let equation = Equation::new(ratios.with_damping_ratio(zeta).unwrap());
-            let slide = Slide::new(equation, DrivePhase::new(0.4).unwrap(), -0.3, 0.8, Direction::Forward);
+            let slide = Slide::new(equation, DrivePhase::of(0.4).unwrap(), -0.3, 0.8, Direction::Forward);
             for phi in [0.2, 0.7, 1.9] {
                 for sign in [1.0, -1.0] {
                     let d = 1e-4;

@@ -34,7 +34,7 @@ impl<F: Float> SteadyState<F> {
     /// Those of the motion ([`Trajectory`]).
     pub fn peaks(&self) -> Result<Peaks<F>, Error> {
         let zero = F::int(0);
-        let reach = self.max_displacement().abs().or_larger(self.min_displacement().abs());
+        let reach = self.max_displacement.value.abs().or_larger(self.min_displacement.value.abs());
         let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
         let start = self.state();
         let phases = Trajectory::of(self.equation, start);
@@ -176,7 +176,7 @@ mod tests {
             (3.0, 6.0, 1.0),
         ] {
             let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-            let found = LongRun::from_start(ratios, State::rest()).unwrap();
+            let found = LongRun::from_start(ratios, State::default()).unwrap();
             let steady = found.steady_state().unwrap();
             let peaks = steady.peaks().unwrap();
             let (mut acceleration, mut force, mut absolute) = (0.0f64, 0.0f64, 0.0f64);
@@ -205,7 +205,7 @@ mod tests {
     fn many_waves_take_no_time() {
         for (omega, alpha) in [(1e-3f64, 3e6f64), (2e-4, 6e7), (1e-3, 1.3e6)] {
             let ratios = Ratios::new(omega, alpha).unwrap();
-            let found = LongRun::from_start(ratios, State::rest()).unwrap();
+            let found = LongRun::from_start(ratios, State::default()).unwrap();
             let peaks = found.steady_state().unwrap().peaks().unwrap();
             let cycle = Cycle::new(ratios).unwrap();
             assert!((peaks.acceleration / cycle.max_acceleration() - 1.0).abs() < 1e-6, "{omega} {alpha}");
@@ -231,7 +231,7 @@ mod tests {
         ] {
             let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
             let cycle = Cycle::new(ratios).unwrap();
-            let found = LongRun::from_start(ratios, State::rest()).unwrap();
+            let found = LongRun::from_start(ratios, State::default()).unwrap();
             let peaks = found.steady_state().unwrap().peaks().unwrap();
             for (exact, closed) in [
                 (peaks.acceleration, cycle.max_acceleration()),

@@ -9,7 +9,7 @@ use super::propagation::{Part, follow, propagate};
 use super::shooting::{Budget, Residual, is_known};
 use super::slide::Direction;
 use super::state::Point;
-use super::steady::{SteadyState, Summary};
+use super::steady::{Found, SteadyState, Summary};
 use crate::float::Float;
 
 /// Some half turns of a motion.
@@ -73,7 +73,7 @@ pub(crate) fn steady<F: Float>(
     let once = propagate(equation, start, i64::from(half_turns), usual, Vec::new(), budget)?;
     let statistics = CycleStatistics::of_periodic(equation, start, i64::from(half_turns), &once, budget)?;
     let statistics = if m % 2 == 1 { statistics.doubled() } else { statistics };
-    Ok(SteadyState {
+    Ok(SteadyState::of(Found {
         equation,
         start,
         half_turns,
@@ -81,7 +81,7 @@ pub(crate) fn steady<F: Float>(
         multipliers,
         distance,
         periods: F::from_f64(budget.half_turns as f64) / F::int(2),
-    })
+    }))
 }
 
 /// A point that Hᵐ should bring back, with where it brings it.

@@ -50,7 +50,7 @@ pub(crate) fn come_to_rest<F: Float>(
             Body::Slide(..) => slides = u64::saturating_add(slides, 1),
             Body::Stick(stick) => {
                 let outside = stick.x.abs() - edge;
-                if phase.end == End::Never {
+                if phase.ends_by == End::Never {
                     return Ok(LongRun::Rest(Rest { position: stick.x, slides: Some(slides), periods }));
                 }
                 if creeps && outside < creeping {
@@ -72,7 +72,7 @@ pub(crate) fn come_to_rest<F: Float>(
 mod tests {
     use super::{Budget, LongRun, come_to_rest};
     use crate::Ratios;
-    use crate::exact::trajectory::{Body, End, Phase};
+    use crate::exact::trajectory::{Body, End, Segment};
     use crate::exact::{State, Trajectory};
     use std::f64::consts::TAU;
 
@@ -82,8 +82,8 @@ mod tests {
         let ratios = Ratios::new(0.37, 0.8).unwrap();
         let start = State::new(0.3, 60.0, -2.0).unwrap();
         let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(200).map(Result::unwrap).collect();
-        let is_slide = |phase: &&Phase<f64>| matches!(phase.body, Body::Slide(..));
-        let at_rest = phases.iter().position(|phase| phase.end == End::Never).unwrap();
+        let is_slide = |phase: &&Segment<f64>| matches!(phase.body, Body::Slide(..));
+        let at_rest = phases.iter().position(|phase| phase.ends_by == End::Never).unwrap();
         let slides = phases[..at_rest].iter().filter(is_slide).count();
         assert!(slides > 20 && slides < at_rest, "{slides} {at_rest}");
         let since = |state: State<f64>| state.phase.since(start.phase) / TAU;

@@ -2,7 +2,7 @@
 
 use super::drive::DrivePhase;
 use super::state::Instant;
-use super::trajectory::{Phase, Trajectory};
+use super::trajectory::{Segment, Trajectory};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use core::ops::ControlFlow;
@@ -15,7 +15,7 @@ use core::ops::ControlFlow;
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
-    current: Option<Phase<F>>,
+    current: Option<Segment<F>>,
     /// The next sample: its cycle, and its number in the cycle.
     at: (i64, u32),
     per_cycle: u32,
@@ -157,7 +157,7 @@ mod tests {
     /// Sampling interrupted at each slide and stop yields the same samples.
     #[test]
     fn a_sample_can_be_broken_off() {
-        let motion = Trajectory::new(Ratios::new(0.01, 1.7).unwrap(), State::rest()).unwrap();
+        let motion = Trajectory::new(Ratios::new(0.01, 1.7).unwrap(), State::default()).unwrap();
         let mut broken = motion.samples(1).unwrap();
         for sample in motion.samples(1).unwrap().take(4).map(Result::unwrap) {
             let mut asked = 0;

@@ -67,10 +67,10 @@ pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> 
 /// The fastest point of a non-sticking cycle, (Δ₁, V₀) at ω_d t₁, and the natural time from there to the
 /// maximum displacement.
 pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> (Point<F>, F) {
-    let lag = cycle.displacement_phase() - cycle.velocity_phase();
+    let lag = cycle.displacement_phase - cycle.velocity_phase;
     let lag = if lag < F::int(0) { lag + F::int(2) * F::pi() } else { lag };
-    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase());
-    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity() * equation.omega };
+    let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(cycle.velocity_phase);
+    let point = Point { phase, x: cycle.deviation(), w: cycle.max_velocity * equation.omega };
     (point, lag / equation.omega)
 }
 
@@ -104,7 +104,7 @@ mod tests {
             let (point, time) = fastest_point(equation, &cycle);
             let slide = Slide::new(equation, point.phase, point.x, point.w, Direction::Forward);
             let at = slide.motion(time);
-            let size = cycle.max_displacement();
+            let size = cycle.max_displacement;
             assert!(
                 time > 0.0 && at.w.abs() < 1e-12 * size && (at.x - size).abs() < 1e-12 * size,
                 "{omega}: {at:?}"

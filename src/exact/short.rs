@@ -88,7 +88,7 @@ mod tests {
 
     fn slide(omega: f64, theta: f64, w: f64) -> Slide<f64> {
         let equation = Equation::new(Ratios::new(omega, 1.7).unwrap());
-        Slide::new(equation, DrivePhase::new(theta).unwrap(), -0.3, w, Direction::Forward)
+        Slide::new(equation, DrivePhase::of(theta).unwrap(), -0.3, w, Direction::Forward)
     }
 
     #[test]
@@ -121,7 +121,7 @@ mod tests {
         for omega in [1e-3f64, 0.7, 1.0, 768.0] {
             let (alpha, early) = (1.0f64, 2f64.powi(-24));
             let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-            let start = DrivePhase::new(std::f64::consts::FRAC_PI_2 - early).unwrap();
+            let start = DrivePhase::of(std::f64::consts::FRAC_PI_2 - early).unwrap();
             let s = Slide::released(equation, start, 0.0, Direction::Forward);
             // In units of the phase h = Ωφ: w = α (e h²/2 − h³/6), x = α (e h³/6 − h⁴/24)/Ω², but for parts
             // of h².

@@ -30,9 +30,7 @@ use crate::float::Float;
 
 /// The way a body slides: the sign of its velocity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
-pub enum Direction {
+pub(crate) enum Direction {
     /// Towards larger x: friction is +r_y.
     Forward,
     /// Towards smaller x: friction is −r_y.
@@ -42,8 +40,7 @@ pub enum Direction {
 impl Direction {
     /// +1 or −1.
     #[inline]
-    #[must_use]
-    pub fn sign<F: Float>(self) -> F {
+    pub(crate) fn sign<F: Float>(self) -> F {
         F::int(match self {
             Self::Forward => 1,
             Self::Backward => -1,

@@ -50,6 +50,6 @@ impl<F: Float> Starts<F> {
         };
         let (x, v) = (place(0.754_877_666_246_692_7), place(0.569_840_290_998_053_3));
         // R ≤ 2⁴⁰ and no multiple is within 2⁻⁴⁰ of a whole number: the state is one that every type has.
-        State { x, v, ..State::rest() }
+        State { x, v, ..State::default() }
     }
 }

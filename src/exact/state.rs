@@ -18,12 +18,6 @@ pub struct State<F> {
 }
 
 impl<F: Float> State<F> {
-    /// At rest at x = 0 and θ = 0.
-    pub fn rest() -> Self {
-        let zero = F::int(0);
-        Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
-    }
-
     /// The displacement x/B and the velocity x′/(Bω_d) at the phase θ. A speed below 2⁻ᵉ,
     /// e = [`Float::RATIO_EXPONENT`], counts as rest: it would end in a time that underflows.
     ///
@@ -45,10 +39,18 @@ impl<F: Float> State<F> {
             })
         };
         Ok(Self {
-            phase: DrivePhase::new(theta)?,
+            phase: DrivePhase::of(theta)?,
             x: bounded(Quantity::Displacement, x)?,
             v: moving(bounded(Quantity::Velocity, v)?),
         })
+    }
+}
+
+/// At rest at x = 0 and θ = 0.
+impl<F: Float> Default for State<F> {
+    fn default() -> Self {
+        let zero = F::int(0);
+        Self { phase: DrivePhase::of_half_turn(0, zero), x: zero, v: zero }
     }
 }
 
@@ -69,15 +71,9 @@ pub struct Instant<F> {
     pub state: State<F>,
     /// Acceleration `x″/(Bω_d²)`.
     pub acceleration: F,
-    /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η.
+    /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η. Plus
+    /// x/B it is the constitutive force r/r_y of eq. 1.
     pub friction: F,
-}
-
-impl<F: Float> Instant<F> {
-    /// The constitutive force `r/r_y = (r_a + k x)/r_y`, friction and spring together (eq. 1).
-    pub fn constitutive_force(&self) -> F {
-        self.friction + self.state.x
-    }
 }
 
 /// `v`, or rest where it is next to nothing.

@@ -74,18 +74,58 @@ impl<F: Float> Summary<F> {
 /// ```
 /// use stickslip::Ratios;
 /// use stickslip::exact::{LongRun, State};
-/// let motion = LongRun::from_start(Ratios::new(0.4f64, 6.0)?, State::rest())?;
+/// let motion = LongRun::from_start(Ratios::new(0.4f64, 6.0)?, State::default())?;
 /// let steady = motion.steady_state().unwrap();
-/// assert!((steady.max_displacement() - 6.79382).abs() < 1e-5);
-/// assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (2, 4));
+/// assert!((steady.max_displacement.value - 6.79382).abs() < 1e-5);
+/// assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (2, 4));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct SteadyState<F> {
+    /// Maximum displacement x/B; its phase is where the body arrives at it.
+    pub max_displacement: Extreme<F>,
+    /// Minimum displacement x/B; its phase is where the body arrives at it.
+    pub min_displacement: Extreme<F>,
+    /// Maximum velocity x′/(Bω_d).
+    pub max_velocity: Extreme<F>,
+    /// Minimum velocity x′/(Bω_d).
+    pub min_velocity: Extreme<F>,
+    /// Stops in a cycle.
+    pub sticks_per_cycle: u32,
+    /// Velocity zeros in a cycle: ends of slides. A stop counts once.
+    pub velocity_zeros_per_cycle: u32,
+    /// The part of a cycle that the body is at rest, in [0, 1).
+    pub stick_fraction: F,
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
+    /// its digits. Its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`] with
+    /// damping, is then a check. Elsewhere (near Ω = 1, and where a motion is small beside the force) it
+    /// follows from the balance of energy of each slide. Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of
+    /// itself, Δ₀ the maximum displacement.
+    pub energy_in: F,
+    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
+    /// reversals. As accurate as the displacements are.
+    pub energy_out: F,
+    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
+    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
+    pub damper_work: F,
+    /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
+    /// If the body stops, one is zero.
+    pub multipliers: [(F, F); 2],
+    /// Periods of the drive that were followed to find it.
+    pub periods: F,
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
     /// The number of half turns after which the state repeats, mirrored if the number is odd.
+    pub(crate) half_turns: u32,
+    pub(crate) distance: (F, F),
+}
+
+/// A periodic motion as it was found.
+pub(crate) struct Found<F> {
+    pub(crate) equation: Equation<F>,
+    pub(crate) start: Point<F>,
     pub(crate) half_turns: u32,
     pub(crate) statistics: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
@@ -94,6 +134,29 @@ pub struct SteadyState<F> {
 }
 
 impl<F: Float> SteadyState<F> {
+    #[inline]
+    pub(crate) fn of(found: Found<F>) -> Self {
+        let statistics = found.statistics;
+        Self {
+            max_displacement: statistics.max_x,
+            min_displacement: statistics.min_x,
+            max_velocity: statistics.max_v,
+            min_velocity: statistics.min_v,
+            sticks_per_cycle: statistics.sticks,
+            velocity_zeros_per_cycle: statistics.zeros,
+            stick_fraction: statistics.stick_fraction,
+            energy_in: statistics.energy_in,
+            energy_out: statistics.energy_out,
+            damper_work: statistics.damper_work,
+            multipliers: found.multipliers,
+            periods: found.periods,
+            equation: found.equation,
+            start: found.start,
+            half_turns: found.half_turns,
+            distance: found.distance,
+        }
+    }
+
     /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
     /// the kinetic one.
     pub fn turns_per_cycle(&self) -> u32 {
@@ -114,88 +177,6 @@ impl<F: Float> SteadyState<F> {
         self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
     }
 
-    /// Maximum displacement x/B; its phase is [`SteadyState::max_displacement_phase`].
-    pub const fn max_displacement(&self) -> F {
-        self.statistics.max_x.value
-    }
-
-    /// Minimum displacement x/B.
-    pub const fn min_displacement(&self) -> F {
-        self.statistics.min_x.value
-    }
-
-    /// Maximum velocity x′/(Bω_d).
-    pub const fn max_velocity(&self) -> F {
-        self.statistics.max_v.value
-    }
-
-    /// Minimum velocity x′/(Bω_d).
-    pub const fn min_velocity(&self) -> F {
-        self.statistics.min_v.value
-    }
-
-    /// Phase of the maximum displacement: where the body arrives at it.
-    pub fn max_displacement_phase(&self) -> F {
-        self.statistics.max_x.phase.reduced()
-    }
-
-    /// Phase of the minimum displacement: where the body arrives at it.
-    pub fn min_displacement_phase(&self) -> F {
-        self.statistics.min_x.phase.reduced()
-    }
-
-    /// Phase of the maximum velocity.
-    pub fn max_velocity_phase(&self) -> F {
-        self.statistics.max_v.phase.reduced()
-    }
-
-    /// Phase of the minimum velocity.
-    pub fn min_velocity_phase(&self) -> F {
-        self.statistics.min_v.phase.reduced()
-    }
-
-    /// Stops in a cycle.
-    pub const fn sticks_per_cycle(&self) -> u32 {
-        self.statistics.sticks
-    }
-
-    /// Velocity zeros in a cycle: ends of slides. A stop counts once.
-    pub const fn velocity_zeros_per_cycle(&self) -> u32 {
-        self.statistics.zeros
-    }
-
-    /// The part of a cycle that the body is at rest, in [0, 1).
-    pub const fn stick_fraction(&self) -> F {
-        self.statistics.stick_fraction
-    }
-
-    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
-    /// its digits. Its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`] with
-    /// damping, is then a check. Elsewhere (near Ω = 1, and where a motion is small beside the force) it
-    /// follows from the balance of energy of each slide. Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of
-    /// itself, Δ₀ the maximum displacement.
-    pub const fn energy_in(&self) -> F {
-        self.statistics.energy_in
-    }
-
-    /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
-    /// reversals. As accurate as the displacements are.
-    pub const fn energy_out(&self) -> F {
-        self.statistics.energy_out
-    }
-
-    /// Work against the damper in a cycle, `∮ c x′ dx`, in r_y B: by its own closed form, so that the sum
-    /// with [`SteadyState::energy_out`] is a check of [`SteadyState::energy_in`]. Zero without one.
-    pub const fn damper_work(&self) -> F {
-        self.statistics.damper_work
-    }
-
-    /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
-    /// If the body stops, one is zero.
-    pub const fn multipliers(&self) -> [(F, F); 2] {
-        self.multipliers
-    }
-
     /// Contraction per cycle: the modulus of the larger multiplier.
     pub fn contraction(&self) -> F {
         let [(a, b), (c, d)] = self.multipliers;
@@ -212,11 +193,6 @@ impl<F: Float> SteadyState<F> {
     pub fn distance(&self) -> (F, F) {
         let (x, w) = self.distance;
         (x, w / self.equation.omega)
-    }
-
-    /// Periods of the drive that were followed to find it.
-    pub const fn periods(&self) -> F {
-        self.periods
     }
 
     /// A state on the motion, from which [`crate::exact::Trajectory::new`] follows it.

@@ -115,13 +115,14 @@ fn release<F: Float>(
 mod tests {
     use super::{Stick, force_rounding};
     use crate::Ratios;
+    use crate::exact::DrivePhase;
     use crate::exact::equation::Equation;
-    use crate::exact::{Direction, DrivePhase};
+    use crate::exact::slide::Direction;
     use std::f64::consts::{FRAC_PI_2, PI};
 
     fn stick(alpha: f64, theta: f64, x: f64) -> Stick<f64> {
         let equation = Equation::new(Ratios::new(0.7, alpha).unwrap());
-        Stick::new(equation, DrivePhase::new(theta).unwrap(), x)
+        Stick::new(equation, DrivePhase::of(theta).unwrap(), x)
     }
 
     #[test]
@@ -159,7 +160,7 @@ mod tests {
             [(2.0f64, 1.3f64, 0.0f64, 0.0f64), (4.0, 2.5, 3.0, 0.2), (4.0, 1.01, -0.3, -1.5)]
         {
             let ratios = Ratios::new(0.7, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
-            let s = Stick::new(Equation::new(ratios), DrivePhase::new(theta).unwrap(), x);
+            let s = Stick::new(Equation::new(ratios), DrivePhase::of(theta).unwrap(), x);
             let (end, direction) = s.release.unwrap();
             let friction = alpha * end.sin_cos().0 - x;
             assert!((friction - eta * direction.sign::<f64>()).abs() < 1e-14, "{alpha} {eta}: {friction}");
@@ -170,7 +171,7 @@ mod tests {
             }
         }
         let held = Ratios::new(0.7, 1.2).unwrap().with_static_friction_ratio(1.25).unwrap();
-        assert_eq!(Stick::new(Equation::new(held), DrivePhase::new(0.3).unwrap(), 0.04).release, None);
+        assert_eq!(Stick::new(Equation::new(held), DrivePhase::of(0.3).unwrap(), 0.04).release, None);
     }
 
     #[test]

@@ -23,7 +23,7 @@ use super::propagation::Part;
 use super::shooting::{Budget, Residual};
 use super::slide::Direction;
 use super::state::Point;
-use super::steady::{SteadyState, Summary};
+use super::steady::{Found, SteadyState, Summary};
 use super::stick::Stick;
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::float::{Float, Task};
@@ -79,7 +79,7 @@ impl<F: Float> Sticking<F> {
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
         // Below the condition at the turning point no border has to be searched for.
         let turns = amplitude >= turning_point(&half);
-        let slides = || is_far_below(&half, amplitude) || equation.alpha >= border(&half).min_force_ratio();
+        let slides = || is_far_below(&half, amplitude) || equation.alpha >= border(&half).min_force_ratio;
         let rising = (turns && slides()).then(|| Rising::of_force(half, equation.alpha));
         Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
     }
@@ -270,7 +270,7 @@ fn steady<F: Float>(
     if !is_known || length < zero {
         return Ok(None);
     }
-    Ok(Some(LongRun::Periodic(SteadyState {
+    Ok(Some(LongRun::Periodic(SteadyState::of(Found {
         equation,
         start: y,
         half_turns: 1,
@@ -278,7 +278,7 @@ fn steady<F: Float>(
         multipliers: [(found.rate.square(), zero), (zero, zero)],
         distance,
         periods: F::from_f64(budget.half_turns as f64) / two,
-    })))
+    }))))
 }
 
 #[cfg(test)]

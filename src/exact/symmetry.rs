@@ -80,7 +80,7 @@ impl<F: Float> Symmetric<F> {
 
     /// Velocity zeros and stops in a cycle.
     fn shape(&self) -> (u32, u32) {
-        (self.steady.velocity_zeros_per_cycle(), self.steady.sticks_per_cycle())
+        (self.steady.velocity_zeros_per_cycle, self.steady.sticks_per_cycle)
     }
 
     fn is_near(&self, other: &Self) -> bool {

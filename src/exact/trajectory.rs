@@ -1,4 +1,4 @@
-//! The motion as a sequence of phases: slide, stick, slide …
+//! The motion as a sequence of segments: slide, stick, slide …
 
 use super::drive::DrivePhase;
 use super::equation::Equation;
@@ -10,7 +10,7 @@ use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// How a phase of the motion ends.
+/// How a segment of the motion ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -27,15 +27,27 @@ pub enum End {
     Never,
 }
 
-/// What the body does during a phase.
+/// What the body does during a segment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Kind {
-    /// It slides one way.
-    Slide(Direction),
+    /// It slides towards larger x: friction is +r_y.
+    SlideForward,
+    /// It slides towards smaller x: friction is −r_y.
+    SlideBackward,
     /// It is at rest.
     Stick,
+}
+
+impl From<Direction> for Kind {
+    #[inline]
+    fn from(direction: Direction) -> Self {
+        match direction {
+            Direction::Forward => Self::SlideForward,
+            Direction::Backward => Self::SlideBackward,
+        }
+    }
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,28 +56,19 @@ pub(crate) enum Body<F> {
     Stick(Stick<F>),
 }
 
-/// One phase of the motion, from one change of its kind or direction to the next, exact at every instant.
+/// One segment of the motion, from one change of its kind or direction to the next, exact at every instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
-pub struct Phase<F> {
+pub struct Segment<F> {
+    /// Sliding in one direction, or sticking.
+    pub kind: Kind,
+    /// The event that ends it.
+    pub ends_by: End,
     pub(crate) body: Body<F>,
-    pub(crate) end: End,
 }
 
-impl<F: Float> Phase<F> {
-    /// Sliding in one direction, or sticking.
-    pub const fn kind(&self) -> Kind {
-        match &self.body {
-            Body::Slide(slide, _) => Kind::Slide(slide.direction),
-            Body::Stick(_) => Kind::Stick,
-        }
-    }
-
-    /// The event that ends it.
-    pub const fn ends_by(&self) -> End {
-        self.end
-    }
-
+impl<F: Float> Segment<F> {
     /// The state at its start.
     pub fn start(&self) -> State<F> {
         match &self.body {
@@ -93,7 +96,7 @@ impl<F: Float> Phase<F> {
 
     /// The motion at a phase θ between its start and its end.
     ///
-    /// Outside of them it is the continuation of this phase's own formula, not the motion.
+    /// Outside of them it is the continuation of this segment's own formula, not the motion.
     pub fn at(&self, phase: DrivePhase<F>) -> Instant<F> {
         match &self.body {
             Body::Slide(s, _) => {
@@ -113,14 +116,6 @@ impl<F: Float> Phase<F> {
                 let friction = if friction.abs() > most { most.with_sign_of(friction) } else { friction };
                 Instant { state: State { phase, x: s.x, v: zero }, acceleration: zero, friction }
             }
-        }
-    }
-
-    /// Work done against friction during it, in units of r_y B: the distance slid.
-    pub fn friction_work(&self) -> F {
-        match &self.body {
-            Body::Slide(s, zero) => (zero.x - s.x).abs(),
-            Body::Stick(_) => F::int(0),
         }
     }
 }
@@ -192,7 +187,7 @@ impl<F: Float> Next<F> {
     }
 }
 
-/// The motion from a start on, phase by phase: an iterator that ends only where the body rests for ever, or
+/// The motion from a start on, segment by segment: an iterator that ends only where the body rests for ever, or
 /// after an error.
 ///
 /// The error is [`Error::SearchBound`]: the search for the end of a slide has passed its proved bound. No
@@ -201,9 +196,9 @@ impl<F: Float> Next<F> {
 /// ```
 /// use stickslip::Ratios;
 /// use stickslip::exact::{Kind, State, Trajectory};
-/// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::rest())?;
+/// let mut motion = Trajectory::new(Ratios::new(0.4f64, 6.0)?, State::default())?;
 /// let first = motion.next().unwrap()?;
-/// assert_eq!(first.kind(), Kind::Stick); // until the force reaches the friction bound
+/// assert_eq!(first.kind, Kind::Stick); // until the force reaches the friction bound
 /// assert!((first.duration().unwrap() - (1.0f64 / 6.0).asin()).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
@@ -234,17 +229,17 @@ impl<F: Float> Trajectory<F> {
 }
 
 impl<F: Float> Iterator for Trajectory<F> {
-    type Item = Result<Phase<F>, Error>;
+    type Item = Result<Segment<F>, Error>;
 
     #[inline]
-    fn next(&mut self) -> Option<Result<Phase<F>, Error>> {
+    fn next(&mut self) -> Option<Result<Segment<F>, Error>> {
         match self.next? {
             Next::Stick(stick) => {
                 self.next = stick.release.map(|(phase, direction)| {
                     Next::Slide(Slide::released(self.equation, phase, stick.x, direction))
                 });
                 let end = if self.next.is_some() { End::Release } else { End::Never };
-                Some(Ok(Phase { body: Body::Stick(stick), end }))
+                Some(Ok(Segment { kind: Kind::Stick, ends_by: end, body: Body::Stick(stick) }))
             }
             Next::Slide(slide) => {
                 let zero = match slide.velocity_zero(self.hint) {
@@ -260,7 +255,11 @@ impl<F: Float> Iterator for Trajectory<F> {
                     Next::Slide(_) | Next::Stick(_) => zero.phi,
                 };
                 self.next = Some(next);
-                Some(Ok(Phase { body: Body::Slide(slide, zero), end }))
+                Some(Ok(Segment {
+                    kind: slide.direction.into(),
+                    ends_by: end,
+                    body: Body::Slide(slide, zero),
+                }))
             }
         }
     }

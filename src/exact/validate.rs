@@ -34,7 +34,7 @@ use super::motion::Motion;
 use super::shooting::{Residual, is_known};
 use super::slide::{Direction, Slide};
 use super::state::Point;
-use super::steady::{SteadyState, Summary};
+use super::steady::{Found, SteadyState, Summary};
 use super::stick::force_rounding;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
@@ -48,8 +48,8 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     }
     let omega = equation.omega;
     let origin = DrivePhase::of_half_turn(0, zero);
-    let least = origin.advanced(cycle.displacement_phase()).later_by_half_turns(-1);
-    let slide = Slide::new(equation, least, -cycle.max_displacement(), zero, Direction::Forward);
+    let least = origin.advanced(cycle.displacement_phase).later_by_half_turns(-1);
+    let slide = Slide::new(equation, least, -cycle.max_displacement, zero, Direction::Forward);
     if slide.acceleration <= equation.static_excess() + force_rounding(&equation, slide.x) {
         return None;
     }
@@ -57,7 +57,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     let reversal = reversal_ratio(slide.acceleration);
     let greatest = Extreme { value: arrival.x, phase: least.later_by_half_turns(1) };
 
-    let fastest = origin.advanced(cycle.velocity_phase());
+    let fastest = origin.advanced(cycle.velocity_phase);
     // Both phases are reduced to one turn of their own.
     let lag = fastest.since(least);
     let lag = if lag > F::pi() { lag - two * F::pi() } else { lag };
@@ -80,7 +80,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         return None;
     }
     let max_v = Extreme { value: middle.w / omega, phase: fastest };
-    Some(SteadyState {
+    Some(SteadyState::of(Found {
         equation,
         start: y,
         half_turns: 1,
@@ -93,7 +93,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
         multipliers: monodromy.squared_eigenvalues(),
         distance: inverse.absolute().times(residual.bounds()),
         periods: F::ratio(1, 2),
-    })
+    }))
 }
 
 impl<F: Float> Slide<F> {

@@ -161,7 +161,7 @@ mod tests {
     fn the_series_has_parts_enough() {
         for (omega, zeta) in [(0.7, 0.3), (3.0, 0.4), (0.4, 0.9), (0.2, 1.5)] {
             let ratios = Ratios::new(omega, 2.0).unwrap().with_damping_ratio(zeta).unwrap();
-            let start = DrivePhase::new(0.4).unwrap();
+            let start = DrivePhase::of(0.4).unwrap();
             let slide = Slide::new(Equation::new(ratios), start, -0.7, 0.9, Direction::Forward);
             for phi in [0.3, 1.0, 2.0, 3.2, 4.5] {
                 let works = slide.works(phi, &slide.motion(phi));
@@ -181,7 +181,7 @@ mod tests {
         fn slide<F: Float>(omega: f64, zeta: f64, speed: f64) -> Slide<F> {
             let ratios = Ratios::new(F::from_f64(omega), F::from_f64(3.0)).unwrap();
             let ratios = ratios.with_damping_ratio(F::from_f64(zeta)).unwrap();
-            let start = DrivePhase::new(F::from_f64(0.375)).unwrap();
+            let start = DrivePhase::new(0, F::from_f64(0.375)).unwrap();
             let (x, w) = (F::from_f64(-0.75), F::from_f64(speed));
             Slide::new(Equation::new(ratios), start, x, w, Direction::Forward)
         }
@@ -214,7 +214,7 @@ mod tests {
             for zeta in [0.0, 1e-6, 0.003, 0.2, 1.0, 2.5] {
                 for direction in [Direction::Forward, Direction::Backward] {
                     let ratios = Ratios::new(omega, 2.0).unwrap().with_damping_ratio(zeta).unwrap();
-                    let start = DrivePhase::new(0.4).unwrap();
+                    let start = DrivePhase::of(0.4).unwrap();
                     let slide = Slide::new(Equation::new(ratios), start, -0.7, 0.9, direction);
                     let steps = 4000;
                     let at = |n: i32| slide.motion(1.7 * f64::from(n) / f64::from(steps));

@@ -70,7 +70,7 @@ fn naive_border(omega: f64) -> f64 {
 }
 
 fn displacement(omega: f64) -> f64 {
-    Ratios::new(omega, ALPHA).and_then(Cycle::new).map_or(f64::NAN, |c| c.max_displacement())
+    Ratios::new(omega, ALPHA).and_then(Cycle::new).map_or(f64::NAN, |c| c.max_displacement)
 }
 
 fn border(omega: f64) -> f64 {
@@ -84,7 +84,7 @@ fn exact_displacement(omega: f64, value: f64) -> f64 {
     use crate::float::mp::Mp;
     let wide = |x: f64| Mp::<4>::from_f64(x);
     let cycle = Ratios::new(wide(omega), wide(ALPHA)).and_then(Cycle::new);
-    cycle.map_or(f64::NAN, |c| (wide(value) / c.max_displacement() - wide(1.0)).to_f64().abs())
+    cycle.map_or(f64::NAN, |c| (wide(value) / c.max_displacement - wide(1.0)).to_f64().abs())
 }
 
 /// The relative error of a value, against 256 bits.

@@ -15,8 +15,8 @@ pub(super) fn least_force() -> Figure {
         evenly(0.1725, 1.9725, 61).flat_map(|omega| evenly(0.5, 15.5, 51).map(move |alpha| (omega, alpha)));
     let series = vec![
         Series::new("no stop in the exact motion", Style::Dots, 5, lattice.filter(|p| never_stops(*p))),
-        Series::new("exact border, Ω < 1/2", Style::Thick, 1, below_half(curve(|b| b.min_force_ratio()))),
-        Series::new("eq. 61", Style::Line, 0, curve(|b| b.turning_point())),
+        Series::new("exact border, Ω < 1/2", Style::Thick, 1, below_half(curve(|b| b.min_force_ratio))),
+        Series::new("eq. 61", Style::Line, 0, curve(|b| b.turning_point)),
     ];
     Figure {
         name: "8".to_owned(),
@@ -40,6 +40,6 @@ fn frequency_ratios() -> impl Iterator<Item = f64> + Clone {
 }
 
 fn never_stops((omega, alpha): (f64, f64)) -> bool {
-    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest()));
-    limit.is_ok_and(|limit| limit.steady_state().is_some_and(|steady| steady.sticks_per_cycle() == 0))
+    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
+    limit.is_ok_and(|limit| limit.steady_state().is_some_and(|steady| steady.sticks_per_cycle == 0))
 }

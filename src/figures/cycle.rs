@@ -12,7 +12,7 @@ pub(super) fn in_phase_plane() -> Figure {
     let cycle = Ratios::new(OMEGA, ALPHA).and_then(Cycle::new);
     let (d0, v0, d1) = cycle
         .as_ref()
-        .map_or((f64::NAN, f64::NAN, f64::NAN), |c| (c.max_displacement(), c.max_velocity(), c.deviation()));
+        .map_or((f64::NAN, f64::NAN, f64::NAN), |c| (c.max_displacement, c.max_velocity, c.deviation()));
     let path = settled(OMEGA, ALPHA).map_or(Vec::new(), |state| motion(OMEGA, ALPHA, state, 1));
     let line = |style, points: [(f64, f64); 2]| Series::new("", style, 0, points);
     let word = |text: &str, x: f64, y: f64| Series::new(text, Style::Named, 0, [(x, y)]);

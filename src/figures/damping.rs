@@ -12,7 +12,7 @@ const ALPHA: f64 = 2.5;
 
 /// Amplitude, border and rest over Ω, for four damping ratios.
 pub(super) fn four_ratios() -> Figure {
-    let amplitude = |steady: &SteadyState<f64>| steady.max_displacement() / ALPHA;
+    let amplitude = |steady: &SteadyState<f64>| steady.max_displacement.value / ALPHA;
     Figure {
         name: "damping".to_owned(),
         title: "What viscous damping changes".to_owned(),
@@ -40,7 +40,7 @@ pub(super) fn four_ratios() -> Figure {
                 x: Axis::frequency_ratio(0.1, 1.0),
                 y: Axis::linear("part of the cycle at rest", 0.0, 0.8),
                 plane: None,
-                series: each(|zeta| curve(zeta, (0.1, 1.0), 1.0, SteadyState::stick_fraction)),
+                series: each(|zeta| curve(zeta, (0.1, 1.0), 1.0, |it| it.stick_fraction)),
             },
         ],
     }
@@ -56,7 +56,7 @@ fn each(points: impl Fn(f64) -> Vec<(f64, f64)>) -> Vec<Series> {
 
 /// α_min over Ω in steps that miss 1/3, 1/5 and 1.
 fn border(zeta: f64) -> Vec<(f64, f64)> {
-    let least = |omega: f64| Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio());
+    let least = |omega: f64| Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio);
     shown(evenly(0.150_1, 1.999_7, 1400), 300.0, least)
 }
 
@@ -69,7 +69,7 @@ fn curve(
 ) -> Vec<(f64, f64)> {
     let at = |omega: f64| {
         let ratios = Ratios::new(omega, ALPHA).and_then(|ratios| ratios.with_damping_ratio(zeta));
-        let limit = ratios.and_then(|ratios| LongRun::from_start(ratios, State::rest()));
+        let limit = ratios.and_then(|ratios| LongRun::from_start(ratios, State::default()));
         limit.ok().and_then(|limit| limit.steady_state().map(&of)).unwrap_or(f64::NAN)
     };
     shown(evenly(from + 1e-4, to - 1e-4, 400), most, at)

@@ -31,20 +31,20 @@ fn frequency_ratios() -> impl Iterator<Item = f64> {
 /// A₁ on the border itself.
 fn loop_on_border(answer: &Response<f64>) -> Option<f64> {
     // The rounded border may lie below the exact one.
-    let alpha = answer.border().min_force_ratio() * (1.0 + 4.0 * f64::EPSILON);
-    let cycle = Ratios::new(answer.ratios().omega(), alpha).and_then(Cycle::new);
+    let alpha = answer.border.min_force_ratio * (1.0 + 4.0 * f64::EPSILON);
+    let cycle = Ratios::new(answer.ratios.omega(), alpha).and_then(Cycle::new);
     cycle.ok().map(|c| c.loop_size_stiffness())
 }
 
 /// Figure 9(a): the best force ratio.
 pub(super) fn best_force() -> Figure {
     let series = vec![
-        Series::new("eq. 65, where it holds", Style::Thick, 0, where_reached(|a| Some(a.best_force_ratio()))),
+        Series::new("eq. 65, where it holds", Style::Thick, 0, where_reached(|a| Some(a.best_force_ratio))),
         Series::new(
             "the border, elsewhere",
             Style::Dashed,
             5,
-            where_not_reached(|a| Some(a.border().min_force_ratio())),
+            where_not_reached(|a| Some(a.border.min_force_ratio)),
         ),
     ];
     single(
@@ -61,7 +61,7 @@ pub(super) fn best_force() -> Figure {
 /// Figure 9(b): the largest loop.
 pub(super) fn largest_loop() -> Figure {
     let series = vec![
-        Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(Response::best_loop_size)),
+        Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(|it| it.best_loop_size)),
         Series::new("on the border, elsewhere", Style::Dashed, 5, where_not_reached(loop_on_border)),
     ];
     single(

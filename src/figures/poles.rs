@@ -21,7 +21,7 @@ pub(super) fn beside() -> Figure {
 fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     // In steps that never meet the pole.
     let omegas = || evenly(from, to, 1201);
-    let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio())));
+    let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
     let edges: Vec<(f64, (f64, f64))> = omegas()
         .filter_map(|omega| Some((omega, six_reversals::force_ratios_at(&PhaseFunction::new(omega).ok()?)?)))
         .collect();
@@ -54,7 +54,7 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
 /// Velocity zeros a cycle of the exact motion from rest, where it has no stop.
 fn reversals(omega: f64, alpha: f64) -> Option<u32> {
     let limit =
-        Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest())).ok()?;
+        Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())).ok()?;
     let steady = limit.steady_state()?;
-    (steady.sticks_per_cycle() == 0).then(|| steady.velocity_zeros_per_cycle())
+    (steady.sticks_per_cycle == 0).then_some(steady.velocity_zeros_per_cycle)
 }

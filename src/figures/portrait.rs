@@ -9,7 +9,7 @@ use crate::{Cycle, Ratios};
 pub(super) fn two_motions() -> Figure {
     let mut smooth = portrait("without stops: Ω = 0.7, α = 2", 0.7, 2.0, 6, (5.0, 5.0));
     if let Ok(cycle) = Ratios::new(0.7, 2.0).and_then(Cycle::new) {
-        let (d0, v0, d1) = (cycle.max_displacement(), cycle.max_velocity(), cycle.deviation());
+        let (d0, v0, d1) = (cycle.max_displacement, cycle.max_velocity, cycle.deviation());
         let mut mark =
             |name: &str, index, x, v| smooth.series.push(Series::new(name, Style::Marks, index, [(x, v)]));
         mark("t₁: (Δ₁, V₀)", 0, d1, v0);
@@ -29,24 +29,24 @@ pub(super) fn two_motions() -> Figure {
 }
 
 fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f64)) -> Panel {
-    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest()));
+    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default()));
     let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(SteadyState::state));
     let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
     let stops = phases
         .into_iter()
         .flatten()
         .map_while(Result::ok)
-        .filter(|p| p.kind() == Kind::Stick)
+        .filter(|p| p.kind == Kind::Stick)
         .map(|p| p.start().x);
     let count =
-        limit.as_ref().ok().and_then(LongRun::steady_state).map_or(0, |s| s.sticks_per_cycle() as usize);
+        limit.as_ref().ok().and_then(LongRun::steady_state).map_or(0, |s| s.sticks_per_cycle as usize);
     let mut panel = Panel {
         title: title.to_owned(),
         x: Axis::linear("displacement x/B", -x, x),
         y: Axis::linear("velocity x′/(Bω_d)", -v, v),
         plane: None,
         series: vec![
-            Series::new("from rest", Style::Line, 4, motion(omega, alpha, State::rest(), cycles)),
+            Series::new("from rest", Style::Line, 4, motion(omega, alpha, State::default(), cycles)),
             Series::new(
                 "steady",
                 Style::Thick,
@@ -64,7 +64,7 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
 
 /// The steady state that the motion from rest comes to.
 pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
-    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::rest())).ok()?;
+    let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default())).ok()?;
     limit.steady_state().map(SteadyState::state)
 }
 

@@ -17,7 +17,7 @@ fn marked_frequency_ratios() -> impl Iterator<Item = f64> + Clone {
 
 /// A value of the exact steady state, from rest; NaN where there is none.
 fn exact(omega: f64, alpha: f64, value: fn(&SteadyState<f64>) -> f64) -> f64 {
-    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest()));
+    let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
     limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value)
 }
 
@@ -61,7 +61,7 @@ fn lines_and_marks(
 
 /// Figure 4: Δ₀/B, exact and by eq. 44.
 pub(super) fn max_displacement() -> Figure {
-    let series = lines_and_marks(|s| s.max_displacement(), |c| c.max_displacement(), "eq. 44");
+    let series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
     single(
         "4",
         "Maximum displacement",
@@ -88,8 +88,8 @@ pub(super) fn phases() -> Figure {
             the right half where K > 0), for 1/α = 0.1 … 0.6 where the motion does not stick."
             .to_owned(),
         panels: vec![
-            panel("maximum velocity, ω_d t₁", |c| signed(c.velocity_phase())),
-            panel("maximum displacement, ω_d t₂", |c| c.displacement_phase()),
+            panel("maximum velocity, ω_d t₁", |c| signed(c.velocity_phase)),
+            panel("maximum displacement, ω_d t₂", |c| c.displacement_phase),
         ],
     }
 }
@@ -113,7 +113,7 @@ pub(super) fn deviation() -> Figure {
 
 /// Figure 7: V₀/(Bω_d), exact, by the corrected eq. 49, and as printed.
 pub(super) fn max_velocity() -> Figure {
-    let mut series = lines_and_marks(|s| s.max_velocity(), |c| c.max_velocity(), "closed form");
+    let mut series = lines_and_marks(|s| s.max_velocity.value, |c| c.max_velocity, "closed form");
     for (index, alpha, _) in inverse_force_ratios(6) {
         let dashed =
             frequency_ratios().filter(|&omega| omega > 0.5).map(|omega| (omega, as_printed(omega, alpha)));

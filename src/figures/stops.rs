@@ -17,7 +17,7 @@ pub(super) fn per_cycle() -> Figure {
     let values = places.map(|(omega, alpha)| class(omega, alpha)).collect();
     let names = NAMES.map(str::to_owned).to_vec();
     let border = evenly(0.05, 1.5, 2901)
-        .filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio())));
+        .filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
     Figure {
         name: "stops".to_owned(),
         title: "Stops per cycle".to_owned(),
@@ -36,9 +36,9 @@ pub(super) fn per_cycle() -> Figure {
 
 /// The place in the list of names; NaN where the motion did not settle.
 fn class(omega: f64, alpha: f64) -> f64 {
-    match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::rest())) {
+    match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())) {
         Ok(LongRun::Rest(_)) => 5.0,
-        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle().div_ceil(2).min(4)),
+        Ok(LongRun::Periodic(s) | LongRun::Family(s)) => f64::from(s.sticks_per_cycle.div_ceil(2).min(4)),
         Ok(LongRun::Unbounded { .. }) => 0.0,
         Ok(LongRun::Irregular(_) | LongRun::NotConverged { .. }) | Err(_) => f64::NAN,
     }

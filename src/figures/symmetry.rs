@@ -67,8 +67,8 @@ fn along(alpha: f64) -> Vec<Pair> {
     evenly(0.6025, 1.9975, 280)
         .map(|omega| {
             let ratios = Ratios::new(omega, alpha).ok();
-            let early = ratios.and_then(|r| errors_after(r, State::rest(), CYCLES).ok());
-            let limit = ratios.and_then(|r| LongRun::from_start(r, State::rest()).ok());
+            let early = ratios.and_then(|r| errors_after(r, State::default(), CYCLES).ok());
+            let limit = ratios.and_then(|r| LongRun::from_start(r, State::default()).ok());
             Pair { omega, early, settled: limit.and_then(|l| l.steady_state()?.errors().ok()) }
         })
         .collect()

@@ -23,7 +23,7 @@
 //! use stickslip::float::dual::Dual;
 //! use stickslip::{Cycle, Ratios};
 //! let [omega, alpha] = Dual::parameters([1.5, 2.5]);
-//! let delta = Cycle::new(Ratios::new(omega, alpha)?)?.max_displacement();
+//! let delta = Cycle::new(Ratios::new(omega, alpha)?)?.max_displacement;
 //! // Δ₀/B = √(α² − K²)/|1 − Ω²|, so that ∂Δ₀/∂α = α/(Δ₀ (1 − Ω²)²)
 //! assert!((delta.value() - 1.632993161855452).abs() < 1e-15);
 //! assert!((delta.derivatives()[1] - 2.5 / (1.632993161855452 * 1.25 * 1.25)).abs() < 1e-15);

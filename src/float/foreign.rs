@@ -18,7 +18,7 @@ use num_traits::{FloatConst, NumCast};
 /// type Number = Foreign<f64, 53, 255>;
 /// stickslip::float::conformance::check::<Number>()?;
 /// let cycle = Cycle::new(Ratios::new(Foreign(1.5), Foreign(2.5))?)?;
-/// let found: Number = cycle.max_displacement();
+/// let found: Number = cycle.max_displacement;
 /// assert!((found.0 - 1.632993161855452).abs() < 1e-15);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

@@ -23,7 +23,7 @@
 //! use stickslip::float::mp::Mp;
 //! use stickslip::{Cycle, Ratios};
 //! let cycle = Cycle::new(Ratios::new(Mp::<4>::from(1.5), "2.5".parse()?)?)?;
-//! assert_eq!(format!("{:.39}", cycle.max_velocity()), "1.654152276482076417806358492889845786447");
+//! assert_eq!(format!("{:.39}", cycle.max_velocity), "1.654152276482076417806358492889845786447");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -50,9 +50,9 @@ pub(crate) fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
             match kind {
                 6 => p.value().abs(),
                 7 => SQRT_2 * p.value().abs(),
-                8 => border.turning_point(),
-                9 | 10 => border.min_force_ratio(),
-                _ => border.min_force_ratio() * ordinary(u, 0.0, 8.0)?.exp2(),
+                8 => border.turning_point,
+                9 | 10 => border.min_force_ratio,
+                _ => border.min_force_ratio * ordinary(u, 0.0, 8.0)?.exp2(),
             }
         }
     };
@@ -84,10 +84,10 @@ pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let place = match kind {
         0 => return magnitude(u),
         1 => return ordinary(u, -2.0, 12.0).map(f64::exp2),
-        2 => border.least_displacement(),
+        2 => border.min_displacement,
         // Infinite or NaN at Ω = 1, where no steady motion has a maximum velocity.
-        3 => max_velocity_from_displacement(&p, border.least_displacement()).0 / omega,
-        _ => border.least_displacement() * ordinary(u, 0.0, 12.0)?.exp2(),
+        3 => max_velocity_from_displacement(&p, border.min_displacement).0 / omega,
+        _ => border.min_displacement * ordinary(u, 0.0, 12.0)?.exp2(),
     };
     beside(u, place)
 }

@@ -77,12 +77,21 @@ fn is_stationary_value_larger<F: Float>(
 
 /// The minimum force ratio at a frequency ratio: exact, and by eq. 61.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct Border<F> {
-    min_force_ratio: F,
-    turning_point: F,
-    phase: F,
-    least_displacement: F,
+    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
+    /// above the kinetic one other motions that stick can exist beside it.
+    ///
+    /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
+    pub min_force_ratio: F,
+    /// Eq. 61, `hypot(K, 1/Ω² − 1)`: equal to the exact border for Ω ≥ 1/2, not above it below.
+    pub turning_point: F,
+    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` up to rounding, where the velocity first touches zero on the
+    /// border; 0 if that is the turning point itself. Eq. 61 is exact where it is 0.
+    pub touching_phase: F,
+    /// `S(Ω)`: the minimum Δ₀/B of a cycle that does not stick.
+    pub min_displacement: F,
 }
 
 impl<F: Float> Border<F> {
@@ -133,16 +142,16 @@ impl<F: Float> Border<F> {
                 return Self {
                     min_force_ratio: least,
                     turning_point,
-                    phase: inner.phase(),
-                    least_displacement: (inner.width / p.one_minus_square()).value(),
+                    touching_phase: inner.phase(),
+                    min_displacement: (inner.width / p.one_minus_square()).value(),
                 };
             }
         }
         Self {
             min_force_ratio: turning_point,
             turning_point,
-            phase: F::int(0),
-            least_displacement: limit.value(),
+            touching_phase: F::int(0),
+            min_displacement: limit.value(),
         }
     }
 
@@ -150,10 +159,10 @@ impl<F: Float> Border<F> {
     pub(super) const fn of_parts(
         min_force_ratio: F,
         turning_point: F,
-        phase: F,
-        least_displacement: F,
+        touching_phase: F,
+        min_displacement: F,
     ) -> Self {
-        Self { min_force_ratio, turning_point, phase, least_displacement }
+        Self { min_force_ratio, turning_point, touching_phase, min_displacement }
     }
 
     /// The same border in another number type.
@@ -161,8 +170,8 @@ impl<F: Float> Border<F> {
         Border {
             min_force_ratio: to(self.min_force_ratio),
             turning_point: to(self.turning_point),
-            phase: to(self.phase),
-            least_displacement: to(self.least_displacement),
+            touching_phase: to(self.touching_phase),
+            min_displacement: to(self.min_displacement),
         }
     }
 
@@ -175,8 +184,8 @@ impl<F: Float> Border<F> {
         let at_turning_point = Self {
             min_force_ratio: turning_point,
             turning_point,
-            phase: F::int(0),
-            least_displacement: limit,
+            touching_phase: F::int(0),
+            min_displacement: limit,
         };
         if omega >= F::ratio(1, 2) {
             return at_turning_point;
@@ -185,8 +194,8 @@ impl<F: Float> Border<F> {
             Some(inner) if inner.is_border(p) => Self {
                 min_force_ratio: turning_point.or_larger(inner.force_ratio(p)),
                 turning_point,
-                phase: inner.phase(),
-                least_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
+                touching_phase: inner.phase(),
+                min_displacement: limit.or_larger((inner.width / p.one_minus_square()).value()),
             },
             _ => at_turning_point,
         }
@@ -212,35 +221,6 @@ impl<F: Float> Border<F> {
             Some(inner) if inner.is_border(p) => turning_point.or_larger(inner.force_ratio(p)),
             _ => turning_point,
         }
-    }
-
-    /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
-    /// above the kinetic one other motions that stick can exist beside it.
-    ///
-    /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
-    pub const fn min_force_ratio(&self) -> F {
-        self.min_force_ratio
-    }
-
-    /// Eq. 61, `hypot(K, 1/Ω² − 1)`: equal to the exact border for Ω ≥ 1/2, not above it below.
-    pub const fn turning_point(&self) -> F {
-        self.turning_point
-    }
-
-    /// The phase `τ* = ω_d(t − t₂)`, in `[0, π)` up to rounding, where the velocity first touches zero on the
-    /// border; 0 if that is the turning point itself.
-    pub const fn phase(&self) -> F {
-        self.phase
-    }
-
-    /// Whether the velocity first touches zero at the turning point, so that eq. 61 is exact here.
-    pub fn is_turning_point(&self) -> bool {
-        self.phase == F::int(0)
-    }
-
-    /// `S(Ω)`: the least Δ₀/B of a cycle that does not stick.
-    pub const fn least_displacement(&self) -> F {
-        self.least_displacement
     }
 }
 

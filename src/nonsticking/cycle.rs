@@ -23,19 +23,28 @@ use crate::ratios::Ratios;
 /// ```
 /// use stickslip::{Cycle, Ratios};
 /// let cycle = Cycle::new(Ratios::new(1.5f64, 2.5)?)?;
-/// assert!((cycle.max_displacement() - 1.632993161855452).abs() < 1e-15);
-/// assert!((cycle.max_velocity() - 1.654152276482076).abs() < 1e-15);
+/// assert!((cycle.max_displacement - 1.632993161855452).abs() < 1e-15);
+/// assert!((cycle.max_velocity - 1.654152276482076).abs() < 1e-15);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct Cycle<F> {
-    pub(super) ratios: Ratios<F>,
+    /// The ratios (Ω, α).
+    pub ratios: Ratios<F>,
+    /// Maximum displacement `Δ₀/B` ([`Reversal`], eq. 44). Accuracy at f64: 2 ulp.
+    pub max_displacement: F,
+    /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
+    /// max(phase, 1).
+    pub displacement_phase: F,
+    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the greatest of the half cycle, whatever the number
+    /// of its stationary points. Accuracy at f64: 4 ulp.
+    pub max_velocity: F,
+    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at
+    /// f64: 4 ulp of max(phase, 1).
+    pub velocity_phase: F,
     pub(super) motion: Motion<F>,
-    pub(super) max_displacement: F,
-    pub(super) displacement_phase: F,
-    pub(super) max_velocity: F,
-    pub(super) velocity_phase: F,
 }
 
 impl<F: Float> Cycle<F> {
@@ -66,7 +75,7 @@ impl<F: Float> Cycle<F> {
     #[cold]
     fn damped(ratios: Ratios<F>) -> Result<Self, Error> {
         let half = damped::half_period(&ratios);
-        let least = damped::border(&half).min_force_ratio();
+        let least = damped::border(&half).min_force_ratio;
         if ratios.alpha() < least {
             return Err(no_cycle(ratios, least));
         }
@@ -125,34 +134,6 @@ impl<F: Float> Cycle<F> {
             Motion::Undamped(cycle) => cycle.half(self.ratios.omega()).sin_cos_beta(),
             Motion::Damped(_) => PhaseFunction::of_valid(self.ratios.omega()).sin_cos(),
         }
-    }
-
-    /// The ratios (Ω, α).
-    pub const fn ratios(&self) -> Ratios<F> {
-        self.ratios
-    }
-
-    /// Maximum displacement `Δ₀/B` ([`Reversal`], eq. 44). Accuracy at f64: 2 ulp.
-    pub const fn max_displacement(&self) -> F {
-        self.max_displacement
-    }
-
-    /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
-    /// max(phase, 1).
-    pub const fn displacement_phase(&self) -> F {
-        self.displacement_phase
-    }
-
-    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the greatest of the half cycle, whatever the number
-    /// of its stationary points. Accuracy at f64: 4 ulp.
-    pub const fn max_velocity(&self) -> F {
-        self.max_velocity
-    }
-
-    /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at
-    /// f64: 4 ulp of max(phase, 1).
-    pub const fn velocity_phase(&self) -> F {
-        self.velocity_phase
     }
 
     /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
@@ -254,7 +235,7 @@ impl<F: Float> Task for WithStaticFriction<F> {
     fn run(self) -> Self::Output {
         let ratios = self.0;
         let p = PhaseFunction::of_valid(ratios.omega());
-        let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio();
+        let least = Border::with_static_friction(&p, ratios.static_friction_ratio()).min_force_ratio;
         if ratios.alpha() < least || ratios.omega() == F::int(1) {
             return Err(no_cycle(ratios, least));
         }

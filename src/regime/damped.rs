@@ -58,9 +58,9 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
             points.push(at.with_damping_ratio(ratios.damping_ratio() * off(along))?);
         }
     }
-    let borders = points.iter().map(|at| Border::of(at).min_force_ratio());
+    let borders = points.iter().map(|at| Border::of(at).min_force_ratio);
     let range = |(least, greatest): (F, F), b: F| (if b < least { b } else { least }, greatest.or_larger(b));
-    let middle = Border::of(&ratios).min_force_ratio();
+    let middle = Border::of(&ratios).min_force_ratio;
     let (least, greatest) = borders.fold((middle, middle), range);
     let is_wide = (greatest - least) * F::int(8) > greatest;
     // Such a peak is a maximum: an α far below all other values is below it, too.
@@ -98,19 +98,19 @@ mod tests {
     #[test]
     fn a_little_damping_leaves_six_reversals() {
         for (zeta, zeros) in [(1e-5, Some(6)), (1e-3, Some(6)), (0.01, None)] {
-            let border = Border::with_damping(0.331, zeta).unwrap().min_force_ratio();
+            let border = Border::with_damping(0.331, zeta).unwrap().min_force_ratio;
             let ratios = Ratios::new(0.331, 0.62 * border).unwrap().with_damping_ratio(zeta).unwrap();
-            let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+            let limit = LongRun::from_start(ratios, State::default()).unwrap();
             let steady = limit.steady_state().unwrap();
-            let slides = steady.sticks_per_cycle() == 0;
-            assert_eq!(slides.then(|| steady.velocity_zeros_per_cycle()), zeros, "{zeta}");
+            let slides = steady.sticks_per_cycle == 0;
+            assert_eq!(slides.then_some(steady.velocity_zeros_per_cycle), zeros, "{zeta}");
             let response = Response::new(ratios);
             let (regime, verdict) = match zeros {
                 Some(_) => (Regime::NonSticking, Verdict::SixReversals),
                 None => (Regime::Sticking, Verdict::Sticking),
             };
-            assert_eq!((response.regime(), response.reversals_per_cycle()), (regime, zeros), "{zeta}");
-            assert!(response.cycle().is_none());
+            assert_eq!((response.regime, response.reversals_per_cycle()), (regime, zeros), "{zeta}");
+            assert!(response.cycle.is_none());
             assert_eq!(Place::new(ratios).verdict(), verdict, "{zeta}");
             assert_eq!(crate::regime::observed(ratios, &limit).regime, regime, "{zeta}");
         }

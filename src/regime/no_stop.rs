@@ -11,25 +11,18 @@ use crate::ratios::Ratios;
 /// cycle: see [`no_stop_force_ratios`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 #[must_use]
 pub struct NoStop<F> {
-    six_reversals: Option<(F, F)>,
-    border: F,
+    /// The minimum and the maximum force ratio of the six-reversal cycle, where there is one.
+    pub six_reversals: Option<(F, F)>,
+    /// The border of the two-reversal cycle: from it on the body never stops.
+    pub border: F,
 }
 
 impl<F: Float> NoStop<F> {
-    /// From the least to the greatest force ratio of the six-reversal cycle, where there is one.
-    pub const fn six_reversals(&self) -> Option<(F, F)> {
-        self.six_reversals
-    }
-
-    /// The border of the two-reversal cycle: from it on the body never stops.
-    pub const fn border(&self) -> F {
-        self.border
-    }
-
-    /// The least force ratio without a stop.
-    pub fn least(&self) -> F {
+    /// The minimum force ratio without a stop.
+    pub fn min(&self) -> F {
         self.six_reversals.map_or(self.border, |(low, _)| low)
     }
 
@@ -63,11 +56,11 @@ impl<F: Float> NoStop<F> {
 /// ```
 /// use stickslip::regime::no_stop_force_ratios;
 /// let found = no_stop_force_ratios(0.331f64, 0.0)?;
-/// let (low, high) = found.six_reversals().unwrap();
+/// let (low, high) = found.six_reversals.unwrap();
 /// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);
-/// assert!((found.border() - 179.87627993590212).abs() < 1e-11);
+/// assert!((found.border - 179.87627993590212).abs() < 1e-11);
 /// assert_eq!(no_stop_force_ratios(0.4f64, 0.0)?.intervals().count(), 1);
-/// let (low, high) = no_stop_force_ratios(0.331f64, 0.001)?.six_reversals().unwrap();
+/// let (low, high) = no_stop_force_ratios(0.331f64, 0.001)?.six_reversals.unwrap();
 /// assert!((low - 56.24322231107378).abs() < 1e-11 && (high - 147.55834811749975).abs() < 1e-10);
 /// assert_eq!(no_stop_force_ratios(0.331f64, 0.01)?.intervals().count(), 1);
 /// # Ok::<(), stickslip::Error>(())
@@ -83,7 +76,7 @@ pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoSt
     if ratios.is_damped() {
         return Ok(NoStop {
             six_reversals: damped::force_ratios(omega, damping_ratio),
-            border: Border::of(&ratios).min_force_ratio(),
+            border: Border::of(&ratios).min_force_ratio,
         });
     }
     without_damping(omega)
@@ -100,7 +93,7 @@ fn without_damping<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
             let p = PhaseFunction::new(there(self.0))?;
             Ok(NoStop {
                 six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
-                border: back(Border::at(&p).min_force_ratio()),
+                border: back(Border::at(&p).min_force_ratio),
             })
         }
     }
@@ -122,8 +115,8 @@ mod tests {
         for omega in [0.01f64, 0.22, 0.3, 0.336, 0.3295, 0.4, 0.5, 0.7, 1.0, 3.0] {
             let found = no_stop_force_ratios(omega, 0.0).unwrap();
             let intervals: Vec<_> = found.intervals().collect();
-            assert_eq!(intervals, [(found.border(), None)], "{omega}");
-            assert_eq!(found.least(), found.border());
+            assert_eq!(intervals, [(found.border, None)], "{omega}");
+            assert_eq!(found.min(), found.border);
         }
     }
 
@@ -135,8 +128,8 @@ mod tests {
                     continue;
                 }
                 let found = no_stop_force_ratios(1.0 / (f64::from(2 * n + 1) + off), 0.0).unwrap();
-                let (low, high) = found.six_reversals().unwrap();
-                assert!(low < high && high < found.border() && found.least() == low, "{n} {off}: {found:?}");
+                let (low, high) = found.six_reversals.unwrap();
+                assert!(low < high && high < found.border && found.min() == low, "{n} {off}: {found:?}");
             }
         }
     }

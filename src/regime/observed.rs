@@ -1,6 +1,6 @@
 //! The regime of the exact motion, consistent with that of the closed forms.
 
-use super::{NoStop, Regime, no_stop_of, regime_of};
+use super::{Regime, no_stop_of, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -36,7 +36,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
     let expected = regime_of(ratios, &border);
-    let reversals = if ratios.alpha() >= border.min_force_ratio() { 2 } else { 6 };
+    let reversals = if ratios.alpha() >= border.min_force_ratio { 2 } else { 6 };
     let steady = match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
         LongRun::Rest(_) => return by_name(Regime::Stuck),
@@ -48,7 +48,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
             return Observed { reversals, by_border: true, ..by_name(expected) };
         }
     };
-    let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+    let (sticks, zeros) = (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle);
     let seen = if sticks > 0 { Regime::Sticking } else { Regime::NonSticking };
     let of = |regime, sticks, by_border| Observed {
         regime,
@@ -84,10 +84,11 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     };
     // A velocity that nearly vanishes inside of a slide clears zero by |α − α_min| sin τ*; the force left
     // over at a reversal grows as α Ω².
-    let touching = if border.is_turning_point() { at_turn } else { border.phase().sin().abs() };
-    if close(border.min_force_ratio(), touching) {
+    let touching =
+        if border.touching_phase == F::int(0) { at_turn } else { border.touching_phase.sin().abs() };
+    if close(border.min_force_ratio, touching) {
         return true;
     }
-    let six = no_stop_of(&ratios).ok().as_ref().and_then(NoStop::six_reversals);
+    let six = no_stop_of(&ratios).ok().as_ref().and_then(|it| it.six_reversals);
     six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
 }

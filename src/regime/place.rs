@@ -27,7 +27,7 @@ use crate::ratios::Ratios;
 /// assert_eq!(place.verdict(), Verdict::Sticking);
 /// assert!((place.margin() - 0.8633419_f64).abs() < 1e-7);
 /// // On the border itself f64 cannot decide.
-/// let border = place.border().min_force_ratio();
+/// let border = place.border().min_force_ratio;
 /// let verdict = Place::new(Ratios::new(0.4, border)?).verdict();
 /// assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
 /// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided, twice the force is not.
@@ -72,7 +72,7 @@ impl<F: Float> Place<F> {
         }
         let p = PhaseFunction::of_valid(ratios.omega());
         let border = Border::at(&p);
-        let least = border.min_force_ratio();
+        let least = border.min_force_ratio;
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         let verdict = if p.value() == F::int(0) {
             degenerate(ratios)
@@ -88,7 +88,7 @@ impl<F: Float> Place<F> {
     fn damped(ratios: Ratios<F>) -> Self {
         let (border, alpha, one) = (Border::of(&ratios), ratios.alpha(), F::int(1));
         let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
-        let least = border.min_force_ratio();
+        let least = border.min_force_ratio;
         let verdict = if alpha <= one {
             Verdict::AtRest
         } else if alpha < least * (one - error) {
@@ -109,7 +109,7 @@ impl<F: Float> Place<F> {
     /// every start.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
-        let (least, one) = (border.min_force_ratio(), F::int(1));
+        let (least, one) = (border.min_force_ratio, F::int(1));
         let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
         let regime = regime_by_border(ratios, &border);
         let verdict = if regime == Regime::Stuck {
@@ -187,7 +187,7 @@ impl<F: Float> Place<F> {
 
     /// The margin α/α_min: the force over the minimum force without sticking.
     pub fn margin(&self) -> F {
-        self.ratios.alpha() / self.border.min_force_ratio()
+        self.ratios.alpha() / self.border.min_force_ratio
     }
 }
 

@@ -46,11 +46,11 @@ pub struct Stops {
 /// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than
 /// [`crate::exact::DEFAULT_BUDGET`] periods, and as for [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
-    let limit = LongRun::from_start(ratios.with_one_friction()?, State::rest())?;
+    let limit = LongRun::from_start(ratios.with_one_friction()?, State::default())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {
         let alpha = ratios.alpha();
         let away = |x: &F| (*x - alpha).abs();
-        let border = Border::of(&ratios).min_force_ratio();
+        let border = Border::of(&ratios).min_force_ratio;
         let edges = no_stop_of(&ratios)?;
         let all = edges.intervals().flat_map(|(low, high)| [Some(low), high]).flatten();
         let nearest = all.fold(border, |best, x| if away(&x) < away(&best) { x } else { best });
@@ -59,8 +59,8 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
     }
     match limit {
         LongRun::Periodic(steady) | LongRun::Family(steady) => Ok(Some(Stops {
-            sticks: steady.sticks_per_cycle(),
-            velocity_zeros: steady.velocity_zeros_per_cycle(),
+            sticks: steady.sticks_per_cycle,
+            velocity_zeros: steady.velocity_zeros_per_cycle,
         })),
         LongRun::Rest(_) | LongRun::Unbounded { .. } => Ok(None),
         LongRun::Irregular(_) | LongRun::NotConverged { .. } => {

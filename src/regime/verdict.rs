@@ -96,10 +96,13 @@ impl<F: Float> Verdict<F> {
 /// Units of B = r_y/k. The symmetric cycle of eq. 40–49 is c = 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
 #[must_use]
 pub struct Family<F> {
-    max_displacement: F,
-    max_shift: F,
+    /// Half the stroke, α/(1 − Ω²) in units of B, the same for all: Δ₀/B of the symmetric cycle.
+    pub max_displacement: F,
+    /// The greatest |c|, in units of B.
+    pub max_shift: F,
 }
 
 impl<F: Float> Family<F> {
@@ -109,16 +112,6 @@ impl<F: Float> Family<F> {
             max_displacement: ratios.alpha() / one_minus_square(ratios.omega()),
             max_shift: (ratios.alpha() - least) / least,
         }
-    }
-
-    /// The greatest |c|, in units of B.
-    pub const fn max_shift(&self) -> F {
-        self.max_shift
-    }
-
-    /// Half the stroke, α/(1 − Ω²) in units of B, the same for all: Δ₀/B of the symmetric cycle.
-    pub const fn max_displacement(&self) -> F {
-        self.max_displacement
     }
 
     /// Maximum and minimum displacement (units of B) of the cycle shifted by c; `None` where it would stick.
@@ -138,7 +131,7 @@ mod tests {
         for (omega, alpha) in [(0.5, 4.0), (0.25, 17.0), (0.125, 100.0), (1.0 / 64.0, 4096.0)] {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let family = Family::at(ratios, 1.0 / (omega * omega) - 1.0);
-            let (a, c) = (family.max_displacement(), family.max_shift());
+            let (a, c) = (family.max_displacement, family.max_shift);
             // The velocity of the falling half, against the sliding that it needs, over the half cycle and
             // both shifts.
             let slides = |shift: f64| {

@@ -59,7 +59,7 @@ fn response(output: Output, ratios: [&Ends; 3]) -> Result<Response, Error> {
 
 /// What is known of an output from the closed forms over a part of a box; `to` bounds an enclosure.
 fn over(output: Output, found: &Response, to: impl Fn(&Enclosure) -> Option<Ends>) -> Over {
-    let exists = match found.regime() {
+    let exists = match found.regime {
         Some(Regime::NonSticking) => true,
         Some(_) if output.is_of_cycle() => return Over::Nowhere,
         _ => !output.is_of_cycle(),

@@ -21,7 +21,7 @@
 //! let sticking = found.probability(Regime::Sticking);
 //! // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
 //! assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
-//! assert_eq!(found.invalid(), 0);
+//! assert_eq!(found.invalid, 0);
 //! let [low, high] = [0.05, 0.95].map(|share| found.quantile(Output::MaxDisplacement, share).unwrap());
 //! assert!(0.004 < low && low < high && high < 0.017);
 //! # Ok::<(), stickslip::Error>(())
@@ -98,8 +98,13 @@ impl Distribution<f64> for Exactly {
 
 /// What came of the draws.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct MonteCarlo {
-    draws: u32,
+    /// Draws in all.
+    pub draws: u32,
+    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of
+    /// the number type.
+    pub invalid: u32,
     regimes: [(Regime, u32); 4],
     /// Each output in increasing order, at the draws that have it.
     outputs: Vec<(Output, Vec<f64>)>,
@@ -129,7 +134,7 @@ impl MonteCarlo {
             let p = machine.sample(&mut rng);
             let Ok((response, scales)) = answer(&p, excitation) else { continue };
             for (regime, count) in &mut regimes {
-                *count = u32::saturating_add(*count, u32::from(*regime == response.regime()));
+                *count = u32::saturating_add(*count, u32::from(*regime == response.regime));
             }
             for (output, values) in &mut outputs {
                 values.extend(output.of(&response).map(|y| y * output.unit(&scales)));
@@ -138,32 +143,14 @@ impl MonteCarlo {
         for (_, values) in &mut outputs {
             values.sort_by(f64::total_cmp);
         }
-        Ok(Self { draws, regimes, outputs })
+        let valid = regimes.iter().fold(0, |sum, (_, count)| u32::saturating_add(sum, *count));
+        Ok(Self { draws, invalid: draws.saturating_sub(valid), regimes, outputs })
     }
 
     /// How many of the valid draws are in each regime.
     #[cfg(feature = "serde")]
     pub(crate) const fn regimes(&self) -> &[(Regime, u32); 4] {
         &self.regimes
-    }
-
-    /// Draws in all.
-    #[must_use]
-    pub const fn draws(&self) -> u32 {
-        self.draws
-    }
-
-    /// Draws with an answer.
-    #[must_use]
-    pub fn valid(&self) -> u32 {
-        self.regimes.iter().map(|(_, count)| count).sum()
-    }
-
-    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of
-    /// the number type.
-    #[must_use]
-    pub fn invalid(&self) -> u32 {
-        self.draws.saturating_sub(self.valid())
     }
 
     /// Valid draws in a regime.
@@ -177,7 +164,7 @@ impl MonteCarlo {
     /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull),
     /// which is not zero where all draws or none are in the regime.
     pub fn probability(&self, regime: Regime) -> Estimate {
-        let (count, n) = (f64::from(self.count(regime)), f64::from(self.valid()));
+        let (count, n) = (f64::from(self.count(regime)), f64::from(self.draws.saturating_sub(self.invalid)));
         let shrunk = (count + 2.0) / (n + 4.0);
         let standard_error = (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt();
         Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY }

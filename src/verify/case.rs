@@ -47,7 +47,7 @@ impl<F: Float> Case<'static, F> {
 impl<'a, F: Float> Case<'a, F> {
     /// The case of a cycle, by these formulae.
     pub(super) fn by(formulae: &'a dyn Formulae<F>, cycle: Cycle<F>) -> Self {
-        let (omega, alpha) = (cycle.ratios().omega(), cycle.ratios().alpha());
+        let (omega, alpha) = (cycle.ratios.omega(), cycle.ratios.alpha());
         let phase_function = PhaseFunction::of_valid(omega);
         let answers = formulae.answers(&cycle);
         let cos_pi_1 = pi_1(omega).cos();
@@ -87,11 +87,11 @@ impl<F: Solvable> Case<'_, F> {
         [Self::with_border, Self::with_stops_beside_it, Self::with_optimum];
 
     fn with_motion(self) -> Self {
-        Self { motion: Motion::at(self.cycle.ratios()), ..self }
+        Self { motion: Motion::at(self.cycle.ratios), ..self }
     }
 
     fn with_solution(self) -> Self {
-        Self { solved: F::solve(self.cycle.ratios()).ok(), ..self }
+        Self { solved: F::solve(self.cycle.ratios).ok(), ..self }
     }
 
     fn with_border(self) -> Self {

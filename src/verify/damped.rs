@@ -107,13 +107,13 @@ pub(super) fn verify_by<F: Solvable, B>(
 
 /// The cycle at α `times` the exact border.
 fn above_border<F: Float>(omega: F, zeta: F, times: F) -> Option<Cycle<F>> {
-    let least = crate::Border::with_damping(omega, zeta).ok()?.min_force_ratio();
+    let least = crate::Border::with_damping(omega, zeta).ok()?.min_force_ratio;
     Ratios::new(omega, least * times).and_then(|r| r.with_damping_ratio(zeta)).and_then(Cycle::new).ok()
 }
 
 impl<'a, F: Solvable> Case<'a, F> {
     fn at(formulae: &'a dyn Formulae<F>, cycle: Cycle<F>, with_motion: bool) -> Self {
-        let (ratios, answers) = (cycle.ratios(), formulae.answers(&cycle));
+        let (ratios, answers) = (cycle.ratios, formulae.answers(&cycle));
         let half = half_period(&ratios);
         let (one, two, alpha) = (F::int(1), F::int(2), ratios.alpha());
         let early = answers.velocity_phase > answers.displacement_phase;
@@ -132,7 +132,7 @@ impl<'a, F: Solvable> Case<'a, F> {
             answers,
             unknowns,
             system: System::new(ratios.omega(), ratios.damping_ratio(), one / alpha),
-            scale: alpha / half.stiffness + free + cycle.max_displacement(),
+            scale: alpha / half.stiffness + free + cycle.max_displacement,
             motion: if with_motion { Motion::at(ratios) } else { None },
             solved: F::solve(ratios).ok(),
             border: if with_motion { OnBorder::at(formulae, &ratios) } else { None },
@@ -142,11 +142,11 @@ impl<'a, F: Solvable> Case<'a, F> {
 
 impl<F: Float> Case<'_, F> {
     fn omega(&self) -> F {
-        self.cycle.ratios().omega()
+        self.cycle.ratios.omega()
     }
 
     fn alpha(&self) -> F {
-        self.cycle.ratios().alpha()
+        self.cycle.ratios.alpha()
     }
 
     /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than

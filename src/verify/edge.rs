@@ -53,15 +53,15 @@ impl<F: Solvable> OnBorder<F> {
 
 /// The steady motion from rest.
 fn steady<F: Float>(ratios: Ratios<F>) -> Option<SteadyState<F>> {
-    LongRun::from_start(ratios, State::rest()).ok()?.steady_state().copied()
+    LongRun::from_start(ratios, State::default()).ok()?.steady_state().copied()
 }
 
 /// A₁ of the exact motion, by its work against friction; `None` where it is not one of two reversals without
 /// a stop.
 pub(super) fn loop_size<F: Float>(ratios: Ratios<F>) -> Option<F> {
     let (steady, alpha) = (steady(ratios)?, ratios.alpha());
-    let slides = steady.sticks_per_cycle() == 0 && steady.velocity_zeros_per_cycle() == 2;
-    slides.then(|| F::int(2) * (steady.energy_out() / alpha) / alpha)
+    let slides = steady.sticks_per_cycle == 0 && steady.velocity_zeros_per_cycle == 2;
+    slides.then(|| F::int(2) * (steady.energy_out / alpha) / alpha)
 }
 
 /// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below
@@ -76,7 +76,7 @@ pub(super) fn stops_beside<F: Float>(
     let far = (turns - nearest).abs() * F::int(128) > F::int(1);
     let little = F::exp2i((F::PRECISION as i32 / 3).min(16).saturating_neg());
     let one = F::int(1);
-    let stops = |alpha: F| steady(at(alpha)?).map(|s| s.sticks_per_cycle());
+    let stops = |alpha: F| steady(at(alpha)?).map(|s| s.sticks_per_cycle);
     far.then(|| Some((stops(alpha * (one - little))?, stops(alpha * (one + little))?)))?
 }
 

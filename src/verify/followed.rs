@@ -1,6 +1,6 @@
 //! The exact motion from rest, and differences of it.
 
-use crate::exact::{LongRun, Phase, State, SteadyState, Trajectory};
+use crate::exact::{LongRun, Segment, State, SteadyState, Trajectory};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
@@ -17,7 +17,9 @@ pub(super) struct Motion<F> {
 impl<F: Float> Motion<F> {
     /// The motion at the ratios; `None` where it has no one limit, or none was found.
     pub(super) fn at(ratios: Ratios<F>) -> Option<Self> {
-        let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::rest()).ok()? else { return None };
+        let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::default()).ok()? else {
+            return None;
+        };
         let (x, v) = steady.distance();
         let half_map = half_map(ratios, steady.state());
         Some(Self { steady, doubt: x.hypot(v * ratios.omega()), half_map })
@@ -48,7 +50,7 @@ pub(super) fn third_of_digits<F: Float>() -> F {
 fn half_turn_on<F: Float>(ratios: Ratios<F>, start: State<F>) -> Option<(F, F)> {
     let end = start.phase.later_by_half_turns(1);
     let mut phases = Trajectory::new(ratios, start).ok()?;
-    let reaches = |phase: &Phase<F>| phase.end().is_none_or(|e| e.phase.since(end) >= F::int(0));
+    let reaches = |phase: &Segment<F>| phase.end().is_none_or(|e| e.phase.since(end) >= F::int(0));
     let last = phases.find(|phase| phase.as_ref().is_ok_and(reaches))?.ok()?;
     let state = last.at(end).state;
     Some((state.x, state.v))

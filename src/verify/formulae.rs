@@ -54,10 +54,10 @@ pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
     {
         let border = Border::at(p);
         Edge {
-            min_force_ratio: border.min_force_ratio(),
-            turning_point: border.turning_point(),
-            phase: border.phase(),
-            least_displacement: border.least_displacement(),
+            min_force_ratio: border.min_force_ratio,
+            turning_point: border.turning_point,
+            phase: border.touching_phase,
+            least_displacement: border.min_displacement,
         }
     }
     /// The answers at (Ω, α).
@@ -66,10 +66,10 @@ pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
         F: Float,
     {
         Answers {
-            max_displacement: cycle.max_displacement(),
-            displacement_phase: cycle.displacement_phase(),
-            max_velocity: cycle.max_velocity(),
-            velocity_phase: cycle.velocity_phase(),
+            max_displacement: cycle.max_displacement,
+            displacement_phase: cycle.displacement_phase,
+            max_velocity: cycle.max_velocity,
+            velocity_phase: cycle.velocity_phase,
             deviation: cycle.deviation(),
             loop_size_stiffness: cycle.loop_size_stiffness(),
             loop_size_inertia: cycle.loop_size_inertia(),

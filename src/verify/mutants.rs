@@ -35,8 +35,8 @@ fn failed(formulae: &dyn Formulae<f64>) -> Vec<&'static str> {
 
 /// The velocity of the rising half cycle at ψ, its fastest points, and the phase at one.
 fn stationary_points(c: &Cycle<f64>) -> Vec<(f64, f64)> {
-    let beta = PI / 2.0 / c.ratios().omega();
-    let phase = |psi: f64| (c.displacement_phase() - PI / 2.0 - c.ratios().omega() * psi).rem_euclid(TAU);
+    let beta = PI / 2.0 / c.ratios.omega();
+    let phase = |psi: f64| (c.displacement_phase - PI / 2.0 - c.ratios.omega() * psi).rem_euclid(TAU);
     let n = 20_000;
     let velocity = |i: i32| {
         let phase = phase(beta * f64::from(2 * i - n) / f64::from(n));
@@ -70,27 +70,27 @@ type G<'a> = &'a Given<f64>;
 type U<'a> = &'a Unknowns<f64>;
 
 fn q(c: C<'_>) -> f64 {
-    one_minus_square(c.ratios().omega())
+    one_minus_square(c.ratios.omega())
 }
 
 fn k(c: C<'_>) -> f64 {
-    PhaseFunction::new(c.ratios().omega()).unwrap().value()
+    PhaseFunction::new(c.ratios.omega()).unwrap().value()
 }
 
 mutants! {
     // A sign.
     "K with the other sign": phase_function(p: P<'_>) -> f64 = -p.value();
     "(α − K)² for (α − K)(α + K)": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_displacement: (c.ratios().alpha() - k(c)).abs() / q(c).abs(), ..right(c) };
+        Answers { max_displacement: (c.ratios.alpha() - k(c)).abs() / q(c).abs(), ..right(c) };
     "1 + Ω² for 1 − Ω² in eq. 44": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_displacement: c.max_displacement() * q(c).abs() / (2.0 - q(c)), ..right(c) };
+        Answers { max_displacement: c.max_displacement * q(c).abs() / (2.0 - q(c)), ..right(c) };
     "cos ω_d t₂ = −K/α": answers(c: C<'_>) -> Answers<f64> =
-        Answers { displacement_phase: (PI - c.displacement_phase()).rem_euclid(TAU), ..right(c) };
+        Answers { displacement_phase: (PI - c.displacement_phase).rem_euclid(TAU), ..right(c) };
     "sin ω_d t₂ > 0 above Ω = 1, too": answers(c: C<'_>) -> Answers<f64> =
-        Answers { displacement_phase: (k(c) / c.ratios().alpha()).acos(), ..right(c) };
+        Answers { displacement_phase: (k(c) / c.ratios.alpha()).acos(), ..right(c) };
     "eq. 49 as printed, both roots positive": answers(c: C<'_>) -> Answers<f64> = Answers {
         max_velocity: printed::max_velocity(
-            c.ratios().omega(), c.ratios().alpha(), pi_1(c.ratios().omega()).cos(), c.deviation(),
+            c.ratios.omega(), c.ratios.alpha(), pi_1(c.ratios.omega()).cos(), c.deviation(),
         ),
         ..right(c)
     };
@@ -123,15 +123,15 @@ mutants! {
 
     // A factor.
     "Δ₀ a millionth too large": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_displacement: c.max_displacement() * (1.0 + 1e-6), ..right(c) };
+        Answers { max_displacement: c.max_displacement * (1.0 + 1e-6), ..right(c) };
     "V₀ over ω_n": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_velocity: c.max_velocity() * c.ratios().omega(), ..right(c) };
+        Answers { max_velocity: c.max_velocity * c.ratios.omega(), ..right(c) };
     "A₁ = 4(Δ₀/B)/α²": answers(c: C<'_>) -> Answers<f64> =
         Answers { loop_size_stiffness: c.loop_size_stiffness() / 2.0, ..right(c) };
     "A₁ = 8(Δ₀/B)/α": answers(c: C<'_>) -> Answers<f64> =
-        Answers { loop_size_stiffness: c.loop_size_stiffness() * c.ratios().alpha(), ..right(c) };
+        Answers { loop_size_stiffness: c.loop_size_stiffness() * c.ratios.alpha(), ..right(c) };
     "A₂ = Ω A₁": answers(c: C<'_>) -> Answers<f64> =
-        Answers { loop_size_inertia: c.loop_size_stiffness() * c.ratios().omega(), ..right(c) };
+        Answers { loop_size_inertia: c.loop_size_stiffness() * c.ratios.omega(), ..right(c) };
     "s = 2 r_y Δ₀": loop_size(max_displacement: f64) -> f64 = 2.0 * max_displacement;
     "A₁ and A₂ halved alike": answers(c: C<'_>) -> Answers<f64> = Answers {
         loop_size_stiffness: c.loop_size_stiffness() / 2.0,
@@ -143,9 +143,9 @@ mutants! {
     "A₁max = 8/(|K| |1 − Ω²|)": best_loop_size_at(p: P<'_>) -> f64 =
         8.0 / (p.value() * one_minus_square(p.omega())).abs();
     "g = Ω Δ₀/B in the multipliers": answers(c: C<'_>) -> Answers<f64> = {
-        let g = c.ratios().omega() * c.max_displacement();
+        let g = c.ratios.omega() * c.max_displacement;
         let s = (g - 1.0) / (g + 1.0);
-        let mean = -(1.0 + s) * pi_1(c.ratios().omega()).cos() / 2.0;
+        let mean = -(1.0 + s) * pi_1(c.ratios.omega()).cos() / 2.0;
         let square = mean * mean - s;
         let multipliers = if square < 0.0 {
             MultiplierPair::Complex { re: mean, im: (-square).sqrt() }
@@ -193,13 +193,13 @@ mutants! {
         printed::displacement_phase(sine)
     };
     "eq. 61 for the border below Ω = 1/2, too": edge(p: P<'_>) -> Edge<f64> = {
-        let turning_point = Border::at(p).turning_point();
+        let turning_point = Border::at(p).turning_point;
         Edge { min_force_ratio: turning_point, turning_point, phase: 0.0, least_displacement: 1.0 / p.omega().powi(2) }
     };
     "ω_d t₁ a turn late": answers(c: C<'_>) -> Answers<f64> =
-        Answers { velocity_phase: c.velocity_phase() + TAU, ..right(c) };
+        Answers { velocity_phase: c.velocity_phase + TAU, ..right(c) };
     "half a turn between ω_d t₁ and where it is": answers(c: C<'_>) -> Answers<f64> =
-        Answers { velocity_phase: (c.velocity_phase() + PI).rem_euclid(TAU), ..right(c) };
+        Answers { velocity_phase: (c.velocity_phase + PI).rem_euclid(TAU), ..right(c) };
 }
 
 #[test]

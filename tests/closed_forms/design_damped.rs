@@ -12,7 +12,7 @@ fn all(alpha: f64, zeta: f64, low: f64, high: f64) -> Vec<Band<f64>> {
 }
 
 fn least(omega: f64, zeta: f64) -> f64 {
-    Border::with_damping(omega, zeta).unwrap().min_force_ratio()
+    Border::with_damping(omega, zeta).unwrap().min_force_ratio
 }
 
 /// Against 200,000 borders: no point slides outside of the bands, and none sticks inside.
@@ -85,7 +85,7 @@ fn the_border_is_above_its_proved_bound() {
 fn energy(mass: f64, stiffness: f64, friction: f64, damping: f64, drive: &Drive<f64>) -> f64 {
     let body = Oscillator::new(mass, stiffness, friction).unwrap().with_damping(damping).unwrap();
     let cycle = drive.ratios(&body).and_then(Cycle::new);
-    cycle.map_or(0.0, |c| 4.0 * friction * c.max_displacement() * body.friction_displacement())
+    cycle.map_or(0.0, |c| 4.0 * friction * c.max_displacement * body.friction_displacement())
 }
 
 #[test]
@@ -133,22 +133,22 @@ fn cycle(omega: f64, zeta: f64, alpha: f64) -> Cycle<f64> {
 fn a_target_is_reached() {
     for omega in [0.02, 0.21, 0.334, 0.4, 0.7, 1.0, 1.6, 20.0] {
         for zeta in [1e-9, 0.01, 0.2, 0.7, 1.0, 1.5, 8.0] {
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             for over in [1.0 + 1e-9, 1.2, 5.0, 1e4] {
                 let wanted = cycle(omega, zeta, least * over);
-                let by_velocity: f64 = force_ratio_for_velocity(omega, zeta, wanted.max_velocity()).unwrap();
+                let by_velocity: f64 = force_ratio_for_velocity(omega, zeta, wanted.max_velocity).unwrap();
                 let by_displacement: f64 =
-                    force_ratio_for_displacement(omega, zeta, wanted.max_displacement()).unwrap();
+                    force_ratio_for_displacement(omega, zeta, wanted.max_displacement).unwrap();
                 for (alpha, reached, target) in [
                     (
                         by_velocity,
-                        cycle(omega, zeta, by_velocity.max(least)).max_velocity(),
-                        wanted.max_velocity(),
+                        cycle(omega, zeta, by_velocity.max(least)).max_velocity,
+                        wanted.max_velocity,
                     ),
                     (
                         by_displacement,
-                        cycle(omega, zeta, by_displacement.max(least)).max_displacement(),
-                        wanted.max_displacement(),
+                        cycle(omega, zeta, by_displacement.max(least)).max_displacement,
+                        wanted.max_displacement,
                     ),
                 ] {
                     // What the rounding of α is worth, the cycle being a difference of a and G.
@@ -162,7 +162,7 @@ fn a_target_is_reached() {
                     );
                 }
             }
-            let small = cycle(omega, zeta, least).max_velocity() * (1.0 - 1e-9);
+            let small = cycle(omega, zeta, least).max_velocity * (1.0 - 1e-9);
             let error = force_ratio_for_velocity(omega, zeta, small);
             assert!(matches!(error, Err(Error::TargetSticks { .. })), "{omega} {zeta}: {error:?}");
         }
@@ -174,7 +174,7 @@ fn physical_units_are_the_same_questions() {
     // ω_n = 2, B = 3/8.
     let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_damping_ratio(0.05).unwrap();
     let wanted = cycle(0.7, 0.05, 3.0);
-    let force: f64 = force_for_velocity(&body, 1.4, wanted.max_velocity() * 0.375 * 1.4).unwrap();
+    let force: f64 = force_for_velocity(&body, 1.4, wanted.max_velocity * 0.375 * 1.4).unwrap();
     assert!((force / 9.0 - 1.0).abs() < 1e-13, "{force}");
     let drive = Drive::force(36.0, 1.0).unwrap();
     let found: Vec<_> = frequency_bands(&body, &drive, 0.2, 4.0).unwrap().map(Result::unwrap).collect();
@@ -191,7 +191,7 @@ fn the_best_friction_is_the_best() {
     for omega in [0.3, 0.45, 0.7, 1.0, 1.4, 3.0] {
         for zeta in [0.001, 0.05, 0.3, 1.0, 2.0] {
             let best = most_dissipating_force_ratio(omega, zeta).unwrap();
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             let at = |alpha: f64| cycle(omega, zeta, alpha).loop_size_stiffness();
             assert!((at(best.at) / best.value - 1.0).abs() < 1e-12, "{omega} {zeta}: {best:?}");
             assert!(

@@ -54,12 +54,12 @@ fn minima_and_ends_of_bands_at_sixty_digits() {
 #[test]
 fn what_f64_leaves_open_a_wider_type_decides() {
     for omega in [0.052, 0.22, 0.3, 0.333, 0.4, 0.7, 0.999, 1.5, 20.0] {
-        let border: f64 = Border::new(omega).unwrap().min_force_ratio();
+        let border: f64 = Border::new(omega).unwrap().min_force_ratio;
         for alpha in [border, border.next_up(), border.next_down()] {
             let verdict = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
             assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
             let wide = Place::new(Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap());
-            let least = Border::new(Mp::<16>::from(omega)).unwrap().min_force_ratio();
+            let least = Border::new(Mp::<16>::from(omega)).unwrap().min_force_ratio;
             let slides = Mp::<16>::from(alpha) >= least;
             assert_eq!(wide.verdict().regime() == Some(Regime::NonSticking), slides, "{omega} {alpha}");
             assert!(wide.verdict().regime().is_some());
@@ -72,7 +72,7 @@ fn what_f64_leaves_open_a_wider_type_decides() {
 fn the_slope_against_differences_at_512_bits() {
     let real = |p, q| Mp::<8>::ratio(p, q);
     let h = Mp::<8>::exp2i(-40);
-    let border = |omega: Mp<8>| Border::new(omega).unwrap().min_force_ratio();
+    let border = |omega: Mp<8>| Border::new(omega).unwrap().min_force_ratio;
     for omega in
         [0.07, 0.13, 0.21, 0.24, 0.26, 0.2994, 0.31, 0.35, 0.45, 0.499, 0.51, 0.7, 0.85, 1.0, 1.4, 2.5, 50.0]
     {
@@ -99,13 +99,13 @@ fn the_inverse_questions_at_256_bits() {
         bands(alpha, number("0"), number("0.1"), number("2")).unwrap().map(Result::unwrap).collect();
     assert_eq!(found.len(), 2);
     for end in [found[0].low, found[0].high, found[1].low] {
-        let border = Border::new(end).unwrap().min_force_ratio();
+        let border = Border::new(end).unwrap().min_force_ratio;
         let slack = Wide::epsilon() * Wide::int(1000);
         assert!(border <= alpha && border > alpha * (Wide::int(1) - slack), "{end}: {border}");
     }
     for (omega, force) in [("0.3", "20"), ("0.4", "9"), ("0.7", "2"), ("1.5", "2.5")] {
         let (omega, force) = (number(omega), number(force));
-        let speed = Cycle::new(Ratios::new(omega, force).unwrap()).unwrap().max_velocity();
+        let speed = Cycle::new(Ratios::new(omega, force).unwrap()).unwrap().max_velocity;
         let again = force_ratio_for_velocity(omega, number("0"), speed).unwrap();
         assert!(((again - force) / force).abs() < Wide::epsilon() * Wide::int(64), "{omega}: {again}");
     }

@@ -105,7 +105,7 @@ fn errors<const N: usize, const D: usize>(
 /// (Ω, α) at `count` ordinary points.
 fn ordinary<const N: usize>(count: usize) -> impl Iterator<Item = (Mp<N>, Mp<N>)> {
     points(count).map(|(omega, over)| {
-        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let alpha = Border::new(omega).unwrap().min_force_ratio * over;
         (omega.into(), alpha.into())
     })
 }
@@ -136,7 +136,7 @@ fn beside<const N: usize>(n: &[i32], k: &[i32]) -> Vec<(Mp<N>, Mp<N>)> {
         for &k in k {
             for sign in [-1, 1] {
                 let omega = Mp::ratio(1, n) + Mp::from(sign).scale2(-k);
-                let border = Border::new(omega).unwrap().min_force_ratio();
+                let border = Border::new(omega).unwrap().min_force_ratio;
                 places.extend([20_002, 21_000, 60_000].map(|over| (omega, border * Mp::ratio(over, 20_000))));
             }
         }
@@ -159,7 +159,7 @@ fn beside_the_natural_frequency_and_its_fractions() {
 fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samples: i32) {
     for &(omega, alpha) in places {
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
-        let greatest = cycle.max_velocity() * (Mp::from(1) + Mp::epsilon().scale2(slack));
+        let greatest = cycle.max_velocity * (Mp::from(1) + Mp::epsilon().scale2(slack));
         for i in 0..samples {
             let phase = Mp::pi() * Mp::ratio(2 * i, samples);
             let velocity = cycle.velocity_at(phase);
@@ -295,11 +295,11 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
         }
         // That is the border: at most what the grid misses of a maximum above it.
         let border = Border::new(omega).unwrap();
-        let supremum = border.least_displacement();
+        let supremum = border.min_displacement;
         let due = limit.or_larger(most);
         assert!(due <= supremum * (Wide::int(1) + rounding), "{inverse}: {due} above {supremum}");
         assert!(supremum <= due * Wide::from(1.0 + 1e-4), "{inverse}: {supremum} above {due}");
-        let phase = border.phase();
+        let phase = border.touching_phase;
         if phase > Wide::int(0) {
             let exact = f(phase / omega).abs();
             assert!(
@@ -316,8 +316,7 @@ fn without_guard_bits_no_digit_is_lost_to_cancellation() {
     let places = (3..40).flat_map(|k| {
         let step = 0.5f64.powi(k);
         [1.0 - step, 1.0 + step].into_iter().flat_map(|omega| {
-            let border =
-                Border::new(Mp::<8>::from(omega)).unwrap().min_force_ratio().to_f64() * (1.0 + 1e-15);
+            let border = Border::new(Mp::<8>::from(omega)).unwrap().min_force_ratio.to_f64() * (1.0 + 1e-15);
             [0.0, 1e-9, 1e-4, 0.1].map(|over| (omega, border * (1.0 + over)))
         })
     });

@@ -29,7 +29,7 @@ fn points() -> Vec<(f64, f64)> {
             }
         };
         let over = if i % 3 == 0 { random.scale(1.0001, 1.1) } else { random.scale(1.1, 100.0) };
-        points.push((omega, Border::new(omega).unwrap().min_force_ratio() * over));
+        points.push((omega, Border::new(omega).unwrap().min_force_ratio * over));
     }
     points
 }
@@ -125,7 +125,7 @@ fn by_the_machine_at_512_bits() {
         let is_base = i % 2 == 0;
         let w = omega * (k / m).sqrt();
         // The ratios as they come out of the rounded parameters; beside a pole that is somewhere else.
-        let least = Border::new(w / (k / m).sqrt()).unwrap().min_force_ratio();
+        let least = Border::new(w / (k / m).sqrt()).unwrap().min_force_ratio;
         let alpha = alpha.max(least * 1.001);
         let a = if is_base { alpha * r / k } else { alpha * r };
         let at = [m, k, r, a, w];
@@ -167,7 +167,7 @@ fn the_border_against_its_slope_in_closed_form() {
     for (omega, alpha) in points() {
         let p = PhaseFunction::new(omega).unwrap();
         let [o] = Dual::parameters([omega]);
-        let border = Border::new(o).unwrap().min_force_ratio();
+        let border = Border::new(o).unwrap().min_force_ratio;
         let (found, slope) = (border.derivatives()[0], Border::slope(&p));
         let size = slope.abs().max(border.value() / omega);
         assert!((found - slope).abs() < 1e-14 * size, "{omega} {alpha}: {found} {slope}");

@@ -84,7 +84,7 @@ proptest! {
 
     #[test]
     fn steady_states(points in points(60)) {
-        let limit = |p: &Point| LongRun::from_start(ratios(p), State::rest()).ok();
+        let limit = |p: &Point| LongRun::from_start(ratios(p), State::default()).ok();
         let points: Vec<Point> =
             points.into_iter().filter(|p| p.omega > 1e-2 && limit(p).is_some()).collect();
         prop_assume!(!points.is_empty());
@@ -144,14 +144,14 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let mut due = of_machine(&response, body, drive, &scales);
     due.extend(foot(drive));
     let mut of_ratios = of_response(&response);
-    if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle()) {
+    if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle.as_ref()) {
         // Foot and surface feel m x″.
         let (acceleration, omega) = (cycle.max_acceleration(), ratios.omega());
         let force = acceleration * (omega * omega);
         let felt = [
             ("transmitted_force", force),
             ("transmissibility", acceleration / ratios.alpha()),
-            ("max_absolute_displacement", cycle.max_displacement()),
+            ("max_absolute_displacement", cycle.max_displacement),
         ];
         for (name, value) in felt {
             of_ratios.iter_mut().filter(|(own, _)| own == name).for_each(|field| field.1 = Cell::of(value));

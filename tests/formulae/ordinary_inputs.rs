@@ -14,21 +14,21 @@ fn every_float_beside_one_has_its_answer() {
     let four_over_pi = 4.0 / std::f64::consts::PI;
     for omega in neighbours(1.0, 50) {
         let answer = response(omega, 1.5);
-        assert!((answer.border().min_force_ratio() - four_over_pi).abs() < 1e-14);
+        assert!((answer.border.min_force_ratio - four_over_pi).abs() < 1e-14);
         if omega == 1.0 {
-            assert_eq!(answer.regime(), Regime::Unbounded);
+            assert_eq!(answer.regime, Regime::Unbounded);
             continue;
         }
-        let cycle = answer.cycle().unwrap();
+        let cycle = answer.cycle.as_ref().unwrap();
         // Δ₀ |1 − Ω²| = √(α² − K²) with K = −4/π − (2/π)(Ω − 1), V₀ → Δ₀.
         let k = four_over_pi + four_over_pi / 2.0 * (omega - 1.0);
         let expected = (2.25 - k * k).sqrt() / ((1.0 - omega) * (1.0 + omega)).abs();
-        assert!((cycle.max_displacement() / expected - 1.0).abs() < 2e-15, "{omega:e}");
-        assert!((cycle.max_velocity() / cycle.max_displacement() - 1.0).abs() < 2e-14);
+        assert!((cycle.max_displacement / expected - 1.0).abs() < 2e-15, "{omega:e}");
+        assert!((cycle.max_velocity / cycle.max_displacement - 1.0).abs() < 2e-14);
         assert!(cycle.deviation().is_finite() && cycle.contraction() <= 1.0);
         assert!(
             (cycle.displacement_at(0.3) + cycle.displacement_at(0.3 + std::f64::consts::PI)).abs()
-                <= 1e-13 * cycle.max_displacement()
+                <= 1e-13 * cycle.max_displacement
         );
     }
 }
@@ -36,8 +36,8 @@ fn every_float_beside_one_has_its_answer() {
 #[test]
 fn at_one_the_regime_depends_on_four_over_pi() {
     for (alpha, regime) in [(1.0, Regime::Stuck), (1.27, Regime::Sticking), (1.28, Regime::Unbounded)] {
-        assert_eq!(response(1.0, alpha).regime(), regime);
-        assert!(response(1.0, alpha).cycle().is_none());
+        assert_eq!(response(1.0, alpha).regime, regime);
+        assert!(response(1.0, alpha).cycle.as_ref().is_none());
     }
     assert!(matches!(Cycle::new(Ratios::new(1.0, 1.28).unwrap()), Err(Error::Unbounded { .. })));
     assert!(matches!(Cycle::new(Ratios::new(1.0, 1.27).unwrap()), Err(Error::Sticks { .. })));
@@ -54,12 +54,12 @@ fn every_float_beside_a_pole_has_its_border() {
             let expected = -(1.0 - omega * omega) * 2.0 / (std::f64::consts::PI * rest);
             assert!((k / expected - 1.0).abs() < 1e-13, "{omega:e}: {k:e} for {expected:e}");
             let border = Border::new(omega).unwrap();
-            assert!(border.min_force_ratio().is_finite() && border.min_force_ratio() >= k.abs());
-            let answer = response(omega, border.min_force_ratio() * 1.5);
-            let cycle = answer.cycle().unwrap();
-            assert!(cycle.max_displacement() > border.least_displacement());
-            assert!(cycle.max_velocity().is_finite() && cycle.velocity_phase().is_finite());
-            assert_eq!(response(omega, border.min_force_ratio() * 0.99).reversals_per_cycle(), Some(6));
+            assert!(border.min_force_ratio.is_finite() && border.min_force_ratio >= k.abs());
+            let answer = response(omega, border.min_force_ratio * 1.5);
+            let cycle = answer.cycle.as_ref().unwrap();
+            assert!(cycle.max_displacement > border.min_displacement);
+            assert!(cycle.max_velocity.is_finite() && cycle.velocity_phase.is_finite());
+            assert_eq!(response(omega, border.min_force_ratio * 0.99).reversals_per_cycle(), Some(6));
         }
     }
 }
@@ -70,7 +70,7 @@ fn every_float_beside_a_zero_of_k_has_its_border() {
         for omega in neighbours(1.0 / n, 20) {
             let border = Border::new(omega).unwrap();
             let limit = 1.0 / (omega * omega) - 1.0;
-            assert!((border.min_force_ratio() / limit - 1.0).abs() < 1e-12, "{omega:e}");
+            assert!((border.min_force_ratio / limit - 1.0).abs() < 1e-12, "{omega:e}");
             let cycle = Cycle::new(Ratios::new(omega, limit * 1.1).unwrap()).unwrap();
             assert!(cycle.contraction() > 1.0 - 1e-10 && cycle.contraction() <= 1.0 + 1e-15);
         }
@@ -83,22 +83,22 @@ fn the_whole_domain_is_finite_and_consistent() {
     let mut seen = 0;
     while omega <= 2f64.powi(250) {
         let border = Border::new(omega).unwrap();
-        let least = border.min_force_ratio();
-        assert!(least.is_finite() && least >= border.turning_point() && least >= 1.2, "{omega:e}: {least:e}");
+        let least = border.min_force_ratio;
+        assert!(least.is_finite() && least >= border.turning_point && least >= 1.2, "{omega:e}: {least:e}");
         if least * 2.0 <= 2f64.powi(250) {
             let answer = response(omega, least * 2.0);
-            let cycle = answer.cycle().unwrap();
+            let cycle = answer.cycle.as_ref().unwrap();
             for value in [
-                cycle.max_displacement(),
-                cycle.max_velocity(),
+                cycle.max_displacement,
+                cycle.max_velocity,
                 cycle.loop_size_stiffness(),
                 cycle.loop_size_inertia(),
                 cycle.contraction(),
             ] {
                 assert!(value.is_normal() && value > 0.0, "{omega:e}: {cycle:?}");
             }
-            assert!((0.0..std::f64::consts::TAU).contains(&cycle.velocity_phase()));
-            assert!((0.0..std::f64::consts::TAU).contains(&cycle.displacement_phase()));
+            assert!((0.0..std::f64::consts::TAU).contains(&cycle.velocity_phase));
+            assert!((0.0..std::f64::consts::TAU).contains(&cycle.displacement_phase));
             seen += 1;
         }
         omega *= 1.37;
@@ -109,11 +109,11 @@ fn the_whole_domain_is_finite_and_consistent() {
 #[test]
 fn tiny_force_is_at_rest_and_formulae_outside_their_domain_say_nan() {
     for alpha in [f64::from_bits(1), f64::MIN_POSITIVE, 1e-300, 0.5, 1.0] {
-        assert_eq!(response(0.7, alpha).regime(), Regime::Stuck);
+        assert_eq!(response(0.7, alpha).regime, Regime::Stuck);
     }
     assert!(nonsticking::max_displacement(2.0f64, 1.5, 0.5).is_nan());
     assert!(nonsticking::displacement_phase(2.0f64, 1.5, 0.5).is_nan());
-    let cycle = *response(0.7, 2.0).cycle().unwrap();
+    let cycle = *response(0.7, 2.0).cycle.as_ref().unwrap();
     assert!(cycle.displacement_at(f64::NAN).is_nan() && cycle.velocity_at(f64::INFINITY).is_nan());
     assert_eq!(matching::pi_1(0.5f64), std::f64::consts::TAU);
 }
@@ -157,17 +157,12 @@ fn far_above_the_natural_frequency_no_digit_is_lost() {
         ),
     ] {
         let answer = response(omega, alpha);
-        let c = answer.cycle().unwrap();
-        let found = [
-            c.max_displacement(),
-            c.displacement_phase(),
-            c.max_velocity(),
-            c.velocity_phase(),
-            c.deviation(),
-        ];
+        let c = answer.cycle.as_ref().unwrap();
+        let found =
+            [c.max_displacement, c.displacement_phase, c.max_velocity, c.velocity_phase, c.deviation()];
         for (value, reference) in found.iter().zip(expected) {
             assert!((value / reference - 1.0).abs() < 5e-15, "{omega:e}: {value:e} for {reference:e}");
         }
-        assert!((c.displacement_at(c.velocity_phase()) / c.deviation() - 1.0).abs() < 1e-13);
+        assert!((c.displacement_at(c.velocity_phase) / c.deviation() - 1.0).abs() < 1e-13);
     }
 }

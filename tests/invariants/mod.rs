@@ -21,26 +21,26 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     };
     assert!(range.contains(&omega) && alpha > 0.0 && alpha <= *range.end());
     let answer = Response::new(ratios);
-    let border = answer.border();
-    let (least, by_turning_point) = (border.min_force_ratio(), border.turning_point());
+    let border = answer.border;
+    let (least, by_turning_point) = (border.min_force_ratio, border.turning_point);
     assert!(least >= by_turning_point, "α_min = {least:e} below eq. 61 = {by_turning_point:e}");
     assert!(least >= 1.209_998 && least.is_finite(), "α_min = {least:e}");
     assert!(omega < 0.5 || least == by_turning_point, "eq. 61 is exact for Ω ≥ 1/2");
-    assert!(border.phase() >= 0.0 && border.phase() <= std::f64::consts::PI);
-    assert!(border.least_displacement() >= 1.0 / (omega * omega));
+    assert!(border.touching_phase >= 0.0 && border.touching_phase <= std::f64::consts::PI);
+    assert!(border.min_displacement >= 1.0 / (omega * omega));
     let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
     let is_without_stop =
         no_stop.intervals().any(|(low, high)| low <= alpha && high.is_none_or(|high| alpha <= high));
-    match answer.regime() {
+    match answer.regime {
         Regime::Stuck => assert!(alpha <= 1.0),
         Regime::Sticking => assert!(alpha > 1.0 && alpha < least && !is_without_stop),
         Regime::Unbounded => assert!(omega == 1.0 && alpha >= least),
         Regime::NonSticking => assert!(omega != 1.0 && is_without_stop),
     }
-    place(ratios, answer.regime());
+    place(ratios, answer.regime);
     inverse_questions(omega, alpha);
     let again = Cycle::new(ratios);
-    match answer.cycle() {
+    match answer.cycle.as_ref() {
         Some(found) => {
             assert_eq!(again, Ok(*found));
             cycle(found, phase);
@@ -70,12 +70,12 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
         return closed_forms(omega, alpha, phase);
     }
     let border = Border::with_damping(omega, zeta).unwrap();
-    let least = border.min_force_ratio();
-    assert!(least >= border.turning_point() && least > 0.0 && least.is_finite(), "α_min = {least:e}");
+    let least = border.min_force_ratio;
+    assert!(least >= border.turning_point && least > 0.0 && least.is_finite(), "α_min = {least:e}");
     // Proved: α_min ≥ 1/Ω² − 1, and half the damped frequency on the turning point suffices.
     assert!(least >= ((1.0 - omega) * (1.0 + omega) / omega / omega).min(1e70) * (1.0 - 1e-12), "{least:e}");
-    assert!(border.is_turning_point() || zeta < 1.0 && omega < 0.5);
-    assert!((0.0..=std::f64::consts::PI).contains(&border.phase()));
+    assert!(border.touching_phase == 0.0 || zeta < 1.0 && omega < 0.5);
+    assert!((0.0..=std::f64::consts::PI).contains(&border.touching_phase));
     match Cycle::new(ratios) {
         Ok(cycle) => {
             assert!(alpha >= least);
@@ -87,10 +87,10 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
 
 fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     let (omega, zeta, alpha) = {
-        let ratios = cycle.ratios();
+        let ratios = cycle.ratios;
         (ratios.omega(), ratios.damping_ratio(), ratios.alpha())
     };
-    let (delta, speed) = (cycle.max_displacement(), cycle.max_velocity());
+    let (delta, speed) = (cycle.max_displacement, cycle.max_velocity);
     // What Δ₀ = a − G is a difference of, and the velocity of.
     let forced = alpha / (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
     let size = forced + 2.0;
@@ -101,7 +101,7 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     assert!(delta > -1e-12 * size && delta.is_finite(), "Δ₀ = {delta:e}");
     assert!(speed > 0.0 && speed.is_finite(), "V₀ = {speed:e}");
     assert!(cycle.damper_work() >= -1e-9 * size * alpha && cycle.damper_work().is_finite());
-    for value in [cycle.displacement_phase(), cycle.velocity_phase()] {
+    for value in [cycle.displacement_phase, cycle.velocity_phase] {
         assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
     }
     assert!(cycle.deviation().is_finite());
@@ -131,13 +131,13 @@ fn place(ratios: Ratios<f64>, regime: Regime) {
 fn is_at_an_edge(ratios: Ratios<f64>) -> bool {
     let no_stop = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap();
     let close = |edge: f64| (ratios.alpha() / edge - 1.0).abs() < 1e-12;
-    no_stop.six_reversals().is_some_and(|(low, high)| close(low) || close(high))
+    no_stop.six_reversals.is_some_and(|(low, high)| close(low) || close(high))
 }
 
 /// An answer is finite and keeps the body sliding, whatever was asked.
 fn inverse_questions(omega: f64, target: f64) {
     let p = PhaseFunction::new(omega).unwrap();
-    let least = Border::new(omega).unwrap().min_force_ratio();
+    let least = Border::new(omega).unwrap().min_force_ratio;
     // Below 2⁻²⁴⁰ the slope itself can be beyond the largest double.
     assert!(Border::slope(&p).is_finite() || omega < 2f64.powi(-240) && !Border::slope(&p).is_nan());
     for force in [
@@ -157,8 +157,8 @@ fn inverse_questions(omega: f64, target: f64) {
         && let Some(Ok(band)) = bands.next()
     {
         assert!(low <= band.low && band.low <= band.high && band.high <= high, "{band:?}");
-        assert!(Border::new(band.low).unwrap().min_force_ratio() <= target);
-        assert!(Border::new(band.high).unwrap().min_force_ratio() <= target);
+        assert!(Border::new(band.low).unwrap().min_force_ratio <= target);
+        assert!(Border::new(band.high).unwrap().min_force_ratio <= target);
     }
 }
 
@@ -173,11 +173,11 @@ fn refused(error: &Error, omega_is_in_range: bool, alpha_is_in_range: bool) {
 }
 
 fn cycle(cycle: &Cycle<f64>, phase: f64) {
-    let (delta, speed) = (cycle.max_displacement(), cycle.max_velocity());
-    let omega = cycle.ratios().omega();
+    let (delta, speed) = (cycle.max_displacement, cycle.max_velocity);
+    let omega = cycle.ratios.omega();
     assert!(delta > 0.0 && delta.is_finite(), "Δ₀ = {delta:e}");
     assert!(speed > 0.0 && speed.is_finite(), "V₀ = {speed:e}");
-    for value in [cycle.displacement_phase(), cycle.velocity_phase()] {
+    for value in [cycle.displacement_phase, cycle.velocity_phase] {
         assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
     }
     assert!(cycle.deviation().is_finite());

@@ -17,12 +17,12 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
         let zeta = <F as Field>::ratio(zeta, 1000);
         for &omega in omegas {
             let omega = <F as Field>::ratio(omega, 1000);
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             for &over in over {
                 let alpha = least * <F as Field>::ratio(over, 1000);
                 let cycle =
                     Cycle::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()).unwrap();
-                let found = match newton::solve(cycle.ratios()) {
+                let found = match newton::solve(cycle.ratios) {
                     Ok(found) => found,
                     Err(error) => panic!("({omega}, {zeta}, {alpha}): {error}"),
                 };
@@ -33,14 +33,14 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
                     let d = (a - b) / turn;
                     (d - Float::round(d)) * turn
                 };
-                let speed = cycle.max_velocity() * omega;
+                let speed = cycle.max_velocity * omega;
                 // How far the phase of a flat maximum is off by what the velocity is.
                 let errors = [
-                    (u.max_displacement - cycle.max_displacement()) / cycle.max_displacement(),
-                    apart(u.displacement_phase, cycle.displacement_phase()),
+                    (u.max_displacement - cycle.max_displacement) / cycle.max_displacement,
+                    apart(u.displacement_phase, cycle.displacement_phase),
                     (u.max_velocity - speed) / speed,
-                    apart(u.velocity_phase, cycle.velocity_phase()),
-                    (u.deviation - cycle.deviation()) / (cycle.max_displacement() + <F as Field>::int(1)),
+                    apart(u.velocity_phase, cycle.velocity_phase),
+                    (u.deviation - cycle.deviation()) / (cycle.max_displacement + <F as Field>::int(1)),
                 ];
                 let unit = <F as Float>::epsilon() * Float::exp2i(found.lost_bits.min(60) as i32);
                 for (i, error) in errors.into_iter().enumerate() {

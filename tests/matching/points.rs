@@ -43,7 +43,7 @@ impl Worst {
     /// Solves at (Ω, α) and compares with the closed forms.
     pub(crate) fn add<F: Float + RealField>(&mut self, omega: F, alpha: F) {
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
-        let found = match newton::solve(cycle.ratios()) {
+        let found = match newton::solve(cycle.ratios) {
             Ok(found) => found,
             Err(e) => panic!("Ω = {omega}, α = {alpha}: {e}"),
         };

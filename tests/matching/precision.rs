@@ -18,7 +18,7 @@ fn all<F: Float + RealField>(name: &str, iterations: u32) -> Worst {
     let points = ORDINARY.iter().map(|n| <F as Field>::ratio(*n, 1000));
     let mut worst = Worst::default();
     for omega in points.chain(beside) {
-        let border = Border::new(omega).unwrap().min_force_ratio();
+        let border = Border::new(omega).unwrap().min_force_ratio;
         for over in OVER {
             worst.add(omega, border * <F as Field>::ratio(over, 10_000));
         }
@@ -54,7 +54,7 @@ fn on_the_border_and_just_above() -> Worst {
     let mut worst = Worst::default();
     let points = ORDINARY.iter().map(|n| <Wide as Field>::ratio(*n, 1000));
     for omega in points.chain(special::<Wide>(&[3, 6, 8, 10, 12, 15, 18])) {
-        let border = Border::new(omega).unwrap().min_force_ratio();
+        let border = Border::new(omega).unwrap().min_force_ratio;
         for above in [<Wide as Field>::int(0), tenth_power(20), tenth_power(12), tenth_power(6)] {
             worst.add(omega, border * (one + above));
         }
@@ -70,7 +70,7 @@ fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
     for k in [3, 10, 20, 30] {
         for sign in [1, -1] {
             let omega = <Wide as Field>::int(1) + <Wide as Field>::int(sign) * tenth_power::<Wide>(k);
-            let alpha = Border::new(omega).unwrap().min_force_ratio();
+            let alpha = Border::new(omega).unwrap().min_force_ratio;
             let mut worst = Worst::default();
             worst.add(omega, alpha);
             worst.check(&format!("border at 1 ± 1e-{k}"), 4.0, 140);

@@ -63,7 +63,7 @@ proptest! {
     #[test]
     fn any_magnitude(e in -250.0..250.0, over in -2.0..8.0, phase in -700.0..700.0) {
         let omega = 2f64.powf(e);
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         crate::invariants::closed_forms(omega, least * 2f64.powf(over), phase);
     }
 
@@ -168,7 +168,7 @@ proptest! {
     ) {
         crate::invariants::damped_closed_forms(point.omega, point.alpha, zeta.0, phase);
         if let Ok(border) = Border::with_damping(point.omega, zeta.0) {
-            let alpha = border.min_force_ratio() * f64::exp2(over);
+            let alpha = border.min_force_ratio * f64::exp2(over);
             crate::invariants::damped_closed_forms(point.omega, alpha, zeta.0, phase);
         }
     }

@@ -1,5 +1,6 @@
 //! Which limit a start leads to, where there are several.
 
+use std::ops::ControlFlow;
 use stickslip::Ratios;
 use stickslip::exact::{LongRun, Starts, State, attractors};
 
@@ -18,7 +19,10 @@ fn a_start_is_counted_for_its_own_limit() {
         let starts: Vec<_> = (0..40).map(at).collect();
         let all = attractors(ratios, &starts, 2000).unwrap();
         for (i, start) in starts.iter().enumerate() {
-            let own = LongRun::within(ratios, *start, 2000).unwrap().extrema().unwrap();
+            let own = LongRun::within(ratios, *start, 2000, &mut || ControlFlow::Continue(()))
+                .unwrap()
+                .extrema()
+                .unwrap();
             let counted = all.limits()[all.of_start(i).unwrap()].limit.extrema().unwrap();
             let is_same = (own.0 - counted.0).abs() < 1e-9 && (own.1 - counted.1).abs() < 1e-9;
             assert!(is_same, "{i}: {own:?}, counted for {counted:?}");
@@ -34,7 +38,7 @@ fn starts_fill_the_square() {
     // 3 + 2 (η + α/(1 − Ω²))
     let spread = Starts::around(&ratios);
     assert!((spread.reach() - (5.0 + 2.0 * 4.0 / 0.75)).abs() < 1e-12);
-    assert_eq!(spread.get(0), State::rest());
+    assert_eq!(spread.get(0), State::default());
     let first = (1..=1000).map(|i| spread.get(i)).filter(|s| s.x > 0.0 && s.v > 0.0).count();
     assert!((240..=260).contains(&first), "{first}");
     assert!((1..1000).all(|i| spread.get(i).x.abs().max(spread.get(i).v.abs()) <= spread.reach()));

@@ -17,7 +17,7 @@ fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
 }
 
 fn from_rest<F: Float>(ratios: Ratios<F>) -> SteadyState<F> {
-    let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+    let limit = LongRun::from_start(ratios, State::default()).unwrap();
     let LongRun::Periodic(steady) = limit else { panic!("{ratios:?}: {limit:?}") };
     steady
 }
@@ -30,10 +30,10 @@ fn two_steady_states_known_to_ten_digits() {
         (0.5, 0.03, 2.2, 2.789_595_387_4, 2, 0.162_076_385),
     ] {
         let steady = from_rest(ratios(omega, zeta, alpha));
-        assert!((steady.max_displacement() - most).abs() < 1e-10, "{steady:?}");
-        assert!((steady.min_displacement() + most).abs() < 1e-10, "{steady:?}");
-        assert!((steady.stick_fraction() - at_rest).abs() < 1e-9, "{steady:?}");
-        assert_eq!(steady.sticks_per_cycle(), sticks);
+        assert!((steady.max_displacement.value - most).abs() < 1e-10, "{steady:?}");
+        assert!((steady.min_displacement.value + most).abs() < 1e-10, "{steady:?}");
+        assert!((steady.stick_fraction - at_rest).abs() < 1e-9, "{steady:?}");
+        assert_eq!(steady.sticks_per_cycle, sticks);
     }
 }
 
@@ -114,8 +114,12 @@ fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
         let v = if random.next() < 0.4 { 0.0 } else { reach * random.between(-1.0, 1.0) / omega };
         let start = State::new(theta, x, v).unwrap();
         for phase in Trajectory::new(ratios(omega, zeta, alpha), start).unwrap().take(4).map(Result::unwrap) {
-            let Kind::Slide(direction) = phase.kind() else { continue };
-            let (sign, from) = (direction.sign::<f64>(), phase.start());
+            let sign = match phase.kind {
+                Kind::SlideForward => 1.0,
+                Kind::SlideBackward => -1.0,
+                Kind::Stick => continue,
+            };
+            let from = phase.start();
             let given = [omega, zeta, alpha];
             let near = sampled::Slide::damped(given, (from.phase.reduced(), from.x, from.v * omega), sign);
             let wide = Wide::from;
@@ -174,13 +178,13 @@ fn steady_states_are_counted(states: u64, seed: u64) -> (u64, Vec<String>) {
     for _ in 0..states {
         let [_, zeta, alpha] = plane(&mut random);
         let omega = 2f64.powf(random.between(-8.0, 8.0));
-        let limit = LongRun::from_start(ratios(omega, zeta, alpha), State::rest()).unwrap();
+        let limit = LongRun::from_start(ratios(omega, zeta, alpha), State::default()).unwrap();
         let Some(steady) = limit.steady_state() else { continue };
         let state = steady.state();
         let start = (state.phase.reduced(), state.x, state.v * omega);
         let counted = sampled::damped_counts([omega, zeta, alpha], start);
         compared += 1;
-        if counted != (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()) {
+        if counted != (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle) {
             differ.push(format!("Ω = {omega:?}, ζ = {zeta:?}, α = {alpha:?}: {counted:?}, {steady:?}"));
         }
     }
@@ -200,7 +204,7 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
     for _ in 0..points {
         let [omega, zeta, _] = plane(&mut random);
         let omega = omega.clamp(1e-5, 1e6);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let alpha = least.max(1.0) * (1.0 + random.scale(1e-3, 10.0));
         let ratios = ratios(omega, zeta, alpha);
         let cycle = Cycle::new(ratios).unwrap();
@@ -208,26 +212,25 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
         let Some(direct) = direct.steady_state() else { panic!("{ratios:?}: {direct:?}") };
         for steady in [&from_rest(ratios), direct] {
             let (dx, dv) = steady.distance();
-            let scale =
-                cycle.max_displacement() + cycle.max_velocity() * omega.max(1.0) + 1.0 / omega.max(1.0);
+            let scale = cycle.max_displacement + cycle.max_velocity * omega.max(1.0) + 1.0 / omega.max(1.0);
             let unit = 1e-13 * scale * (1.0 + 1.0 / omega) + 4.0 * (dx + dv * omega);
             let close = |a: f64, b: f64, unit: f64| {
                 assert!((a - b).abs() <= unit, "{ratios:?}: {a} for {b}, {unit:e}: {steady:?}");
             };
-            close(steady.max_displacement(), cycle.max_displacement(), unit);
-            close(steady.min_displacement(), -cycle.max_displacement(), unit);
-            close(steady.max_velocity(), cycle.max_velocity(), unit / omega);
-            let phase = (steady.max_displacement_phase() - cycle.displacement_phase()).sin();
-            let turn = alpha.max(1.0) / (omega * omega * cycle.max_displacement()).max(1e-300);
+            close(steady.max_displacement.value, cycle.max_displacement, unit);
+            close(steady.min_displacement.value, -cycle.max_displacement, unit);
+            close(steady.max_velocity.value, cycle.max_velocity, unit / omega);
+            let phase = (steady.max_displacement.phase.reduced() - cycle.displacement_phase).sin();
+            let turn = alpha.max(1.0) / (omega * omega * cycle.max_displacement).max(1e-300);
             close(phase, 0.0, 1e-12 * (1.0 + turn) * (1.0 + 1.0 / omega) + unit);
-            close(steady.energy_out(), 4.0 * cycle.max_displacement(), 8.0 * unit);
-            let works = steady.energy_in() + steady.damper_work();
-            close(steady.damper_work(), cycle.damper_work(), 1e-12 * (1.0 + works) + 20.0 * unit * alpha);
+            close(steady.energy_out, 4.0 * cycle.max_displacement, 8.0 * unit);
+            let works = steady.energy_in + steady.damper_work;
+            close(steady.damper_work, cycle.damper_work(), 1e-12 * (1.0 + works) + 20.0 * unit * alpha);
             // The spectral radius per cycle is that per half cycle twice; a double root splits by the root of
             // the rounding of the angle dπ/Ω.
             let split = 4.0 * (f64::EPSILON * (1.0 + PI / omega)).sqrt();
             close(steady.contraction(), cycle.contraction() * cycle.contraction(), split);
-            assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (0, 2), "{ratios:?}");
+            assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 2), "{ratios:?}");
         }
         compared += 1;
     }
@@ -246,15 +249,15 @@ fn border_is_where_stops_begin(points: u64, seed: u64) -> (u64, Vec<String>) {
     for _ in 0..points {
         let omega = if random.next() < 0.5 { random.between(0.06, 0.5) } else { random.scale(0.06, 30.0) };
         let zeta = random.scale(1e-4, 3.0);
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         if least < 1.0 + 1e-6 {
             continue;
         }
         compared += 1;
         for (over, sticks) in [(1.0 + 1e-9, false), (1.0 - 1e-9, true)] {
             let ratios = ratios(omega, zeta, least * over);
-            let limit = LongRun::from_start(ratios, State::rest()).unwrap();
-            let found = limit.steady_state().map(|s| s.sticks_per_cycle() > 0);
+            let limit = LongRun::from_start(ratios, State::default()).unwrap();
+            let found = limit.steady_state().map(|s| s.sticks_per_cycle > 0);
             if found != Some(sticks) {
                 wrong.push(format!("{ratios:?} {over}: {limit:?}"));
             }
@@ -278,14 +281,11 @@ fn works_are_off(points: u64, seed: u64) -> (f64, f64) {
         let [omega, zeta, alpha] = plane(&mut random);
         let omega = omega.clamp(1e-2, 1e3);
         let steady = from_rest(ratios(omega, zeta, alpha));
-        let out = steady.energy_out() + steady.damper_work();
-        let off = (steady.energy_in() - out).abs();
-        let rounding = 1e-13 * (1.0 + steady.max_displacement()) * (1.0 + 1.0 / omega) * (1.0 + out);
+        let out = steady.energy_out + steady.damper_work;
+        let off = (steady.energy_in - out).abs();
+        let rounding = 1e-13 * (1.0 + steady.max_displacement.value) * (1.0 + 1.0 / omega) * (1.0 + out);
         assert!(off <= rounding, "{omega} {zeta} {alpha}: {steady:?}");
-        assert!(
-            steady.damper_work() > 0.0 && steady.energy_out() > 0.0,
-            "{omega} {zeta} {alpha}: {steady:?}"
-        );
+        assert!(steady.damper_work > 0.0 && steady.energy_out > 0.0, "{omega} {zeta} {alpha}: {steady:?}");
         (of_all, of_rounding) = (of_all.max(off / out), of_rounding.max(off / rounding));
     }
     (of_all, of_rounding)
@@ -302,19 +302,19 @@ fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     type Wide = Mp<4>;
     let h = Wide::exp2i(-80);
     let ratios = ratios(Wide::from(omega), Wide::from(zeta), Wide::from(alpha));
-    let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+    let limit = LongRun::from_start(ratios, State::default()).unwrap();
     let steady = limit.steady_state().unwrap();
     let state = steady.state();
     let after = |dx: Wide, dv: Wide| {
         let start = State { x: state.x + dx, v: state.v + dv, ..state };
         let from = start.phase.half_turns() + 2;
-        let end = stickslip::exact::DrivePhase::in_cycle(
+        let end = stickslip::exact::DrivePhase::new(
             (from - state.phase.half_turns()) / 2,
             Wide::from(state.phase.half_turns() as f64) * Wide::pi() + state.phase.angle(),
         )
         .unwrap();
         let mut phases = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
-        let last = phases.find(|p| p.end().is_none_or(|e| e.phase.since(end) > Wide::int(0))).unwrap();
+        let last = phases.find(|p| p.end().is_none_or(|e| e.phase - end > Wide::int(0))).unwrap();
         let there = last.at(end).state;
         (there.x, there.v)
     };
@@ -322,7 +322,7 @@ fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     let column = |(a, b): (Wide, Wide), (c, d): (Wide, Wide)| ((a - c) / (h + h), (b - d) / (h + h));
     let (a, c) = column(after(h, zero), after(-h, zero));
     let (b, d) = column(after(zero, h), after(zero, -h));
-    let [(r1, i1), (r2, i2)] = steady.multipliers();
+    let [(r1, i1), (r2, i2)] = steady.multipliers;
     let (trace, product) = (r1 + r2, r1 * r2 - i1 * i2);
     let off = |found: Wide, exact: Wide| (found - exact).to_f64().abs();
     off(trace, a + d).max(off(product, a * d - b * c))
@@ -353,20 +353,20 @@ fn digits_agree_at_any_precision() {
         let alpha = random.scale(1.1, 30.0);
         let narrow = from_rest(ratios(omega, zeta, alpha));
         let wide = from_rest(ratios(Mp::<4>::from(omega), Mp::from(zeta), Mp::from(alpha)));
-        let size = narrow.max_displacement() + narrow.max_velocity() + 1.0;
+        let size = narrow.max_displacement.value + narrow.max_velocity.value + 1.0;
         for (a, b) in [
-            (narrow.max_displacement(), wide.max_displacement()),
-            (narrow.max_velocity(), wide.max_velocity()),
-            (narrow.energy_in(), wide.energy_in()),
-            (narrow.damper_work(), wide.damper_work()),
-            (narrow.stick_fraction(), wide.stick_fraction()),
+            (narrow.max_displacement.value, wide.max_displacement.value),
+            (narrow.max_velocity.value, wide.max_velocity.value),
+            (narrow.energy_in, wide.energy_in),
+            (narrow.damper_work, wide.damper_work),
+            (narrow.stick_fraction, wide.stick_fraction),
         ] {
             let error = (Mp::<4>::from(a) - b).to_f64().abs();
             assert!(error < 1e-11 * size * size, "{omega} {zeta} {alpha}: {a} {b} {error:e}");
         }
-        let balance = wide.energy_in() - wide.energy_out() - wide.damper_work();
+        let balance = wide.energy_in - wide.energy_out - wide.damper_work;
         assert!(balance.to_f64().abs() < 1e-66 * size * size, "{omega} {zeta} {alpha}: {balance:e}");
-        assert_eq!(narrow.sticks_per_cycle(), wide.sticks_per_cycle());
+        assert_eq!(narrow.sticks_per_cycle, wide.sticks_per_cycle);
     }
 }
 
@@ -386,9 +386,9 @@ fn every_start_has_the_same_limit() {
         let found = LongRun::from_start(ratios(omega, zeta, alpha), far).unwrap();
         let (a, b) = (from_rest(ratios(omega, zeta, alpha)), found.steady_state().unwrap().to_owned());
         let off = a.distance().0 + b.distance().0 + (a.distance().1 + b.distance().1) * omega;
-        let bound = 4.0 * off + 1e-13 * (1.0 + a.max_displacement());
+        let bound = 4.0 * off + 1e-13 * (1.0 + a.max_displacement.value);
         assert!(
-            (a.max_displacement() - b.max_displacement()).abs() <= bound,
+            (a.max_displacement.value - b.max_displacement.value).abs() <= bound,
             "{omega} {zeta} {alpha}: {a:?} {b:?}"
         );
         // A fast drive moves the body by next to nothing in each of its cycles: within the budget it need not
@@ -445,7 +445,7 @@ fn campaign_of_multipliers() {
     let mut worst = (0.0, (0.0, 0.0, 0.0));
     for _ in 0..2_000 {
         let (omega, zeta) = (random.scale(0.1, 10.0), random.scale(1e-3, 3.0));
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio().max(1.0);
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio.max(1.0);
         let at = (omega, zeta, least * random.scale(1.01, 10.0));
         let error = multipliers_are_off(at);
         worst = if error > worst.0 { (error, at) } else { worst };

@@ -7,7 +7,7 @@ use stickslip::{Border, Ratios};
 
 /// The steady motion from rest.
 fn motion(omega: f64, alpha: f64) -> SteadyState<f64> {
-    let limit = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap();
+    let limit = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::default()).unwrap();
     *limit.steady_state().unwrap_or_else(|| panic!("({omega}, {alpha}): {limit:?}"))
 }
 
@@ -18,7 +18,7 @@ fn settles(omega: f64, gap: f64) -> bool {
 
 /// A₁ of a motion: its work over p₀²/(2k).
 fn loop_size(omega: f64, alpha: f64) -> f64 {
-    2.0 * motion(omega, alpha).energy_out() / (alpha * alpha)
+    2.0 * motion(omega, alpha).energy_out / (alpha * alpha)
 }
 
 proptest! {
@@ -27,23 +27,23 @@ proptest! {
     #[test]
     fn the_force_for_a_target_moves_it_there(omega in 0.15f64..6.0, over in 1.001f64..20.0) {
         prop_assume!(settles(omega, 0.01));
-        let least = Border::new(omega).unwrap().least_displacement();
+        let least = Border::new(omega).unwrap().min_displacement;
         let force = design::force_ratio_for_displacement(omega, 0.0, least * over).unwrap();
         let steady = motion(omega, force);
-        prop_assert_eq!(steady.sticks_per_cycle(), 0);
-        prop_assert!((steady.max_displacement() / (least * over) - 1.0).abs() < 1e-9);
-        let speed = steady.max_velocity() * 1.5;
+        prop_assert_eq!(steady.sticks_per_cycle, 0);
+        prop_assert!((steady.max_displacement.value / (least * over) - 1.0).abs() < 1e-9);
+        let speed = steady.max_velocity.value * 1.5;
         let force = design::force_ratio_for_velocity(omega, 0.0, speed).unwrap();
-        prop_assert!((motion(omega, force).max_velocity() / speed - 1.0).abs() < 1e-9);
+        prop_assert!((motion(omega, force).max_velocity.value / speed - 1.0).abs() < 1e-9);
     }
 
     #[test]
     fn the_least_force_divides_sliding_from_the_rest(omega in 0.15f64..6.0) {
         prop_assume!(settles(omega, 0.02));
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         let slides = |alpha| {
             let steady = motion(omega, alpha);
-            steady.sticks_per_cycle() == 0 && steady.velocity_zeros_per_cycle() == 2
+            steady.sticks_per_cycle == 0 && steady.velocity_zeros_per_cycle == 2
         };
         prop_assert!(slides(least * (1.0 + 1e-6)) && !slides(least * (1.0 - 1e-6)));
     }
@@ -54,12 +54,12 @@ proptest! {
             let band = band.unwrap();
             let inside = band.low + 0.37 * (band.high - band.low);
             if settles(inside, 1e-3) {
-                prop_assert_eq!(motion(inside, alpha).sticks_per_cycle(), 0, "{} of {:?}", inside, band);
+                prop_assert_eq!(motion(inside, alpha).sticks_per_cycle, 0, "{} of {:?}", inside, band);
             }
             let outside = band.low * (1.0 - 1e-5);
             if band.low_edge == design::Edge::Border && settles(outside, 1e-3) {
                 let steady = motion(outside, alpha);
-                prop_assert!(steady.sticks_per_cycle() > 0 || steady.velocity_zeros_per_cycle() > 2);
+                prop_assert!(steady.sticks_per_cycle > 0 || steady.velocity_zeros_per_cycle > 2);
             }
         }
     }

@@ -37,12 +37,13 @@ fn matches_the_closed_form<F: Float>() {
         let cycle = Cycle::new(ratios).unwrap();
         // The loss of digits by the contraction, as in `exact_motion`.
         let condition = (1.0 + 1.0 / ratios.omega().to_f64()) * 8.0 / (1.0 - cycle.contraction().to_f64());
-        for s in
-            [steady(ratios, State::rest()), *SteadyState::from_cycle(&cycle).unwrap().steady_state().unwrap()]
-        {
-            let x = ulps(s.max_displacement(), cycle.max_displacement(), cycle.max_displacement());
-            let v = ulps(s.max_velocity(), cycle.max_velocity(), cycle.max_velocity());
-            let energy = ulps(s.energy_in(), s.energy_out(), s.energy_out());
+        for s in [
+            steady(ratios, State::default()),
+            *SteadyState::from_cycle(&cycle).unwrap().steady_state().unwrap(),
+        ] {
+            let x = ulps(s.max_displacement.value, cycle.max_displacement, cycle.max_displacement);
+            let v = ulps(s.max_velocity.value, cycle.max_velocity, cycle.max_velocity);
+            let energy = ulps(s.energy_in, s.energy_out, s.energy_out);
             let lambda = ulps(s.contraction(), cycle.contraction().square(), F::int(1));
             assert!(x < 4.0 * condition && v < 4.0 * condition, "{omega:?} {alpha:?}: {x} {v} {condition}");
             assert!(energy < 100.0 * condition, "{omega:?} {alpha:?}: {energy}");
@@ -67,13 +68,13 @@ fn twice_the_bits_agree_where_it_sticks() {
         ((7, 10), (6, 5), 2),
         ((4, 5), (11, 10), 2),
     ] {
-        let few = steady(ratios::<Mp<4>>(omega, alpha), State::rest());
-        let many = steady(ratios::<Mp<8>>(omega, alpha), State::rest());
-        assert_eq!(few.velocity_zeros_per_cycle(), zeros);
+        let few = steady(ratios::<Mp<4>>(omega, alpha), State::default());
+        let many = steady(ratios::<Mp<8>>(omega, alpha), State::default());
+        assert_eq!(few.velocity_zeros_per_cycle, zeros);
         let pairs = [
-            (few.max_displacement(), many.max_displacement()),
-            (few.max_velocity(), many.max_velocity()),
-            (few.stick_fraction(), many.stick_fraction()),
+            (few.max_displacement.value, many.max_displacement.value),
+            (few.max_velocity.value, many.max_velocity.value),
+            (few.stick_fraction, many.stick_fraction),
         ];
         for (a, b) in pairs {
             let error = ((Mp::<8>::rounded(a) - b) / b).abs().to_f64();
@@ -85,7 +86,7 @@ fn twice_the_bits_agree_where_it_sticks() {
 /// Displacement and velocity x′/ω_n at each half turn of the drive, from a start at θ = 0.
 fn half_turns<F: Float>(ratios: Ratios<F>, (x, w): (f64, f64)) -> impl Iterator<Item = (F, F)> {
     let omega = ratios.omega();
-    let start = State { x: F::from_f64(x), v: F::from_f64(w) / omega, ..State::rest() };
+    let start = State { x: F::from_f64(x), v: F::from_f64(w) / omega, ..State::default() };
     let samples = Trajectory::new(ratios, start).unwrap().samples(2).unwrap();
     samples.map(move |sample| sample.map(|s| (s.state.x, s.state.v * omega)).unwrap())
 }
@@ -170,7 +171,7 @@ fn fifty_turns_of_a_chaotic_motion() {
         let ratios = Ratios::<F>::new(F::ratio(45, 100), F::ratio(17, 2)).unwrap();
         let ratios = ratios.with_damping_ratio(F::ratio(2, 100)).unwrap();
         let ratios = ratios.with_static_friction_ratio(F::int(3)).unwrap();
-        let motion = Trajectory::new(ratios, State::rest()).unwrap();
+        let motion = Trajectory::new(ratios, State::default()).unwrap();
         let samples = motion.samples(1).unwrap().take(201);
         samples.map(|instant| instant.unwrap().state.x.to_f64()).collect()
     }

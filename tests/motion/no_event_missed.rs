@@ -6,7 +6,7 @@
 
 use crate::random::{Random, sampled};
 use stickslip::Ratios;
-use stickslip::exact::{Direction, Kind, LongRun, Phase, State, Trajectory};
+use stickslip::exact::{Kind, LongRun, Segment, State, Trajectory};
 
 const MOTIONS: u64 = 100_000;
 const SAMPLES: usize = 10_000;
@@ -27,9 +27,9 @@ fn draw(random: &mut Random) -> (f64, f64, State<f64>) {
 }
 
 /// The least velocity, in the direction of the slide, over its samples, and the size of its terms.
-fn least_velocity(omega: f64, alpha: f64, phase: &Phase<f64>, sign: f64) -> (f64, f64) {
+fn least_velocity(omega: f64, alpha: f64, phase: &Segment<f64>, sign: f64) -> (f64, f64) {
     let start = phase.start();
-    let (sine, cosine) = start.phase.sin_cos();
+    let (sine, cosine) = start.phase.reduced().sin_cos();
     let forced = alpha / ((1.0 - omega) * (1.0 + omega));
     // w = forced Ω cos θ + a cos φ − b sin φ
     let a = omega * start.v - forced * omega * cosine;
@@ -78,8 +78,8 @@ fn brute_force_finds_no_earlier_zero() {
         }
         let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap();
         for phase in motion.take(3).map(Result::unwrap) {
-            let Kind::Slide(direction) = phase.kind() else { continue };
-            let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
+            let kind @ (Kind::SlideForward | Kind::SlideBackward) = phase.kind else { continue };
+            let sign = if kind == Kind::SlideForward { 1.0 } else { -1.0 };
             let (least, size) = least_velocity(omega, alpha, &phase, sign);
             let turned = phase.duration().unwrap() * (1.0 + 1.0 / omega);
             assert!(
@@ -118,18 +118,18 @@ fn brute_force_finds_no_other_stop_with_static_friction() {
         let phases: Vec<_> = Trajectory::new(ratios, start).unwrap().take(4).map(Result::unwrap).collect();
         let at = || format!("motion {number}, Ω = {omega}, α = {alpha}, η = {eta}, {start:?}");
         let left_over =
-            |phase: stickslip::exact::DrivePhase<f64>, x: f64| (alpha * phase.sin_cos().0 - x).abs();
+            |phase: stickslip::exact::DrivePhase<f64>, x: f64| (alpha * phase.reduced().sin() - x).abs();
         for (phase, next) in phases.iter().zip(phases.iter().skip(1)) {
             let Some(end) = phase.end() else { continue };
             let room = 1e-9 * (eta + alpha + end.x.abs());
             let left = left_over(end.phase, end.x);
-            match phase.kind() {
-                Kind::Slide(direction) => {
-                    let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
+            match phase.kind {
+                kind @ (Kind::SlideForward | Kind::SlideBackward) => {
+                    let sign = if kind == Kind::SlideForward { 1.0 } else { -1.0 };
                     let (least, size) = least_velocity(omega, alpha, phase, sign);
                     let turned = phase.duration().unwrap() * (1.0 + 1.0 / omega);
                     assert!(least > -1e-15 * size * (4.0 + turned), "{}: {least:e} of {size:e}", at());
-                    if next.kind() == Kind::Stick {
+                    if next.kind == Kind::Stick {
                         assert!(left <= eta + room, "{}: it stops at {left}", at());
                         stops += 1;
                     } else {
@@ -142,10 +142,11 @@ fn brute_force_finds_no_other_stop_with_static_friction() {
                     let length = phase.duration().unwrap();
                     for i in 0..1000 {
                         let within = phase.at(stickslip::exact::DrivePhase::new(
+                            0,
                             phase.start().phase.reduced() + length * f64::from(i) / 1000.0,
                         )
                         .unwrap());
-                        let left = (alpha * within.state.phase.sin_cos().0 - end.x).abs();
+                        let left = (alpha * within.state.phase.reduced().sin() - end.x).abs();
                         assert!(left <= eta + room, "{}: {left} during a stop", at());
                     }
                 }
@@ -179,8 +180,8 @@ fn slides_are_positive(slides: u64, seed: u64) -> (f64, f64) {
         let (omega, alpha, start) = draw_wide(&mut random);
         let ratios = Ratios::new(omega, alpha).unwrap();
         let phase = Trajectory::new(ratios, start).unwrap().next().unwrap().unwrap();
-        let Kind::Slide(direction) = phase.kind() else { continue };
-        let sign = if direction == Direction::Forward { 1.0 } else { -1.0 };
+        let kind @ (Kind::SlideForward | Kind::SlideBackward) = phase.kind else { continue };
+        let sign = if kind == Kind::SlideForward { 1.0 } else { -1.0 };
         let from = (start.phase.reduced(), start.x, start.v * omega);
         let slide = sampled::Slide::new(omega, alpha, from, sign);
         let end = phase.duration().unwrap() / omega;
@@ -235,12 +236,12 @@ fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, Vec<Str
         let omega = 2f64.powf(random.between(-span, span));
         let alpha = 1.0 + random.scale(1e-2, 30.0);
         let ratios = Ratios::new(omega, alpha).unwrap();
-        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
         let Some(steady) = limit.steady_state() else { continue };
         let state = steady.state();
         let counted = sampled::counts(omega, alpha, (state.phase.reduced(), state.x, state.v * omega));
         compared += 1;
-        if counted != (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()) {
+        if counted != (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle) {
             differ.push(format!("Ω = {omega:?}, α = {alpha:?}: sampled {counted:?}, {steady:?}"));
         }
     }
@@ -270,11 +271,11 @@ fn thousands_of_stops_a_cycle() {
         [(3e-5, 3.0, 13_062), (2e-5, 3.0, 19_592), (4.5e-4, 2.09, 1_082), (4.2e-4, 2.09, 1_158)]
     {
         let ratios = Ratios::new(omega, alpha).unwrap();
-        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
-        assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (stops, stops), "{omega}");
+        assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (stops, stops), "{omega}");
     }
-    let motion = Trajectory::new(Ratios::new(3e-4, 2.09).unwrap(), State::rest()).unwrap();
+    let motion = Trajectory::new(Ratios::new(3e-4, 2.09).unwrap(), State::default()).unwrap();
     let phases = motion.map(Result::unwrap).take_while(|phase| phase.start().phase.cycles() < 2);
-    assert_eq!(phases.filter(|phase| phase.kind() == Kind::Stick).count(), 3_002);
+    assert_eq!(phases.filter(|phase| phase.kind == Kind::Stick).count(), 3_002);
 }

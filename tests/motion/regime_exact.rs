@@ -11,9 +11,9 @@ use stickslip::{Border, Cycle, Error, Float, Place, Ratios, Regime, Verdict};
 
 /// What the exact motion does in the long run; `None` where it does not say.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
-    match LongRun::from_start(ratios, State::rest()).unwrap() {
+    match LongRun::from_start(ratios, State::default()).unwrap() {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
-            let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+            let (sticks, zeros) = (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle);
             assert!(zeros >= 2, "{ratios:?}");
             Some(if sticks > 0 { Regime::Sticking } else { Regime::NonSticking })
         }
@@ -75,7 +75,7 @@ fn within_1e_9_of_the_border_more_bits_decide() {
     let mut count = Count::default();
     for i in 0..20_000 {
         let omega = random.scale(0.05, 20.0);
-        let border = Border::new(omega).unwrap().min_force_ratio();
+        let border = Border::new(omega).unwrap().min_force_ratio;
         let off = random.scale(1e-12, 1e-9);
         count.compare(omega, border * (1.0 + if i % 2 == 0 { off } else { -off }));
     }
@@ -121,7 +121,7 @@ fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     let LongRun::Periodic(steady) = SteadyState::from_cycle(&cycle).unwrap() else {
         panic!("({omega}, {alpha})")
     };
-    let (closed, monodromy) = (cycle.multipliers().cycle(), steady.multipliers());
+    let (closed, monodromy) = (cycle.multipliers().cycle(), steady.multipliers);
     let apart = |(a, b): (F, F), (c, d): (F, F)| (a - c).hypot(b - d);
     let both = |i: usize| apart(closed[0], monodromy[i]).or_larger(apart(closed[1], monodromy[1 - i]));
     let (straight, crossed) = (both(0), both(1));
@@ -133,7 +133,7 @@ fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
 
 /// How far the discriminant is from zero: the multipliers turn like its root.
 fn discriminant(omega: f64, alpha: f64) -> f64 {
-    let delta = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement();
+    let delta = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement;
     (omega * omega * delta * (std::f64::consts::PI / omega).sin()).abs() - 1.0
 }
 
@@ -142,7 +142,7 @@ fn cycles(count: usize) -> impl Iterator<Item = (f64, f64)> {
     let mut random = Random(53);
     let points = std::iter::from_fn(move || {
         let omega = random.scale(0.05, 20.0);
-        Some((omega, Border::new(omega).unwrap().min_force_ratio() * random.scale(1.0001, 30.0)))
+        Some((omega, Border::new(omega).unwrap().min_force_ratio * random.scale(1.0001, 30.0)))
     });
     points.filter(|&(omega, alpha)| discriminant(omega, alpha).abs() > 1e-3).take(count)
 }

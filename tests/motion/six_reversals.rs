@@ -7,6 +7,7 @@ mod damped;
 
 use super::random::Random;
 use std::f64::consts::PI;
+use std::ops::ControlFlow;
 use stickslip::exact::{Kind, LongRun, State, Trajectory};
 use stickslip::float::mp::Mp;
 use stickslip::nonsticking::SixReversals;
@@ -15,17 +16,17 @@ use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
 
 /// The least and the greatest force ratio of six reversals.
 fn force_ratios<F: Float>(omega: F) -> Result<Option<(F, F)>, Error> {
-    no_stop_force_ratios(omega, F::int(0)).map(|found| found.six_reversals())
+    no_stop_force_ratios(omega, F::int(0)).map(|found| found.six_reversals)
 }
 
 fn long_run<F: Float>(omega: F, alpha: F) -> LongRun<F> {
-    LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::rest()).unwrap()
+    LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::default()).unwrap()
 }
 
 /// (stops, velocity zeros) of the exact motion from rest.
 fn counts<F: Float>(ratios: Ratios<F>) -> Option<(u32, u32)> {
-    let motion = LongRun::from_start(ratios, State::rest()).unwrap();
-    motion.steady_state().map(|s| (s.sticks_per_cycle(), s.velocity_zeros_per_cycle()))
+    let motion = LongRun::from_start(ratios, State::default()).unwrap();
+    motion.steady_state().map(|s| (s.sticks_per_cycle, s.velocity_zeros_per_cycle))
 }
 
 /// Frequency ratios beside the poles, with the edges there.
@@ -44,7 +45,7 @@ fn beside_poles() -> impl Iterator<Item = (f64, f64, f64)> {
 fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops() {
     let mut random = Random(62);
     for (omega, low, high) in beside_poles().take(100) {
-        let border = Border::new(omega).unwrap().min_force_ratio();
+        let border = Border::new(omega).unwrap().min_force_ratio;
         assert!(high < border, "{omega}");
         let at = |alpha: f64| Ratios::new(omega, alpha).unwrap();
         for share in [1e-7, random.between(0.0, 1.0), 1.0 - 1e-7] {
@@ -69,9 +70,9 @@ fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops
 /// The cycle of the matching problem is the limit of the motion from rest, at 97 phases.
 fn matching_problem_gives_the_exact_motion(ratios: Ratios<f64>) {
     let cycle = SixReversals::new(ratios).unwrap_or_else(|| panic!("{ratios:?}"));
-    let motion = LongRun::from_start(ratios, State::rest()).unwrap();
+    let motion = LongRun::from_start(ratios, State::default()).unwrap();
     let steady = motion.steady_state().unwrap();
-    let (start, size) = (steady.state(), steady.max_displacement());
+    let (start, size) = (steady.state(), steady.max_displacement.value);
     let close = |a: f64, b: f64| {
         let error = 1e-9 * size + steady.distance().0;
         assert!((a - b).abs() < error, "{ratios:?}: {a} {b}");
@@ -109,10 +110,7 @@ fn ulps(found: f64, exact: Mp<8>) -> f64 {
 fn stops_from<F: Float>(start: State<F>, omega: F, alpha: F) -> usize {
     let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().map(Result::unwrap);
     let turns = F::int(80) * F::pi();
-    motion
-        .take_while(|p| p.start().phase.since(start.phase) < turns)
-        .filter(|p| p.kind() == Kind::Stick)
-        .count()
+    motion.take_while(|p| p.start().phase - start.phase < turns).filter(|p| p.kind == Kind::Stick).count()
 }
 
 /// The edges at f64 against those at 512 bits, and these against the exact motion at 512 bits: from the cycle
@@ -124,7 +122,7 @@ fn the_edges_are_sharp_at_any_precision() {
     let (mut worst, mut settled) = (0.0, 0);
     for (i, (omega, low, high)) in beside_poles().take(40).enumerate() {
         let wide = no_stop_force_ratios(Mp::<8>::from(omega), Mp::ZERO).unwrap();
-        let (wide_low, wide_high) = wide.six_reversals().unwrap();
+        let (wide_low, wide_high) = wide.six_reversals.unwrap();
         let error = ulps(low, wide_low).max(ulps(high, wide_high));
         // Where the two meet, a root of rounding.
         if high > low * 1.2 {
@@ -137,15 +135,17 @@ fn the_edges_are_sharp_at_any_precision() {
                 let (inside, beyond) = (edge * inward, edge * (one + one - inward));
                 let motion = long_run(Mp::from(omega), inside);
                 let steady = motion.steady_state().unwrap();
-                assert_eq!((steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle()), (0, 6), "{omega}");
+                assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 6), "{omega}");
                 let stops = |alpha| stops_from(steady.state(), Mp::from(omega), alpha);
                 assert_eq!(stops(inside), 0, "{omega}");
                 assert!(stops(beyond) > 0, "{omega}");
                 let ratios = Ratios::new(Mp::from(omega), beyond).unwrap();
                 assert!(SixReversals::new(ratios).is_none(), "{omega}");
-                let motion = LongRun::within(ratios, State::rest(), 500).unwrap();
+                let motion =
+                    LongRun::within(ratios, State::default(), 500, &mut || ControlFlow::Continue(()))
+                        .unwrap();
                 if let Some(limit) = motion.steady_state() {
-                    assert!(limit.sticks_per_cycle() > 0, "{omega}: {limit:?}");
+                    assert!(limit.sticks_per_cycle > 0, "{omega}: {limit:?}");
                     settled += 1;
                 }
             }
@@ -159,16 +159,16 @@ fn the_edges_are_sharp_at_any_precision() {
 fn agree(omega: f64, alpha: f64) {
     let ratios = Ratios::new(omega, alpha).unwrap();
     let answer = Response::new(ratios);
-    assert_eq!(Ok(answer.regime()), regime(omega, alpha));
-    let limit = LongRun::from_start(ratios, State::rest()).unwrap();
+    assert_eq!(Ok(answer.regime), regime(omega, alpha));
+    let limit = LongRun::from_start(ratios, State::default()).unwrap();
     let seen = observed(ratios, &limit);
-    assert_eq!(seen.regime, answer.regime(), "({omega:?}, {alpha:?}): {limit:?}");
+    assert_eq!(seen.regime, answer.regime, "({omega:?}, {alpha:?}): {limit:?}");
     assert_eq!(seen.reversals, answer.reversals_per_cycle(), "({omega:?}, {alpha:?}): {limit:?}");
     match stops_per_cycle(ratios) {
         Ok(Some(stops)) => {
-            assert_eq!(stops.sticks > 0, answer.regime() == Regime::Sticking, "({omega:?}, {alpha:?})")
+            assert_eq!(stops.sticks > 0, answer.regime == Regime::Sticking, "({omega:?}, {alpha:?})")
         }
-        Ok(None) => assert_eq!(answer.regime(), Regime::Stuck),
+        Ok(None) => assert_eq!(answer.regime, Regime::Stuck),
         Err(Error::Undecided { .. } | Error::NotSettled { .. }) => {
             assert!(seen.by_border, "({omega:?}, {alpha:?})")
         }
@@ -185,7 +185,7 @@ fn point(random: &mut Random, i: u32) -> (f64, f64) {
     } else {
         random.between(0.05, 0.5)
     };
-    let border = Border::new(omega).unwrap().min_force_ratio();
+    let border = Border::new(omega).unwrap().min_force_ratio;
     let edges = force_ratios(omega).unwrap();
     let alpha = match (i % 5, edges) {
         (0, _) => random.scale(1.0, border),
@@ -234,7 +234,7 @@ fn found_points_have_one_verdict() {
     for (omega, alpha, expected) in [
         (0.331, 61.6, Regime::NonSticking),
         (0.334_325, 149.563, Regime::NonSticking),
-        (0.33333, 0.999 * Border::new(0.33333f64).unwrap().min_force_ratio(), Regime::NonSticking),
+        (0.33333, 0.999 * Border::new(0.33333f64).unwrap().min_force_ratio, Regime::NonSticking),
         (1.0 / 3.0, 80.0, Regime::NonSticking),
         (0.066_658_079_476_532_49, 42_358.137_294_718_49, Regime::NonSticking),
     ] {

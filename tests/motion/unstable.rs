@@ -21,15 +21,15 @@ fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
 fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
     let found =
         periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();
-    let is = |s: &SteadyState<F>| !s.is_stable() && (s.max_displacement().to_f64() - most).abs() < 1e-8;
+    let is = |s: &SteadyState<F>| !s.is_stable() && (s.max_displacement.value.to_f64() - most).abs() < 1e-8;
     found.into_iter().find(is).unwrap_or_else(|| panic!("{machine:?}: none of {most}"))
 }
 
 /// Where the motion from ω_d t = 0 is after so many half turns.
 fn after<F: Float>(ratios: Ratios<F>, start: State<F>, half_turns: i64) -> State<F> {
     let angle = if half_turns % 2 == 0 { F::int(0) } else { F::pi() };
-    let target = DrivePhase::in_cycle(half_turns / 2, angle).unwrap();
-    let is_there = |end: State<F>| target.since(end.phase) <= F::int(0);
+    let target = DrivePhase::new(half_turns / 2, angle).unwrap();
+    let is_there = |end: State<F>| target - end.phase <= F::int(0);
     let mut parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
     parts.find(|part| part.end().is_none_or(is_there)).unwrap().at(target).state
 }
@@ -57,7 +57,7 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
     let trace = slope(right.x, left.x) + slope(up.v, down.v);
     let determinant =
         slope(right.x, left.x) * slope(up.v, down.v) - slope(right.v, left.v) * slope(up.x, down.x);
-    let [(a, p), (b, q)] = motion.multipliers();
+    let [(a, p), (b, q)] = motion.multipliers;
     let close = |a: F, b: F| (a - b).abs() < F::exp2i(16 - 3 * bits / 5);
     let is_right = close(trace, a + b) && close(determinant, a * b - p * q);
     assert!(is_right, "{machine:?}: {} {}", a.to_f64(), trace.to_f64());
@@ -80,7 +80,7 @@ fn unstable_motions_at_any_precision() {
             let start = State::new(0.0, part(0.754_878), part(0.569_841)).unwrap();
             let mut go_on = || ControlFlow::Continue(());
             let all = periodic_motions_from(ratios(machine), start, turns, &mut go_on).unwrap();
-            all.into_iter().find(|s| !s.is_stable() && (s.max_displacement() - most).abs() < 1e-8)
+            all.into_iter().find(|s| !s.is_stable() && (s.max_displacement.value - most).abs() < 1e-8)
         });
         let motion = found.unwrap_or_else(|| panic!("{machine:?}: none of {most}"));
         let seed = motion.state();
@@ -101,7 +101,7 @@ fn symmetry_breaks_at_any_precision() {
             "{}",
             all.len()
         );
-        let [(multiplier, _), _] = all[0].motion.multipliers();
+        let [(multiplier, _), _] = all[0].motion.multipliers;
         (all[0].alpha, (multiplier - F::int(1)).abs())
     }
     let ((rough, off), (fine, rest)) = (found::<f64>(), found::<Mp<4>>());
@@ -134,8 +134,8 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
             };
             let is = |m: &PeriodicMotion<f64>| {
                 let s = m.steady_state;
-                (s.max_displacement() - steady.max_displacement()).abs() < 1e-6
-                    && (s.min_displacement() - steady.min_displacement()).abs() < 1e-6
+                (s.max_displacement.value - steady.max_displacement.value).abs() < 1e-6
+                    && (s.min_displacement.value - steady.min_displacement.value).abs() < 1e-6
             };
             limits += 1;
             if !all.iter().any(is) {
@@ -145,7 +145,12 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
         }
         for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| !s.is_stable()) {
             unstable += 1;
-            comes_back::<Mp<2>>(machine, motion.turns_per_cycle(), motion.state(), motion.max_displacement());
+            comes_back::<Mp<2>>(
+                machine,
+                motion.turns_per_cycle(),
+                motion.state(),
+                motion.max_displacement.value,
+            );
         }
     }
     (limits, missed, unstable)

@@ -12,11 +12,11 @@ fn answers<F: Float>(omega: (i32, i32), alpha: (i32, i32)) -> [F; 6] {
     let ratios = Ratios::new(F::ratio(omega.0, omega.1), F::ratio(alpha.0, alpha.1)).unwrap();
     let cycle = Cycle::new(ratios).unwrap();
     [
-        cycle.max_displacement(),
-        cycle.max_velocity(),
-        cycle.displacement_phase(),
-        cycle.velocity_phase(),
-        Border::new(ratios.omega()).unwrap().min_force_ratio(),
+        cycle.max_displacement,
+        cycle.max_velocity,
+        cycle.displacement_phase,
+        cycle.velocity_phase,
+        Border::new(ratios.omega()).unwrap().min_force_ratio,
         cycle.loop_size_stiffness(),
     ]
 }

@@ -21,8 +21,8 @@ fn rows() -> Vec<(f64, f64, [f64; 6])> {
         for tenth in 6..=20 {
             let omega = f64::from(tenth) / 10.0;
             let ratios = Ratios::new(omega, 1.0 / inverse).unwrap();
-            let [e1, e2, e3, e4] = all(&errors_after(ratios, State::rest(), CYCLES).unwrap());
-            let settled = match LongRun::from_start(ratios, State::rest()).unwrap() {
+            let [e1, e2, e3, e4] = all(&errors_after(ratios, State::default(), CYCLES).unwrap());
+            let settled = match LongRun::from_start(ratios, State::default()).unwrap() {
                 LongRun::Periodic(s) => all(&s.errors().unwrap()).into_iter().fold(0.0, f64::max),
                 LongRun::Unbounded { .. } => f64::NAN,
                 other => panic!("{ratios:?}: {other:?}"),

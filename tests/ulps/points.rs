@@ -116,7 +116,7 @@ pub(crate) fn point<F: Narrow>(random: &mut Random, omega: usize, alpha: usize) 
         return None;
     }
     let border = border_from_above(omega)?;
-    let own = Border::new(omega).ok()?.min_force_ratio();
+    let own = Border::new(omega).ok()?.min_force_ratio;
     // Within its error the number may put the border above the true one, and name such an α sticking.
     let least = if own > border && own < border.stepped(64) { own } else { border };
     Some((omega, alphas::<F>()[alpha](random, omega, border).or_larger(least)))

@@ -51,20 +51,20 @@ narrow!(f32, f64, u32);
 /// Every output at (Ω, α) in the order of [`OUTPUTS`]; `None` where there is no cycle.
 pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]> {
     let response = Response::new(Ratios::new(omega, alpha).ok()?);
-    let (cycle, border) = (response.cycle()?, response.border());
+    let (cycle, border) = (response.cycle.as_ref()?, response.border);
     Some([
-        Some(cycle.max_displacement()),
-        Some(cycle.displacement_phase()),
-        Some(cycle.max_velocity()),
-        Some(cycle.velocity_phase()),
+        Some(cycle.max_displacement),
+        Some(cycle.displacement_phase),
+        Some(cycle.max_velocity),
+        Some(cycle.velocity_phase),
         Some(cycle.deviation()),
-        Some(border.min_force_ratio()),
-        Some(border.turning_point()),
-        Some(border.phase()),
+        Some(border.min_force_ratio),
+        Some(border.turning_point),
+        Some(border.touching_phase),
         Some(cycle.loop_size_stiffness()),
         Some(cycle.loop_size_inertia()),
-        Some(response.best_force_ratio()),
-        response.best_loop_size(),
+        Some(response.best_force_ratio),
+        response.best_loop_size,
         Some(cycle.contraction()),
         Some(PhaseFunction::new(omega).ok()?.value()),
     ])
@@ -72,7 +72,7 @@ pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]
 
 /// The least number that is not below the border.
 pub(crate) fn border_from_above<F: Narrow>(omega: F) -> Option<F> {
-    let border = Border::new(omega.widened()).ok()?.min_force_ratio();
+    let border = Border::new(omega.widened()).ok()?.min_force_ratio;
     let nearest = F::nearest(border);
     Some(if nearest.widened() < border { nearest.stepped(1) } else { nearest })
 }

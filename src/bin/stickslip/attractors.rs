@@ -149,10 +149,10 @@ impl<F: Value> Row<'_, F> {
             ("turns_per_cycle", count(SteadyState::turns_per_cycle)),
             ("max_displacement", Cell::Number(self.extrema.map(|(_, most)| most))),
             ("min_displacement", Cell::Number(self.extrema.map(|(least, _)| least))),
-            ("sticks_per_cycle", count(SteadyState::sticks_per_cycle)),
-            ("velocity_zeros_per_cycle", count(SteadyState::velocity_zeros_per_cycle)),
-            ("stick_fraction", Cell::Number(steady.map(SteadyState::stick_fraction))),
-            ("multipliers", Cell::Pairs(steady.map(SteadyState::multipliers))),
+            ("sticks_per_cycle", count(|it| it.sticks_per_cycle)),
+            ("velocity_zeros_per_cycle", count(|it| it.velocity_zeros_per_cycle)),
+            ("stick_fraction", Cell::Number(steady.map(|it| it.stick_fraction))),
+            ("multipliers", Cell::Pairs(steady.map(|it| it.multipliers))),
             ("lyapunov_exponent", Cell::Number(self.exponent.map(|(mean, _)| mean))),
             ("lyapunov_exponent_error", Cell::Number(self.exponent.map(|(_, error)| error))),
             ("rest_from", Cell::Number(self.range.map(|(low, _)| low))),
@@ -225,9 +225,9 @@ fn text<F: Value>(
         let part = digits((share(all, found) * 1e4).round() / 1e2);
         writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, described(found))?;
         if let Some(steady) = found.limit.steady_state() {
-            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
-            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
-            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle())?;
+            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
+            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
+            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
             writeln!(out, "  left of a disturbance    {} in a cycle", digits(steady.contraction()))?;
         } else if let LongRun::Irregular(motion) = found.limit {
             writeln!(out, "  greatest displacement    {}", length(motion.max_displacement))?;

@@ -66,16 +66,16 @@ impl<W: Write> Task for Run<'_, W> {
                     )
                 };
                 let time = |t| both(t, "/ω_n", scales.as_ref().map(|s| s.time), "s");
-                let rests = decay.rest_time().is_finite();
+                let rests = decay.rest_time.is_finite();
                 if rests {
-                    writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles())?;
+                    writeln!(out, "At rest after {} half cycles.\n", decay.half_cycles)?;
                 } else {
                     writeln!(out, "It creeps to its place of rest for ever.\n")?;
                 }
-                writeln!(out, "  turns first at           {}", length(decay.first_turn()))?;
-                writeln!(out, "  comes to rest at         {}", length(decay.rest_position()))?;
+                writeln!(out, "  turns first at           {}", length(decay.first_turn))?;
+                writeln!(out, "  comes to rest at         {}", length(decay.rest_position))?;
                 if rests {
-                    writeln!(out, "  after a time of          {}", time(decay.rest_time()))?;
+                    writeln!(out, "  after a time of          {}", time(decay.rest_time))?;
                 }
                 Ok(())
             }
@@ -92,10 +92,10 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions:
         [("damping_ratio", frictions.damping), ("static_friction_ratio", frictions.static_friction)];
     let mut fields: Vec<_> = repeated.into_iter().filter_map(|(name, x)| Some((name, number(x?)))).collect();
     fields.extend([
-        ("half_cycles", Cell::Count(Some(decay.half_cycles()))),
-        ("first_turn", number(decay.first_turn())),
-        ("rest_position", number(decay.rest_position())),
-        ("rest_time", Cell::Number(Some(decay.rest_time()).filter(|time| time.is_finite()))),
+        ("half_cycles", Cell::Count(Some(decay.half_cycles))),
+        ("first_turn", number(decay.first_turn)),
+        ("rest_position", number(decay.rest_position)),
+        ("rest_time", Cell::Number(Some(decay.rest_time).filter(|time| time.is_finite()))),
     ]);
     let mut record = Record { fields, physical: Physical::default() };
     if let Some(scales) = scales {

@@ -126,7 +126,7 @@ impl<F: Value> Asked<'_, F> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
-            let least = border.min_force_ratio();
+            let least = border.min_force_ratio;
             let sentence = format!("The body never sticks at a force of {} r_y or more.", digits(least));
             return Ok(Answer::one(
                 sentence,
@@ -154,7 +154,7 @@ impl<F: Value> Asked<'_, F> {
         if !self.physical {
             let omega = self.omega()?;
             let border = self.border(omega)?;
-            let ratio = self.one / border.min_force_ratio();
+            let ratio = self.one / border.min_force_ratio;
             let sentence =
                 format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio));
             return Ok(Answer::one(

@@ -43,9 +43,9 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
 
 /// What the body does, in one sentence.
 fn verdict<F: Value>(response: &Response<F>) -> String {
-    let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
-    let margin = digits(alpha / response.border().min_force_ratio());
-    match response.regime() {
+    let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
+    let margin = digits(alpha / response.border.min_force_ratio);
+    match response.regime {
         Regime::Stuck => {
             "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
         }
@@ -53,7 +53,7 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
             "Sticking: the body stops in each cycle; the force is {margin} of the minimum for continuous \
              sliding."
         ),
-        Regime::NonSticking if response.cycle().is_none() => format!(
+        Regime::NonSticking if response.cycle.as_ref().is_none() => format!(
             "Non-sticking: the body never stops; it reverses six times a cycle. The force is {margin} of \
              the minimum for two reversals."
         ),
@@ -77,21 +77,21 @@ pub(crate) fn response<F: Value>(
     units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let (omega, alpha) = (response.ratios().omega(), response.ratios().alpha());
+    let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
     writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
-    if response.ratios().is_damped() {
-        writeln!(out, "  damping ratio ζ          {}", digits(response.ratios().damping_ratio()))?;
+    if response.ratios.is_damped() {
+        writeln!(out, "  damping ratio ζ          {}", digits(response.ratios.damping_ratio()))?;
     }
-    if response.ratios().has_higher_static_friction() {
-        let eta = digits(response.ratios().static_friction_ratio());
+    if response.ratios.has_higher_static_friction() {
+        let eta = digits(response.ratios.static_friction_ratio());
         writeln!(out, "  static friction ratio η  {eta}")?;
     }
     if let Some(machine) = machine {
         given(machine, out)?;
     }
-    if response.ratios().has_higher_static_friction() && response.regime() != Regime::Stuck {
+    if response.ratios.has_higher_static_friction() && response.regime != Regime::Stuck {
         writeln!(
             out,
             "\nWith static friction above the kinetic one the motion can depend on the start, and the \
@@ -99,19 +99,19 @@ pub(crate) fn response<F: Value>(
              the border alone; `stickslip steady` follows one start."
         )?;
     }
-    if let Some(cycle) = response.cycle() {
+    if let Some(cycle) = response.cycle.as_ref() {
         motion(cycle, machine, units, out)?;
-    } else if response.regime() == Regime::NonSticking {
+    } else if response.regime == Regime::NonSticking {
         writeln!(
             out,
             "\nThe closed forms hold for two reversals only; `stickslip steady` gives this motion."
         )?;
     }
-    if response.regime() == Regime::NonSticking
-        && !response.ratios().is_damped()
+    if response.regime == Regime::NonSticking
+        && !response.ratios.is_damped()
         && PhaseFunction::new(omega).is_ok_and(|p| p.value() == F::int(0))
     {
-        let (one, least) = (F::int(1), response.border().min_force_ratio());
+        let (one, least) = (F::int(1), response.border.min_force_ratio);
         let shift = digits(alpha / least - one);
         writeln!(
             out,
@@ -169,12 +169,12 @@ fn motion<F: Value>(
     let (force, length) = (units.force(), units.length());
     let lengths = |x| both(x, "B", scales.map(|s| s.length), length);
     let phases = |x| both(x, "rad", scales.map(|s| s.time), "s");
-    let speed = both(cycle.max_velocity(), "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
+    let speed = both(cycle.max_velocity, "B ω_d", scales.map(|s| s.velocity), &format!("{length}/s"));
     writeln!(out, "\nMotion (steady, symmetric, twice-reversing)")?;
-    writeln!(out, "  maximum displacement     {}", lengths(cycle.max_displacement()))?;
-    writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase()))?;
+    writeln!(out, "  maximum displacement     {}", lengths(cycle.max_displacement))?;
+    writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase))?;
     writeln!(out, "  maximum velocity         {speed}")?;
-    writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase()))?;
+    writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase))?;
     writeln!(out, "    where x = Δ₁           {}", lengths(cycle.deviation()))?;
     let acceleration = scales.map(|s| s.velocity / s.time);
     let acceleration =
@@ -183,14 +183,18 @@ fn motion<F: Value>(
     if machine.is_some_and(|m| m.drive.excitation().carries_surface()) {
         writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
     }
-    writeln!(out, "  dynamic amplification    k Δ₀/p₀ = {}", digits(cycle.dynamic_amplification()))?;
+    writeln!(
+        out,
+        "  dynamic amplification    k Δ₀/p₀ = {}",
+        digits(cycle.max_displacement / cycle.ratios.alpha())
+    )?;
     writeln!(out, "  a disturbance            {}", decay(cycle.contraction(), "half a cycle"))?;
     writeln!(out, "\nDissipation in a cycle")?;
     if let Some(Machine { scales, .. }) = machine {
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
         writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(energy))?;
     }
-    if cycle.ratios().is_damped() {
+    if cycle.ratios.is_damped() {
         let scale = scales.map(|s| s.force * s.length);
         let work = both(cycle.damper_work(), "r_y B", scale, &format!("{force}·{length}"));
         writeln!(out, "  energy of the damper     {work}")?;

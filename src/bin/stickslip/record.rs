@@ -61,32 +61,32 @@ impl<F: Value> Record<F> {
     /// All outputs of a response; `None` in the cells that a regime does not have, and in those of the peaks
     /// where nobody asks for them.
     pub(crate) fn of_response(response: &Response<F>, peaks: bool) -> Self {
-        let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
+        let (ratios, border, cycle) = (response.ratios, response.border, response.cycle.as_ref());
         let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
         let peak = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.filter(|_| peaks).map(value));
         Self {
             fields: vec![
                 ("omega", Cell::Number(Some(ratios.omega()))),
                 ("alpha", Cell::Number(Some(ratios.alpha()))),
-                ("regime", Cell::Text(response.regime().name())),
-                ("max_displacement", of_cycle(|c| c.max_displacement())),
-                ("displacement_phase", of_cycle(|c| c.displacement_phase())),
-                ("max_velocity", of_cycle(|c| c.max_velocity())),
-                ("velocity_phase", of_cycle(|c| c.velocity_phase())),
+                ("regime", Cell::Text(response.regime.name())),
+                ("max_displacement", of_cycle(|c| c.max_displacement)),
+                ("displacement_phase", of_cycle(|c| c.displacement_phase)),
+                ("max_velocity", of_cycle(|c| c.max_velocity)),
+                ("velocity_phase", of_cycle(|c| c.velocity_phase)),
                 ("deviation", of_cycle(|c| c.deviation())),
-                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
-                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
-                ("loop_size_stiffness", Cell::Number(response.loop_size_stiffness())),
-                ("loop_size_inertia", Cell::Number(response.loop_size_inertia())),
-                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
-                ("best_loop_size", Cell::Number(response.best_loop_size())),
+                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio))),
+                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point))),
+                ("loop_size_stiffness", Cell::Number(response.loop_size_stiffness)),
+                ("loop_size_inertia", Cell::Number(response.loop_size_inertia)),
+                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio))),
+                ("best_loop_size", Cell::Number(response.best_loop_size)),
                 ("contraction", of_cycle(|c| c.contraction())),
                 ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
                 ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
-                ("dynamic_amplification", of_cycle(|c| c.dynamic_amplification())),
+                ("dynamic_amplification", of_cycle(|c| c.max_displacement / c.ratios.alpha())),
                 ("max_acceleration", peak(|c| c.max_acceleration())),
                 ("transmitted_force", peak(|c| c.transmitted_force())),
-                ("transmissibility", peak(|c| c.transmissibility())),
+                ("transmissibility", peak(|c| c.transmitted_force() / c.ratios.alpha())),
                 ("max_absolute_displacement", peak(|c| c.max_absolute_displacement())),
             ],
             physical: Physical::default(),
@@ -95,9 +95,9 @@ impl<F: Value> Record<F> {
 
     /// With ζ behind the other ratios, and the work of the damper in a cycle.
     pub(crate) fn with_damping(mut self, response: &Response<F>) -> Self {
-        self = self.with_damping_ratio(response.ratios().damping_ratio());
+        self = self.with_damping_ratio(response.ratios.damping_ratio());
         if self.fields.iter().any(|(name, _)| *name == "alpha") {
-            let work = response.cycle().map(stickslip::Cycle::damper_work);
+            let work = response.cycle.as_ref().map(stickslip::Cycle::damper_work);
             self.fields.push(("damper_work", Cell::Number(work)));
         }
         self
@@ -145,15 +145,15 @@ impl<F: Value> Record<F> {
 
     /// The border at Ω and the best force ratio there, of a response at any α.
     pub(crate) fn of_border(response: &Response<F>) -> Self {
-        let border = response.border();
+        let border = response.border;
         Self {
             fields: vec![
-                ("omega", Cell::Number(Some(response.ratios().omega()))),
-                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio()))),
-                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point()))),
-                ("border_phase", Cell::Number(Some(border.phase()))),
-                ("least_displacement", Cell::Number(Some(border.least_displacement()))),
-                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio()))),
+                ("omega", Cell::Number(Some(response.ratios.omega()))),
+                ("min_force_ratio", Cell::Number(Some(border.min_force_ratio))),
+                ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point))),
+                ("border_phase", Cell::Number(Some(border.touching_phase))),
+                ("least_displacement", Cell::Number(Some(border.min_displacement))),
+                ("best_force_ratio", Cell::Number(Some(response.best_force_ratio))),
             ],
             physical: Physical::default(),
         }

@@ -16,7 +16,7 @@ use core::ops::ControlFlow;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
-use stickslip::exact::{Direction, DrivePhase, End, Instant, Kind, Phase, Trajectory};
+use stickslip::exact::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
 /// The most phases or samples a run may have: hours at some millions a second.
 const MOST_ROWS: f64 = 1e10;
@@ -157,13 +157,13 @@ fn time<F: Value>(phase: DrivePhase<F>, machine: &Machine<F>) -> F {
     (F::int(2) * F::pi() * cycles + phase.reduced()) * machine.scales.time
 }
 
-fn of_phase<F: Value>(phase: &Phase<F>, machine: Option<&Machine<F>>) -> Record<F> {
-    let kind = match phase.kind() {
-        Kind::Slide(Direction::Forward) => "slide-forward",
-        Kind::Slide(Direction::Backward) => "slide-backward",
+fn of_phase<F: Value>(phase: &Segment<F>, machine: Option<&Machine<F>>) -> Record<F> {
+    let kind = match phase.kind {
+        Kind::SlideForward => "slide-forward",
+        Kind::SlideBackward => "slide-backward",
         Kind::Stick => "stick",
     };
-    let ends_by = match phase.ends_by() {
+    let ends_by = match phase.ends_by {
         End::Reversal => "reversal",
         End::Stop => "stop",
         End::Grazing => "grazing",
@@ -208,7 +208,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
         ("x", number(state.x)),
         ("v", number(state.v)),
         ("friction", number(instant.friction)),
-        ("r", number(instant.constitutive_force())),
+        ("r", number(instant.friction + instant.state.x)),
     ];
     if let Some(machine) = machine {
         let scales = &machine.scales;

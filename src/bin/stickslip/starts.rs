@@ -29,7 +29,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
     /// Their limits, in the order of the starts whatever the number of threads. The rows of a file that is
     /// gone on with are not followed again, but for the first start of each limit.
     pub(crate) fn limits(&self, given: &Given<F>, rows: &RowsArgs) -> Result<Attractors<F>, Failure> {
-        Trajectory::new(self.ratios, State::<F>::rest()).map_err(|e| of_motion(given, e))?;
+        Trajectory::new(self.ratios, State::<F>::default()).map_err(|e| of_motion(given, e))?;
         let mut all = Attractors::new();
         let Some(name) = &rows.rows else {
             self.follow_on(0, &mut all, &mut io::sink())?;
@@ -204,5 +204,5 @@ pub(crate) fn follow<F: Value>(
 ) -> Result<LongRun<F>, Failure> {
     let mut keep_going =
         || if interrupt::asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) };
-    Ok(LongRun::within_while(ratios, start, periods, &mut keep_going)?)
+    Ok(LongRun::within(ratios, start, periods, &mut keep_going)?)
 }

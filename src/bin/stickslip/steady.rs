@@ -14,6 +14,7 @@ use crate::points;
 use crate::record::{Cell, Record};
 use crate::response::single_format;
 use std::io::Write;
+use std::ops::ControlFlow;
 use stickslip::exact::{Irregular, LongRun, State, SteadyState};
 use stickslip::regime::observed;
 use stickslip::units::Kind;
@@ -66,12 +67,13 @@ pub(crate) fn answer<F: Value>(
     max_periods: u32,
     peaks: bool,
 ) -> Result<(LongRun<F>, Record<F>), Failure> {
-    let limit = LongRun::within(point.ratios, start, max_periods).map_err(|e| of_motion(given, e))?;
+    let limit = LongRun::within(point.ratios, start, max_periods, &mut || ControlFlow::Continue(()))
+        .map_err(|e| of_motion(given, e))?;
     let record = record(point.ratios, &limit, peaks).map_err(|e| given.at_fault(e))?;
     let zeta = point.ratios.damping_ratio();
     let record = if given.has_damper() {
         let mut record = record.with_damping_ratio(zeta);
-        let work = limit.steady_state().map(SteadyState::damper_work);
+        let work = limit.steady_state().map(|it| it.damper_work);
         record.fields.push(("damper_work", Cell::Number(work)));
         record
     } else {
@@ -132,31 +134,31 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
     let seen = observed(ratios, limit);
     let (regime, kind) = (seen.regime.name(), limit.name());
     let larger = |a: F, b: F| if a > b { a } else { b };
-    let amplitude = steady.map(|s| larger(s.max_displacement().abs(), s.min_displacement().abs()));
+    let amplitude = steady.map(|s| larger(s.max_displacement.value.abs(), s.min_displacement.value.abs()));
     Ok(Record {
         fields: vec![
             ("omega", Cell::Number(Some(ratios.omega()))),
             ("alpha", Cell::Number(Some(ratios.alpha()))),
             ("regime", Cell::Text(regime)),
             ("limit", Cell::Text(kind)),
-            ("max_displacement", number(|s| s.max_displacement())),
-            ("max_displacement_phase", number(|s| s.max_displacement_phase())),
-            ("min_displacement", number(|s| s.min_displacement())),
-            ("min_displacement_phase", number(|s| s.min_displacement_phase())),
-            ("max_velocity", number(|s| s.max_velocity())),
-            ("max_velocity_phase", number(|s| s.max_velocity_phase())),
-            ("min_velocity", number(|s| s.min_velocity())),
-            ("min_velocity_phase", number(|s| s.min_velocity_phase())),
+            ("max_displacement", number(|s| s.max_displacement.value)),
+            ("max_displacement_phase", number(|s| s.max_displacement.phase.reduced())),
+            ("min_displacement", number(|s| s.min_displacement.value)),
+            ("min_displacement_phase", number(|s| s.min_displacement.phase.reduced())),
+            ("max_velocity", number(|s| s.max_velocity.value)),
+            ("max_velocity_phase", number(|s| s.max_velocity.phase.reduced())),
+            ("min_velocity", number(|s| s.min_velocity.value)),
+            ("min_velocity_phase", number(|s| s.min_velocity.phase.reduced())),
             ("sticks_per_cycle", Cell::Count(seen.sticks.map(u64::from))),
-            ("velocity_zeros_per_cycle", count(|s| s.velocity_zeros_per_cycle())),
-            ("stick_fraction", number(|s| s.stick_fraction())),
+            ("velocity_zeros_per_cycle", count(|s| s.velocity_zeros_per_cycle)),
+            ("stick_fraction", number(|s| s.stick_fraction)),
             ("error_1", Cell::Number(errors.map(|e| e.error_1))),
             ("error_2", Cell::Number(errors.map(|e| e.error_2))),
             ("error_3", Cell::Number(errors.map(|e| e.error_3))),
             ("error_4", Cell::Number(errors.map(|e| e.error_4))),
-            ("energy_in", number(|s| s.energy_in())),
-            ("energy_out", number(|s| s.energy_out())),
-            ("multipliers", Cell::Pairs(steady.map(SteadyState::multipliers))),
+            ("energy_in", number(|s| s.energy_in)),
+            ("energy_out", number(|s| s.energy_out)),
+            ("multipliers", Cell::Pairs(steady.map(|it| it.multipliers))),
             ("distance", number(|s| s.distance().0)),
             ("rest_position", Cell::Number(limit.rest_position())),
             ("periods", Cell::Number(limit.periods())),

@@ -35,7 +35,7 @@ fn a_range_cuts_them() {
 
 #[test]
 fn the_ends_slide_and_their_neighbours_stick() {
-    let at = |omega: f64| Border::new(omega).unwrap().min_force_ratio();
+    let at = |omega: f64| Border::new(omega).unwrap().min_force_ratio;
     for alpha in [1.21, 1.3, 1.8, 1.862, 3.0, 12.0, 31.0, 1e4, 1e9] {
         for band in bands(alpha, 0.0, 1e-3, 1e3).unwrap().map(Result::unwrap) {
             for (end, edge, outward) in [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)] {

@@ -19,8 +19,8 @@ fn curve(friction: f64, zeta: f64, (low, high): (f64, f64), count: u32, phases: 
             let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
             Measurement {
                 angular_frequency: at(i),
-                amplitude: cycle.max_displacement() * body.friction_displacement(),
-                phase: phases.then_some(cycle.displacement_phase()),
+                amplitude: cycle.max_displacement * body.friction_displacement(),
+                phase: phases.then_some(cycle.displacement_phase),
             }
         })
         .collect()

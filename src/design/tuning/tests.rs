@@ -108,7 +108,7 @@ fn in_physical_units() {
     assert!((best.value / (ratios.value * 3.75 * 3.75 / 16.0) - 1.0).abs() < 1e-14);
     let body = Oscillator::new(2.0, best.at, 3.0).unwrap();
     let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
-    let energy = 4.0 * 3.0 * cycle.max_displacement() * body.friction_displacement();
+    let energy = 4.0 * 3.0 * cycle.max_displacement * body.friction_displacement();
     assert!((best.value / energy - 1.0).abs() < 1e-10, "{energy} {best:?}");
     let base = Drive::base_motion(1.0, 2.0).unwrap();
     assert_eq!(most_dissipating_stiffness(&body, &base, 2.0, 32.0), Err(Error::BaseMotion));

@@ -2,7 +2,7 @@
 
 use super::unproved::{Event, Unproved};
 use crate::error::Error;
-use crate::exact::{Direction, End, Kind, LongRun, Phase, State, SteadyState, Trajectory};
+use crate::exact::{End, Kind, LongRun, Segment, State, SteadyState, Trajectory};
 use crate::ratios::Ratios;
 
 /// One slide, and what follows it.
@@ -47,7 +47,7 @@ const RECOGNISED: f64 = 1e-6;
 /// # Errors
 /// As of [`LongRun::from_start`]. Within, why there is no such motion.
 pub(super) fn outline(ratios: Ratios<f64>) -> Result<Result<Outline, Unproved>, Error> {
-    Ok(match LongRun::from_start(ratios, State::rest())? {
+    Ok(match LongRun::from_start(ratios, State::default())? {
         LongRun::Periodic(steady) => of_steady(ratios, &steady),
         LongRun::Family(_) => Err(Unproved::Family),
         LongRun::Rest(_)
@@ -58,52 +58,52 @@ pub(super) fn outline(ratios: Ratios<f64>) -> Result<Result<Outline, Unproved>, 
 }
 
 fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, Unproved> {
-    let stops = steady.sticks_per_cycle() > 0;
+    let stops = steady.sticks_per_cycle > 0;
     let phases = Trajectory::new(ratios, steady.state()).map_err(|_| Unproved::NotPeriodic)?;
     let mut phases = phases.map_while(Result::ok);
     // The first slide that begins at rest: after a stop, where there are any.
     let mut last = phases.next().ok_or(Unproved::NotPeriodic)?;
     let first = loop {
         let next = phases.next().ok_or(Unproved::NotPeriodic)?;
-        let begins = if stops { last.kind() == Kind::Stick } else { last.ends_by() == End::Reversal };
-        if begins && matches!(next.kind(), Kind::Slide(_)) {
+        let begins = if stops { last.kind == Kind::Stick } else { last.ends_by == End::Reversal };
+        if begins && next.kind != Kind::Stick {
             break next;
         }
         last = next;
     };
     let (start, half_turns) = (first.start(), steady.half_turns);
     let span = core::f64::consts::PI * f64::from(half_turns);
-    let since = |phase: &Phase<f64>| phase.start().phase.since(start.phase);
+    let since = |phase: &Segment<f64>| phase.start().phase.since(start.phase);
     let mut outline =
         Outline { phase: start.phase.reduced(), place: start.x, stops, half_turns, parts: Vec::new() };
     outline.parts.push(part(&first, ratios.omega())?);
     for phase in phases.take(2 * MOST) {
         let place = phase.start().x;
         // The image of the first slide.
-        if since(&phase) > span - RECOGNISED && matches!(phase.kind(), Kind::Slide(_)) {
+        if since(&phase) > span - RECOGNISED && phase.kind != Kind::Stick {
             let is_image = (since(&phase) - span).abs() < RECOGNISED
-                && (phase.kind() == first.kind()) == (outline.image() > 0)
+                && (phase.kind == first.kind) == (outline.image() > 0)
                 && (place - f64::from(outline.image()) * start.x).abs() < RECOGNISED;
             return if is_image { Ok(outline) } else { Err(Unproved::NotPeriodic) };
         }
-        match phase.kind() {
+        match phase.kind {
             Kind::Stick => {
                 let end = phase.end().ok_or(Unproved::NotPeriodic)?.phase.since(start.phase);
                 if let Some(last) = outline.parts.last_mut() {
                     last.release = Some(outline.phase + end);
                 }
             }
-            Kind::Slide(_) => outline.parts.push(part(&phase, ratios.omega())?),
+            Kind::SlideForward | Kind::SlideBackward => outline.parts.push(part(&phase, ratios.omega())?),
         }
     }
     Err(Unproved::TooManySlides)
 }
 
 /// A slide as a part; not of one that grazes.
-fn part(phase: &Phase<f64>, omega: f64) -> Result<Part, Unproved> {
-    let sign = match phase.kind() {
-        Kind::Slide(Direction::Forward) => 1,
-        Kind::Slide(Direction::Backward) => -1,
+fn part(phase: &Segment<f64>, omega: f64) -> Result<Part, Unproved> {
+    let sign = match phase.kind {
+        Kind::SlideForward => 1,
+        Kind::SlideBackward => -1,
         Kind::Stick => return Err(Unproved::NotPeriodic),
     };
     let grazes = Unproved::Undecided {
@@ -111,7 +111,7 @@ fn part(phase: &Phase<f64>, omega: f64) -> Result<Part, Unproved> {
         phase: phase.start().phase.reduced(),
         bits: f64::MANTISSA_DIGITS,
     };
-    match (phase.duration(), phase.ends_by()) {
+    match (phase.duration(), phase.ends_by) {
         (Some(duration), End::Reversal | End::Stop) => {
             Ok(Part { sign, duration: duration / omega, release: None })
         }

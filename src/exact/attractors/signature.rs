@@ -56,7 +56,7 @@ impl<F: Float> Signature<F> {
                 Self::Periodic { half_turns: steady.half_turns, x, v }
             }
             LongRun::Family(member) => {
-                let sum = member.max_displacement() + member.min_displacement();
+                let sum = member.max_displacement.value + member.min_displacement.value;
                 Self::Family { middle: sum / F::int(2) }
             }
             LongRun::Rest(rest) => Self::Rest { position: rest.position },

@@ -20,12 +20,12 @@ fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
             let LongRun::Periodic(s) = limit.limit else { panic!("{limit:?}") };
             if let Some(mirror) = limit.mirror {
                 let other = all.limits()[mirror].limit.steady_state().unwrap();
-                assert!((other.max_displacement() + s.min_displacement()).abs() < 1e-9);
+                assert!((other.max_displacement.value + s.min_displacement.value).abs() < 1e-9);
             }
             (
-                s.max_displacement(),
-                s.min_displacement(),
-                s.sticks_per_cycle(),
+                s.max_displacement.value,
+                s.min_displacement.value,
+                s.sticks_per_cycle,
                 s.turns_per_cycle(),
                 s.is_symmetric(),
                 limit.mirror.is_some(),

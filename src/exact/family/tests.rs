@@ -12,7 +12,7 @@ use crate::{Border, Ratios};
 /// The equation at Ω = 2⁻ⁿ, some times above the border, with α/(1 − Ω²) and the greatest |c|.
 fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
     let omega = 0.5f64.powi(i32::try_from(n).unwrap());
-    let ratios = Ratios::new(omega, Border::new(omega).unwrap().min_force_ratio() * times).unwrap();
+    let ratios = Ratios::new(omega, Border::new(omega).unwrap().min_force_ratio * times).unwrap();
     assert!(is_one(ratios));
     let equation = Equation::new(ratios);
     let amplitude = equation.alpha / (1.0 - omega * omega);
@@ -21,7 +21,7 @@ fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
 
 /// At t₂, where the members have their maximum: ω_d t₂ = π/2.
 fn at_maximum(x: f64, w: f64) -> Point<f64> {
-    Point { phase: DrivePhase::new(std::f64::consts::FRAC_PI_2).unwrap(), x, w }
+    Point { phase: DrivePhase::of(std::f64::consts::FRAC_PI_2).unwrap(), x, w }
 }
 
 fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
@@ -42,7 +42,7 @@ fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f
 #[test]
 fn a_family_is_at_the_even_parts_of_one_above_the_border() {
     let is = |omega: f64, times: f64| {
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         is_one(Ratios::new(omega, least * times).unwrap())
     };
     assert!([0.5, 0.25, 2f64.powi(-10)].into_iter().all(|omega| is(omega, 1.001) && !is(omega, 0.999)));
@@ -74,13 +74,13 @@ fn a_start_tends_to_where_the_motion_itself_does() {
                 let LongRun::Family(found) = limit(equation, start, 40_000) else {
                     panic!("n = {n}, {start:?}")
                 };
-                let c = (found.max_displacement() + found.min_displacement()) / 2.0;
+                let c = (found.max_displacement.value + found.min_displacement.value) / 2.0;
                 let at = format!("n = {n}, {times} times, start {i}: {found:?}");
                 let off = found.distance().0 + 1e-12 * amplitude;
-                assert!((found.max_displacement() - c - amplitude).abs() <= off, "{at}");
+                assert!((found.max_displacement.value - c - amplitude).abs() <= off, "{at}");
                 assert!(c.abs() <= room + off && (c - (there.x - amplitude)).abs() <= off, "{there:?} {at}");
-                assert!(found.distance().0 < 1e-7 * amplitude && found.sticks_per_cycle() == 0, "{at}");
-                assert!(found.periods() < 200.0, "{at}");
+                assert!(found.distance().0 < 1e-7 * amplitude && found.sticks_per_cycle == 0, "{at}");
+                assert!(found.periods < 200.0, "{at}");
             }
         }
     }
@@ -96,15 +96,15 @@ fn a_member_is_its_own_limit() {
                 let c = room * f64::from(i) / 10.0;
                 let start = at_maximum(amplitude + c, 0.0);
                 let LongRun::Family(found) = limit(equation, start, 400) else { panic!("n = {n}, {i}") };
-                let (max, min) = (found.max_displacement(), found.min_displacement());
+                let (max, min) = (found.max_displacement.value, found.min_displacement.value);
                 let off = found.distance().0;
                 assert!(
                     (max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off,
                     "{found:?}"
                 );
-                let [(one, zero), (other, _)] = found.multipliers();
+                let [(one, zero), (other, _)] = found.multipliers;
                 assert!((one, zero) == (1.0, 0.0) && other.abs() < 0.999, "{found:?}");
-                assert!(off > 0.0 && off < 1e-12 * amplitude && found.periods() < 60.0, "{n} {i} {found:?}");
+                assert!(off > 0.0 && off < 1e-12 * amplitude && found.periods < 60.0, "{n} {i} {found:?}");
             }
         }
     }
@@ -135,7 +135,7 @@ fn friction_that_can_hardly_be_seen() {
                 assert!(times > 1e6, "{i}");
                 continue;
             };
-            let (max, min) = (found.max_displacement(), found.min_displacement());
+            let (max, min) = (found.max_displacement.value, found.min_displacement.value);
             let off = found.distance().0;
             assert!((max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off, "{found:?}");
             assert!((1e-16 * times..1e-14 * times).contains(&(off / amplitude)), "{off} {found:?}");
@@ -151,12 +151,12 @@ fn outside_of_the_family_the_edge_is_the_limit() {
         for side in [1.0, -1.0] {
             let start = at_maximum(amplitude + 1.5 * side * room, 0.0);
             let LongRun::Family(found) = limit(equation, start, 40_000) else { panic!("n = {n}") };
-            let c = (found.max_displacement() + found.min_displacement()) / 2.0;
+            let c = (found.max_displacement.value + found.min_displacement.value) / 2.0;
             assert!((c - side * room).abs() < 1e-9 * amplitude, "n = {n}: {c} for {room}");
             let off = found.distance().0;
-            assert!(off < 0.1 * amplitude && found.periods() < 400.0, "{off} {}", found.periods());
+            assert!(off < 0.1 * amplitude && found.periods < 400.0, "{off} {}", found.periods);
             // It has stuck all the time, and is as near as stated.
-            let (there, _) = followed(equation, start, found.periods() as u32);
+            let (there, _) = followed(equation, start, found.periods as u32);
             assert!((there.x - amplitude - side * room).abs() <= off, "n = {n}: {there:?} {off}");
         }
         let unfinished = limit(equation, at_maximum(amplitude + 1.5 * room, 0.0), 20);
@@ -170,7 +170,7 @@ fn the_edge_is_a_member() {
     for n in 1..5 {
         let (equation, amplitude, room) = family(n, 1.7);
         for i in 0..60 {
-            let phase = DrivePhase::new(0.1 + 0.1 * f64::from(i)).unwrap();
+            let phase = DrivePhase::of(0.1 + 0.1 * f64::from(i)).unwrap();
             for side in [1.0, -1.0] {
                 // Some way outside, at the same phase.
                 let (outside, _) = followed(equation, at_maximum(amplitude + side * room, 0.0), 1);

@@ -32,10 +32,10 @@ fn unstable_motions_beside_the_limits() {
         assert_eq!(unstable.len(), expected.len(), "{ratios:?}: {unstable:#?}");
         for motion in unstable {
             let s = motion.steady_state;
-            let (most, least) = (s.max_displacement(), s.min_displacement());
+            let (most, least) = (s.max_displacement.value, s.min_displacement.value);
             let is = |(half_turns, stops, a, b): &Unstable| {
                 let close = (most - a).abs() < 1e-8 && (least - b).abs() < 1e-8;
-                close && (s.half_turns, s.sticks_per_cycle()) == (*half_turns, *stops)
+                close && (s.half_turns, s.sticks_per_cycle) == (*half_turns, *stops)
             };
             assert!(expected.iter().any(is), "{s:?}");
             assert_eq!(motion.mirror.is_some(), !s.is_symmetric());
@@ -43,7 +43,7 @@ fn unstable_motions_beside_the_limits() {
             let start = State { x: s.state().x + 1e-6, ..s.state() };
             match LongRun::from_start(ratios, start).unwrap() {
                 LongRun::Periodic(limit) => {
-                    assert!((limit.max_displacement() - most).abs() > 1e-3, "{limit:?}")
+                    assert!((limit.max_displacement.value - most).abs() > 1e-3, "{limit:?}")
                 }
                 LongRun::Irregular(limit) => {
                     assert!((limit.max_displacement - most).abs() > 0.1, "{limit:?}")
@@ -90,7 +90,7 @@ fn where_nothing_moves_there_is_none() {
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();
     assert!(all.is_empty(), "{all:?}");
     // At rest from these starts; a motion has to be begun.
-    let resting = [State::rest(), State::new(0.0, 0.05, 0.0).unwrap()];
+    let resting = [State::default(), State::new(0.0, 0.05, 0.0).unwrap()];
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.5), &resting, 2).unwrap();
     assert!(all.is_empty(), "{all:?}");
 }

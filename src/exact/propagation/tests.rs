@@ -20,7 +20,7 @@ fn the_monodromy_is_the_derivative_of_the_walk() {
     ] {
         let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
         let equation = Equation::new(ratios);
-        let phase = DrivePhase::new(theta).unwrap();
+        let phase = DrivePhase::of(theta).unwrap();
         let at = |x, w| {
             propagate(equation, Point { phase, x, w }, 2, 1.0, Vec::new(), &mut Budget::of(0)).unwrap()
         };
@@ -52,7 +52,7 @@ fn no_part_drives_two_motions_apart() {
 #[test]
 fn parts_that_are_not_kept_are_met_again() {
     let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
-    let from = Point { phase: DrivePhase::new(0.1).unwrap(), x: 0.2, w: 0.3 };
+    let from = Point { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
     let mut budget = Budget::of(0);
     let propagation = propagate(equation, from, 1, 1.0, Vec::new(), &mut budget).unwrap();
     let mut starts = Vec::new();
@@ -76,7 +76,7 @@ fn parts_that_are_not_kept_are_met_again() {
 #[test]
 fn a_walk_is_broken_off() {
     let equation = Equation::new(Ratios::new(1e-3, 3.0).unwrap());
-    let from = Point { phase: DrivePhase::new(0.1).unwrap(), x: 0.2, w: 0.3 };
+    let from = Point { phase: DrivePhase::of(0.1).unwrap(), x: 0.2, w: 0.3 };
     let mut asked = 0;
     let mut keep_going = || {
         asked += 1;

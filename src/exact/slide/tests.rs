@@ -5,7 +5,7 @@ use crate::exact::equation::Equation;
 
 fn slide(omega: f64, alpha: f64, theta: f64, x: f64, w: f64) -> Slide<f64> {
     let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-    Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, Direction::of(w))
+    Slide::new(equation, DrivePhase::of(theta).unwrap(), x, w, Direction::of(w))
 }
 
 /// The sizes that rounding is measured by, at (Ω, α) = (3, 2).
@@ -59,7 +59,7 @@ fn the_equation_of_motion_is_obeyed() {
 #[test]
 fn a_released_slide_starts_like_a_cube() {
     let equation = Equation::new(Ratios::new(0.8, 1.7).unwrap());
-    let start = DrivePhase::new(0.3).unwrap();
+    let start = DrivePhase::of(0.3).unwrap();
     let x = 1.7 * 0.3f64.sin() - 1.0;
     let s = Slide::released(equation, start, x, Direction::Forward);
     let phi = 1e-5;

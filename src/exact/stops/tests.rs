@@ -24,7 +24,7 @@ fn ratios(i: u32) -> Ratios<f64> {
 fn by_shooting(ratios: Ratios<f64>) -> Option<SteadyState<f64>> {
     let equation = Equation::new(ratios);
     let mut slides =
-        Trajectory::new(ratios, State::rest()).unwrap().filter_map(|phase| match phase.unwrap().body {
+        Trajectory::new(ratios, State::default()).unwrap().filter_map(|phase| match phase.unwrap().body {
             Body::Slide(slide, end) => Some((slide, end.phi)),
             Body::Stick(_) => None,
         });
@@ -56,26 +56,23 @@ fn it_is_what_shooting_finds() {
         let close = |what: &str, a: f64, b: f64, times: f64| {
             assert!((a - b).abs() <= times * room, "{what} {a} {b} at {ratios:?}\n{here:?}\n{there:?}");
         };
-        close("max", here.max_displacement(), there.max_displacement(), 1.0);
-        close("min", here.min_displacement(), there.min_displacement(), 1.0);
-        close("fastest", here.max_velocity(), there.max_velocity(), 2.0 / ratios.omega());
-        close("slowest", here.min_velocity(), there.min_velocity(), 2.0 / ratios.omega());
-        close("out", here.energy_out(), there.energy_out(), 8.0 * f64::from(here.velocity_zeros_per_cycle()));
+        close("max", here.max_displacement.value, there.max_displacement.value, 1.0);
+        close("min", here.min_displacement.value, there.min_displacement.value, 1.0);
+        close("fastest", here.max_velocity.value, there.max_velocity.value, 2.0 / ratios.omega());
+        close("slowest", here.min_velocity.value, there.min_velocity.value, 2.0 / ratios.omega());
+        close("out", here.energy_out, there.energy_out, 8.0 * f64::from(here.velocity_zeros_per_cycle));
         close(
             "in",
-            here.energy_in(),
-            here.energy_out() + here.damper_work(),
+            here.energy_in,
+            here.energy_out + here.damper_work,
             40.0 * size * (1.0 + 1.0 / ratios.omega()),
         );
         assert_eq!(
-            (here.sticks_per_cycle(), here.velocity_zeros_per_cycle()),
-            (there.sticks_per_cycle(), there.velocity_zeros_per_cycle()),
+            (here.sticks_per_cycle, here.velocity_zeros_per_cycle),
+            (there.sticks_per_cycle, there.velocity_zeros_per_cycle),
             "{ratios:?}\n{here:?}\n{there:?}"
         );
-        assert!(
-            (here.stick_fraction() - there.stick_fraction()).abs() < 1e-6,
-            "{ratios:?}\n{here:?}\n{there:?}"
-        );
+        assert!((here.stick_fraction - there.stick_fraction).abs() < 1e-6, "{ratios:?}\n{here:?}\n{there:?}");
         assert!((here.contraction() - there.contraction()).abs() < 1e-6, "{ratios:?}\n{here:?}\n{there:?}");
     }
     // 0.955 of them, in 4.3 half turns each.
@@ -121,8 +118,8 @@ fn the_extremum_is_right_to_the_last_places() {
         (0.9, 1.1, 0.05, 0.034_491_489_450_711_545),
     ] {
         let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-        let limit = LongRun::from_start(ratios, State::rest()).unwrap();
-        let found = limit.steady_state().unwrap().max_displacement();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let found = limit.steady_state().unwrap().max_displacement.value;
         assert!(
             (found / extremum - 1.0f64).abs() < 12.0 * f64::EPSILON,
             "({omega}, {alpha}, {zeta}): {found}"

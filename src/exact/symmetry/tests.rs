@@ -22,8 +22,8 @@ fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     let (mut symmetric, mut others) = (false, 0);
     for limit in all.limits() {
         let LongRun::Periodic(s) = limit.limit else { continue };
-        let near = (s.max_displacement() - like.motion.max_displacement()).abs() < 0.5;
-        let shape = s.sticks_per_cycle() == like.motion.sticks_per_cycle();
+        let near = (s.max_displacement.value - like.motion.max_displacement.value).abs() < 0.5;
+        let shape = s.sticks_per_cycle == like.motion.sticks_per_cycle;
         symmetric |= s.is_symmetric() && s.turns_per_cycle() == 1 && near && shape;
         others += usize::from(!s.is_symmetric());
     }
@@ -72,9 +72,9 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
 #[test]
 fn a_jump_is_the_border() {
     for (omega, eta, low, high) in [(0.55, 1.3, 2.9, 4.0), (0.55, 2.0, 4.0, 6.0), (0.6, 3.0, 5.0, 6.0)] {
-        let border = Border::of(&ratios(omega, 0.02, eta, 2.0)).min_force_ratio();
+        let border = Border::of(&ratios(omega, 0.02, eta, 2.0)).min_force_ratio;
         let found = breaks(omega, eta, low, high);
-        let jump = found.iter().find(|one| one.loss == Loss::Jump && one.motion.sticks_per_cycle() == 0);
+        let jump = found.iter().find(|one| one.loss == Loss::Jump && one.motion.sticks_per_cycle == 0);
         let jump = jump.unwrap_or_else(|| panic!("{found:?}"));
         assert!(jump.is_stable_above && (jump.alpha / border - 1.0).abs() < 1e-13, "{jump:?} {border}");
     }
@@ -85,7 +85,7 @@ fn a_jump_is_the_border() {
 fn a_fold_is_told_from_a_break() {
     let found = breaks(0.2, 3.0, 4.5, 5.0);
     let fold = found.iter().find(|one| one.loss == Loss::Fold).unwrap_or_else(|| panic!("{found:?}"));
-    let [(largest, _), _] = fold.motion.multipliers();
+    let [(largest, _), _] = fold.motion.multipliers;
     assert!((largest - 1.0).abs() < 1e-4 && (fold.alpha - 4.768_950_352_678).abs() < 1e-11, "{fold:?}");
 }
 

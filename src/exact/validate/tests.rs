@@ -12,7 +12,7 @@ use crate::{Border, Ratios};
 
 /// The cycle at a multiple of the border, which need not be a motion.
 fn cycle(omega: f64, times: f64) -> (Equation<f64>, Cycle<f64>) {
-    let alpha = Border::new(omega).unwrap().min_force_ratio() * times;
+    let alpha = Border::new(omega).unwrap().min_force_ratio * times;
     let ratios = Ratios::new(omega, alpha).unwrap();
     (Equation::new(ratios), Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios))
 }
@@ -29,29 +29,29 @@ fn it_is_what_newtons_method_finds() {
         let (section, hint) = fastest_point(equation, &cycle);
         let there = LongRun::shot(equation, section, hint, || Ok(None), Budget::of(100)).unwrap();
         let LongRun::Periodic(there) = there else { panic!("Ω = {omega}") };
-        let size = 1.0 + cycle.max_displacement();
+        let size = 1.0 + cycle.max_displacement;
         let close = |a: f64, b: f64, units: f64| {
             assert!((a - b).abs() <= units * f64::EPSILON, "Ω = {omega}: {a} {b} {here:?} {there:?}");
         };
         let apart = |d: (f64, f64), e: (f64, f64)| (d.0 + d.1 + e.0 + e.1) / f64::EPSILON;
         let units = apart(here.distance(), there.distance()) + 8.0 * size;
-        close(here.max_displacement(), there.max_displacement(), units);
-        close(here.min_displacement(), there.min_displacement(), units);
-        close(here.max_velocity(), there.max_velocity(), units);
-        close(here.min_velocity(), there.min_velocity(), units);
-        close(here.energy_out(), there.energy_out(), 4.0 * units);
-        close(here.energy_in(), there.energy_in(), 4.0 * units * (1.0 + equation.alpha));
+        close(here.max_displacement.value, there.max_displacement.value, units);
+        close(here.min_displacement.value, there.min_displacement.value, units);
+        close(here.max_velocity.value, there.max_velocity.value, units);
+        close(here.min_velocity.value, there.min_velocity.value, units);
+        close(here.energy_out, there.energy_out, 4.0 * units);
+        close(here.energy_in, there.energy_in, 4.0 * units * (1.0 + equation.alpha));
         for (a, b) in [
-            (here.max_displacement_phase(), there.max_displacement_phase()),
-            (here.min_displacement_phase(), there.min_displacement_phase()),
-            (here.max_velocity_phase(), there.max_velocity_phase()),
-            (here.min_velocity_phase(), there.min_velocity_phase()),
+            (here.max_displacement.phase.reduced(), there.max_displacement.phase.reduced()),
+            (here.min_displacement.phase.reduced(), there.min_displacement.phase.reduced()),
+            (here.max_velocity.phase.reduced(), there.max_velocity.phase.reduced()),
+            (here.min_velocity.phase.reduced(), there.min_velocity.phase.reduced()),
         ] {
             close((a - b).sin(), 0.0, 8.0 + omega * units);
         }
-        assert_eq!((here.sticks_per_cycle(), here.velocity_zeros_per_cycle()), (0, 2));
-        assert_eq!((there.sticks_per_cycle(), there.velocity_zeros_per_cycle()), (0, 2));
-        for ((a, b), (c, d)) in here.multipliers().into_iter().zip(there.multipliers()) {
+        assert_eq!((here.sticks_per_cycle, here.velocity_zeros_per_cycle), (0, 2));
+        assert_eq!((there.sticks_per_cycle, there.velocity_zeros_per_cycle), (0, 2));
+        for ((a, b), (c, d)) in here.multipliers.into_iter().zip(there.multipliers) {
             assert!((a - c).abs() < 1e-9 && (b - d).abs() < 1e-6, "Ω = {omega}: {here:?} {there:?}");
         }
     }
@@ -77,7 +77,7 @@ fn what_is_confirmed_comes_back() {
         let (a, b) = (off(), off());
         let ratios = Ratios::new(omega, equation.alpha * (1.0 + a)).unwrap();
         let other = Cycle::at(&PhaseFunction::new(omega).unwrap(), ratios);
-        let phase = other.displacement_phase();
+        let phase = other.displacement_phase;
         let other = other.map(|x| if x == phase { x + b } else { x });
         all += 1;
         let Some(here) = validated(equation, &other) else { continue };
@@ -97,7 +97,7 @@ fn the_fastest_point_has_to_be_one() {
         let omega = 0.13 * 1.013f64.powi(i);
         let (equation, cycle) = cycle(omega, 1.3);
         let moved = |by: f64| {
-            let other = |x| if x == cycle.velocity_phase() { x + by } else { x };
+            let other = |x| if x == cycle.velocity_phase { x + by } else { x };
             validated(equation, &cycle.map(other)).is_some()
         };
         assert!(!moved(1e-2) && !moved(-1e-2) && !moved(1e-4) && !moved(3.1), "Ω = {omega}");
@@ -122,8 +122,8 @@ fn the_signs_alone_mostly_do() {
         let omega = 0.51 * 1.001f64.powi(i);
         let (equation, cycle) = cycle(omega, 1.0 + 0.003 * f64::from(1 + i % 97));
         let least =
-            DrivePhase::of_half_turn(0, 0.0).advanced(cycle.displacement_phase()).later_by_half_turns(-1);
-        let slide = Slide::new(equation, least, -cycle.max_displacement(), 0.0, Direction::Forward);
+            DrivePhase::of_half_turn(0, 0.0).advanced(cycle.displacement_phase).later_by_half_turns(-1);
+        let slide = Slide::new(equation, least, -cycle.max_displacement, 0.0, Direction::Forward);
         all += 1;
         found += i32::from(slide.does_not_turn_before(std::f64::consts::PI / omega));
     }
@@ -139,7 +139,7 @@ fn the_signs_hide_no_velocity_zero() {
         let part = |step: f64| (f64::from(i) * step).fract();
         let (omega, alpha) = (2f64.powf(-4.0 + 5.0 * part(0.618_034)), 1.0 + 20.0 * part(0.754_878));
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-        let start = DrivePhase::new(std::f64::consts::TAU * part(0.569_841)).unwrap();
+        let start = DrivePhase::of(std::f64::consts::TAU * part(0.569_841)).unwrap();
         let end = std::f64::consts::PI / omega;
         // The velocity is linear in the place that the slide begins at.
         let from = |x| Slide::new(equation, start, x, 0.0, Direction::Forward);
@@ -162,7 +162,7 @@ fn the_signs_hide_no_velocity_zero() {
 fn below_the_border_nothing_is_confirmed() {
     for i in 0..6000 {
         let omega = 0.021 * 1.0013f64.powi(i);
-        let border = Border::new(omega).unwrap().min_force_ratio();
+        let border = Border::new(omega).unwrap().min_force_ratio;
         // From the border down to where there is no cycle at all, or nearly so.
         let below = [1e-6, 1e-3, 0.3, 0.9][i as usize % 4] * f64::from(1 + i % 97) / 97.0;
         let least = PhaseFunction::new(omega).unwrap().value().abs() * (1.0 + 1e-9);

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 fn end_of_rise(omega: f64, alpha: f64) -> VelocityZero<f64> {
     let k = PhaseFunction::new(omega).unwrap().value();
     let delta = max_displacement(k, alpha, one_minus_square(omega));
-    let start = DrivePhase::new(displacement_phase(k, alpha, omega) - PI).unwrap();
+    let start = DrivePhase::of(displacement_phase(k, alpha, omega) - PI).unwrap();
     let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
     let slide = Slide::new(equation, start, -delta, 0.0, Direction::Forward);
     slide.velocity_zero(PI / omega).unwrap()
@@ -24,9 +24,9 @@ fn end_of_rise(omega: f64, alpha: f64) -> VelocityZero<f64> {
 fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
     for omega in [0.35, 0.4, 0.45, 0.3, 0.22] {
         let border = Border::new(omega).unwrap();
-        let least = border.min_force_ratio();
+        let least = border.min_force_ratio;
         // τ* is counted from t₂ within the falling half: the same place in the rising one.
-        let touch = border.phase() / omega;
+        let touch = border.touching_phase / omega;
         let above = end_of_rise(omega, least * (1.0 + 1e-9));
         assert!(!above.grazes && (above.phi - PI / omega).abs() < 1e-9, "Ω = {omega}: {above:?}");
         let below = end_of_rise(omega, least * (1.0 - 1e-9));
@@ -45,7 +45,7 @@ fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
 #[test]
 fn a_short_step_on_is_the_motion() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
-    let slide = Slide::new(equation, DrivePhase::new(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
+    let slide = Slide::new(equation, DrivePhase::of(0.3).unwrap(), -0.4, 1.1, Direction::Forward);
     for (at, step) in [(0.4, 2e-3), (1.3, -2e-3), (2.1, 1e-3)] {
         let found = Found { at, step, motion: slide.motion(at), grazes: false };
         let (zero, exact) = (slide.arrival::<false>(&found), slide.motion(at + step));
@@ -87,7 +87,7 @@ fn the_work_is_bounded() {
         let reach = 2.0 * (1.0 + alpha) / (1.0 + omega);
         let (x, w) = (reach * (spread(i / 5, i) - 0.5), reach * spread(i, i / 11));
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-        let start = DrivePhase::new(theta).unwrap();
+        let start = DrivePhase::of(theta).unwrap();
         let slide = Slide::new(equation, start, x, w, Direction::Forward);
         let found = |hint: f64| {
             let evaluations = Cell::new(0);
@@ -130,7 +130,7 @@ fn the_work_is_bounded_at_any_frequency() {
         let (direction, x) = (Direction::of(w), forced * theta.sin() + free * sine);
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
         let x = x - direction.sign::<f64>();
-        let slide = Slide::new(equation, DrivePhase::new(theta).unwrap(), x, w, direction);
+        let slide = Slide::new(equation, DrivePhase::of(theta).unwrap(), x, w, direction);
         let evaluations = Cell::new(0);
         let f = slide.velocity::<false>();
         let verdict = next_zero(
@@ -153,7 +153,7 @@ fn the_work_is_bounded_at_any_frequency() {
 fn a_drive_that_cannot_be_seen_costs_nothing() {
     for (omega, alpha, x) in [(2f64.powi(20), 1e-150, 1e290), (1e5, 1e-140, 1e200), (3e3, 1e-150, 7e290)] {
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-        let start = DrivePhase::new(0.3).unwrap();
+        let start = DrivePhase::of(0.3).unwrap();
         let slide = Slide::new(equation, start, -x, 0.0, Direction::Forward);
         let evaluations = Cell::new(0);
         let f = slide.velocity::<false>();
@@ -171,7 +171,7 @@ fn a_drive_that_cannot_be_seen_costs_nothing() {
 #[test]
 fn the_error_names_the_slide() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
-    let slide = Slide::new(equation, DrivePhase::new(7.5).unwrap(), -0.4, 1.1, Direction::Forward);
+    let slide = Slide::new(equation, DrivePhase::of(7.5).unwrap(), -0.4, 1.1, Direction::Forward);
     let message = crate::Error::from(slide.lost("the velocity zero")).to_string();
     let start =
         "the velocity zero from phase ω_d t = 7.5 on at Ω = 0.7, α = 2.5 must be found within π(1 + 2/Ω)";
@@ -187,7 +187,7 @@ fn a_wrong_hint_changes_nothing() {
         (20.0, 9.0, 0.3, 0.0, 0.7),
     ] {
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
-        let start = DrivePhase::new(theta).unwrap();
+        let start = DrivePhase::of(theta).unwrap();
         let slide = Slide::new(equation, start, x, w, Direction::Forward);
         let right = slide.velocity_zero(0.0).unwrap();
         for i in 1..100 {

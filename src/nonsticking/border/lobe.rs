@@ -141,7 +141,7 @@ impl Lobe {
             }
         };
         let (_, omega) = root::enclosed(low, high, |omega| Border::slope(&PhaseFunction::of_valid(omega)));
-        let force_ratio = Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio();
+        let force_ratio = Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio;
         Minimum { omega, force_ratio, is_corner: false }
     }
 }
@@ -161,7 +161,7 @@ mod tests {
     }
 
     fn at(omega: f64) -> f64 {
-        Border::new(omega).unwrap().min_force_ratio()
+        Border::new(omega).unwrap().min_force_ratio
     }
 
     #[test]

@@ -24,7 +24,7 @@ pub(crate) struct BorderRange<F> {
 /// Where an end is outside the domain of [`Lobe::containing`], or `low > high`.
 pub(crate) fn border_range<F: Float>(low: F, high: F) -> Result<BorderRange<F>, Error> {
     let (first, last) = ordered_lobes(low, high)?;
-    let at = |omega| Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio();
+    let at = |omega| Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio;
     let (a, b) = (at(low), at(high));
     let mut least = if a < b { a } else { b };
     for lobe in [Some(last), last.below()].into_iter().flatten() {
@@ -56,7 +56,7 @@ mod tests {
     }
 
     fn at(omega: f64) -> f64 {
-        Border::new(omega).unwrap().min_force_ratio()
+        Border::new(omega).unwrap().min_force_ratio
     }
 
     #[test]

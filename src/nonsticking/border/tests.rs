@@ -9,7 +9,7 @@ fn beside_one_over_2n_no_digit_is_lost() {
         (0.038_461_525_039_324_97, 675.000_471_869_339_2),
         (0.249_999_9, 15.000_012_800_043_951),
     ] {
-        let found = Border::new(omega).unwrap().min_force_ratio();
+        let found = Border::new(omega).unwrap().min_force_ratio;
         assert!((found / exact - 1.0f64).abs() < 8.0 * f64::EPSILON, "{omega}: {found} against {exact}");
     }
 }

@@ -159,7 +159,7 @@ mod tests {
             (4.4, 3.0, 30.0),
         ] {
             let damped = |alpha| Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)).unwrap();
-            let alpha: f64 = margin * Response::new(damped(1.0)).border().min_force_ratio();
+            let alpha: f64 = margin * Response::new(damped(1.0)).border.min_force_ratio;
             let cycle = Cycle::new(damped(alpha)).unwrap();
             let (mut acceleration, mut force, mut absolute) = (0.0f64, 0.0f64, 0.0f64);
             let count = 400_000;
@@ -181,7 +181,6 @@ mod tests {
                     "{omega} {alpha} {zeta}: {found} {sampled}"
                 );
             }
-            assert_eq!(cycle.transmissibility(), cycle.transmitted_force() / alpha);
         }
     }
 
@@ -219,7 +218,7 @@ mod tests {
     fn at_resonance_on_the_border_the_search_ends() {
         let peaks = |zeta: f64| {
             let damped = |alpha| Ratios::new(1.0, alpha).and_then(|r| r.with_damping_ratio(zeta)).unwrap();
-            let alpha: f64 = Response::new(damped(2.0)).border().min_force_ratio();
+            let alpha: f64 = Response::new(damped(2.0)).border.min_force_ratio;
             let cycle = Cycle::new(damped(alpha)).unwrap();
             [cycle.max_acceleration(), cycle.transmitted_force(), cycle.max_absolute_displacement()]
         };

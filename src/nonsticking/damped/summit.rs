@@ -184,7 +184,7 @@ mod tests {
 
     fn rising(omega: f64, zeta: f64, over: f64) -> Rising<f64> {
         let half = half_period_at(omega, zeta);
-        Rising::of_force(half, border(&half).min_force_ratio() * over)
+        Rising::of_force(half, border(&half).min_force_ratio * over)
     }
 
     /// Every frequency ratio of the kind, every damping ratio, on the border and above.

@@ -45,7 +45,7 @@ mod tests {
     fn at<F: crate::Float>(omega: f64, zeta: f64, alpha: Option<f64>) -> Cycle<F> {
         let to = F::from_f64;
         let ratios = |alpha: F| Ratios::new(to(omega), alpha).unwrap().with_damping_ratio(to(zeta)).unwrap();
-        let alpha = alpha.map_or_else(|| Border::of(&ratios(to(2.0))).min_force_ratio(), to);
+        let alpha = alpha.map_or_else(|| Border::of(&ratios(to(2.0))).min_force_ratio, to);
         Cycle::new(ratios(alpha)).unwrap()
     }
 

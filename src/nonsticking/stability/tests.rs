@@ -70,7 +70,7 @@ fn at_a_double_root_the_larger_is_first() {
     let mut real = 0;
     for i in 0..2000 {
         let omega = if i == 0 { 1.9999999995343387f64 } else { 2.0 - f64::from(i) * 3.7e-12 };
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         let alpha = if i == 0 { 1.6770509830428322 } else { least * (1.0 + f64::from(i % 4) * f64::EPSILON) };
         let Ok(cycle) = Cycle::new(Ratios::new(omega, alpha).unwrap()) else { continue };
         let [first, second] = cycle.multipliers().half_cycle();
@@ -100,9 +100,9 @@ proptest! {
     #[test]
     fn roots_of_the_characteristic_polynomial(omega in 0.05f64..20.0, over in 1.0f64..8.0) {
         prop_assume!((omega - 1.0).abs() > 1e-9);
-        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let alpha = Border::new(omega).unwrap().min_force_ratio * over;
         let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
-        let (m, s) = (cycle.multipliers(), multiplier_product(omega, cycle.max_displacement()));
+        let (m, s) = (cycle.multipliers(), multiplier_product(omega, cycle.max_displacement));
         let cos_pi_1 = (std::f64::consts::PI / omega).cos();
         for (re, im) in m.half_cycle() {
             // λ² + (1 + s) C λ + s, real and imaginary part

@@ -23,7 +23,7 @@ proptest! {
         over in 1.0001f64..4.0,
     ) {
         prop_assume!((omega - 1.0).abs() > 1e-6);
-        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let alpha = Border::new(omega).unwrap().min_force_ratio * over;
         let (half, k) = half(omega, alpha);
         let best = fastest(&half, k, alpha);
         let beta = std::f64::consts::FRAC_PI_2 / omega;
@@ -39,7 +39,7 @@ proptest! {
     #[test]
     fn both_starts_find_the_same_root(omega in 0.5f64..3.0, over in 1.0001f64..4.0) {
         prop_assume!((omega - 1.0).abs() > 1e-3);
-        let alpha = Border::new(omega).unwrap().min_force_ratio() * over;
+        let alpha = Border::new(omega).unwrap().min_force_ratio * over;
         let (half, k) = half(omega, alpha);
         if let Some((quick, _)) = from_centre(&half) {
             let safe = from_bracket(&half, k, alpha);
@@ -53,5 +53,5 @@ proptest! {
 #[test]
 fn not_the_minimum_between_two_equal_maxima() {
     let cycle = Cycle::new(Ratios::new(0.186_831_79f32, 28.893_51).unwrap()).unwrap();
-    assert!((cycle.max_velocity() - 35.545_4).abs() < 1e-4, "{}", cycle.max_velocity());
+    assert!((cycle.max_velocity - 35.545_4).abs() < 1e-4, "{}", cycle.max_velocity);
 }

@@ -23,7 +23,7 @@ fn one_over_2n_is_decided_to_the_last_float() {
     for omega in [0.5, 0.25, 2f64.powi(-10), 2f64.powi(-26), 2f64.powi(-27), 2f64.powi(-40)] {
         let least = 1.0 / (omega * omega) - 1.0;
         match verdict(omega, least) {
-            Verdict::Degenerate(family) => assert_eq!(family.max_shift(), 0.0),
+            Verdict::Degenerate(family) => assert_eq!(family.max_shift, 0.0),
             other => panic!("{omega}: {other:?}"),
         }
         assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
@@ -38,7 +38,7 @@ fn one_over_2n_is_decided_to_the_last_float() {
 #[test]
 fn undecided_within_the_error_bound_only() {
     for omega in [0.052, 0.22, 0.3, 0.4, 0.45, 0.7, 0.99, 1.5, 20.0, 1.0 / 3.0] {
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         for over in [0.0, 4.0, -4.0] {
             assert_eq!(verdict(omega, least * (1.0 + over * f64::EPSILON)), EITHER, "{omega}");
         }
@@ -51,7 +51,7 @@ fn undecided_within_the_error_bound_only() {
 
 #[test]
 fn beside_a_pole_it_may_reverse_six_times() {
-    let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals().unwrap();
+    let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
     for (alpha, expected) in [
         (low * 0.999, Verdict::Sticking),
         (low * (1.0 - 1e-15), EITHER),
@@ -80,7 +80,7 @@ fn beside_a_pole_it_may_reverse_six_times() {
 #[test]
 fn a_wider_type_decides() {
     for omega in [0.22f32, 0.3, 0.4, 0.7, 1.5, 20.0] {
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         for alpha in [least, least.next_up(), least.next_down()] {
             let narrow = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
             assert_eq!(narrow, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
@@ -93,8 +93,8 @@ fn a_wider_type_decides() {
 fn the_error_bound_holds_at_single_precision() {
     for i in 1..4000u16 {
         let omega = f32::from(i) / 1000.0 + 0.02;
-        let narrow = f64::from(Border::new(omega).unwrap().min_force_ratio());
-        let wide = Border::new(f64::from(omega)).unwrap().min_force_ratio();
+        let narrow = f64::from(Border::new(omega).unwrap().min_force_ratio);
+        let wide = Border::new(f64::from(omega)).unwrap().min_force_ratio;
         let error = (narrow / wide - 1.0).abs() / f64::from(f32::EPSILON);
         assert!(error < f64::from(Place::<f32>::BORDER_ERROR), "{omega}: {error}");
     }
@@ -122,7 +122,7 @@ fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
     let place = |p0: f64| Place::of(&body, &Drive::force(p0, 1.0).unwrap()).unwrap();
     assert_eq!(place(2.0).verdict(), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
     assert_eq!(place(1.2).verdict(), Verdict::Sticking);
-    assert_eq!(place(2.0).margin(), 2.0 / place(2.0).border().min_force_ratio());
+    assert_eq!(place(2.0).margin(), 2.0 / place(2.0).border().min_force_ratio);
     // A third as written is next to a pole, where the border is undetermined.
     let drive = Drive::force(1e16, 1.0 / 3.0).unwrap();
     assert_eq!(Place::of(&body, &drive).unwrap().verdict(), EITHER);

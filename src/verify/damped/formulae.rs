@@ -37,10 +37,10 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
     /// The answers at (Ω, α, ζ).
     fn answers(&self, cycle: &Cycle<F>) -> Answers<F> {
         Answers {
-            max_displacement: cycle.max_displacement(),
-            displacement_phase: cycle.displacement_phase(),
-            max_velocity: cycle.max_velocity(),
-            velocity_phase: cycle.velocity_phase(),
+            max_displacement: cycle.max_displacement,
+            displacement_phase: cycle.displacement_phase,
+            max_velocity: cycle.max_velocity,
+            velocity_phase: cycle.velocity_phase,
             deviation: cycle.deviation(),
             loop_size_stiffness: cycle.loop_size_stiffness(),
             loop_size_inertia: cycle.loop_size_inertia(),
@@ -53,9 +53,9 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
     fn edge(&self, ratios: &Ratios<F>) -> Edge<F> {
         let border = Border::of(ratios);
         Edge {
-            min_force_ratio: border.min_force_ratio(),
-            phase: border.phase(),
-            least_displacement: border.least_displacement(),
+            min_force_ratio: border.min_force_ratio,
+            phase: border.touching_phase,
+            least_displacement: border.min_displacement,
         }
     }
     /// α* and A₁max at (Ω, ζ).

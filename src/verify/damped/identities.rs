@@ -90,41 +90,41 @@ fn by_motion<F: Float>() -> Vec<Identity<F>> {
     identities![
         "44, ζ" All "with damping Δ₀ is that of the exact motion": |c| {
             let m = c.motion.as_ref()?;
-            Some(c.within(m.steady.max_displacement() - c.answers.max_displacement, c.scale, m.doubt))
+            Some(c.within(m.steady.max_displacement.value - c.answers.max_displacement, c.scale, m.doubt))
         },
         "43, ζ" All "with damping ω_d t₂ is that of the exact motion": |c| {
             let m = c.motion.as_ref()?;
-            let phase = apart(m.steady.max_displacement_phase(), c.answers.displacement_phase);
-            let acceleration = c.omega().square() * m.steady.max_displacement() + F::int(1);
+            let phase = apart(m.steady.max_displacement.phase.reduced(), c.answers.displacement_phase);
+            let acceleration = c.omega().square() * m.steady.max_displacement.value + F::int(1);
             Some(c.within(phase * acceleration / c.omega(), c.scale * (F::int(1) + F::int(1) / c.omega()), m.doubt))
         },
         "49, ζ" All "with damping V₀ is the greatest velocity of the exact motion": |c| {
             let m = c.motion.as_ref()?;
-            let velocity = (m.steady.max_velocity() - c.answers.max_velocity) * c.omega();
+            let velocity = (m.steady.max_velocity.value - c.answers.max_velocity) * c.omega();
             Some(c.within(velocity, c.scale * (c.omega() + F::int(1)), m.doubt))
         },
         "62, ζ" All "with damping the exact motion has two reversals a cycle and no stop": |c| {
             let s = &c.motion.as_ref()?.steady;
-            Some((count::<F>(s.sticks_per_cycle(), 0) + count(s.velocity_zeros_per_cycle(), 2)) * c.scale)
+            Some((count::<F>(s.sticks_per_cycle, 0) + count(s.velocity_zeros_per_cycle, 2)) * c.scale)
         },
         "64, ζ" All "with damping A₁ is the work against friction": |c| {
             let m = c.motion.as_ref()?;
             let work = c.answers.loop_size_stiffness * c.alpha().square() / F::int(2);
-            Some(c.within((m.steady.energy_out() - work) / F::int(4), c.scale, m.doubt))
+            Some(c.within((m.steady.energy_out - work) / F::int(4), c.scale, m.doubt))
         },
         "67, ζ" All "with damping A₂ is Ω² times that work": |c| {
             let m = c.motion.as_ref()?;
             let work = c.answers.loop_size_inertia * (c.alpha() / c.omega()).square() / F::int(2);
-            Some(c.within((m.steady.energy_out() - work) / F::int(4), c.scale, m.doubt))
+            Some(c.within((m.steady.energy_out - work) / F::int(4), c.scale, m.doubt))
         },
         "ζ" All "the work of the damper is that of the exact motion": |c| {
             let m = c.motion.as_ref()?;
             let terms = (c.alpha() + c.scale) * c.scale * (F::int(1) + F::int(1) / c.omega());
-            Some(c.within(m.steady.damper_work() - c.answers.damper_work, terms, terms * m.doubt / c.scale))
+            Some(c.within(m.steady.damper_work - c.answers.damper_work, terms, terms * m.doubt / c.scale))
         },
         "λ, ζ" All "with damping λ₁² + λ₂² and λ₁²λ₂² are those of the exact motion's linearised cycle": |c| {
             let m = c.motion.as_ref()?;
-            let [(a, b), (p, q)] = m.steady.multipliers();
+            let [(a, b), (p, q)] = m.steady.multipliers;
             let (trace, product) = (a + p, a * p - b * q);
             let (sum, determinant) = half_cycle(c);
             let off =
@@ -155,7 +155,7 @@ fn on_the_border<F: Float>() -> Vec<Identity<F>> {
             let (alpha, u) = (b.edge.min_force_ratio, b.unknowns());
             let (x, w) = b.system.falling(&u, b.edge.phase);
             let sine = (u.displacement_phase + b.edge.phase).sin();
-            let damping = F::int(2) * c.cycle.ratios().damping_ratio();
+            let damping = F::int(2) * c.cycle.ratios.damping_ratio();
             let acceleration = (sine - x - damping * w) * alpha + F::int(1);
             Some(c.in_good_digits(&b.solved, acceleration.abs() + w.abs() * alpha, c.scale))
         },
@@ -179,7 +179,7 @@ fn on_the_border<F: Float>() -> Vec<Identity<F>> {
             Some(c.border.as_ref()?.best?.1 * c.scale)
         },
         "66, ζ" All "with damping A₁ of the exact motion at α* is A₁max": |c| {
-            let (_, most) = c.formulae.best(&c.cycle.ratios());
+            let (_, most) = c.formulae.best(&c.cycle.ratios);
             Some((c.border.as_ref()?.best?.0 / most - F::int(1)) * c.scale)
         },
     ]

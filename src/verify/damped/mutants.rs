@@ -22,7 +22,7 @@ fn edge(r: R<'_>) -> Edge<f64> {
 }
 
 fn half(c: C<'_>) -> HalfPeriod<f64> {
-    half_period(&c.ratios())
+    half_period(&c.ratios)
 }
 
 /// α_min by another S.
@@ -33,7 +33,7 @@ fn border(r: R<'_>, s: f64) -> Edge<f64> {
 
 /// a = Δ₀/B + G.
 fn amplitude(c: C<'_>) -> f64 {
-    c.max_displacement() + half(c).shift
+    c.max_displacement + half(c).shift
 }
 
 /// Roots of λ² + sum λ + product.
@@ -82,11 +82,11 @@ mutants! {
     "Δ₀ with +G": answers(c: C<'_>) -> Answers<f64> =
         Answers { max_displacement: amplitude(c) + half(c).shift, ..right(c) };
     "K without q": answers(c: C<'_>) -> Answers<f64> = {
-        let (h, alpha) = (half(c), c.ratios().alpha());
+        let (h, alpha) = (half(c), c.ratios.alpha());
         Answers { max_displacement: ((alpha / h.stiffness).powi(2) - (h.h / h.stiffness).powi(2)).sqrt() - h.shift, ..right(c) }
     };
     "|1 − Ω²| for q": answers(c: C<'_>) -> Answers<f64> = {
-        let (h, alpha) = (half(c), c.ratios().alpha());
+        let (h, alpha) = (half(c), c.ratios.alpha());
         Answers { max_displacement: ((alpha / h.lag.1.abs().max(1e-3)).powi(2) - h.h.powi(2)).abs().sqrt() - h.shift, ..right(c) }
     };
     "t₂ without the lag": answers(c: C<'_>) -> Answers<f64> = {
@@ -102,22 +102,22 @@ mutants! {
         Answers { displacement_phase: (h.phase_lag() + amplitude(c).atan2(-h.h)).rem_euclid(TAU), ..right(c) }
     };
     "V₀ of the drive alone": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_velocity: c.ratios().alpha() / half(c).stiffness, ..right(c) };
+        Answers { max_velocity: c.ratios.alpha() / half(c).stiffness, ..right(c) };
     "V₀ a part in 10⁹ too large": answers(c: C<'_>) -> Answers<f64> =
-        Answers { max_velocity: c.max_velocity() * (1.0 + 1e-9), ..right(c) };
+        Answers { max_velocity: c.max_velocity * (1.0 + 1e-9), ..right(c) };
     "t₁ a quarter turn before t₂": answers(c: C<'_>) -> Answers<f64> =
-        Answers { velocity_phase: (c.displacement_phase() - PI / 2.0).rem_euclid(TAU), ..right(c) };
+        Answers { velocity_phase: (c.displacement_phase - PI / 2.0).rem_euclid(TAU), ..right(c) };
     "Δ₁ without the damper's force": answers(c: C<'_>) -> Answers<f64> =
-        Answers { deviation: c.ratios().alpha() * c.velocity_phase().sin() - 1.0, ..right(c) };
+        Answers { deviation: c.ratios.alpha() * c.velocity_phase.sin() - 1.0, ..right(c) };
     "A₁ by a for Δ₀": answers(c: C<'_>) -> Answers<f64> =
-        Answers { loop_size_stiffness: 8.0 * amplitude(c) / c.ratios().alpha().powi(2), ..right(c) };
+        Answers { loop_size_stiffness: 8.0 * amplitude(c) / c.ratios.alpha().powi(2), ..right(c) };
     "A₂ without Ω²": answers(c: C<'_>) -> Answers<f64> =
         Answers { loop_size_inertia: c.loop_size_stiffness() * 1.0001, ..right(c) };
     "work of the damper without 4G": answers(c: C<'_>) -> Answers<f64> =
         Answers { damper_work: c.damper_work() - 4.0 * half(c).shift, ..right(c) };
     "work of the damper of the drive alone": answers(c: C<'_>) -> Answers<f64> = {
         let h = half(c);
-        let driven = h.omega * c.ratios().alpha() / h.stiffness;
+        let driven = h.omega * c.ratios.alpha() / h.stiffness;
         Answers { damper_work: 2.0 * h.free.zeta * h.period * driven * driven + 4.0 * h.shift, ..right(c) }
     };
     "work of the damper doubled": answers(c: C<'_>) -> Answers<f64> =
@@ -129,7 +129,7 @@ mutants! {
     "R without 2ζΩH": answers(c: C<'_>) -> Answers<f64> =
         multipliers(c, deceleration(c) + half(c).lag.0 * half(c).h, half(c).decay.powi(2));
     "R by Δ₀": answers(c: C<'_>) -> Answers<f64> =
-        multipliers(c, half(c).omega.powi(2) * c.max_displacement(), half(c).decay.powi(2));
+        multipliers(c, half(c).omega.powi(2) * c.max_displacement, half(c).decay.powi(2));
     "the smaller multiplier as contraction": answers(c: C<'_>) -> Answers<f64> =
         Answers { contraction: c.contraction() * 0.999, ..right(c) };
     "border: 1/Ω² for S": edge(r: R<'_>) -> Edge<f64> = border(r, 1.0 / r.omega().powi(2));

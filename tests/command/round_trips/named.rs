@@ -3,7 +3,7 @@
 use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
-use stickslip::exact::{Direction, End, Kind, LongRun, Phase, SteadyState};
+use stickslip::exact::{End, Kind, LongRun, Segment, SteadyState};
 use stickslip::regime::no_stop_force_ratios;
 use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 
@@ -86,42 +86,42 @@ fn named<const N: usize>(fields: [(&str, Cell); N]) -> Named {
 }
 
 pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named {
-    let (ratios, border, cycle) = (response.ratios(), response.border(), response.cycle());
+    let (ratios, border, cycle) = (response.ratios, response.border, response.cycle.as_ref());
     named([
         ("omega", Cell::of(ratios.omega())),
         ("alpha", Cell::of(ratios.alpha())),
-        ("regime", Cell::text(response.regime().name())),
-        ("max_displacement", Cell::or_absent(cycle.map(|c| c.max_displacement()))),
-        ("displacement_phase", Cell::or_absent(cycle.map(|c| c.displacement_phase()))),
-        ("max_velocity", Cell::or_absent(cycle.map(|c| c.max_velocity()))),
-        ("velocity_phase", Cell::or_absent(cycle.map(|c| c.velocity_phase()))),
+        ("regime", Cell::text(response.regime.name())),
+        ("max_displacement", Cell::or_absent(cycle.map(|c| c.max_displacement))),
+        ("displacement_phase", Cell::or_absent(cycle.map(|c| c.displacement_phase))),
+        ("max_velocity", Cell::or_absent(cycle.map(|c| c.max_velocity))),
+        ("velocity_phase", Cell::or_absent(cycle.map(|c| c.velocity_phase))),
         ("deviation", Cell::or_absent(cycle.map(|c| c.deviation()))),
-        ("min_force_ratio", Cell::of(border.min_force_ratio())),
-        ("min_force_ratio_turning_point", Cell::of(border.turning_point())),
-        ("loop_size_stiffness", Cell::or_absent(response.loop_size_stiffness())),
-        ("loop_size_inertia", Cell::or_absent(response.loop_size_inertia())),
-        ("best_force_ratio", Cell::of(response.best_force_ratio())),
-        ("best_loop_size", Cell::or_absent(response.best_loop_size())),
+        ("min_force_ratio", Cell::of(border.min_force_ratio)),
+        ("min_force_ratio_turning_point", Cell::of(border.turning_point)),
+        ("loop_size_stiffness", Cell::or_absent(response.loop_size_stiffness)),
+        ("loop_size_inertia", Cell::or_absent(response.loop_size_inertia)),
+        ("best_force_ratio", Cell::of(response.best_force_ratio)),
+        ("best_loop_size", Cell::or_absent(response.best_loop_size)),
         ("contraction", Cell::or_absent(cycle.map(|c| c.contraction()))),
         ("reversals_per_cycle", Cell::or_absent(response.reversals_per_cycle())),
         ("best_force_ratio_slides", Cell::text(&response.best_is_reached().to_string())),
-        ("dynamic_amplification", Cell::or_absent(cycle.map(|c| c.dynamic_amplification()))),
+        ("dynamic_amplification", Cell::or_absent(cycle.map(|c| c.max_displacement / c.ratios.alpha()))),
         ("max_acceleration", Cell::or_absent(cycle.map(|c| c.max_acceleration()))),
         ("transmitted_force", Cell::or_absent(cycle.map(|c| c.transmitted_force()))),
-        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmissibility()))),
+        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmitted_force() / c.ratios.alpha()))),
         ("max_absolute_displacement", Cell::or_absent(cycle.map(|c| c.max_absolute_displacement()))),
     ])
 }
 
 pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
-    let border = response.border();
+    let border = response.border;
     named([
-        ("omega", Cell::of(response.ratios().omega())),
-        ("min_force_ratio", Cell::of(border.min_force_ratio())),
-        ("min_force_ratio_turning_point", Cell::of(border.turning_point())),
-        ("border_phase", Cell::of(border.phase())),
-        ("least_displacement", Cell::of(border.least_displacement())),
-        ("best_force_ratio", Cell::of(response.best_force_ratio())),
+        ("omega", Cell::of(response.ratios.omega())),
+        ("min_force_ratio", Cell::of(border.min_force_ratio)),
+        ("min_force_ratio_turning_point", Cell::of(border.turning_point)),
+        ("border_phase", Cell::of(border.touching_phase)),
+        ("least_displacement", Cell::of(border.min_displacement)),
+        ("best_force_ratio", Cell::of(response.best_force_ratio)),
     ])
 }
 
@@ -131,10 +131,10 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) =
         (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
-    let six = without_stop.six_reversals();
-    let due = if alpha >= without_stop.border() && ratios.omega() == 1.0 {
+    let six = without_stop.six_reversals;
+    let due = if alpha >= without_stop.border && ratios.omega() == 1.0 {
         (Regime::Unbounded, None)
-    } else if alpha >= without_stop.border() {
+    } else if alpha >= without_stop.border {
         (Regime::NonSticking, Some(2))
     } else if six.is_some_and(|(low, high)| low <= alpha && alpha <= high) {
         (Regime::NonSticking, Some(6))
@@ -147,12 +147,12 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
         LongRun::Irregular(_) | LongRun::NotConverged { .. } => return (due.0, None, due.1),
         LongRun::Periodic(steady) | LongRun::Family(steady) => steady,
     };
-    let (sticks, zeros) = (steady.sticks_per_cycle(), steady.velocity_zeros_per_cycle());
+    let (sticks, zeros) = (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle);
     let found = if sticks > 0 { (Regime::Sticking, None) } else { (Regime::NonSticking, Some(zeros)) };
     if found == due {
         return (found.0, Some(sticks), found.1);
     }
-    let edges = [Some(without_stop.border()), six.map(|(low, _)| low), six.map(|(_, high)| high)];
+    let edges = [Some(without_stop.border), six.map(|(low, _)| low), six.map(|(_, high)| high)];
     let beside = edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < 1e-9);
     assert!(beside, "{found:?} by the motion, {due:?} by the borders at {ratios:?}");
     (due.0, Some(if due.0 == Regime::NonSticking { 0 } else { sticks }), due.1)
@@ -162,10 +162,10 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<f64>) -> f64| Cell::or_absent(steady.map(value));
     let (regime, sticks, reversals) = counted(ratios, limit);
-    let multiplier = |i: usize| steady.map(|s| s.multipliers()[i]);
+    let multiplier = |i: usize| steady.map(|s| s.multipliers[i]);
     let (kind, periods, rest) = match limit {
-        LongRun::Periodic(s) => ("periodic", Some(s.periods()), None),
-        LongRun::Family(s) => ("family", Some(s.periods()), None),
+        LongRun::Periodic(s) => ("periodic", Some(s.periods), None),
+        LongRun::Family(s) => ("family", Some(s.periods), None),
         LongRun::Rest(rest) => ("rest", Some(rest.periods), Some(rest.position)),
         LongRun::Unbounded { .. } => ("none", None, None),
         LongRun::Irregular(motion) => ("irregular", Some(motion.periods), None),
@@ -176,23 +176,23 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("alpha", Cell::of(ratios.alpha())),
         ("regime", Cell::text(regime.name())),
         ("limit", Cell::text(kind)),
-        ("max_displacement", number(|s| s.max_displacement())),
-        ("max_displacement_phase", number(|s| s.max_displacement_phase())),
-        ("min_displacement", number(|s| s.min_displacement())),
-        ("min_displacement_phase", number(|s| s.min_displacement_phase())),
-        ("max_velocity", number(|s| s.max_velocity())),
-        ("max_velocity_phase", number(|s| s.max_velocity_phase())),
-        ("min_velocity", number(|s| s.min_velocity())),
-        ("min_velocity_phase", number(|s| s.min_velocity_phase())),
+        ("max_displacement", number(|s| s.max_displacement.value)),
+        ("max_displacement_phase", number(|s| s.max_displacement.phase.reduced())),
+        ("min_displacement", number(|s| s.min_displacement.value)),
+        ("min_displacement_phase", number(|s| s.min_displacement.phase.reduced())),
+        ("max_velocity", number(|s| s.max_velocity.value)),
+        ("max_velocity_phase", number(|s| s.max_velocity.phase.reduced())),
+        ("min_velocity", number(|s| s.min_velocity.value)),
+        ("min_velocity_phase", number(|s| s.min_velocity.phase.reduced())),
         ("sticks_per_cycle", Cell::or_absent(sticks)),
-        ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle()))),
-        ("stick_fraction", number(|s| s.stick_fraction())),
+        ("velocity_zeros_per_cycle", Cell::or_absent(steady.map(|s| s.velocity_zeros_per_cycle))),
+        ("stick_fraction", number(|s| s.stick_fraction)),
         ("error_1", number(|s| s.errors().unwrap().error_1)),
         ("error_2", number(|s| s.errors().unwrap().error_2)),
         ("error_3", number(|s| s.errors().unwrap().error_3)),
         ("error_4", number(|s| s.errors().unwrap().error_4)),
-        ("energy_in", number(|s| s.energy_in())),
-        ("energy_out", number(|s| s.energy_out())),
+        ("energy_in", number(|s| s.energy_in)),
+        ("energy_out", number(|s| s.energy_out)),
         ("multipliers_1_re", Cell::or_absent(multiplier(0).map(|(re, _)| re))),
         ("multipliers_1_im", Cell::or_absent(multiplier(0).map(|(_, im)| im))),
         ("multipliers_2_re", Cell::or_absent(multiplier(1).map(|(re, _)| re))),
@@ -203,9 +203,9 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
         ("reversals_per_cycle", Cell::or_absent(reversals)),
         (
             "dynamic_amplification",
-            Cell::or_absent(
-                steady.map(|s| s.max_displacement().abs().max(s.min_displacement().abs()) / ratios.alpha()),
-            ),
+            Cell::or_absent(steady.map(|s| {
+                s.max_displacement.value.abs().max(s.min_displacement.value.abs()) / ratios.alpha()
+            })),
         ),
         ("max_acceleration", number(|s| s.peaks().unwrap().acceleration)),
         ("transmitted_force", number(|s| s.peaks().unwrap().transmitted_force)),
@@ -217,14 +217,14 @@ pub(crate) fn of_steady(ratios: Ratios<f64>, limit: &LongRun<f64>) -> Named {
     ])
 }
 
-pub(crate) fn of_phase(phase: &Phase<f64>) -> Named {
+pub(crate) fn of_phase(phase: &Segment<f64>) -> Named {
     let (start, end) = (phase.start(), phase.end());
-    let kind = match phase.kind() {
-        Kind::Slide(Direction::Forward) => "slide-forward",
-        Kind::Slide(Direction::Backward) => "slide-backward",
+    let kind = match phase.kind {
+        Kind::SlideForward => "slide-forward",
+        Kind::SlideBackward => "slide-backward",
         Kind::Stick => "stick",
     };
-    let ends_by = match phase.ends_by() {
+    let ends_by = match phase.ends_by {
         End::Reversal => "reversal",
         End::Stop => "stop",
         End::Grazing => "grazing",
@@ -252,9 +252,9 @@ pub(crate) fn of_machine(
     drive: &Drive<f64>,
     scales: &Scales<f64>,
 ) -> Vec<(&'static str, Option<f64>)> {
-    let (border, cycle) = (response.border(), response.cycle());
+    let (border, cycle) = (response.border, response.cycle.as_ref());
     let scaled = |value: Option<f64>, unit: f64| value.map(|v| v * unit);
-    let best_force = response.best_force_ratio() * scales.force;
+    let best_force = response.best_force_ratio * scales.force;
     vec![
         ("frequency", Some(drive.angular_frequency() / std::f64::consts::TAU)),
         ("angular_frequency", Some(drive.angular_frequency())),
@@ -265,21 +265,21 @@ pub(crate) fn of_machine(
         ("friction", Some(body.friction_bound())),
         ("force_amplitude", Some(drive.force_amplitude(body))),
         ("friction_displacement", Some(scales.length)),
-        ("max_displacement", scaled(cycle.map(|c| c.max_displacement()), scales.length)),
-        ("displacement_time", scaled(cycle.map(|c| c.displacement_phase()), scales.time)),
-        ("max_velocity", scaled(cycle.map(|c| c.max_velocity()), scales.velocity)),
-        ("velocity_time", scaled(cycle.map(|c| c.velocity_phase()), scales.time)),
+        ("max_displacement", scaled(cycle.map(|c| c.max_displacement), scales.length)),
+        ("displacement_time", scaled(cycle.map(|c| c.displacement_phase), scales.time)),
+        ("max_velocity", scaled(cycle.map(|c| c.max_velocity), scales.velocity)),
+        ("velocity_time", scaled(cycle.map(|c| c.velocity_phase), scales.time)),
         ("deviation", scaled(cycle.map(|c| c.deviation()), scales.length)),
         ("max_acceleration", scaled(cycle.map(|c| c.max_acceleration()), scales.velocity / scales.time)),
         ("transmitted_force", scaled(cycle.map(|c| c.transmitted_force()), scales.force)),
-        ("min_force", scaled(Some(border.min_force_ratio()), scales.force)),
-        ("min_force_turning_point", scaled(Some(border.turning_point()), scales.force)),
-        ("energy_per_cycle", scaled(response.loop_size_stiffness(), scales.energy_stiffness)),
+        ("min_force", scaled(Some(border.min_force_ratio), scales.force)),
+        ("min_force_turning_point", scaled(Some(border.turning_point), scales.force)),
+        ("energy_per_cycle", scaled(response.loop_size_stiffness, scales.energy_stiffness)),
         ("best_force", Some(best_force)),
         // A₁ is stated per p₀²/(2k) of the force that it is the largest of.
         (
             "best_force_energy",
-            scaled(response.best_loop_size(), 0.5 * best_force * (best_force / body.stiffness())),
+            scaled(response.best_loop_size, 0.5 * best_force * (best_force / body.stiffness())),
         ),
     ]
 }

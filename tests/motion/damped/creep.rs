@@ -15,7 +15,7 @@ fn a_long_creep_is_one_slide() {
     let motion = Trajectory::new(ratios(1.0, 50.0, 2.0), start).unwrap();
     let first = motion.map(Result::unwrap).next().unwrap();
     assert!(first.duration().unwrap() > 100.0 * PI, "{first:?}");
-    assert!(matches!(first.kind(), Kind::Slide(_)));
+    assert!(first.kind != Kind::Stick);
 }
 
 /// A start so far out that the forced motion is below its rounding: the free vibration forgets it, and where
@@ -66,11 +66,11 @@ fn a_creep_from_far_out_keeps_its_digits() {
 fn fast_drives_settle_beside_critical_damping() {
     for omega in [1e2, 1e4, 1e5, 1e6] {
         for zeta in [0.999, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.001, 1.1, 3.0] {
-            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             for over in [1.01, 2.0, 10.0] {
                 let steady = from_rest(ratios(omega, zeta, least * over));
                 let cycle = Cycle::new(ratios(omega, zeta, least * over)).unwrap();
-                let off = steady.max_displacement() / cycle.max_displacement() - 1.0;
+                let off = steady.max_displacement.value / cycle.max_displacement - 1.0;
                 assert!(off.abs() < 1e-9, "{omega} {zeta} {over}: {off:e} {steady:?}");
             }
         }
@@ -95,7 +95,7 @@ fn a_long_creep_under_a_fast_drive_is_one_slide() {
         let slide = Trajectory::new(ratios, start)
             .unwrap()
             .map(Result::unwrap)
-            .find(|phase| matches!(phase.kind(), Kind::Slide(_)))
+            .find(|phase| phase.kind != Kind::Stick)
             .unwrap();
         // The displacement decays as e^{−σt} to −1; the amplitude of the forced velocity is G.
         let slow = 1.0 / (zeta + (zeta * zeta - 1.0).sqrt());

@@ -18,7 +18,7 @@ fn damped_beside_poles(seed: u64) -> impl Iterator<Item = (Ratios<f64>, f64, f64
     });
     points.filter_map(|ratios| {
         let found = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap();
-        found.six_reversals().map(|(low, high)| (ratios, low, high))
+        found.six_reversals.map(|(low, high)| (ratios, low, high))
     })
 }
 
@@ -36,7 +36,7 @@ fn at_256_bits(ratios: Ratios<f64>) -> Ratios<Mp<4>> {
 fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<String>) {
     let (mut random, mut compared, mut unsettled, mut wrong) = (Random(seed + 1), 0, 0, Vec::new());
     for (ratios, low, high) in damped_beside_poles(seed).take(points) {
-        let border = Border::of(&ratios).min_force_ratio();
+        let border = Border::of(&ratios).min_force_ratio;
         assert!(low < high && high < border, "{ratios:?}: {low} {high} {border}");
         let within = [low * (1.0 + 1e-9), low * (high / low).powf(random.next()), high * (1.0 - 1e-9)];
         let gap = high + (border - high) * random.next();
@@ -64,7 +64,7 @@ fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<S
 }
 
 fn regime_of(ratios: Ratios<f64>) -> Regime {
-    Response::new(ratios).regime()
+    Response::new(ratios).regime
 }
 
 #[test]
@@ -94,7 +94,7 @@ fn damped_elsewhere(points: usize, seed: u64) -> (u32, Vec<String>) {
             if random.next() < 0.8 { pole + random.between(-0.05, 0.06) } else { random.between(2.0, 12.0) };
         let zeta = if random.next() < 0.5 { random.scale(1e-6, 2e-2) } else { random.scale(5e-4, 8e-3) };
         let ratios = Ratios::new(1.0 / half_turns, 2.0).unwrap().with_damping_ratio(zeta).unwrap();
-        let border = Border::of(&ratios).min_force_ratio();
+        let border = Border::of(&ratios).min_force_ratio;
         let alpha = (border * random.scale(0.02, 1.0)).max(1.01);
         let at = damped_at(ratios, alpha);
         if alpha >= border {
@@ -142,7 +142,7 @@ fn with_a_damper_the_edges_are_known_to_rounding() {
     for (ratios, low, high) in damped_beside_poles(121).take(60).filter(|(_, low, high)| high > &(low * 1.2))
     {
         let wide = no_stop_force_ratios(Mp::<8>::from(ratios.omega()), Mp::from(ratios.damping_ratio()));
-        let (wide_low, wide_high) = wide.unwrap().six_reversals().unwrap();
+        let (wide_low, wide_high) = wide.unwrap().six_reversals.unwrap();
         let error = ulps(low, wide_low).max(ulps(high, wide_high));
         assert!(error < 64.0, "{ratios:?}: {error}");
         worst = f64::max(worst, error);

@@ -34,7 +34,7 @@ fn a_million_points() {
             2 => (1.0 + sign * 2f64.powf(-3.0 - 49.0 * random())) / n,
             _ => (1.0 + sign * 2f64.powf(-1.0 - 9.0 * random())) / n,
         };
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         let alpha = match i % 3 {
             0 => least * (1.0 + 20.0 * random()),
             1 => least * (1.0 + 2f64.powf(-52.0 * random())),
@@ -51,9 +51,9 @@ fn a_million_points() {
         std::hint::black_box(Output::ALL.map(|output| output.of(&plain)));
         without += begun.elapsed();
         let exact = Response::guarded(Ratios::new(Mp::<4>::from(omega), Mp::from(alpha)).unwrap());
-        undecided += u64::from(found.regime().is_none());
-        more_bits += u64::from(found.bits() > 128);
-        assert!(found.bits() <= MAX_BITS);
+        undecided += u64::from(found.regime.is_none());
+        more_bits += u64::from(found.bits > 128);
+        assert!(found.bits <= MAX_BITS);
         for output in Output::ALL {
             if let Some(enclosure) = found.get(output)
                 && let Some(value) = output.of(&exact)

@@ -26,7 +26,7 @@ fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
             1 => (7.0 * (share(0.618_033_988_749_895) - 0.5)).exp(),
             _ => (1.0 + (sign - 0.5).signum() * 2f64.powf(-2.0 - 49.0 * share(0.618_033_988_749_895))) / n,
         };
-        let least = Border::new(omega).unwrap().min_force_ratio();
+        let least = Border::new(omega).unwrap().min_force_ratio;
         let alpha = least * (1.0 + 8.0 * share(0.754_877_666_246_693).powi(6) + 1e-12);
         let found = at_point(omega, alpha);
         let point = RatioBox::new(Interval::exactly(omega), Interval::exactly(alpha)).unwrap();

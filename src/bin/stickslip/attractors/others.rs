@@ -79,7 +79,7 @@ impl<F: Value> Others<F> {
                 first: None,
                 mirror: *mirror,
                 steady: Some(steady),
-                extrema: Some((steady.min_displacement(), steady.max_displacement())),
+                extrema: Some((steady.min_displacement.value, steady.max_displacement.value)),
                 exponent: None,
                 range: None,
             }
@@ -100,10 +100,10 @@ impl<F: Value> Others<F> {
             let stability = if steady.is_stable() { "stable" } else { "unstable" };
             let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
             writeln!(out, "\n{number}. {}, {stability}{mirror}", shape(steady))?;
-            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
-            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
-            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle())?;
-            let [(re, im), _] = steady.multipliers();
+            writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
+            writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
+            writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
+            let [(re, im), _] = steady.multipliers;
             let imaginary =
                 if im == F::int(0) { String::new() } else { format!(" ± {} i", digits(im.abs())) };
             writeln!(out, "  greatest multiplier      {}{imaginary} in a cycle", digits(re))?;

@@ -24,11 +24,11 @@ impl Asked {
         };
         // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B
         // ω_d², r_y and B.
-        let (peaks, regime, sticks) = match response.cycle() {
+        let (peaks, regime, sticks) = match response.cycle.as_ref() {
             Some(c) => {
                 let of_cycle = match self.what {
-                    Curve::Displacement => c.max_displacement(),
-                    Curve::Velocity => c.max_velocity(),
+                    Curve::Displacement => c.max_displacement,
+                    Curve::Velocity => c.max_velocity,
                     Curve::Acceleration => c.max_acceleration(),
                     Curve::Force | Curve::Transmissibility => {
                         felt(c.transmitted_force(), c.max_acceleration())
@@ -37,17 +37,19 @@ impl Asked {
                 };
                 (Some(of_cycle), "non-sticking", false)
             }
-            None if response.regime() == Regime::Unbounded => (None, "unbounded", false),
+            None if response.regime == Regime::Unbounded => (None, "unbounded", false),
             None => {
                 let fail = |e: Error| Failure::Input(format!("{}: {e}", self.axis.option()));
-                let limit = LongRun::from_start(point.ratios, State::rest()).map_err(fail)?;
+                let limit = LongRun::from_start(point.ratios, State::default()).map_err(fail)?;
                 match (limit.steady_state(), &limit) {
                     (Some(s), _) => {
-                        let sticks = s.sticks_per_cycle() > 0;
+                        let sticks = s.sticks_per_cycle > 0;
                         let peaks = s.peaks().map_err(fail)?;
                         let of_motion = match self.what {
-                            Curve::Displacement => s.max_displacement().abs().max(s.min_displacement().abs()),
-                            Curve::Velocity => s.max_velocity().abs().max(s.min_velocity().abs()),
+                            Curve::Displacement => {
+                                s.max_displacement.value.abs().max(s.min_displacement.value.abs())
+                            }
+                            Curve::Velocity => s.max_velocity.value.abs().max(s.min_velocity.value.abs()),
                             Curve::Acceleration => peaks.acceleration,
                             Curve::Force | Curve::Transmissibility => {
                                 felt(peaks.transmitted_force, peaks.acceleration)

@@ -14,7 +14,7 @@ impl<F: Value> Asked<'_, F> {
         let (found, unit, fields) = if self.physical {
             let (body, frequency) = (self.body(true, true)?, self.frequency()?);
             let forces = design::forces_without_stop(&body, frequency).map_err(|e| self.fail(e))?;
-            let fields = force_and_base_motions(&body, frequency, forces.least());
+            let fields = force_and_base_motions(&body, frequency, forces.min());
             (forces, self.system().force(), fields)
         } else {
             self.one_friction()?;
@@ -22,7 +22,7 @@ impl<F: Value> Asked<'_, F> {
             let found = no_stop_force_ratios(omega, self.damping_ratio());
             let ratios = found.map_err(|e| self.fail(e))?;
             let fields =
-                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(ratios.least()))];
+                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(ratios.min()))];
             (ratios, "r_y", fields)
         };
         let (name, kind) = if self.physical {

@@ -102,9 +102,9 @@ impl Answer<'_> {
     }
 
     fn text(&self, out: &mut impl Write) -> Outcome {
-        let bits = self.found.bits();
+        let bits = self.found.bits;
         if self.has_regime {
-            let verdict = match self.found.regime() {
+            let verdict = match self.found.regime {
                 Some(Regime::Stuck) => {
                     "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned()
                 }
@@ -148,12 +148,12 @@ impl Serialize for Answer<'_> {
             map.serialize_entry(name, text)?;
         }
         if self.has_regime {
-            map.serialize_entry("regime", &self.found.regime().map(Regime::name))?;
+            map.serialize_entry("regime", &self.found.regime.map(Regime::name))?;
         }
         for output in &self.outputs {
             map.serialize_entry(output.name(), &self.found.get(*output))?;
         }
-        map.serialize_entry("bits", &self.found.bits())?;
+        map.serialize_entry("bits", &self.found.bits)?;
         map.end()
     }
 }

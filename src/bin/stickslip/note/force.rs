@@ -16,11 +16,11 @@ pub(super) fn needed_force<F: Value>(
     units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let border = response.border();
+    let border = response.border;
     let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force());
     writeln!(out, "\nForce")?;
-    if let Some(cycle) = response.cycle() {
-        let (ratios, acceleration) = (response.ratios(), cycle.max_acceleration());
+    if let Some(cycle) = response.cycle.as_ref() {
+        let (ratios, acceleration) = (response.ratios, cycle.max_acceleration());
         let at = (ratios.omega(), ratios.alpha());
         let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
@@ -31,29 +31,29 @@ pub(super) fn needed_force<F: Value>(
         };
         writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
-    let ratios = response.ratios();
+    let ratios = response.ratios;
     let no_stop = if ratios.has_higher_static_friction() {
         None
     } else {
         no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).ok()
     };
-    match no_stop.as_ref().and_then(NoStop::six_reversals) {
-        None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio()))?,
+    match no_stop.as_ref().and_then(|it| it.six_reversals) {
+        None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio))?,
         Some((low, high)) => {
             writeln!(out, "  minimum without a stop   {}", forces(low))?;
             writeln!(out, "    up to                  {}  (six reversals a cycle)", forces(high))?;
-            writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
+            writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio))?;
             writeln!(out, "    (between these two the body stops)")?;
         }
     }
-    not_to_be_held(response.ratios().omega(), border.min_force_ratio(), out)?;
-    if border.turning_point() < border.min_force_ratio() && !response.ratios().is_damped() {
-        let eq_61 = digits(border.turning_point());
+    not_to_be_held(response.ratios.omega(), border.min_force_ratio, out)?;
+    if border.turning_point < border.min_force_ratio && !response.ratios.is_damped() {
+        let eq_61 = digits(border.turning_point);
         writeln!(out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
     }
-    match response.best_loop_size() {
+    match response.best_loop_size {
         Some(size) if response.best_is_reached() => {
-            writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio()))?;
+            writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio))?;
             writeln!(out, "    with A₁ =              {}", digits(size))?;
             if size.to_f64() > ABSURD {
                 writeln!(out, "    (Ω is too close to 1/(2n), where it is infinite, for any machine)")?;
@@ -69,7 +69,7 @@ pub(super) fn needed_force<F: Value>(
         Some(_) | None => writeln!(
             out,
             "  of maximum dissipation   the minimum above; the optimum of eq. 65, {} r_y, would stick",
-            digits(response.best_force_ratio())
+            digits(response.best_force_ratio)
         ),
     }
 }
@@ -89,8 +89,8 @@ fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Re
 
 /// With which forces the body does not stop, as the end of a sentence.
 pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
-    let border = digits(found.border());
-    match found.six_reversals() {
+    let border = digits(found.border);
+    match found.six_reversals {
         None => format!("at a force of {border} {unit} or more"),
         Some((low, high)) => format!(
             "at a force of {} to {} {unit}, where it reverses six times a cycle, and of {border} {unit} or \
@@ -115,13 +115,13 @@ pub(crate) fn border<F: Value>(
     units: &System,
     out: &mut impl Write,
 ) -> io::Result<()> {
-    let (omega, border) = (answer.ratios().omega(), answer.border());
+    let (omega, border) = (answer.ratios.omega(), answer.border);
     let forces = |x| both(x, "r_y", scales.map(|s| s.force), units.force());
     let lengths = |x| both(x, "B", scales.map(|s| s.length), units.length());
     let times = |x| both(x, "rad", scales.map(|s| s.time), "s");
     match found {
         None => {
-            let least = digits(border.min_force_ratio());
+            let least = digits(border.min_force_ratio);
             let cycle = "the cycle of two reversals does not stick at a force of";
             writeln!(out, "At Ω = {} {cycle} {least} r_y or more.\n", digits(omega))?;
         }
@@ -129,21 +129,25 @@ pub(crate) fn border<F: Value>(
             writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
         }
     }
-    if answer.ratios().is_damped() {
-        writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios().damping_ratio()))?;
+    if answer.ratios.is_damped() {
+        writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios.damping_ratio()))?;
     }
-    if let Some((low, high)) = found.and_then(NoStop::six_reversals) {
+    if let Some((low, high)) = found.and_then(|it| it.six_reversals) {
         writeln!(out, "  six reversals from       {}", forces(low))?;
         writeln!(out, "    up to                  {}", forces(high))?;
     }
-    writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio()))?;
-    not_to_be_held(omega, border.min_force_ratio(), out)?;
-    writeln!(out, "  at the turning point     {}", forces(border.turning_point()))?;
+    writeln!(out, "  two-reversal border      {}", forces(border.min_force_ratio))?;
+    not_to_be_held(omega, border.min_force_ratio, out)?;
+    writeln!(out, "  at the turning point     {}", forces(border.turning_point))?;
     writeln!(
         out,
         "    (eq. 61{})",
-        if omega >= exact_from(answer.ratios()) { ", exact here" } else { ", necessary only here" }
+        if omega >= exact_from(answer.ratios) { ", exact here" } else { ", necessary only here" }
     )?;
-    writeln!(out, "  minimum displacement     {}", lengths(border.least_displacement()))?;
-    writeln!(out, "  velocity touches zero    {} after the maximum displacement", times(border.phase()))
+    writeln!(out, "  minimum displacement     {}", lengths(border.min_displacement))?;
+    writeln!(
+        out,
+        "  velocity touches zero    {} after the maximum displacement",
+        times(border.touching_phase)
+    )
 }

@@ -111,7 +111,7 @@ fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
             Some(_) | None => "Non-sticking: the body never stops.".to_owned(),
         },
         n => {
-            let part = digits((steady.stick_fraction().to_f64() * 1e4).round() / 1e2);
+            let part = digits((steady.stick_fraction.to_f64() * 1e4).round() / 1e2);
             format!("Sticking: {n} stops in a cycle, {part} % of the time.")
         }
     }
@@ -130,26 +130,26 @@ fn motion<F: Value>(
     let phase = |x| both(x, "rad", scales.map(|s| s.time), "s");
     let speed = |x| both(x, "B ω_d", scales.map(|s| s.velocity), &speed_unit);
     let work = |x| both(x, "r_y B", scales.map(|s| s.force * s.length), &work_unit);
-    writeln!(out, "  maximum displacement     {}", length(steady.max_displacement()))?;
-    writeln!(out, "    at ω_d t               {}", phase(steady.max_displacement_phase()))?;
-    writeln!(out, "  minimum displacement     {}", length(steady.min_displacement()))?;
-    writeln!(out, "    at ω_d t               {}", phase(steady.min_displacement_phase()))?;
-    writeln!(out, "  maximum velocity         {}", speed(steady.max_velocity()))?;
-    writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity_phase()))?;
-    writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity()))?;
-    writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity_phase()))?;
+    writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_displacement.phase.reduced()))?;
+    writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_displacement.phase.reduced()))?;
+    writeln!(out, "  maximum velocity         {}", speed(steady.max_velocity.value))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.max_velocity.phase.reduced()))?;
+    writeln!(out, "  minimum velocity         {}", speed(steady.min_velocity.value))?;
+    writeln!(out, "    at ω_d t               {}", phase(steady.min_velocity.phase.reduced()))?;
     if let Ok(found) = steady.peaks() {
         peaks(&found, point, units, out)?;
     }
-    writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle())?;
-    writeln!(out, "  work of the drive        {}", work(steady.energy_in()))?;
-    writeln!(out, "  work against friction    {}", work(steady.energy_out()))?;
-    if steady.damper_work() > F::int(0) {
-        writeln!(out, "  work against the damper  {}", work(steady.damper_work()))?;
+    writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle)?;
+    writeln!(out, "  work of the drive        {}", work(steady.energy_in))?;
+    writeln!(out, "  work against friction    {}", work(steady.energy_out))?;
+    if steady.damper_work > F::int(0) {
+        writeln!(out, "  work against the damper  {}", work(steady.damper_work))?;
     }
     writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
     let far = format!("{:.0e}", steady.distance().0.to_f64());
-    let periods = digits(steady.periods().to_f64());
+    let periods = digits(steady.periods.to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }
 

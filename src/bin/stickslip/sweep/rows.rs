@@ -151,7 +151,7 @@ pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -
     Ok(match question {
         Swept::Response => response::answer(given, &input::point(given)?, peaks)?.1,
         Swept::Steady => {
-            steady::answer(given, &input::point(given)?, State::rest(), DEFAULT_BUDGET, peaks)?.1
+            steady::answer(given, &input::point(given)?, State::default(), DEFAULT_BUDGET, peaks)?.1
         }
         Swept::Border => border::record(given, &input::border_point(given)?, false)?.2,
     })
@@ -169,7 +169,7 @@ pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
         Swept::Response => input::point(given).map(|_| ()),
         Swept::Steady => {
             let ratios = input::point(given)?.ratios;
-            Trajectory::new(ratios, State::rest()).map(|_| ()).map_err(|e| given.at_fault(e))
+            Trajectory::new(ratios, State::default()).map(|_| ()).map_err(|e| given.at_fault(e))
         }
     })
 }
