@@ -35,14 +35,6 @@ pub enum Error {
         /// Its value.
         value: Number,
     },
-    /// A damper in a calculation that does not include damping.
-    #[error(
-        "damping ratio ζ = {damping_ratio} must be 0 here: this calculation does not include viscous damping"
-    )]
-    Damped {
-        /// Damping ratio ζ.
-        damping_ratio: Number,
-    },
     /// A static friction below the kinetic one.
     #[error(
         "static friction ratio η = {static_friction_ratio} must be ≥ 1: static friction is not below the \
@@ -230,7 +222,6 @@ impl Error {
             | Self::Negative { quantity, .. }
             | Self::OutOfRange { quantity, .. }
             | Self::EmptyRange { quantity, .. } => Some(*quantity),
-            Self::Damped { .. } => Some(Quantity::DampingRatio),
             Self::BelowKineticFriction { .. } | Self::StaticFriction { .. } => {
                 Some(Quantity::StaticFrictionRatio)
             }

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | [`RatioBox`] | Ω and α in intervals |
+//! | [`RatioBox`] | Ω, α and ζ in intervals |
 //! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, ω_d and c in intervals |
 //! | `enclosure` | guaranteed ranges of the displacement and the energy |
 //! | `enclosed` | ranges of any output in ball arithmetic (feature `mp`) |

@@ -3,12 +3,14 @@
 
 mod machine;
 mod parts;
+mod verdict;
 
 use super::{Interval, Known, Range, RatioBox};
 use crate::enclosed::{self, Enclosure, Regime, Response};
 use crate::error::Error;
 use crate::float::Float;
 use crate::output::Output;
+use crate::regime::{Regime as Decided, Verdict};
 use parts::{Ends, Over};
 use rug::{Rational, float::Round};
 
@@ -37,17 +39,45 @@ impl<F: Float> RatioBox<F> {
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
-        let (Some(omega), Some(alpha)) = (ends(self.omega()), ends(self.alpha())) else { return Ok(None) };
+        let Some([omega, alpha, zeta]) = self.ends() else { return Ok(None) };
         // The border is the same at every α.
         let is_of_border = !output.is_of_cycle() && output != Output::Margin;
         let alpha = if is_of_border { (alpha.0.clone(), alpha.0) } else { alpha };
-        let zero = (Rational::new(), Rational::new());
-        let found = parts::range(vec![omega, alpha], pieces, |part| {
-            let [omega, alpha] = part else { return Ok(Over::Undecided) };
-            let found = response(output, [omega, alpha, &zero])?;
+        let found = parts::range(vec![omega, alpha, zeta], pieces, |part| {
+            let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
+            let found = response(output, [omega, alpha, zeta])?;
             Ok(over(output, &found, bounds))
         })?;
         Ok(found.map(guaranteed))
+    }
+
+    /// The verdict that holds for the whole box, with its damping, by the range of the margin in ball arithmetic: as [`RatioBox::enclosed`],
+    /// which cuts the box into `pieces` parts at most. What is proved of it and what searched is said at [`super::MachineBox::enclosed_verdict`].
+    ///
+    /// # Errors
+    /// As for [`RatioBox::enclosed`].
+    ///
+    /// ```
+    /// use stickslip::Verdict;
+    /// use stickslip::uncertainty::{Interval, RatioBox};
+    /// let ratios = |alpha| {
+    ///     let undamped = RatioBox::new(Interval::between(0.84, 0.86)?, Interval::relative(alpha, 0.05)?)?;
+    ///     undamped.with_damping_ratio(Interval::between(0.03, 0.05)?)
+    /// };
+    /// assert_eq!(ratios(2.4)?.enclosed_verdict(100)?, Verdict::NonSticking);
+    /// assert_eq!(ratios(1.1)?.enclosed_verdict(100)?, Verdict::Sticking);
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
+        let Some([omega, alpha, zeta]) = self.ends() else {
+            return Ok(Verdict::Undecided(Decided::Sticking, Decided::NonSticking));
+        };
+        verdict::by_margin([&omega, &alpha, &zeta], || self.enclosed(Output::Margin, pieces))
+    }
+
+    /// The intervals of Ω, α and ζ.
+    fn ends(&self) -> Option<[Ends; 3]> {
+        Some([ends(self.omega())?, ends(self.alpha())?, ends(self.damping_ratio())?])
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, RatioBox, samples};
-use crate::error::{Error, written};
+use crate::error::Error;
 use crate::float::Float;
 use crate::oscillator::{Drive, Oscillator, Scales};
 use crate::output::Output;
@@ -104,20 +104,15 @@ impl<F: Float> MachineBox<F> {
         if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
 
-    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, each
-    /// monotone in each parameter.
+    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, ζ = c/(2√(km)), each monotone in each
+    /// parameter.
     ///
-    /// Its ends are taken, but under base motion, where k is in both, not every pair in it is. Widened by
-    /// what the quotients and the root may have lost to rounding.
+    /// Its ends are taken, but under base motion and with a damper, where k and m are in more than one, not all of it is. Widened by what the quotients and the
+    /// root may have lost to rounding.
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`crate::Ratios`]; [`Error::Damped`] with a damper, for which
-    /// nothing is known over a box but by `MachineBox::enclosed` and `MachineBox::enclosed_verdict`.
+    /// Where a ratio leaves the domain of [`crate::Ratios`].
     pub fn ratios(&self) -> Result<RatioBox<F>, Error> {
-        if self.is_damped() {
-            let (body, _) = self.at([F::int(1); 6])?;
-            return Err(Error::Damped { damping_ratio: written(body.damping_ratio()) });
-        }
         let ratio = self.stiffness.over(self.mass);
         let natural = Interval { low: ratio.low.sqrt(), high: ratio.high.sqrt() };
         let omega = self.angular_frequency.over(natural);
@@ -126,12 +121,16 @@ impl<F: Float> MachineBox<F> {
             let share = F::int(2) * F::epsilon();
             Interval { low: i.low - share * i.low, high: i.high + share * i.high }
         };
-        RatioBox::new(wider(omega), wider(alpha))
+        let root = self.stiffness.times(self.mass);
+        let critical = |square: F| F::int(2) * square.sqrt();
+        let critical = Interval { low: critical(root.low), high: critical(root.high) };
+        RatioBox::new(wider(omega), wider(alpha))?.with_damping_ratio(wider(self.damping.over(critical)))
     }
 
     /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under base motion a box that is just decided may be called undecided ([`MachineBox::ratios`]).
+    /// Under base motion and with a damper a box that is just decided may be called undecided ([`MachineBox::ratios`]). A damper
+    /// takes the feature `mp` ([`RatioBox::verdict`]); `MachineBox::enclosed_verdict` cuts the box into as many parts as it is told to.
     ///
     /// # Errors
     /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].

@@ -1,4 +1,4 @@
-//! Ω and α in intervals.
+//! Ω, α and ζ in intervals.
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, samples};
@@ -7,15 +7,22 @@ use crate::float::Float;
 use crate::nonsticking::border::border_range;
 use crate::output::Output;
 use crate::ratios::Ratios;
+#[cfg(not(feature = "mp"))]
+use crate::regime::Regime;
 use crate::regime::{Place, Verdict};
 use crate::response::Response;
 
-/// Frequency and force ratio in intervals.
+/// Parts that a verdict with damping cuts a box into, at most.
+#[cfg(feature = "mp")]
+const VERDICT_PARTS: u32 = 64;
+
+/// Frequency and force ratio in intervals; and the damping ratio, if there is a damper ([`RatioBox::with_damping_ratio`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct RatioBox<F> {
     omega: Interval<F>,
     alpha: Interval<F>,
+    damping_ratio: Interval<F>,
 }
 
 impl<F: Float> RatioBox<F> {
@@ -26,7 +33,20 @@ impl<F: Float> RatioBox<F> {
     pub fn new(omega: Interval<F>, alpha: Interval<F>) -> Result<Self, Error> {
         Ratios::new(omega.low, alpha.low)?;
         Ratios::new(omega.high, alpha.high)?;
-        Ok(Self { omega, alpha })
+        Ok(Self { omega, alpha, damping_ratio: Interval::exactly(F::int(0)) })
+    }
+
+    /// The same with the damping ratio ζ in an interval.
+    ///
+    /// Ranges are sampled then ([`RatioBox::range`]) or, with the feature `mp`, proved (`RatioBox::enclosed`).
+    ///
+    /// # Errors
+    /// Where an end is outside the domain of [`Ratios::with_damping_ratio`].
+    pub fn with_damping_ratio(self, damping_ratio: Interval<F>) -> Result<Self, Error> {
+        let any = Ratios::new(self.omega.low, self.alpha.low)?;
+        any.with_damping_ratio(damping_ratio.low)?;
+        any.with_damping_ratio(damping_ratio.high)?;
+        Ok(Self { damping_ratio, ..self })
     }
 
     /// The interval of Ω.
@@ -39,11 +59,26 @@ impl<F: Float> RatioBox<F> {
         self.alpha
     }
 
+    /// The interval of ζ.
+    pub const fn damping_ratio(&self) -> Interval<F> {
+        self.damping_ratio
+    }
+
+    fn is_damped(&self) -> bool {
+        self.damping_ratio.high > F::int(0)
+    }
+
     /// The verdict that holds for all ratios in the box.
+    ///
+    /// With damping it is that of `RatioBox::enclosed_verdict` with 64 parts at most, which the feature `mp` has; without the feature it is
+    /// undecided where α exceeds 1.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].
     pub fn verdict(&self) -> Result<Verdict<F>, Error> {
+        if self.is_damped() {
+            return self.damped_verdict();
+        }
         let ends = |interval: Interval<F>| (interval.low, interval.high);
         Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())
     }
@@ -52,7 +87,7 @@ impl<F: Float> RatioBox<F> {
     /// at.
     ///
     /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head;
-    /// sampled otherwise, as is everything that belongs to the cycle where the body may stick or Ω = 1 is
+    /// sampled otherwise, as is everything with damping, and what belongs to the cycle where the body may stick or Ω = 1 is
     /// inside. `points` is the number of points, or of pieces.
     ///
     /// # Errors
@@ -60,6 +95,10 @@ impl<F: Float> RatioBox<F> {
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
+            None if self.is_damped() => samples::range(points, |[o, a, z]: [F; 3]| {
+                let ratios = Ratios::new(self.omega.at(o), self.alpha.at(a))?;
+                Ok(output.of(&Response::new(ratios.with_damping_ratio(self.damping_ratio.at(z))?)))
+            }),
             None => samples::range(points, |[o, a]: [F; 2]| {
                 let response = Response::new(Ratios::new(self.omega.at(o), self.alpha.at(a))?);
                 Ok(output.of(&response))
@@ -67,8 +106,29 @@ impl<F: Float> RatioBox<F> {
         }
     }
 
+    #[cfg(feature = "mp")]
+    fn damped_verdict(&self) -> Result<Verdict<F>, Error> {
+        self.enclosed_verdict(VERDICT_PARTS)
+    }
+
+    /// Nothing is proved of a damper without balls.
+    #[cfg(not(feature = "mp"))]
+    fn damped_verdict(&self) -> Result<Verdict<F>, Error> {
+        let one = F::int(1);
+        Ok(if self.alpha.high <= one {
+            Verdict::AtRest
+        } else if self.alpha.low <= one {
+            Verdict::Undecided(Regime::Stuck, Regime::NonSticking)
+        } else {
+            Verdict::Undecided(Regime::Sticking, Regime::NonSticking)
+        })
+    }
+
     fn guaranteed(&self, output: Output, count: u32) -> Result<Option<Range<F>>, Error> {
-        let Self { omega, alpha } = *self;
+        if self.is_damped() {
+            return Ok(None);
+        }
+        let Self { omega, alpha, .. } = *self;
         let one = Interval::exactly(F::int(1));
         if output == Output::MinForceRatio {
             return self.border(|border| border, true).map(Some);

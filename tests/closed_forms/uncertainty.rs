@@ -352,3 +352,21 @@ mod monte_carlo {
         assert!(never.value == 0.0 && never.standard_error > 0.0);
     }
 }
+
+/// With a damper the verdict of a box is proved in balls, and without them undecided; its ranges are sampled.
+#[test]
+fn a_damper_takes_balls() {
+    let exactly = Interval::exactly;
+    let whole = RatioBox::new(exactly(0.7), exactly(9.0)).unwrap();
+    let damped = whole.with_damping_ratio(Interval::between(0.1, 0.2).unwrap()).unwrap();
+    assert_eq!(whole.verdict().unwrap().regime(), Some(Regime::NonSticking));
+    let proved = cfg!(feature = "mp").then_some(Regime::NonSticking);
+    assert_eq!(damped.verdict().unwrap().regime(), proved);
+    let range = damped.range(Output::MaxDisplacement, 50).unwrap().unwrap();
+    for zeta in [0.1, 0.13, 0.2] {
+        let ratios = Ratios::new(0.7, 9.0).unwrap().with_damping_ratio(zeta).unwrap();
+        let value = Output::MaxDisplacement.of(&Response::new(ratios)).unwrap();
+        assert!(holds(&range, value) && !range.is_guaranteed(), "{zeta}: {value} {range:?}");
+    }
+    assert!(whole.with_damping_ratio(Interval::between(-1.0, 1.0).unwrap()).is_err());
+}

@@ -6,7 +6,10 @@
 mod multiple;
 #[macro_use]
 mod widths;
+#[path = "../random/mod.rs"]
+mod random;
 
+mod boxes;
 mod enclosed;
 #[cfg(feature = "matching")]
 mod field;

@@ -1,6 +1,7 @@
 //! Ranges over a box of machines.
 
 use super::parts::{self, Ends, Over};
+use super::verdict;
 use super::{bounds, ends, guaranteed, over, response};
 use crate::enclosed::{Enclosure, Known};
 use crate::error::Error;
@@ -10,7 +11,6 @@ use crate::oscillator::Scales;
 use crate::output::Output;
 use crate::regime::{Regime, Verdict};
 use crate::uncertainty::{MachineBox, Range};
-use rug::Rational;
 
 /// A ball that the parameters' own rounding does not widen.
 type B = Ball<4>;
@@ -65,10 +65,10 @@ impl<F: Float> MachineBox<F> {
     /// The verdict that holds for the whole box, with its damper, by the range of the margin in ball
     /// arithmetic: as [`MachineBox::enclosed`], which cuts the box into `pieces` parts at most.
     ///
-    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not
-    /// reverse twice a cycle without a stop, where it is below. That it then stops is searched, as in
-    /// [`crate::Verdict::Sticking`]; where a cycle of six reversals may be inside, next to a pole and with
-    /// little damping, or the box takes more parts, the verdict is undecided.
+    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not reverse twice a cycle without a stop,
+    /// where it is below. That it then stops is searched, as in [`crate::Verdict::Sticking`]; where a cycle of six reversals may
+    /// be inside, next to a pole and with little damping, or the box takes more parts, the verdict is undecided. So it is where the box
+    /// has Ω = 1 without damping inside, where the motion has no bound.
     ///
     /// # Errors
     /// As for [`MachineBox::enclosed`].
@@ -87,41 +87,13 @@ impl<F: Float> MachineBox<F> {
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
-        let one = F::int(1);
-        let undecided = Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
         let ratios = whole.as_deref().and_then(|parts| Machine::of(parts, self.is_base_motion())?.ratios());
-        let Some([omega, alpha, zeta]) = ratios else { return undecided };
-        if alpha.1 <= 1 {
-            return Ok(Verdict::AtRest);
-        }
-        let may_rest = alpha.0 <= 1;
-        let Some(margin) = self.enclosed(Output::Margin, pieces)? else { return undecided };
-        if margin.low > one && !may_rest {
-            return Ok(Verdict::NonSticking);
-        }
-        if margin.high < one && !may_reverse_six_times(&omega, &zeta) {
-            let sticking = if may_rest {
-                Verdict::Undecided(Regime::Stuck, Regime::Sticking)
-            } else {
-                Verdict::Sticking
-            };
-            return Ok(sticking);
-        }
-        if may_rest { Ok(Verdict::Undecided(Regime::Stuck, Regime::NonSticking)) } else { undecided }
+        let Some([omega, alpha, zeta]) = ratios else {
+            return Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
+        };
+        verdict::by_margin([&omega, &alpha, &zeta], || self.enclosed(Output::Margin, pieces))
     }
-}
-
-/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16
-/// from an odd number, 3 or more, and ζ below 1/128 (`regime::no_stop`).
-fn may_reverse_six_times(omega: &Ends, zeta: &Ends) -> bool {
-    let reach = Rational::from((1, 16));
-    let (from, to) =
-        (Rational::from(omega.1.recip_ref()) - &reach, Rational::from(omega.0.recip_ref()) + reach);
-    // The last odd number that is not above.
-    let half: Rational = (to - 1u32) / 2u32;
-    let last = half.floor() * 2u32 + 1u32;
-    zeta.0 < Rational::from((1, 128)) && last >= 3 && last >= from
 }
 
 /// The place of the amplitude among the parameters.

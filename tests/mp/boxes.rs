@@ -1,0 +1,121 @@
+//! Boxes of ratios and machines with damping, against the same at 256 bits.
+
+use crate::random::Random;
+use stickslip::float::mp::Mp;
+use stickslip::uncertainty::{Interval, MachineBox, RatioBox};
+use stickslip::{Border, Drive, Oscillator, Output, Ratios, Regime, Response, Verdict};
+
+type Wide = Mp<4>;
+
+fn ratio_box(omega: Interval<f64>, alpha: Interval<f64>, zeta: Interval<f64>) -> RatioBox<f64> {
+    RatioBox::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
+}
+
+fn holds(interval: Interval<f64>, x: Wide) -> bool {
+    Wide::from(interval.low()) <= x && x <= Wide::from(interval.high())
+}
+
+/// Ratios that are known exactly: the range is wider than the value at 256 bits by rounding, outward, at both ends.
+#[test]
+fn what_is_known_exactly_is_rounded_outward() {
+    let mut random = Random(81);
+    let mut compared = 0;
+    for _ in 0..60 {
+        let (omega, zeta) = (random.scale(0.1, 8.0), random.scale(1e-3, 2.0));
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        let alpha = (least * random.between(0.5, 3.0)).max(1.01);
+        let [o, a, z] = [omega, alpha, zeta].map(Interval::exactly);
+        let ratios = Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap();
+        let response = Response::new(ratios.with_damping_ratio(Wide::from(zeta)).unwrap());
+        for output in
+            [Output::MinForceRatio, Output::Margin, Output::MaxDisplacement, Output::LoopSizeStiffness]
+        {
+            let range = ratio_box(o, a, z).enclosed(output, 8).unwrap();
+            let Some(value) = output.of(&response) else {
+                assert_eq!(range, None, "{omega} {alpha} {zeta} {output:?}");
+                continue;
+            };
+            let range = range.unwrap_or_else(|| panic!("{omega} {alpha} {zeta} {output:?}"));
+            let found = Interval::between(range.low, range.high).unwrap();
+            assert!(
+                range.is_guaranteed() && holds(found, value) && range.high - range.low <= 1e-15 * range.high,
+                "{omega} {alpha} {zeta} {output:?}: {range:?} {value}"
+            );
+            compared += 1;
+        }
+    }
+    assert!(compared > 150, "{compared}");
+}
+
+/// A box that has the border inside is undecided; one that has it 1e-9 beside it is not, and neither is wider than it is.
+#[test]
+fn the_verdict_changes_at_the_border() {
+    let mut random = Random(82);
+    let mut decided = 0;
+    for _ in 0..40 {
+        let (omega, zeta) = (random.scale(0.4, 8.0), random.scale(0.02, 2.0));
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio();
+        if least < 1.01 {
+            continue;
+        }
+        let [o, z] = [omega, zeta].map(Interval::exactly);
+        let verdict = |low: f64, high: f64| {
+            let alpha = Interval::between(least * low, least * high).unwrap();
+            ratio_box(o, alpha, z).verdict().unwrap()
+        };
+        let undecided = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
+        assert_eq!(verdict(1.0 + 1e-9, 1.1), Verdict::NonSticking, "{omega} {zeta}");
+        assert_eq!(verdict(1.0 - 1e-2, 1.0 - 1e-9), Verdict::Sticking, "{omega} {zeta}");
+        assert_eq!(verdict(1.0 - 1e-9, 1.0 + 1e-9), undecided, "{omega} {zeta}");
+        assert_eq!(verdict(0.1 / least, 1.0 / least), Verdict::AtRest, "{omega} {zeta}");
+        decided += 1;
+    }
+    assert!(decided > 20, "{decided}");
+    // Without a damper a motion has no bound at Ω = 1.
+    let around_one = Interval::between(0.99, 1.01).unwrap();
+    let whole = ratio_box(around_one, Interval::exactly(9.0), Interval::between(0.0, 0.5).unwrap());
+    assert_eq!(whole.verdict().unwrap().regime(), None);
+    let damped = ratio_box(around_one, Interval::exactly(9.0), Interval::between(0.1, 0.5).unwrap());
+    assert_eq!(damped.verdict(), Ok(Verdict::NonSticking));
+}
+
+/// The ratios of one machine with a damper, of 256 bits, are in the box of its ratios at f64.
+#[test]
+fn one_machine_with_a_damper_is_in_its_own_box() {
+    let mut random = Random(83);
+    for _ in 0..2000 {
+        let parts: [f64; 6] = core::array::from_fn(|_| random.scale(0.01, 100.0));
+        let [m, k, r, a, w, c] = parts.map(Interval::exactly);
+        let whole = MachineBox::force(m, k, r, a, w).unwrap().with_damping(c).unwrap().ratios().unwrap();
+        let [m, k, r, a, w, c] = parts.map(Wide::from);
+        let body = Oscillator::new(m, k, r).unwrap().with_damping(c).unwrap();
+        let ratios = Drive::force(a, w).unwrap().ratios(&body).unwrap();
+        let zeta = whole.damping_ratio();
+        assert!(holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()), "{parts:?}");
+        assert!(holds(zeta, ratios.damping_ratio()), "{parts:?}");
+        assert!(zeta.high() - zeta.low() < 1e-14 * zeta.high(), "{parts:?}");
+    }
+}
+
+/// Ranges with damping are sampled without balls, and lie within those that are proved.
+#[test]
+fn sampled_ranges_are_within_the_proved_ones() {
+    let whole = ratio_box(
+        Interval::between(0.84, 0.86).unwrap(),
+        Interval::between(2.3, 2.5).unwrap(),
+        Interval::between(0.03, 0.05).unwrap(),
+    );
+    for output in [Output::MinForceRatio, Output::Margin, Output::MaxDisplacement, Output::MaxVelocity] {
+        let sampled = whole.range(output, 200).unwrap().unwrap();
+        let proved = whole.enclosed(output, 50).unwrap().unwrap();
+        assert!(!sampled.is_guaranteed() && proved.is_guaranteed(), "{output:?}");
+        assert!(
+            proved.low <= sampled.low && sampled.high <= proved.high,
+            "{output:?}: {sampled:?} {proved:?}"
+        );
+        assert!(
+            proved.high - proved.low < 4.0 * (sampled.high - sampled.low),
+            "{output:?}: {sampled:?} {proved:?}"
+        );
+    }
+}
