@@ -147,8 +147,9 @@ impl<F: Float> Place<F> {
         Self::over(ratios, around(ratios.omega()), around(ratios.alpha()))
     }
 
-    /// The place of ratios without damping known to lie in the intervals `omega` and `alpha`, each (low, high): the verdict
-    /// holds for all. With damping it takes balls ([`crate::uncertainty::RatioBox::verdict`]).
+    /// The place of ratios without damping known to lie in the intervals `omega` and `alpha`, each (low,
+    /// high): the verdict holds for all. With damping it takes balls
+    /// ([`crate::uncertainty::RatioBox::verdict`]).
     ///
     /// The margin and the border are those of the middle.
     ///

@@ -51,8 +51,9 @@ impl<F: Float> RatioBox<F> {
         Ok(found.map(guaranteed))
     }
 
-    /// The verdict that holds for the whole box, with its damping, by the range of the margin in ball arithmetic: as [`RatioBox::enclosed`],
-    /// which cuts the box into `pieces` parts at most. What is proved of it and what searched is said at [`super::MachineBox::enclosed_verdict`].
+    /// The verdict that holds for the whole box, with its damping, by the range of the margin in ball
+    /// arithmetic: as [`RatioBox::enclosed`], which cuts the box into `pieces` parts at most. What is proved
+    /// of it and what searched is said at [`super::MachineBox::enclosed_verdict`].
     ///
     /// # Errors
     /// As for [`RatioBox::enclosed`].

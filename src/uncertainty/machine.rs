@@ -104,11 +104,11 @@ impl<F: Float> MachineBox<F> {
         if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
 
-    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, ζ = c/(2√(km)), each monotone in each
-    /// parameter.
+    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, ζ =
+    /// c/(2√(km)), each monotone in each parameter.
     ///
-    /// Its ends are taken, but under base motion and with a damper, where k and m are in more than one, not all of it is. Widened by what the quotients and the
-    /// root may have lost to rounding.
+    /// Its ends are taken, but under base motion and with a damper, where k and m are in more than one, not
+    /// all of it is. Widened by what the quotients and the root may have lost to rounding.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`crate::Ratios`].
@@ -129,8 +129,9 @@ impl<F: Float> MachineBox<F> {
 
     /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under base motion and with a damper a box that is just decided may be called undecided ([`MachineBox::ratios`]). A damper
-    /// takes the feature `mp` ([`RatioBox::verdict`]); `MachineBox::enclosed_verdict` cuts the box into as many parts as it is told to.
+    /// Under base motion and with a damper a box that is just decided may be called undecided
+    /// ([`MachineBox::ratios`]). A damper takes the feature `mp` ([`RatioBox::verdict`]);
+    /// `MachineBox::enclosed_verdict` cuts the box into as many parts as it is told to.
     ///
     /// # Errors
     /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].

@@ -16,7 +16,8 @@ use crate::response::Response;
 #[cfg(feature = "mp")]
 const VERDICT_PARTS: u32 = 64;
 
-/// Frequency and force ratio in intervals; and the damping ratio, if there is a damper ([`RatioBox::with_damping_ratio`]).
+/// Frequency and force ratio in intervals; and the damping ratio, if there is a damper
+/// ([`RatioBox::with_damping_ratio`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct RatioBox<F> {
@@ -38,7 +39,8 @@ impl<F: Float> RatioBox<F> {
 
     /// The same with the damping ratio ζ in an interval.
     ///
-    /// Ranges are sampled then ([`RatioBox::range`]) or, with the feature `mp`, proved (`RatioBox::enclosed`).
+    /// Ranges are sampled then ([`RatioBox::range`]) or, with the feature `mp`, proved
+    /// (`RatioBox::enclosed`).
     ///
     /// # Errors
     /// Where an end is outside the domain of [`Ratios::with_damping_ratio`].
@@ -70,8 +72,8 @@ impl<F: Float> RatioBox<F> {
 
     /// The verdict that holds for all ratios in the box.
     ///
-    /// With damping it is that of `RatioBox::enclosed_verdict` with 64 parts at most, which the feature `mp` has; without the feature it is
-    /// undecided where α exceeds 1.
+    /// With damping it is that of `RatioBox::enclosed_verdict` with 64 parts at most, which the feature `mp`
+    /// has; without the feature it is undecided where α exceeds 1.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].
@@ -87,8 +89,8 @@ impl<F: Float> RatioBox<F> {
     /// at.
     ///
     /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head;
-    /// sampled otherwise, as is everything with damping, and what belongs to the cycle where the body may stick or Ω = 1 is
-    /// inside. `points` is the number of points, or of pieces.
+    /// sampled otherwise, as is everything with damping, and what belongs to the cycle where the body may
+    /// stick or Ω = 1 is inside. `points` is the number of points, or of pieces.
     ///
     /// # Errors
     /// As [`RatioBox::verdict`].

@@ -15,7 +15,8 @@ fn holds(interval: Interval<f64>, x: Wide) -> bool {
     Wide::from(interval.low()) <= x && x <= Wide::from(interval.high())
 }
 
-/// Ratios that are known exactly: the range is wider than the value at 256 bits by rounding, outward, at both ends.
+/// Ratios that are known exactly: the range is wider than the value at 256 bits by rounding, outward, at both
+/// ends.
 #[test]
 fn what_is_known_exactly_is_rounded_outward() {
     let mut random = Random(81);
@@ -47,7 +48,8 @@ fn what_is_known_exactly_is_rounded_outward() {
     assert!(compared > 150, "{compared}");
 }
 
-/// A box that has the border inside is undecided; one that has it 1e-9 beside it is not, and neither is wider than it is.
+/// A box that has the border inside is undecided; one that has it 1e-9 beside it is not, and neither is wider
+/// than it is.
 #[test]
 fn the_verdict_changes_at_the_border() {
     let mut random = Random(82);

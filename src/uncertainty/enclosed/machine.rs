@@ -65,10 +65,11 @@ impl<F: Float> MachineBox<F> {
     /// The verdict that holds for the whole box, with its damper, by the range of the margin in ball
     /// arithmetic: as [`MachineBox::enclosed`], which cuts the box into `pieces` parts at most.
     ///
-    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not reverse twice a cycle without a stop,
-    /// where it is below. That it then stops is searched, as in [`crate::Verdict::Sticking`]; where a cycle of six reversals may
-    /// be inside, next to a pole and with little damping, or the box takes more parts, the verdict is undecided. So it is where the box
-    /// has Ω = 1 without damping inside, where the motion has no bound.
+    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not
+    /// reverse twice a cycle without a stop, where it is below. That it then stops is searched, as in
+    /// [`crate::Verdict::Sticking`]; where a cycle of six reversals may be inside, next to a pole and with
+    /// little damping, or the box takes more parts, the verdict is undecided. So it is where the box has Ω =
+    /// 1 without damping inside, where the motion has no bound.
     ///
     /// # Errors
     /// As for [`MachineBox::enclosed`].

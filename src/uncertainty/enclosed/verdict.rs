@@ -7,7 +7,8 @@ use crate::regime::{Regime, Verdict};
 use crate::uncertainty::Range;
 use rug::Rational;
 
-/// The verdict that holds for all ratios [Ω, α, ζ] of these intervals, by the range of the margin over the box that they belong to.
+/// The verdict that holds for all ratios [Ω, α, ζ] of these intervals, by the range of the margin over the
+/// box that they belong to.
 ///
 /// # Errors
 /// As for that range.
@@ -35,8 +36,8 @@ pub(super) fn by_margin<F: Float>(
     undecided
 }
 
-/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16 from an odd number, 3 or more, and
-/// ζ below 1/128 (`regime::no_stop`).
+/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16
+/// from an odd number, 3 or more, and ζ below 1/128 (`regime::no_stop`).
 fn may_reverse_six_times(omega: &Ends, zeta: &Ends) -> bool {
     let reach = Rational::from((1, 16));
     let (from, to) =
