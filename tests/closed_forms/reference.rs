@@ -39,8 +39,8 @@ pub(crate) fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Op
         ("min_force_ratio", Some(border.min_force_ratio)),
         ("min_force_ratio_turning_point", Some(border.turning_point)),
         ("border_phase", Some(border.touching_phase)),
-        ("loop_size_stiffness", Some(cycle.loop_size_stiffness())),
-        ("loop_size_inertia", Some(cycle.loop_size_inertia())),
+        ("loop_size_stiffness", response.loop_size_stiffness),
+        ("loop_size_inertia", response.loop_size_inertia),
         ("best_force_ratio", Some(response.best_force_ratio)),
         ("best_loop_size", response.best_loop_size),
         ("contraction", Some(cycle.contraction())),
@@ -52,7 +52,11 @@ fn every_output_at_every_point_to_1e_13() {
     let points = points();
     assert_eq!(points.len(), 17);
     for Point { omega, alpha, values } in &points {
-        let answers = outputs(&Response::new(Ratios::new(*omega, *alpha).unwrap()));
+        let response = Response::new(Ratios::new(*omega, *alpha).unwrap());
+        let cycle = response.cycle.unwrap();
+        let loops = [cycle.loop_size_stiffness(), cycle.loop_size_inertia()].map(Some);
+        assert_eq!(loops, [response.loop_size_stiffness, response.loop_size_inertia]);
+        let answers = outputs(&response);
         assert_eq!(answers.len(), values.len(), "every column has its answer");
         for ((name, answer), (column, expected)) in answers.iter().zip(values) {
             assert_eq!(name, column);
