@@ -43,17 +43,13 @@ impl<F: Float> RatioBox<F> {
         // The border is the same at every α.
         let is_of_border = !output.is_of_cycle() && output != Output::Margin;
         let alpha = if is_of_border { (alpha.0.clone(), alpha.0) } else { alpha };
-        let found = parts::range(vec![omega, alpha, zeta], pieces, |part| {
-            let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
-            let found = response(output, [omega, alpha, zeta])?;
-            Ok(over(output, &found, bounds))
-        })?;
+        let found = parts::range(vec![omega, alpha, zeta], pieces, |part| of_ratios(output, part))?;
         Ok(found.map(guaranteed))
     }
 
-    /// The verdict that holds for the whole box, with its damping, by the range of the margin in ball
-    /// arithmetic: as [`RatioBox::enclosed`], which cuts the box into `pieces` parts at most. What is proved
-    /// of it and what searched is said at [`super::MachineBox::enclosed_verdict`].
+    /// The verdict that holds for the whole box, with its damping, from the margin in ball arithmetic. Where
+    /// that is on neither side of 1, the box is cut, into `pieces` parts at most.
+    /// [`super::MachineBox::enclosed_verdict`] says which part of a verdict is proved and which is searched.
     ///
     /// # Errors
     /// As for [`RatioBox::enclosed`].
@@ -73,13 +69,23 @@ impl<F: Float> RatioBox<F> {
         let Some([omega, alpha, zeta]) = self.ends() else {
             return Ok(Verdict::Undecided(Decided::Sticking, Decided::NonSticking));
         };
-        verdict::by_margin([&omega, &alpha, &zeta], || self.enclosed(Output::Margin, pieces))
+        verdict::by_margin([&omega, &alpha, &zeta], || {
+            let whole = vec![omega.clone(), alpha.clone(), zeta.clone()];
+            parts::is_above_one(whole, pieces, |part| of_ratios(Output::Margin, part))
+        })
     }
 
     /// The intervals of Ω, α and ζ.
     fn ends(&self) -> Option<[Ends; 3]> {
         Some([ends(self.omega())?, ends(self.alpha())?, ends(self.damping_ratio())?])
     }
+}
+
+/// What is known of an output where Ω, α and ζ are in these intervals.
+fn of_ratios(output: Output, part: &[Ends]) -> Result<Over, Error> {
+    let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
+    let found = response(output, [omega, alpha, zeta])?;
+    Ok(over(output, &found, bounds))
 }
 
 /// The closed forms where Ω, α and ζ are in these intervals.

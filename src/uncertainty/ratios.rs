@@ -14,7 +14,7 @@ use crate::response::Response;
 
 /// Parts that a verdict with damping cuts a box into, at most.
 #[cfg(feature = "mp")]
-const VERDICT_PARTS: u32 = 64;
+const VERDICT_PARTS: u32 = 1000;
 
 /// Frequency and force ratio in intervals; and the damping ratio, if there is a damper
 /// ([`RatioBox::with_damping_ratio`]).
@@ -72,8 +72,8 @@ impl<F: Float> RatioBox<F> {
 
     /// The verdict that holds for all ratios in the box.
     ///
-    /// With damping it is that of `RatioBox::enclosed_verdict` with 64 parts at most, which the feature `mp`
-    /// has; without the feature it is undecided where α exceeds 1.
+    /// With damping it is that of `RatioBox::enclosed_verdict` with at most 1000 parts, some tenths of a second,
+    /// which takes the feature `mp`. Without the feature it is undecided where α exceeds 1.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].

@@ -99,7 +99,8 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
     }
 }
 
-/// Ranges with damping are sampled without balls, and lie within those that are proved.
+/// Ranges with damping are sampled without balls, and lie within those that are proved, which close in on
+/// them as the box is cut.
 #[test]
 fn sampled_ranges_are_within_the_proved_ones() {
     let whole = ratio_box(
@@ -107,17 +108,19 @@ fn sampled_ranges_are_within_the_proved_ones() {
         Interval::between(2.3, 2.5).unwrap(),
         Interval::between(0.03, 0.05).unwrap(),
     );
-    for output in [Output::MinForceRatio, Output::Margin, Output::MaxDisplacement, Output::MaxVelocity] {
+    for output in [Output::MinForceRatio, Output::Margin, Output::MaxDisplacement] {
         let sampled = whole.range(output, 200).unwrap().unwrap();
-        let proved = whole.enclosed(output, 50).unwrap().unwrap();
-        assert!(!sampled.is_guaranteed() && proved.is_guaranteed(), "{output:?}");
-        assert!(
-            proved.low <= sampled.low && sampled.high <= proved.high,
-            "{output:?}: {sampled:?} {proved:?}"
-        );
-        assert!(
-            proved.high - proved.low < 4.0 * (sampled.high - sampled.low),
-            "{output:?}: {sampled:?} {proved:?}"
-        );
+        let excess = |pieces| {
+            let proved = whole.enclosed(output, pieces).unwrap().unwrap();
+            assert!(!sampled.is_guaranteed() && proved.is_guaranteed(), "{output:?}");
+            assert!(
+                proved.low <= sampled.low && sampled.high <= proved.high,
+                "{output:?}: {sampled:?} {proved:?}"
+            );
+            proved.high - proved.low - (sampled.high - sampled.low)
+        };
+        // A ball is as much too wide as the part is wide, and 64 times as many are a quarter as wide each way.
+        let (few, many) = (excess(50), excess(3200));
+        assert!(many < few / 4.0, "{output:?}: {few} {many}");
     }
 }

@@ -50,20 +50,14 @@ impl<F: Float> MachineBox<F> {
         {
             high.clone_from(low);
         }
-        let found = parts::range(whole, pieces, |part| {
-            let Some(machine) = Machine::of(part, self.is_base_motion()) else { return Ok(Over::Undecided) };
-            let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
-            let found = response(output, [&omega, &alpha, &zeta])?;
-            let unit = output.unit(&machine.scales());
-            Ok(over(output, &found, |value| physical(value, unit)))
-        })?;
+        let found = parts::range(whole, pieces, |part| self.over_part(output, part))?;
         Ok(found.map(guaranteed))
     }
 }
 
 impl<F: Float> MachineBox<F> {
-    /// The verdict that holds for the whole box, with its damper, by the range of the margin in ball
-    /// arithmetic: as [`MachineBox::enclosed`], which cuts the box into `pieces` parts at most.
+    /// The verdict that holds for the whole box, with its damper, from the margin in ball arithmetic. Where
+    /// that is on neither side of 1, the box is cut, into `pieces` parts at most.
     ///
     /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not
     /// reverse twice a cycle without a stop, where it is below. That it then stops is searched, as in
@@ -93,7 +87,20 @@ impl<F: Float> MachineBox<F> {
         let Some([omega, alpha, zeta]) = ratios else {
             return Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         };
-        verdict::by_margin([&omega, &alpha, &zeta], || self.enclosed(Output::Margin, pieces))
+        verdict::by_margin([&omega, &alpha, &zeta], || {
+            parts::is_above_one(whole.unwrap_or_default(), pieces, |part| {
+                self.over_part(Output::Margin, part)
+            })
+        })
+    }
+
+    /// What is known of an output in physical units over a part of the box.
+    fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
+        let Some(machine) = Machine::of(part, self.is_base_motion()) else { return Ok(Over::Undecided) };
+        let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
+        let found = response(output, [&omega, &alpha, &zeta])?;
+        let unit = output.unit(&machine.scales());
+        Ok(over(output, &found, |value| physical(value, unit)))
     }
 }
 

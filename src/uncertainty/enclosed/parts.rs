@@ -58,13 +58,46 @@ fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
     // In turn at the one end of the range and at the other.
     let index = undecided.or_else(|| if parts.len() & 1 == 1 { highest() } else { lowest() })?;
     let (_, part) = parts.get(index)?;
+    Some((index, widest(part)?))
+}
+
+/// The parameter that is relatively widest; `None` where all are known exactly.
+fn widest(part: &[Ends]) -> Option<usize> {
     let width = |(low, high): &Ends| {
         let size = Rational::from(low + high);
         if size == 0 { size } else { Rational::from(high - low) / size }
     };
-    let widths = part.iter().map(width).enumerate();
-    let (side, width) = widths.max_by(|(_, a), (_, b)| a.cmp(b))?;
-    (width > 0).then_some((index, side))
+    let (side, width) = part.iter().map(width).enumerate().max_by(|(_, a), (_, b)| a.cmp(b))?;
+    (width > 0).then_some(side)
+}
+
+/// Whether the function is above 1 over the whole box or below 1 over the whole box; `None` where it is on
+/// both sides, or where `most` parts do not tell.
+///
+/// Only a part that is on neither side is cut.
+pub(super) fn is_above_one(
+    whole: Vec<Ends>,
+    most: u32,
+    over: impl Fn(&[Ends]) -> Result<Over, Error>,
+) -> Result<Option<bool>, Error> {
+    let (mut left, mut known) = (vec![whole], None);
+    for _ in 0..most {
+        let Some(part) = left.pop() else { return Ok(known) };
+        let is_above = match over(&part)? {
+            Over::Values((low, _)) if low > 1 => true,
+            Over::Values((_, high)) if high < 1 => false,
+            Over::Nowhere => return Ok(None),
+            Over::Values(_) | Over::Undecided => {
+                let Some(side) = widest(&part) else { return Ok(None) };
+                left.extend(halves(&part, side));
+                continue;
+            }
+        };
+        if *known.get_or_insert(is_above) != is_above {
+            return Ok(None);
+        }
+    }
+    Ok(known.filter(|_| left.is_empty()))
 }
 
 /// The part cut in two across one of its sides.
@@ -98,8 +131,9 @@ fn hull(parts: &[(Over, Vec<Ends>)]) -> Option<Ends> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Ends, Over, range};
+    use super::{Ends, Over, is_above_one, range};
     use rug::Rational;
+    use std::cell::Cell;
 
     fn ends(low: i32, high: i32) -> Ends {
         (Rational::from(low), Rational::from(high))
@@ -138,5 +172,36 @@ mod tests {
         // One number needs one part.
         let exact = range(vec![ends(1, 1), ends(2, 2)], 50, |part| Ok(difference(part)));
         assert_eq!(exact.unwrap(), Some(ends(1, 1)));
+    }
+
+    #[test]
+    fn only_a_part_on_neither_side_is_cut() {
+        let looked = Cell::new(0);
+        let level = |from: i32, to: i32, most| {
+            looked.set(0);
+            let over = |part: &[Ends]| {
+                looked.set(looked.get() + 1);
+                Ok(difference(part))
+            };
+            // y − x for x within [0, 1].
+            is_above_one(vec![ends(0, 1), ends(from, to)], most, over).unwrap()
+        };
+        assert_eq!((level(3, 4, 1), looked.get()), (Some(true), 1));
+        assert_eq!((level(-1, 0, 1), looked.get()), (Some(false), 1));
+        // From 0 to 2, and 1 at a corner.
+        assert_eq!(level(1, 2, 100), None);
+        assert_eq!(level(2, 3, 100), None);
+        // Wider than its values: x (2 − x) + 1/2 on [1/2, 3/2] takes three parts.
+        let whole = || vec![(Rational::from((1, 2)), Rational::from((3, 2)))];
+        let over = |part: &[Ends]| {
+            looked.set(looked.get() + 1);
+            let (low, high) = &part[0];
+            let value =
+                |x: &Rational, y: &Rational| Rational::from(x * (2 - y.clone())) + Rational::from((1, 2));
+            Ok(Over::Values((value(low, high), value(high, low))))
+        };
+        looked.set(0);
+        assert_eq!((is_above_one(whole(), 3, over).unwrap(), looked.get()), (Some(true), 3));
+        assert_eq!(is_above_one(whole(), 2, over).unwrap(), None);
     }
 }

@@ -1,39 +1,37 @@
-//! What a proved range of the margin says of all motions of a box.
+//! What the side of 1 on which the margin is over a box says of all motions there.
 
 use super::parts::Ends;
 use crate::error::Error;
 use crate::float::Float;
 use crate::regime::{Regime, Verdict};
-use crate::uncertainty::Range;
 use rug::Rational;
 
-/// The verdict that holds for all ratios [Ω, α, ζ] of these intervals, by the range of the margin over the
-/// box that they belong to.
+/// The verdict that holds for all ratios [Ω, α, ζ] of these intervals; `is_above_one` tells whether the margin is above 1
+/// over the whole box that they belong to, or below.
 ///
 /// # Errors
-/// As for that range.
+/// Those of `is_above_one`.
 pub(super) fn by_margin<F: Float>(
     [omega, alpha, zeta]: [&Ends; 3],
-    margin: impl FnOnce() -> Result<Option<Range<F>>, Error>,
+    is_above_one: impl FnOnce() -> Result<Option<bool>, Error>,
 ) -> Result<Verdict<F>, Error> {
-    let one = F::int(1);
     if alpha.1 <= 1 {
         return Ok(Verdict::AtRest);
     }
     let may_rest = alpha.0 <= 1;
     let below = if may_rest { Regime::Stuck } else { Regime::Sticking };
-    let undecided = Ok(Verdict::Undecided(below, Regime::NonSticking));
-    let Some(margin) = margin()? else { return undecided };
-    if margin.low > one && !may_rest {
-        let may_grow = zeta.0 == 0 && omega.0 <= 1 && omega.1 >= 1;
-        let grows = Verdict::Undecided(Regime::NonSticking, Regime::Unbounded);
-        return Ok(if may_grow { grows } else { Verdict::NonSticking });
-    }
-    if margin.high < one && !may_reverse_six_times(omega, zeta) {
-        let sticks = Verdict::Undecided(Regime::Stuck, Regime::Sticking);
-        return Ok(if may_rest { sticks } else { Verdict::Sticking });
-    }
-    undecided
+    Ok(match is_above_one()? {
+        Some(true) if !may_rest => {
+            let may_grow = zeta.0 == 0 && omega.0 <= 1 && omega.1 >= 1;
+            let grows = Verdict::Undecided(Regime::NonSticking, Regime::Unbounded);
+            if may_grow { grows } else { Verdict::NonSticking }
+        }
+        Some(false) if !may_reverse_six_times(omega, zeta) => {
+            let sticks = Verdict::Undecided(Regime::Stuck, Regime::Sticking);
+            if may_rest { sticks } else { Verdict::Sticking }
+        }
+        _ => Verdict::Undecided(below, Regime::NonSticking),
+    })
 }
 
 /// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16
