@@ -58,11 +58,11 @@ impl<F: Float> RatioBox<F> {
     /// use stickslip::Verdict;
     /// use stickslip::uncertainty::{Interval, RatioBox};
     /// let ratios = |alpha| {
-    ///     let undamped = RatioBox::new(Interval::between(0.84, 0.86)?, Interval::relative(alpha, 0.05)?)?;
-    ///     undamped.with_damping_ratio(Interval::between(0.03, 0.05)?)
+    ///     let undamped = RatioBox::new(Interval::relative(0.85, 0.002)?, Interval::relative(alpha, 0.02)?)?;
+    ///     undamped.with_damping_ratio(Interval::relative(0.04, 0.1)?)
     /// };
-    /// assert_eq!(ratios(2.4)?.enclosed_verdict(100)?, Verdict::NonSticking);
-    /// assert_eq!(ratios(1.1)?.enclosed_verdict(100)?, Verdict::Sticking);
+    /// assert_eq!(ratios(2.4)?.enclosed_verdict(1000)?, Verdict::NonSticking);
+    /// assert_eq!(ratios(1.1)?.enclosed_verdict(1000)?, Verdict::Sticking);
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {

@@ -191,13 +191,13 @@ mod tests {
         // From 0 to 2, and 1 at a corner.
         assert_eq!(level(1, 2, 100), None);
         assert_eq!(level(2, 3, 100), None);
-        // Wider than its values: x (2 − x) + 1/2 on [1/2, 3/2] takes three parts.
+        // Wider than its values: x (2 − x) + 3/4 on [1/2, 3/2] takes three parts.
         let whole = || vec![(Rational::from((1, 2)), Rational::from((3, 2)))];
         let over = |part: &[Ends]| {
             looked.set(looked.get() + 1);
             let (low, high) = &part[0];
-            let value =
-                |x: &Rational, y: &Rational| Rational::from(x * (2 - y.clone())) + Rational::from((1, 2));
+            let rest = Rational::from((3, 4));
+            let value = |x: &Rational, y: &Rational| x * (2 - y.clone()) + &rest;
             Ok(Over::Values((value(low, high), value(high, low))))
         };
         looked.set(0);
