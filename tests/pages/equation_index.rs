@@ -14,7 +14,7 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The paths of a file's functions and types, its methods under their type.
+/// The paths of a file's functions and types, methods and fields under their type.
 fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
     let source = syn::parse_file(&std::fs::read_to_string(file).unwrap()).unwrap();
     let mut add = |name: String| found.insert(format!("{module}::{name}"));
@@ -24,6 +24,9 @@ fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
                 add(f.sig.ident.to_string());
             }
             syn::Item::Struct(s) => {
+                for field in s.fields.iter().filter_map(|field| field.ident.as_ref()) {
+                    add(format!("{}::{field}", s.ident));
+                }
                 add(s.ident.to_string());
             }
             syn::Item::Enum(e) => {
