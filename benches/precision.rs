@@ -2,7 +2,7 @@
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Cycle, Field, Float, PhaseFunction, Ratios};
 
 /// {Δ₀, eq. 61, A₁}

@@ -10,7 +10,7 @@
 //! 0.69/(1 − |λ|) half cycles.
 
 use std::io::Write;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float as _, Ratios, Real as _};
 
 /// 231 digits.

@@ -80,8 +80,16 @@ pub enum Regime {
     Unbounded,
 }
 
+/// Its name, as the command prints it.
+impl core::fmt::Display for Regime {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 impl Regime {
-    /// The name, as the command prints it.
+    /// [`Display`](core::fmt::Display) as a static text.
+    #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

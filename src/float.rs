@@ -42,7 +42,7 @@ pub(crate) mod circular;
 pub mod conformance;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
-pub mod dual;
+pub(crate) mod dual;
 mod exponential;
 mod field;
 mod foreign;
@@ -54,7 +54,7 @@ mod foreign;
         reason = "operators of multiple-precision numbers; counts of limbs and of digits, which a format's u16 bounds"
     )
 )]
-pub mod mp;
+pub(crate) mod mp;
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of pairs"))]
 #[doc(hidden)]
 pub mod pair;
@@ -63,8 +63,12 @@ mod pi_digits;
 mod primitive;
 mod task;
 
+#[cfg(feature = "dual")]
+pub use dual::Dual;
 pub use field::{Field, Real};
 pub use foreign::Foreign;
+#[cfg(feature = "mp")]
+pub use mp::{Inexact, Mp, ParseError, PrecisionError, WIDTHS, WithPrecision, with_precision};
 use task::SinCosOfPair;
 #[doc(hidden)]
 pub use task::{AtPrecision, Task};
@@ -80,6 +84,7 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
 
     /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π
     /// unless the type has them at hand.
+    #[doc(hidden)]
     #[must_use]
     fn pi_rest() -> (Self, Self) {
         pi_digits::rest(Self::pi())
@@ -159,11 +164,13 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     }
 
     /// `eˣ` of the number x; a type may have a better way than the series that this is.
+    #[doc(hidden)]
     fn exp(self) -> Self {
         exponential::exp(self)
     }
     /// `eˣ − 1` of the number x, which keeps its digits for a small x; a type may have a better way than the
     /// series that this is.
+    #[doc(hidden)]
     fn exp_m1(self) -> Self {
         exponential::exp_m1(self)
     }

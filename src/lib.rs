@@ -89,14 +89,14 @@
 //!
 //! * default: the library, for `f32` and `f64`;
 //! * `cli`: the command `stickslip`; with `parquet` it writes sweeps to Parquet files, too;
-//! * `mp`: the number `float::mp::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
+//! * `mp`: the number `float::Mp<LIMBS>` of 64 to 8192 bits and more, for every formula here. It links
 //!   GMP and MPFR (LGPL-3.0-or-later), which the first build compiles from C in about five minutes and which
 //!   needs m4 and make;
 //! * `figures`: the paper's figures from this library's results, as data and as SVG (`figures`); `png`: as
 //!   PNG, with a font;
-//! * `dual`: the number `float::dual::Dual<N>` with derivatives by N parameters, and `sensitivity`: every
+//! * `dual`: the number `float::Dual<N>` with derivatives by N parameters, and `sensitivity`: every
 //!   output by every parameter;
-//! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::random`);
+//! * `random`: Monte-Carlo over distributions of the parameters (`uncertainty::MonteCarlo`);
 //! * `serde`: numbers to and from text by serde (with `mp`);
 //! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on
 //!   threads;

@@ -31,7 +31,8 @@ macro_rules! outputs {
             /// All of them, in order.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$output),*];
 
-            /// Its name, as the command prints it.
+            /// [`Display`](core::fmt::Display) as a static text.
+            #[doc(hidden)]
             #[must_use]
             pub const fn name(self) -> &'static str {
                 match self {

@@ -83,7 +83,7 @@ impl<F: Float> PhaseFunction<F> {
 
     /// Frequency ratio Ω.
     #[inline]
-    pub const fn omega(&self) -> F {
+    pub(crate) const fn omega(&self) -> F {
         self.omega
     }
 
@@ -117,6 +117,7 @@ impl<F: Float> PhaseFunction<F> {
     }
 
     /// `(sin β, cos β)` of `β = π/2Ω`; the cosine keeps its relative accuracy where it vanishes.
+    #[doc(hidden)]
     #[inline]
     pub fn sin_cos(&self) -> (F, F) {
         let (s, c) = if F::PRECISION > f64::MANTISSA_DIGITS {

@@ -41,7 +41,7 @@ pub enum Regime {
     Unbounded,
 }
 
-/// Its name.
+/// Its name, as the command prints it.
 impl core::fmt::Display for Regime {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
@@ -49,7 +49,8 @@ impl core::fmt::Display for Regime {
 }
 
 impl Regime {
-    /// The regime's name as the command prints it.
+    /// [`Display`](core::fmt::Display) as a static text.
+    #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

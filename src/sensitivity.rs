@@ -1,4 +1,4 @@
-//! Derivatives of every output by every parameter, by dual numbers ([`crate::float::dual`]).
+//! Derivatives of every output by every parameter, by dual numbers ([`crate::float::Dual`]).
 //!
 //! The formulae themselves are differentiated, term by term and at the roots by the implicit function
 //! theorem: no step size and no cancellation of differences. Near a pole of the border, a double multiplier
@@ -49,12 +49,6 @@ impl<const N: usize> Sensitivity<N> {
         found
     }
 
-    /// The change of the value, to first order, for changes of the parameters.
-    #[must_use]
-    pub fn change(&self, changes: [f64; N]) -> f64 {
-        self.by.iter().zip(changes).map(|(slope, change)| slope * change).sum()
-    }
-
     /// The standard deviation of the value, to first order, for independent ones of the parameters:
     /// `√Σ(σᵢ ∂y/∂pᵢ)²`.
     #[must_use]
@@ -69,9 +63,12 @@ impl<const N: usize> Sensitivity<N> {
 
 /// All outputs with their derivatives by N parameters.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct Sensitivities<const N: usize> {
-    regime: Regime,
-    outputs: Vec<(Output, Sensitivity<N>)>,
+    /// The steady behaviour of the body.
+    pub regime: Regime,
+    /// All outputs that exist.
+    pub outputs: Vec<(Output, Sensitivity<N>)>,
 }
 
 impl Sensitivities<2> {
@@ -122,21 +119,10 @@ impl<const N: usize> Sensitivities<N> {
         Self { regime: response.regime, outputs: outputs.collect() }
     }
 
-    /// The steady behaviour of the body.
-    #[must_use]
-    pub const fn regime(&self) -> Regime {
-        self.regime
-    }
-
     /// One output; `None` where it does not exist.
     #[must_use]
     pub fn of(&self, output: Output) -> Option<Sensitivity<N>> {
         self.outputs.iter().find(|(name, _)| *name == output).map(|(_, found)| *found)
-    }
-
-    /// All outputs that exist.
-    pub fn iter(&self) -> impl Iterator<Item = (Output, Sensitivity<N>)> {
-        self.outputs.iter().copied()
     }
 }
 
@@ -146,10 +132,9 @@ mod tests {
     use crate::{Border, Cycle, Drive, Oscillator, Output, Ratios, Regime};
 
     #[test]
-    fn percents_changes_and_deviations() {
+    fn percents_and_deviations() {
         let s = Sensitivity { value: 8.0, by: [2.0, -3.0] };
         assert_eq!(s.elasticities([10.0, 4.0]), [2.5, -1.5]);
-        assert_eq!(s.change([0.5, 0.25]), 0.25);
         // Legs 6 and 2.5 of a right triangle.
         assert_eq!(s.deviation([3.0, -2.5 / 3.0]), 6.5);
     }
@@ -159,17 +144,17 @@ mod tests {
         let at = |omega, alpha| Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement;
         let found = Sensitivities::by_ratios(Ratios::new(0.7, 2.0).unwrap());
         let delta = found.of(Output::MaxDisplacement).unwrap();
-        assert_eq!((delta.value, found.regime()), (at(0.7, 2.0), Regime::NonSticking));
+        assert_eq!((delta.value, found.regime), (at(0.7, 2.0), Regime::NonSticking));
         let h = 1e-6;
         let by_omega = (at(0.7 + h, 2.0) - at(0.7 - h, 2.0)) / (2.0 * h);
         let by_alpha = (at(0.7, 2.0 + h) - at(0.7, 2.0 - h)) / (2.0 * h);
         assert!((delta.by[0] / by_omega - 1.0).abs() < 1e-8 && (delta.by[1] / by_alpha - 1.0).abs() < 1e-8);
         let border = found.of(Output::MinForceRatio).unwrap();
         assert_eq!(border.value, Border::new(0.7).unwrap().min_force_ratio);
-        let all: Vec<_> = found.iter().collect();
+        let all = found.outputs.clone();
         assert!(all.len() > 10 && all.contains(&(Output::MaxDisplacement, delta)));
         let sticking = Sensitivities::by_ratios(Ratios::new(0.7, 1.1).unwrap());
-        assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.iter().count() < all.len());
+        assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.outputs.len() < all.len());
     }
 
     /// A force and a friction bound that both grow by a share make lengths grow by it.

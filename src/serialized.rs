@@ -12,7 +12,7 @@ use crate::response::Response;
 #[cfg(feature = "dual")]
 use crate::sensitivity::{Sensitivities, Sensitivity};
 #[cfg(feature = "random")]
-use crate::uncertainty::random::MonteCarlo;
+use crate::uncertainty::MonteCarlo;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// A map of `len` entries, if their number is known.
@@ -133,8 +133,8 @@ impl<const N: usize> Serialize for Sensitivity<N> {
 impl<const N: usize> Serialize for Sensitivities<N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry("regime", &self.regime())?;
-            for (output, found) in self.iter() {
+            map.serialize_entry("regime", &self.regime)?;
+            for (output, found) in &self.outputs {
                 map.serialize_entry(output.name(), &found)?;
             }
             Ok(())

@@ -74,13 +74,15 @@ mod enclosure;
 mod estimate;
 mod machine;
 #[cfg(feature = "random")]
-pub mod random;
+mod random;
 mod ratios;
 mod samples;
 
 #[cfg(any(feature = "dual", feature = "random"))]
 pub use estimate::Estimate;
 pub use machine::MachineBox;
+#[cfg(feature = "random")]
+pub use random::{Exactly, Independent, MonteCarlo, Parameters};
 pub use ratios::RatioBox;
 
 use crate::error::{Error, Quantity, written};

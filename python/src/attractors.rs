@@ -34,12 +34,12 @@ fn attractors_at<'py>(
     let (starts, reach) = states(ratios, starts, reach)?;
     let found = interruptible(py, |stop| limits(ratios, &starts, max_periods, stop))?.map_err(refused)?;
     let list = PyList::empty(py);
-    for (place, limit) in found.limits().iter().enumerate() {
+    for (place, limit) in found.limits.iter().enumerate() {
         list.append(row(py, &found, place, limit, &starts)?)?;
     }
-    let of_start = (0..starts.len()).map(|i| found.of_start(i).and_then(|n| i64::try_from(n).ok()));
+    let of_start = (0..starts.len()).map(|i| found.of_start[i].and_then(|n| i64::try_from(n).ok()));
     let dict = PyDict::new(py);
-    dict.set_item("starts", found.starts())?;
+    dict.set_item("starts", found.of_start.len())?;
     dict.set_item("reach", reach)?;
     dict.set_item("unsettled", found.unsettled())?;
     dict.set_item("of_start", of_start.map(|n| n.unwrap_or(-1)).collect::<Vec<i64>>().into_pyarray(py))?;
@@ -97,7 +97,7 @@ fn row<'py>(
     let dict = PyDict::new(py);
     dict.set_item("attractor", place)?;
     dict.set_item("limit", limit.name())?;
-    dict.set_item("share", found.starts as f64 / all.starts() as f64)?;
+    dict.set_item("share", found.starts as f64 / all.of_start.len() as f64)?;
     dict.set_item("starts", found.starts)?;
     dict.set_item("first_x", first.map(|start| start.x))?;
     dict.set_item("first_v", first.map(|start| start.v))?;

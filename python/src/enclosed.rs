@@ -79,7 +79,7 @@ fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyRe
     dict.set_item("velocity_zeros_per_cycle", found.velocity_zeros_per_cycle)?;
     let multipliers = found.multipliers.each_ref().map(|(re, im)| (re.decimal(), im.decimal()));
     dict.set_item("multipliers", multipliers.to_vec())?;
-    dict.set_item("only_within", found.only_within.1.mid().to_f64())?;
+    dict.set_item("only_within", found.only_within.1.mid.to_f64())?;
     dict.set_item("bits", found.bits)?;
     Ok(dict)
 }

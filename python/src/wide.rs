@@ -7,7 +7,7 @@ use core::str::FromStr;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::float::mp::{Mp, ParseError};
+use stickslip::float::{Mp, ParseError};
 use stickslip::regime::{no_stop_force_ratios, observed};
 use stickslip::{Float, Output, Ratios, Response};
 

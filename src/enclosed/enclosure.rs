@@ -8,10 +8,13 @@ use rug::{Float, float::Round};
 ///
 /// Printed as digits that are certain to within one in the last place, then ± and the radius.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 #[must_use]
 pub struct Enclosure {
-    mid: Float,
-    rad: Float,
+    /// The midpoint.
+    pub mid: Float,
+    /// The radius.
+    pub rad: Float,
 }
 
 impl Default for Enclosure {
@@ -38,18 +41,6 @@ impl Enclosure {
         let least = Float::with_val_round(64, &mid >> (bits + 2), Round::AwayZero).0.abs();
         let rad = if rad.is_zero() { rad } else { rad.max(&least) };
         Self { mid, rad }
-    }
-
-    /// The midpoint.
-    #[must_use]
-    pub const fn mid(&self) -> &Float {
-        &self.mid
-    }
-
-    /// The radius.
-    #[must_use]
-    pub const fn rad(&self) -> &Float {
-        &self.rad
     }
 
     /// Whether a number of any precision is in it.

@@ -85,9 +85,8 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// The name and the symbol, as error messages print them.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    const fn name(self) -> &'static str {
         match self {
             Self::Mass => "mass m",
             Self::Stiffness => "stiffness k",
@@ -131,6 +130,7 @@ impl Quantity {
     }
 }
 
+/// The name and the symbol.
 impl Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

@@ -44,11 +44,13 @@ pub struct Attractor<F> {
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
+#[non_exhaustive]
 #[must_use]
 pub struct Attractors<F> {
-    #[cfg_attr(feature = "serde", serde(rename = "limits"))]
-    found: Vec<Attractor<F>>,
-    of_start: Vec<Option<usize>>,
+    /// The limits.
+    pub limits: Vec<Attractor<F>>,
+    /// The limit of each start, by its place among those found; `None` where that start had not settled.
+    pub of_start: Vec<Option<usize>>,
 }
 
 /// The limits that the motion at (Ω, α, ζ, η) tends to from each of the starts, each followed for at most
@@ -62,8 +64,8 @@ pub struct Attractors<F> {
 /// let starts: Vec<_> = starts.into_iter().collect::<Result<_, _>>()?;
 /// let found = attractors(ratios, &starts, 1000)?;
 /// // A motion and its mirror image, one stop in each cycle.
-/// assert_eq!(found.limits().len(), 2);
-/// assert_eq!((found.limits()[0].mirror, found.limits()[1].mirror), (Some(1), Some(0)));
+/// assert_eq!(found.limits.len(), 2);
+/// assert_eq!((found.limits[0].mirror, found.limits[1].mirror), (Some(1), Some(0)));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///
@@ -97,24 +99,7 @@ impl<F: Float> Attractors<F> {
         Ok(all)
     }
 
-    /// The limits.
-    pub fn limits(&self) -> &[Attractor<F>] {
-        &self.found
-    }
-
-    /// The limit of a start, by its place among those found; `None` where that start had not settled.
-    #[must_use]
-    pub fn of_start(&self, start: usize) -> Option<usize> {
-        self.of_start.get(start).copied().flatten()
-    }
-
-    /// How many starts there were.
-    #[must_use]
-    pub const fn starts(&self) -> usize {
-        self.of_start.len()
-    }
-
-    /// How many of them had not settled.
+    /// How many starts had not settled.
     #[must_use]
     pub fn unsettled(&self) -> usize {
         self.of_start.iter().filter(|place| place.is_none()).count()
@@ -123,7 +108,7 @@ impl<F: Float> Attractors<F> {
     /// An empty list; [`Attractors::add`] fills it.
     #[doc(hidden)]
     pub const fn new() -> Self {
-        Self { found: Vec::new(), of_start: Vec::new() }
+        Self { limits: Vec::new(), of_start: Vec::new() }
     }
 
     /// Counts the limit of the next start.
@@ -136,18 +121,18 @@ impl<F: Float> Attractors<F> {
         if self.count(&signature) {
             return Ok(());
         }
-        let place = self.found.len();
-        let mirror = self.found.iter().rposition(|known| known.compare(&signature) == Likeness::Mirrored);
+        let place = self.limits.len();
+        let mirror = self.limits.iter().rposition(|known| known.compare(&signature) == Likeness::Mirrored);
         let orbit = match (&limit, signature) {
             (LongRun::Periodic(steady), Signature::Periodic { x, v, .. }) => Some(Orbit::of(steady, (x, v))?),
             _ => None,
         };
-        if let Some(other) = mirror.and_then(|other| self.found.get_mut(other)) {
+        if let Some(other) = mirror.and_then(|other| self.limits.get_mut(other)) {
             other.mirror = Some(place);
         }
         let range = signature.middle().map(|x| (x, x));
         let first_start = self.of_start.len();
-        self.found.push(Attractor { limit, first_start, starts: 1, mirror, range, orbit });
+        self.limits.push(Attractor { limit, first_start, starts: 1, mirror, range, orbit });
         self.of_start.push(Some(place));
         Ok(())
     }
@@ -155,7 +140,7 @@ impl<F: Float> Attractors<F> {
     /// The place of a limit among those found, by its signature.
     #[doc(hidden)]
     pub fn place_of(&self, signature: &Signature<F>) -> Option<usize> {
-        self.found.iter().position(|known| known.compare(signature) == Likeness::Same)
+        self.limits.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
     /// Counts the next start by the signature of its limit, and returns whether it could: the limit has to be
@@ -168,7 +153,7 @@ impl<F: Float> Attractors<F> {
             return true;
         }
         let Some(place) = self.place_of(signature) else { return false };
-        if let Some(known) = self.found.get_mut(place) {
+        if let Some(known) = self.limits.get_mut(place) {
             known.starts = known.starts.saturating_add(1);
             known.widen(signature);
         }

@@ -58,11 +58,13 @@ impl<F: Float> DrivePhase<F> {
     }
 
     /// Whole half turns n.
+    #[doc(hidden)]
     pub const fn half_turns(&self) -> i64 {
         self.half_turns
     }
 
     /// The angle `a` in `[−π/2, π/2)` beyond the half turns.
+    #[doc(hidden)]
     pub const fn angle(&self) -> F {
         self.angle
     }

@@ -70,7 +70,9 @@ impl<F: Float> LongRun<F> {
         }
     }
 
-    /// What kind of limit it is, as the command prints it: one of [`LongRun::NAMES`].
+    /// [`Display`](core::fmt::Display) as a static text: one of [`LongRun::NAMES`].
+    #[doc(hidden)]
+    #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
             Self::Periodic(_) => Self::NAMES[0],
@@ -83,6 +85,7 @@ impl<F: Float> LongRun<F> {
     }
 
     /// The names of all kinds of limit.
+    #[doc(hidden)]
     pub const NAMES: [&'static str; 6] = ["periodic", "family", "rest", "irregular", "none", "not-converged"];
 
     /// Periods of the drive that the motion was followed for; `None` where it grows without bound, which
@@ -114,6 +117,13 @@ impl<F: Float> LongRun<F> {
             |steady: &SteadyState<F>| (steady.min_displacement.value, steady.max_displacement.value);
         let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
         irregular.or_else(|| self.steady_state().map(of_cycle))
+    }
+}
+
+/// What kind of limit it is, as the command prints it.
+impl<F: Float> core::fmt::Display for LongRun<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
     }
 }
 

@@ -1,34 +1,4 @@
-//! `Dual<N>`: an f64 with its first derivatives by N parameters, on which every closed form of the crate
-//! runs.
-//!
-//! For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events
-//! and its limit are found by iterations that have not been taught the implicit function theorem, so that
-//! derivatives of a steady state are not to be relied on.
-//!
-//! A wrapper of [`num_dual::DualSVec64`] that is a [`Field`], a [`Real`] and a [`Float`]:
-//!
-//! * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64
-//!   rounds them, and the derivatives are computed beside them.
-//! * **Decisions see the value alone.** Order, equality, rounding and the choice of a branch act on it; two
-//!   numbers of one value are equal whatever their derivatives. At a decision the derivatives are those of
-//!   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
-//! * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and
-//!   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
-//!   its minimum displacement (`nonsticking::border`), the phase of the maximum velocity
-//!   (`nonsticking::velocity`).
-//! * **K(Ω)** is differentiated by its own closed form, [`crate::PhaseFunction::slope`], which keeps its
-//!   digits through Ω = 1 and far above it.
-//!
-//! ```
-//! use stickslip::float::dual::Dual;
-//! use stickslip::{Cycle, Ratios};
-//! let [omega, alpha] = Dual::parameters([1.5, 2.5]);
-//! let delta = Cycle::new(Ratios::new(omega, alpha)?)?.max_displacement;
-//! // Δ₀/B = √(α² − K²)/|1 − Ω²|, so that ∂Δ₀/∂α = α/(Δ₀ (1 − Ω²)²)
-//! assert!((delta.value() - 1.632993161855452).abs() < 1e-15);
-//! assert!((delta.derivatives()[1] - 2.5 / (1.632993161855452 * 1.25 * 1.25)).abs() < 1e-15);
-//! # Ok::<(), stickslip::Error>(())
-//! ```
+//! An f64 with its first derivatives.
 
 mod operators;
 
@@ -37,7 +7,36 @@ use core::cmp::Ordering;
 use core::fmt::{self, Display, LowerExp};
 use num_dual::DualSVec64;
 
-/// An f64 with its first derivatives by N parameters.
+/// An f64 with its first derivatives by N parameters, on which every closed form of the crate runs.
+///
+/// For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events
+/// and its limit are found by iterations that have not been taught the implicit function theorem, so that
+/// derivatives of a steady state are not to be relied on.
+///
+/// A wrapper of [`num_dual::DualSVec64`] that is a [`Field`], a [`Real`] and a [`Float`]:
+///
+/// * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64
+///   rounds them, and the derivatives are computed beside them.
+/// * **Decisions see the value alone.** Order, equality, rounding and the choice of a branch act on it; two
+///   numbers of one value are equal whatever their derivatives. At a decision the derivatives are those of
+///   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).
+/// * **Roots found by iteration** get the derivatives of the implicit function, [`Float::implicit_root`], and
+///   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
+///   its minimum displacement (`nonsticking::border`), the phase of the maximum velocity
+///   (`nonsticking::velocity`).
+/// * **K(Ω)** is differentiated by its own closed form, which keeps its
+///   digits through Ω = 1 and far above it.
+///
+/// ```
+/// use stickslip::float::Dual;
+/// use stickslip::{Cycle, Ratios};
+/// let [omega, alpha] = Dual::parameters([1.5, 2.5]);
+/// let delta = Cycle::new(Ratios::new(omega, alpha)?)?.max_displacement;
+/// // Δ₀/B = √(α² − K²)/|1 − Ω²|, so that ∂Δ₀/∂α = α/(Δ₀ (1 − Ω²)²)
+/// assert!((delta.value() - 1.632993161855452).abs() < 1e-15);
+/// assert!((delta.derivatives()[1] - 2.5 / (1.632993161855452 * 1.25 * 1.25)).abs() < 1e-15);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Dual<const N: usize>(DualSVec64<N>);
 

@@ -32,6 +32,13 @@ pub enum Excitation {
     SurfaceAcceleration,
 }
 
+/// What shakes the body, in words.
+impl core::fmt::Display for Excitation {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
 impl Excitation {
     /// What its amplitude is.
     const fn quantity(self) -> Quantity {
@@ -43,7 +50,8 @@ impl Excitation {
         }
     }
 
-    /// What shakes the body, in words.
+    /// [`Display`](core::fmt::Display) as a static text.
+    #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

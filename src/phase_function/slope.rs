@@ -17,7 +17,7 @@ impl<F: Float> PhaseFunction<F> {
     /// K′(1) = −2/π; and `β = π/2Ω`, of which K = −(π/2)(1 − 1/Ω²) T/β: there the first form loses all
     /// digits, K′ being of the order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
     #[must_use]
-    pub fn slope(&self) -> F {
+    pub(crate) fn slope(&self) -> F {
         let (omega, w, one) = (self.omega(), self.remainder(), F::int(1));
         let inverse_square = one / omega.square();
         if self.is_beside_one() {

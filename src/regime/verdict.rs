@@ -66,9 +66,8 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// A name of one or two words.
     #[must_use]
-    pub const fn name(&self) -> &'static str {
+    const fn name(&self) -> &'static str {
         match self {
             Self::AtRest => "at rest",
             Self::Sticking => "sticking",
@@ -79,6 +78,13 @@ impl<F: Float> Verdict<F> {
             Self::DependsOnStart(_) => "depends on the start",
             Self::Undecided(..) => "undecided",
         }
+    }
+}
+
+/// A name of a few words.
+impl<F: Float> core::fmt::Display for Verdict<F> {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.pad(self.name())
     }
 }
 
@@ -161,7 +167,7 @@ mod tests {
             (Verdict::DependsOnStart(Regime::Sticking), "depends on the start", Some(Regime::Sticking)),
             (Verdict::Undecided(Regime::Sticking, Regime::NonSticking), "undecided", None),
         ] {
-            assert_eq!((verdict.name(), verdict.regime()), (name, regime));
+            assert_eq!((verdict.to_string(), verdict.regime()), (name.to_owned(), regime));
         }
     }
 }

@@ -115,7 +115,7 @@ fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
 
 /// The ends of an enclosure.
 fn bounds(found: &Enclosure) -> Option<Ends> {
-    let (mid, rad) = (found.mid().to_rational()?, found.rad().to_rational()?);
+    let (mid, rad) = (found.mid.to_rational()?, found.rad.to_rational()?);
     Some((Rational::from(&mid - &rad), mid + rad))
 }
 

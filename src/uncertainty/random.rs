@@ -1,31 +1,4 @@
 //! Monte-Carlo: parameters drawn from distributions.
-//!
-//! Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of
-//! them, where they are correlated. Reproducible: the same seed gives the same draws on every machine
-//! (ChaCha8), as far as the distributions do. Draws that make no sense, such as a negative friction bound
-//! from a normal distribution, are counted, not repeated: the probabilities are those given that the draw is
-//! valid, and [`MonteCarlo::invalid`] says how many were not.
-//!
-//! ```
-//! use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
-//! use stickslip::{Excitation, Output, Regime};
-//! use rand_distr::{LogNormal, Normal};
-//! let machine = Independent {
-//!     mass: Exactly(50.0),
-//!     stiffness: Normal::new(1000.0, 20.0).unwrap(),
-//!     friction_bound: LogNormal::from_mean_cv(5.0, 0.4).unwrap(),
-//!     amplitude: Exactly(12.0),
-//!     angular_frequency: Exactly(6.0),
-//! };
-//! let found = MonteCarlo::new(&machine, Excitation::Force, &[Output::MaxDisplacement], 20_000, 7)?;
-//! let sticking = found.probability(Regime::Sticking);
-//! // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
-//! assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
-//! assert_eq!(found.invalid, 0);
-//! let [low, high] = [0.05, 0.95].map(|share| found.quantile(Output::MaxDisplacement, share).unwrap());
-//! assert!(0.004 < low && low < high && high < 0.017);
-//! # Ok::<(), stickslip::Error>(())
-//! ```
 
 use crate::error::{Error, Quantity, written};
 use crate::oscillator::{Drive, Excitation, Oscillator, Scales};
@@ -96,7 +69,34 @@ impl Distribution<f64> for Exactly {
     }
 }
 
-/// What came of the draws.
+/// What came of draws of the parameters from distributions (Monte-Carlo).
+///
+/// Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of
+/// them, where they are correlated. Reproducible: the same seed gives the same draws on every machine
+/// (ChaCha8), as far as the distributions do. Draws that make no sense, such as a negative friction bound
+/// from a normal distribution, are counted, not repeated: the probabilities are those given that the draw is
+/// valid, and [`MonteCarlo::invalid`] says how many were not.
+///
+/// ```
+/// use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
+/// use stickslip::{Excitation, Output, Regime};
+/// use rand_distr::{LogNormal, Normal};
+/// let machine = Independent {
+///     mass: Exactly(50.0),
+///     stiffness: Normal::new(1000.0, 20.0).unwrap(),
+///     friction_bound: LogNormal::from_mean_cv(5.0, 0.4).unwrap(),
+///     amplitude: Exactly(12.0),
+///     angular_frequency: Exactly(6.0),
+/// };
+/// let found = MonteCarlo::new(&machine, Excitation::Force, &[Output::MaxDisplacement], 20_000, 7)?;
+/// let sticking = found.probability(Regime::Sticking);
+/// // P(r_y > p₀/α_min = 8.115) is 0.0736 by the distribution function, at k = 1000.
+/// assert!((sticking.value - 0.0736).abs() < 4.0 * sticking.standard_error);
+/// assert_eq!(found.invalid, 0);
+/// let [low, high] = [0.05, 0.95].map(|share| found.quantile(Output::MaxDisplacement, share).unwrap());
+/// assert!(0.004 < low && low < high && high < 0.017);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct MonteCarlo {

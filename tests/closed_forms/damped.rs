@@ -3,7 +3,7 @@
 
 use super::random::Random;
 use std::f64::consts::{PI, TAU};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{
     Border, Cycle, Drive, Error, Field, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design,
 };
@@ -425,7 +425,7 @@ fn sensitivities_with_damping_are_those_of_differences() {
         [(0.7, 0.05, 2.4), (0.4, 0.05, 9.0), (1.0, 0.1, 3.0), (0.8, 1.3, 14.0), (0.21, 0.02, 60.0)]
     {
         let found = Sensitivities::by_ratios(ratios(omega, zeta, alpha));
-        for (output, sensitivity) in found.iter() {
+        for (output, sensitivity) in &found.outputs {
             let at = |omega, alpha| output.of(&Response::new(ratios(omega, zeta, alpha))).unwrap();
             let by_omega = (at(omega + h, alpha) - at(omega - h, alpha)) / (2.0 * h);
             let by_alpha = (at(omega, alpha + h) - at(omega, alpha - h)) / (2.0 * h);

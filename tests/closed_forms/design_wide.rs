@@ -1,7 +1,7 @@
 //! The border's minima and slope, the verdict and the inverse questions at any precision.
 
 use stickslip::design::{bands, force_ratio_for_velocity, most_dissipating_frequency_ratio};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::nonsticking::Lobe;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Place, Ratios, Regime, Verdict};
 

@@ -131,7 +131,7 @@ fn f32_is_within_its_units_in_the_last_place() {
 #[cfg(feature = "mp")]
 #[test]
 fn all_25_digits_at_128_bits() {
-    use stickslip::float::mp::Mp;
+    use stickslip::float::Mp;
     for row in rows() {
         let response = row.response::<Mp<2>>();
         for name in NAMES {

@@ -2,7 +2,7 @@
 
 use super::random::Random;
 use super::reference::outputs;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
 /// Every output at (Ω, α), by the names of `tests/data/points.csv`.

@@ -3,8 +3,8 @@
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
 use crate::random::Random;
-use stickslip::float::dual::Dual;
-use stickslip::float::mp::Mp;
+use stickslip::float::Dual;
+use stickslip::float::Mp;
 use stickslip::sensitivity::Sensitivities;
 use stickslip::{Border, Drive, Field, Float, Oscillator, Output, PhaseFunction, Ratios, Response, Scales};
 

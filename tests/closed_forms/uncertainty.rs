@@ -68,7 +68,7 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
 #[test]
 fn guaranteed_ranges_hold_the_exact_values() {
     use stickslip::Float;
-    use stickslip::float::mp::Mp;
+    use stickslip::float::Mp;
     let mut random = Random(67);
     let mut seen = 0;
     for i in 0..2000 {
@@ -288,7 +288,7 @@ fn what_is_wrong_is_named() {
 #[cfg(feature = "random")]
 mod monte_carlo {
     use rand_distr::{Normal, Uniform};
-    use stickslip::uncertainty::random::{Exactly, Independent, MonteCarlo};
+    use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
     use stickslip::{Border, Excitation, Output, Regime};
 
     fn machine<R>(friction_bound: R) -> Independent<Exactly, Exactly, R, Exactly, Exactly> {

@@ -469,7 +469,7 @@ fn bits_give_all_the_digits_of_the_reference() {
                 continue;
             }
             let digits = answer[*name].as_str().unwrap_or_else(|| panic!("{name}: {}", answer[*name]));
-            let as_mp = |text: &str| text.parse::<stickslip::float::mp::Mp<4>>().unwrap();
+            let as_mp = |text: &str| text.parse::<stickslip::float::Mp<4>>().unwrap();
             let (found, expected) = (as_mp(digits), as_mp(reference));
             let off = stickslip::Float::to_f64(found - expected).abs();
             let size = stickslip::Float::to_f64(expected).abs().max(1e-3);

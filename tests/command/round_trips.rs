@@ -214,7 +214,7 @@ fn what_the_units_have_no_number_for_is_refused() {
 mod wide {
     use super::{Named, Point, both, of_response, points};
     use proptest::prelude::*;
-    use stickslip::float::mp::Mp;
+    use stickslip::float::Mp;
     use stickslip::{Ratios, Response};
 
     proptest! {

@@ -196,7 +196,7 @@ fn a_sweep_has_as_many_bits_as_asked_for() {
 #[cfg(feature = "mp")]
 #[test]
 fn equal_ratios_have_as_many_bits_as_asked_for() {
-    use stickslip::float::mp::Mp;
+    use stickslip::float::Mp;
     let values = |grid: &str| -> Vec<Mp<5>> {
         let rows = stdout(&format!("sweep border --omega {grid}:log --bits 256 --outputs omega --no-header"));
         rows.lines().map(|row| row.parse().unwrap()).collect()

@@ -2,7 +2,7 @@
 //! each.
 
 use crate::float::ball::Ball;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Field, Real};
 
 type B = Ball<1>;

@@ -8,7 +8,7 @@ use num_traits::{Inv, Pow, Signed, ToPrimitive, Zero};
 use rug::float::Special;
 use rug::ops::Pow as _;
 use rug::{Float, Integer, Rational};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 
 /// The same number: NaN and NaN, or equal with the same sign.
 pub(crate) fn same<const L: usize>(ours: Mp<L>, theirs: &Float) -> bool {

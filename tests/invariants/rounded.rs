@@ -2,7 +2,7 @@
 
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Float as _, PhaseFunction, Real as _};
 
 /// 512 bits.

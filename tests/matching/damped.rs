@@ -79,7 +79,7 @@ fn newtons_method_leads_to_the_closed_forms() {
 #[cfg(feature = "mp")]
 #[test]
 fn and_so_at_256_bits() {
-    let (worst, cycles) = worst::<stickslip::float::mp::Mp<4>>(&[210, 340, 500, 1000, 2500], &[1001, 3000]);
+    let (worst, cycles) = worst::<stickslip::float::Mp<4>>(&[210, 340, 500, 1000, 2500], &[1001, 3000]);
     assert!(worst > 0.0 && cycles == 8 * 5 * 2, "{worst} {cycles}");
 }
 

@@ -2,7 +2,7 @@
 
 use super::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::nonsticking::matching::newton;
 use stickslip::{Border, Field, Float, Ratios, Real};
 

@@ -23,11 +23,11 @@ fn a_start_is_counted_for_its_own_limit() {
                 .unwrap()
                 .extrema()
                 .unwrap();
-            let counted = all.limits()[all.of_start(i).unwrap()].limit.extrema().unwrap();
+            let counted = all.limits[all.of_start[i].unwrap()].limit.extrema().unwrap();
             let is_same = (own.0 - counted.0).abs() < 1e-9 && (own.1 - counted.1).abs() < 1e-9;
             assert!(is_same, "{i}: {own:?}, counted for {counted:?}");
         }
-        assert!(all.limits().len() >= 2);
+        assert!(all.limits.len() >= 2);
     }
 }
 

@@ -8,7 +8,7 @@ mod creep;
 use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::float::{Field, Float, Real};
 use stickslip::{Border, Cycle, Ratios};
 

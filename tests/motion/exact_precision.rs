@@ -5,7 +5,7 @@
 
 use super::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Cycle, Field, Float, Ratios};
 
 fn ratios<F: Float>((p, q): (i32, i32), (r, s): (i32, i32)) -> Ratios<F> {

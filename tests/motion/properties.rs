@@ -8,7 +8,7 @@ use arbitrary::{Arbitrary, Unstructured};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 use stickslip::exact::{DrivePhase, Kind, Segment, State, Trajectory};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::generators::Point;
 use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales};
 

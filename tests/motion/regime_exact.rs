@@ -5,7 +5,7 @@
 
 use crate::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::regime::{Stops, stops_per_cycle};
 use stickslip::{Border, Cycle, Error, Float, Place, Ratios, Regime, Verdict};
 

@@ -9,7 +9,7 @@ use super::random::Random;
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use stickslip::exact::{Kind, LongRun, State, Trajectory};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::nonsticking::SixReversals;
 use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};

@@ -8,7 +8,7 @@ use stickslip::exact::{
     DrivePhase, Loss, PeriodicMotion, State, SteadyState, Trajectory, attractors, periodic_motions,
     periodic_motions_from, symmetry_breaks,
 };
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Float, Ratios};
 
 fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
@@ -128,7 +128,7 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
             .collect();
         let all = periodic_motions(ratios, &starts, 2).unwrap();
         let found = attractors(ratios, &starts, 600).unwrap();
-        for limit in found.limits() {
+        for limit in found.limits {
             let Some(steady) = limit.limit.steady_state().filter(|s| s.turns_per_cycle() <= 2) else {
                 continue;
             };

@@ -1,7 +1,7 @@
 //! Boxes of ratios and machines with damping, against the same at 256 bits.
 
 use crate::random::Random;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::uncertainty::{Interval, MachineBox, RatioBox};
 use stickslip::{Border, Drive, Oscillator, Output, Ratios, Regime, Response, Verdict};
 

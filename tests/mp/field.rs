@@ -4,7 +4,7 @@ use crate::traits::{NUMBERS, same_rows};
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
 use nalgebra::{ComplexField, RealField, SMatrix, SVector, SimdValue};
 use simba::scalar::{SubsetOf, SupersetOf};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 
 type Number = Mp<4>;
 

@@ -3,7 +3,7 @@
 
 use crate::traits::{NUMBERS, same_rows};
 use stickslip::float::AtPrecision;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Field, Float, Real};
 
 /// Every function that the formulae are written with.

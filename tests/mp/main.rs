@@ -23,7 +23,7 @@ use num_traits::{FloatConst, FromPrimitive, One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
 use rug::ops::AssignRound;
 use rug::{Assign, Float, Integer, Rational};
-use stickslip::float::mp::{Mp, WIDTHS, WithPrecision, with_precision};
+use stickslip::float::{Mp, WIDTHS, WithPrecision, with_precision};
 use stickslip::{Field, Float as _, Real};
 
 fn recipe() -> impl Strategy<Value = Recipe> {

@@ -3,7 +3,7 @@
 use num_traits::Num;
 use num_traits::real::Real as _;
 use stickslip::Float as _;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 
 #[test]
 fn text_as_people_write_it() {

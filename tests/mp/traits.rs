@@ -2,7 +2,7 @@
 //! those of nalgebra share.
 
 use num_traits::{FromPrimitive, Inv, MulAdd, One, Pow, Signed, ToPrimitive, Zero};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 
 /// Doubles of every kind: of both signs, whole and not, ties, beyond the integers, without end, no number.
 pub(crate) const NUMBERS: [f64; 17] = [

@@ -62,7 +62,7 @@ fn octuple_precision_is_reached_to_the_last_digits() {
     assert!(velocity.to_string().starts_with(known), "{velocity}");
     #[cfg(feature = "mp")]
     for (omega, alpha) in POINTS {
-        use stickslip::float::mp::Mp;
+        use stickslip::float::Mp;
         let (ours, wide) = (answers::<Octuple>(omega, alpha), answers::<Mp<5>>(omega, alpha));
         for (ours, wide) in ours.into_iter().zip(wide) {
             let ours: Mp<5> = ours.to_string().parse().unwrap();

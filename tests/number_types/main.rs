@@ -15,13 +15,13 @@ fn the_types_of_the_crate_keep_their_promises() {
     check::<Faulty<0>>().unwrap();
     #[cfg(feature = "mp")]
     {
-        use stickslip::float::mp::Mp;
+        use stickslip::float::Mp;
         check::<Mp<1>>().unwrap();
         check::<Mp<4>>().unwrap();
         check::<Mp<16>>().unwrap();
     }
     #[cfg(feature = "dual")]
-    check::<stickslip::float::dual::Dual<2>>().unwrap();
+    check::<stickslip::float::Dual<2>>().unwrap();
 }
 
 /// What is found of the type with each fault.

@@ -1,7 +1,7 @@
 //! The outputs at f64 and at f32, the same at 128 bits and at f64, and the distance between them.
 
 use super::{COUNT, OUTPUTS, Unit};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
 /// A number whose errors are looked for.

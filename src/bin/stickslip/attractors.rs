@@ -43,7 +43,7 @@ impl<W: Write> Task for Run<'_, W> {
             Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
             None => Others::none(),
         };
-        let rows: Vec<Record<F>> = (0..all.limits().len()).map(|place| row(&all, place, reach)).collect();
+        let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, place, reach)).collect();
         let more = others.rows();
         match args.format {
             Format::Text => {
@@ -94,12 +94,12 @@ fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
 
 /// The share of the starts that lead to a limit.
 fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
-    limit.starts as f64 / all.starts() as f64
+    limit.starts as f64 / all.of_start.len() as f64
 }
 
 /// A limit as a record.
 fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
-    let Some(found) = all.limits().get(place) else {
+    let Some(found) = all.limits.get(place) else {
         return Record { fields: Vec::new(), physical: Physical::default() };
     };
     let irregular = if let LongRun::Irregular(m) = found.limit { Some(m) } else { None };
@@ -197,7 +197,7 @@ impl<'a, F: Value> Answer<'a, F> {
             static_friction_ratio: given
                 .has_static_friction()
                 .then(|| number(ratios.static_friction_ratio())),
-            starts: all.starts() as u64,
+            starts: all.of_start.len() as u64,
             reach: number(reach),
             unsettled: all.unsettled() as u64,
             attractors: rows,
@@ -212,8 +212,8 @@ fn text<F: Value>(
     length: impl Fn(F) -> String,
     out: &mut impl Write,
 ) -> Outcome {
-    let (count, reach) = (all.starts(), digits(reach));
-    let sentence = match all.limits().len() {
+    let (count, reach) = (all.of_start.len(), digits(reach));
+    let sentence = match all.limits.len() {
         1 => format!("One limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
         n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
     };
@@ -221,7 +221,7 @@ fn text<F: Value>(
     if all.unsettled() > 0 {
         writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
     }
-    for (place, found) in all.limits().iter().enumerate() {
+    for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
         writeln!(out, "\n{}. {}, {part} % of the starts", place + 1, described(found))?;
         if let Some(steady) = found.limit.steady_state() {

@@ -97,7 +97,7 @@ impl<F: Value> Basins<F> {
     /// The starts, row by row, each with the number of its limit.
     fn starts(&self) -> impl Iterator<Item = (F, F, Option<usize>)> {
         let places = self.v.grid.values().flat_map(|v| self.x.grid.values().map(move |x| (x, v)));
-        places.enumerate().map(|(number, (x, v))| (x, v, self.all.of_start(number)))
+        places.enumerate().map(|(number, (x, v))| (x, v, self.all.of_start.get(number).copied().flatten()))
     }
 
     fn table(&self, out: &mut impl Write) -> Outcome {
@@ -105,7 +105,7 @@ impl<F: Value> Basins<F> {
         writer.write_record([&self.x.column, &self.v.column, "attractor", "limit"])?;
         for (x, v, place) in self.starts() {
             let number = place.map_or(String::new(), |place| (place + 1).to_string());
-            let limit = place.and_then(|place| self.all.limits().get(place));
+            let limit = place.and_then(|place| self.all.limits.get(place));
             let limit = limit.map_or("Not settled".to_owned(), described);
             writer.write_record([x.to_string(), v.to_string(), number, limit])?;
         }
@@ -122,9 +122,9 @@ impl<F: Value> Basins<F> {
             _ => Err(Failure::Input(format!("{option}: a picture needs two values or more, ascending"))),
         };
         let (across, up) = (ends(&x, "--x0")?, ends(&y, "--v0")?);
-        let shown = self.all.limits().len().min(MOST_NAMES);
+        let shown = self.all.limits.len().min(MOST_NAMES);
         let mut names: Vec<String> = (0..shown).filter_map(|place| self.name(place)).collect();
-        if self.all.limits().len() > shown
+        if self.all.limits.len() > shown
             && let Some(last) = names.last_mut()
         {
             *last = format!("{shown} and more: other limits");
@@ -151,7 +151,7 @@ impl<F: Value> Basins<F> {
 
     /// A limit by its number and what tells it from the others: its extrema.
     fn name(&self, place: usize) -> Option<String> {
-        let limit = self.all.limits().get(place)?.limit;
+        let limit = self.all.limits.get(place)?.limit;
         let kind = limit.name();
         // Four digits of B tell two limits apart.
         let in_units = |x: F| digits((x.to_f64() * 1e4).round() / 1e4 * self.x.scale.to_f64());

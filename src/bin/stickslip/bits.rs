@@ -26,7 +26,7 @@ pub(crate) fn run(bits: Option<u32>, task: impl Task) -> Outcome {
 #[cfg(feature = "mp")]
 fn run_wide(bits: u32, task: impl Task) -> Outcome {
     use std::fmt::{Debug, Display, LowerExp};
-    use stickslip::float::mp::{ParseError, WithPrecision, with_precision};
+    use stickslip::float::{ParseError, WithPrecision, with_precision};
 
     struct Wide<T>(T);
 

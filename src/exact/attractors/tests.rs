@@ -12,14 +12,14 @@ type Found = (f64, f64, u32, u32, bool, bool);
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
     let all = attractors(ratios, &starts(count, 10.0), 1000).unwrap();
     assert_eq!(all.unsettled(), 0);
-    assert_eq!(all.limits().iter().map(|limit| limit.starts).sum::<u64>(), u64::from(count));
+    assert_eq!(all.limits.iter().map(|limit| limit.starts).sum::<u64>(), u64::from(count));
     let mut found: Vec<_> = all
-        .limits()
+        .limits
         .iter()
         .map(|limit| {
             let LongRun::Periodic(s) = limit.limit else { panic!("{limit:?}") };
             if let Some(mirror) = limit.mirror {
-                let other = all.limits()[mirror].limit.steady_state().unwrap();
+                let other = all.limits[mirror].limit.steady_state().unwrap();
                 assert!((other.max_displacement.value + s.min_displacement.value).abs() < 1e-9);
             }
             (
@@ -72,8 +72,8 @@ fn one_limit_whatever_the_phase_of_the_start() {
         .map(|i| State::new(f64::from(i) * 0.7, 6.0 * (f64::from(i) * 0.618).sin(), 0.3).unwrap())
         .collect();
     let all = attractors(ratios, &starts, 1000).unwrap();
-    assert_eq!(all.limits().len(), 2, "{:?}", all.limits());
-    let of_start = |i: usize| all.of_start(i).map(|place| all.limits()[place].first_start);
+    assert_eq!(all.limits.len(), 2, "{:?}", all.limits);
+    let of_start = |i: usize| all.of_start[i].map(|place| all.limits[place].first_start);
     assert!((0..24).all(|i| of_start(i).is_some_and(|first| first <= i)));
 }
 
@@ -81,8 +81,8 @@ fn one_limit_whatever_the_phase_of_the_start() {
 #[test]
 fn places_of_rest_are_one_limit() {
     let all = attractors(ratios(0.8, 0.02, 1.6, 1.5), &starts(40, 5.0), 1000).unwrap();
-    let rest = all.limits().iter().find(|limit| matches!(limit.limit, LongRun::Rest(_))).unwrap();
+    let rest = all.limits.iter().find(|limit| matches!(limit.limit, LongRun::Rest(_))).unwrap();
     let (low, high) = rest.range.unwrap();
     assert!(-0.1 <= low && low <= high && high <= 0.1 + 1e-12, "{low} {high}");
-    assert!(all.limits().iter().any(|limit| limit.limit.steady_state().is_some()));
+    assert!(all.limits.iter().any(|limit| limit.limit.steady_state().is_some()));
 }

@@ -20,7 +20,7 @@ fn limits(ratios: Ratios<f64>, near: State<f64>) -> Attractors<f64> {
 /// The symmetric limit of one turn that is like the motion, and the number of limits that are not symmetric.
 fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     let (mut symmetric, mut others) = (false, 0);
-    for limit in all.limits() {
+    for limit in &all.limits {
         let LongRun::Periodic(s) = limit.limit else { continue };
         let near = (s.max_displacement.value - like.motion.max_displacement.value).abs() < 0.5;
         let shape = s.sticks_per_cycle == like.motion.sticks_per_cycle;

@@ -13,6 +13,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     /// The ratio of integers this number is; `None` of infinities and NaN.
     ///
     /// Exact, and as long as the exponent is large: `2^(2³⁰)` has a hundred million digits.
+    #[doc(hidden)]
     #[must_use]
     pub fn to_rational(self) -> Option<Rational> {
         self.to_rug().to_rational()

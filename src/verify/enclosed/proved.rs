@@ -78,8 +78,7 @@ pub(super) fn against<const W: usize>(
     };
     let border = place.with_border.then(|| beside_the_border(place, found.min_force_ratio)).flatten();
     let (scale, one, two) = (found.scale, Ball::int(1), Ball::int(2));
-    let ball =
-        |x: &Enclosure| Ball::<W>::new(Mp::from_rug(x.mid()), Radius::above(Mp::<2>::from_rug(x.rad())));
+    let ball = |x: &Enclosure| Ball::<W>::new(Mp::from_rug(&x.mid), Radius::above(Mp::<2>::from_rug(&x.rad)));
     // The motion begins with a reversal: sin of what is left to t₂, or to t₂ and half a turn.
     let late = (found.displacement_phase - ball(&motion.start.0)).sin();
     // λ₁² + λ₂² = (λ₁ + λ₂)² − 2 λ₁λ₂

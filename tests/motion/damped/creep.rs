@@ -4,7 +4,7 @@ use super::{forced_response, from_rest, ratios};
 use crate::random::Random;
 use std::f64::consts::{PI, TAU};
 use stickslip::exact::{Kind, State, Trajectory};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::float::{Field, Float};
 use stickslip::{Border, Cycle};
 

@@ -2,7 +2,7 @@
 
 use super::{counts, matching_problem_gives_the_exact_motion, ulps};
 use crate::random::Random;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::regime::no_stop_force_ratios;
 use stickslip::{Border, Ratios, Regime, Response};
 

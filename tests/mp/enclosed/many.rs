@@ -3,7 +3,7 @@
 use super::at_point;
 use std::time::{Duration, Instant};
 use stickslip::enclosed::MAX_BITS;
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Float as _, Output, Ratios, Response};
 
 /// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.
@@ -58,8 +58,8 @@ fn a_million_points() {
             if let Some(enclosure) = found.get(output)
                 && let Some(value) = output.of(&exact)
             {
-                let distance = (value - Mp::<4>::from_rug(enclosure.mid())).abs();
-                let rad = Mp::<4>::from_rug(enclosure.rad());
+                let distance = (value - Mp::<4>::from_rug(&enclosure.mid)).abs();
+                let rad = Mp::<4>::from_rug(&enclosure.rad);
                 assert!(distance <= rad, "{omega:e} {alpha:e} {output:?}: {value} {enclosure}");
                 values += 1;
                 if value != Mp::ZERO {

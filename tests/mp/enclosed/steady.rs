@@ -3,7 +3,7 @@
 use super::text;
 use stickslip::enclosed::{self, Enclosure, Event, Known, Unproved};
 use stickslip::exact::{LongRun, State};
-use stickslip::float::mp::Mp;
+use stickslip::float::Mp;
 use stickslip::{Field as _, Float as _, Ratios};
 
 /// The motions of the exact solver at 256 bits, each proved to exist: place, stops, extrema and multipliers
@@ -36,10 +36,10 @@ fn steady_motions_are_proved() {
         let exact = run.steady_state().unwrap();
         let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
             // At least 30 digits, and the solver's value within its own 60.
-            let off = (value - Mp::from_rug(enclosure.mid())).abs().to_f64();
-            assert!(enclosure.rad().to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
+            let off = (value - Mp::from_rug(&enclosure.mid)).abs().to_f64();
+            assert!(enclosure.rad.to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
             assert!(
-                off <= enclosure.rad().to_f64() + 1e-55,
+                off <= enclosure.rad.to_f64() + 1e-55,
                 "{omega} {alpha} {zeta} {name}: {enclosure} {value}"
             );
         };
@@ -61,11 +61,11 @@ fn steady_motions_are_proved() {
         assert_eq!(found.velocity_zeros_per_cycle, exact.velocity_zeros_per_cycle, "{omega} {alpha} {zeta}");
         for ((re, im), (x, y)) in found.multipliers.iter().zip(exact.multipliers) {
             for (enclosure, value) in [(re, x), (im, y)] {
-                let off = (value - Mp::from_rug(enclosure.mid())).abs().to_f64();
+                let off = (value - Mp::from_rug(&enclosure.mid)).abs().to_f64();
                 assert!(off < 1e-25, "{omega} {alpha} {zeta}: {enclosure} {value}");
             }
         }
-        assert!(found.only_within.1.mid().to_f64() > 1e-7, "{:?}", found.only_within);
+        assert!(found.only_within.1.mid.to_f64() > 1e-7, "{:?}", found.only_within);
     }
 }
 

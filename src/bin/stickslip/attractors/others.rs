@@ -49,7 +49,7 @@ impl<F: Value> Others<F> {
             |found| Ok(found.into_iter().flatten().try_for_each(|steady| motions.add(steady))?),
         )?;
         let mut numbers = Vec::new();
-        let mut next = all.limits().len();
+        let mut next = all.limits.len();
         for motion in motions.found() {
             let signature = Signature::of(&LongRun::Periodic(motion.steady_state))?;
             let place = all.place_of(&signature);

@@ -77,7 +77,7 @@ impl Answer<'_> {
             out,
             "\nEach value lies within ± of the number printed. Within {:e} B of that place there is no other {}\n\
              motion of this kind. Computed at {} bits.",
-            found.only_within.1.mid().to_f64(),
+            found.only_within.1.mid.to_f64(),
             if found.is_symmetric { "symmetric" } else { "periodic" },
             found.bits
         )?;
@@ -112,7 +112,7 @@ impl Serialize for Answer<'_> {
         map.serialize_entry("multipliers", &found.map(|found| &found.multipliers))?;
         map.serialize_entry("start_phase", &value(|found| &found.start.0))?;
         map.serialize_entry("start_displacement", &value(|found| &found.start.1))?;
-        map.serialize_entry("only_within", &found.map(|found| found.only_within.1.mid().to_f64()))?;
+        map.serialize_entry("only_within", &found.map(|found| found.only_within.1.mid.to_f64()))?;
         map.serialize_entry("bits", &found.map(|found| found.bits))?;
         map.end()
     }

@@ -26,11 +26,11 @@ pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
         .map(|number| follow(ratios, start(number, reach)?, PERIODS))
         .collect::<Result<Vec<_>, _>>()?;
     let all = Attractors::of_limits(limits).map_err(|e| Failure::Input(e.to_string()))?;
-    if all.limits().iter().any(|found| matches!(found.limit, LongRun::Irregular(_))) {
+    if all.limits.iter().any(|found| matches!(found.limit, LongRun::Irregular(_))) {
         return Ok(IRREGULAR);
     }
     let is_first = |place: usize, mirror: Option<usize>| mirror.is_none_or(|mirror| place < mirror);
-    let mut single = all.limits().iter().enumerate().filter(|(place, found)| is_first(*place, found.mirror));
+    let mut single = all.limits.iter().enumerate().filter(|(place, found)| is_first(*place, found.mirror));
     Ok(match (single.next(), single.next()) {
         (Some(_), Some(_)) => SEVERAL,
         (Some((_, found)), None) => {

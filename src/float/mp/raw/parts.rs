@@ -24,6 +24,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 
     /// Whether this is NaN.
+    #[doc(hidden)]
     #[inline]
     #[must_use]
     pub fn is_nan(self) -> bool {
