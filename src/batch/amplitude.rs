@@ -172,3 +172,38 @@ impl AtPoint<4, 6> for Sizes {
         [displacement, border, found.size(), found.phase(), found.rest(), found.inertia(omega)]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Domain, has_loops};
+
+    #[test]
+    fn the_loops_reach_their_bounds_and_no_further() {
+        let near = 2f64.powi(-24);
+        let reached = [0.5, 0.7, 1.0 - near, 1.0 + near, 1_048_576.0];
+        let beyond = [
+            0.5f64.next_down(),
+            0.0,
+            -0.0,
+            -0.7,
+            (1.0 - near).next_up(),
+            1.0,
+            (1.0 + near).next_down(),
+            1_048_576f64.next_up(),
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+            -f64::NAN,
+        ];
+        assert!(reached.into_iter().all(has_loops));
+        for omega in beyond {
+            assert!(!has_loops(omega), "{omega:e}");
+        }
+        let domain = Domain::new();
+        let most = 2f64.powi(250);
+        assert!([f64::MIN_POSITIVE, 1.0, most].into_iter().all(|alpha| domain.alpha.has(alpha)));
+        for alpha in [f64::MIN_POSITIVE.next_down(), 0.0, -1.0, most.next_up(), f64::INFINITY, f64::NAN] {
+            assert!(!domain.alpha.has(alpha), "{alpha:e}");
+        }
+    }
+}

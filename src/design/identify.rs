@@ -127,10 +127,11 @@ type Residual = (f64, [f64; 2]);
 impl Point {
     /// Whether the body slides throughout here with these parameters.
     fn slides(&self, [kappa, zeta]: Parameters) -> bool {
-        let Ok(ratios) = Ratios::new(self.omega, 1.0 / kappa).and_then(|r| r.with_damping_ratio(zeta)) else {
+        let alpha = 1.0 / kappa;
+        let Ok(ratios) = Ratios::new(self.omega, alpha).and_then(|r| r.with_damping_ratio(zeta)) else {
             return false;
         };
-        1.0 / kappa >= damped::border(&damped::half_period(&ratios)).min_force_ratio
+        alpha >= damped::border(&damped::half_period(&ratios)).min_force_ratio
     }
 
     /// The residuals of amplitude and phase, relative and in radians.

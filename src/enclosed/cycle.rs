@@ -148,3 +148,32 @@ fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
         complex().hull(&real())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_in_bracket;
+    use crate::enclosed::angle::Angle;
+    use crate::enclosed::known::Known;
+    use crate::float::ball::{Ball, Radius};
+    use crate::float::mp::Mp;
+    use rug::Rational;
+
+    /// From Ω = 1/2 on |ψ| is below π/2 and β.
+    #[test]
+    fn the_bracket_of_the_maximum_velocity_ends_on_both_sides() {
+        let at = |p: i32, q: i32, delta: f64, psi: f64| {
+            let angle = Angle::<2>::new(&Known::rational(Rational::from((p, q))));
+            let near = Ball::new(Mp::of_f64(psi), Radius::power_of_two(-60));
+            is_in_bracket(&angle, Ball::exact(Mp::of_f64(delta)), near)
+        };
+        let quarter = std::f64::consts::FRAC_PI_2;
+        for (p, q, bound) in [(1, 2, quarter), (7, 10, quarter), (1, 1, quarter), (3, 2, quarter / 1.5)] {
+            let inside = 1.0 - 1e-9;
+            for (psi, is) in
+                [(0.0, true), (inside, true), (-inside, true), (2.0 - inside, false), (inside - 2.0, false)]
+            {
+                assert_eq!(at(p, q, 3.0, psi * bound), is, "{p}/{q} {psi}");
+            }
+        }
+    }
+}

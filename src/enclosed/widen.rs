@@ -93,3 +93,24 @@ pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, E
     };
     last.map(|found| found.rounded(bits)).ok_or(nothing)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::certain_bits;
+    use crate::float::ball::{Ball, Radius};
+    use crate::float::mp::Mp;
+
+    #[test]
+    fn the_bits_that_the_radius_leaves_are_certain() {
+        let all = i64::from(Mp::<2>::BITS);
+        let bits = |mid: f64, e: i64| certain_bits(&Ball::<2>::new(Mp::of_f64(mid), Radius::power_of_two(e)));
+        // 1 and 2⁻ᵉ are both the least of their binade.
+        assert_eq!([0, -1, -20, -100].map(|e| bits(1.0, e)), [0, 1, 20, 100]);
+        assert_eq!([bits(-1.75, -20), bits(3.0, -20), bits(0.25, -20)], [20, 21, 18]);
+        assert_eq!((bits(1.0, 5), bits(1.0, -all - 9)), (0, all));
+        // Of zero as many as there are, or none.
+        assert_eq!([-all - 1, -all, 0].map(|e| bits(0.0, e)), [all, 0, 0]);
+        let exact = |x: f64| certain_bits(&Ball::<2>::exact(Mp::of_f64(x)));
+        assert_eq!((exact(0.0), exact(0.1), certain_bits(&Ball::<2>::entire())), (all, all, 0));
+    }
+}

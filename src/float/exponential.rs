@@ -7,7 +7,7 @@ use super::Float;
 ///
 /// Relative accuracy: a few roundings for |x| ≤ 1, |x| times as many beyond.
 pub(super) fn exp_m1<F: Float>(x: F) -> F {
-    let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
+    let (one, two) = (F::int(1), F::int(2));
     // Beyond it e⁻ˣ has no digit left near 1, and doubling would only lose what is there.
     let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
     if x < -F::int(bits) {
@@ -21,9 +21,9 @@ pub(super) fn exp_m1<F: Float>(x: F) -> F {
     }
     // Σ yⁿ/n!, each term from the last.
     let (mut term, mut sum) = (y, y);
-    for n in 2..=bits.saturating_add(2) {
+    for n in 2..=bits {
         term = term * y / F::int(n);
-        if sum + term == sum || term == zero {
+        if sum + term == sum {
             break;
         }
         sum = sum + term;
@@ -54,6 +54,18 @@ mod tests {
             close(super::exp(x), x.exp(), 4.0 + x.abs());
             close(Float::exp_m1(x), x.exp_m1(), 1.0);
             close(Float::exp(x), x.exp(), 1.0);
+        }
+        // Of a narrow type over its range, held against a wide one.
+        for i in -1000..=1000i16 {
+            let x = f32::from(i).powi(3) * 8.7e-8;
+            let (exact, units) = (f64::from(x), f64::from(4.0 * x.abs().max(1.0)) * f64::from(f32::EPSILON));
+            let [rise, power] = [super::exp_m1(x), super::exp(x)].map(f64::from);
+            assert!((rise - exact.exp_m1()).abs() <= units * exact.exp_m1().abs(), "{x}: {rise}");
+            assert!((power - exact.exp()).abs() <= units * exact.exp(), "{x}: {power}");
+        }
+        // From −p on all digits are those of −1.
+        for x in [-52.9f64, -53.0, -53.1, -60.0] {
+            assert!((super::exp_m1(x) + 1.0).abs() <= 30.0 * f64::EPSILON, "{x}");
         }
         assert_eq!((super::exp_m1(-1e4), super::exp(-1e4), super::exp(1e4)), (-1.0, 0.0, f64::INFINITY));
     }

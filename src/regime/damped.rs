@@ -90,8 +90,107 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
 
 #[cfg(test)]
 mod tests {
+    use super::{reverses_six_times, verdict_around, within_edges};
     use crate::exact::{LongRun, State};
+    use crate::nonsticking::six_reversals::Within;
     use crate::{Border, Place, Ratios, Regime, Response, Verdict};
+
+    const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
+
+    fn ratios(omega: f64, alpha: f64, zeta: f64) -> Ratios<f64> {
+        Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
+    }
+
+    #[test]
+    fn an_edge_is_as_wide_as_its_error() {
+        // 64 units in the last place, which are exact at powers of two.
+        let error = 64.0 * f64::EPSILON;
+        let at = |alpha: f64| within_edges(Some((4.0, 16.0)), alpha);
+        for (alpha, inside) in [(4.0 * (1.0 + error), 1), (16.0 * (1.0 - error), -1)] {
+            assert_eq!(at(alpha), Within::Some);
+            assert_eq!(at(if inside > 0 { alpha.next_up() } else { alpha.next_down() }), Within::All);
+        }
+        for (alpha, inside) in [(4.0 * (1.0 - error), 1), (16.0 * (1.0 + error), -1)] {
+            assert_eq!(at(alpha), Within::Some);
+            assert_eq!(at(if inside > 0 { alpha.next_down() } else { alpha.next_up() }), Within::None);
+        }
+        assert_eq!(
+            (at(4.0), at(16.0), at(8.0), at(1.0)),
+            (Within::Some, Within::Some, Within::All, Within::None)
+        );
+        assert_eq!(within_edges(None, 8.0), Within::None);
+        // As rounded, both edges belong to what slides.
+        let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
+        let slides = |alpha| reverses_six_times(ratios(0.331, alpha, 1e-3));
+        assert!(slides(low) && slides(high) && slides(60.0));
+        assert!(!slides(low.next_down()) && !slides(high.next_up()));
+    }
+
+    #[test]
+    fn a_machine_is_decided_beyond_rounding() {
+        let at = |omega, alpha| verdict_around(ratios(omega, alpha, 0.1), 16.0 * f64::EPSILON).unwrap();
+        let least = Border::with_damping(0.7, 0.1).unwrap().min_force_ratio;
+        for (units, verdict) in [
+            (100.0, Verdict::NonSticking),
+            (16.0, EITHER),
+            (0.0, EITHER),
+            (-16.0, EITHER),
+            (-100.0, Verdict::Sticking),
+        ] {
+            assert_eq!(at(0.7, least * (1.0 + units * f64::EPSILON)), verdict, "{units}");
+        }
+        // Two units in the last place of α around 1.
+        let stuck = Verdict::Undecided(Regime::Stuck, Regime::Sticking);
+        for (alpha, verdict) in [
+            (1.0 - 2.0 * f64::EPSILON, Verdict::AtRest),
+            (1.0 - f64::EPSILON, stuck),
+            (1.0, stuck),
+            (1.0 + 2.0 * f64::EPSILON, stuck),
+            (1.0 + 3.0 * f64::EPSILON, Verdict::Sticking),
+        ] {
+            assert_eq!(at(0.7, alpha), verdict, "{alpha:?}");
+        }
+        let six = |alpha| verdict_around(ratios(0.331, alpha, 1e-3), 16.0 * f64::EPSILON).unwrap();
+        let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
+        let due = [Verdict::Sticking, EITHER, Verdict::SixReversals, EITHER, Verdict::Sticking];
+        assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(six), due);
+    }
+
+    /// Over the rounding of single precision, the border beside the pole at 1/3 by double precision: from an
+    /// eighth of its greatest value on there may be a peak between.
+    #[test]
+    fn a_border_that_changes_by_an_eighth_may_have_a_peak() {
+        let (unit, zeta) = (f64::from(f32::EPSILON), 1e-9f32);
+        let (mut near, mut beyond) = (0, 0);
+        let mut omega = (1.0f32 / 3.0) * (1.0 + 2e-6);
+        while omega < (1.0f32 / 3.0) * (1.0 + 6e-6) {
+            let border = |off: f64| {
+                // Ω as single precision has it.
+                let omega = omega * (1.0 + off * unit) as f32;
+                Border::with_damping(f64::from(omega), f64::from(zeta)).unwrap().min_force_ratio
+            };
+            let values = [-2.0, -1.0, 0.0, 1.0, 2.0].map(border);
+            let (least, greatest) = (values[4], values[0]);
+            let spread = (greatest - least) / greatest;
+            let at = |alpha: f64| {
+                let ratios = Ratios::new(omega, alpha as f32).unwrap().with_damping_ratio(zeta).unwrap();
+                verdict_around(ratios, 16.0 * f32::EPSILON).unwrap()
+            };
+            if spread > 0.126 {
+                beyond += u32::from(spread < 0.14);
+                assert!(
+                    at(1.5 * greatest).regime().is_none() && at(0.9 * least).regime().is_none(),
+                    "{omega}"
+                );
+                assert_eq!(at(0.45 * least), Verdict::SixReversals, "{omega}");
+            } else if spread < 0.124 {
+                near += u32::from(spread > 0.1125);
+                assert_eq!(at(1.5 * greatest), Verdict::NonSticking, "{omega} {spread}");
+            }
+            omega = omega.next_up();
+        }
+        assert!(near > 0 && beyond > 0, "{near} {beyond}");
+    }
 
     /// Below the border beside a pole the motion reverses six times with a little damping, and stops with
     /// more.

@@ -92,3 +92,47 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     let six = no_stop_of(&ratios).ok().as_ref().and_then(|it| it.six_reversals);
     six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::is_hidden;
+    use crate::exact::{LongRun, State};
+    use crate::{Border, Ratios};
+
+    /// Hidden is what is nearer than 64 units in the last place of α, or nearer than sixteen times the distance
+    /// over what clears zero: sin τ* inside of a slide, Ω²/(1 + Ω²) at a reversal.
+    #[test]
+    fn what_is_smaller_than_the_motion_is_known_is_hidden() {
+        let of = |omega: f64, alpha: f64| Ratios::new(omega, alpha).unwrap();
+        let limit = LongRun::from_start(of(0.7, 3.0), State::default()).unwrap();
+        let mut steady = *limit.steady_state().unwrap();
+        for (x, v) in [(0.0, 0.0), (1e-9, 3e-10), (3e-10, 1e-9)] {
+            steady.distance = (x, v * 0.7);
+            let known = 16.0 * f64::max(x, v);
+            let true_border = Border::of(&of(0.7, 3.0));
+            for (touching_phase, share) in [(0.0, 0.49 / 1.49), (0.3, 0.3f64.sin()), (-0.3, 0.3f64.sin())] {
+                let reach = f64::max(64.0 * f64::EPSILON * 3.0, known / share);
+                for (part, is) in [(-1.01, false), (-0.99, true), (0.0, true), (0.99, true), (1.01, false)] {
+                    let border =
+                        Border { min_force_ratio: 3.0 + part * reach, touching_phase, ..true_border };
+                    assert_eq!(
+                        is_hidden(of(0.7, 3.0), &border, &steady),
+                        is,
+                        "{x} {v} {touching_phase} {part}"
+                    );
+                }
+            }
+            // The edges of six reversals are at reversals.
+            let border = Border::new(0.331).unwrap();
+            let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
+            let share = 0.331f64.powi(2) / (1.0 + 0.331f64.powi(2));
+            for edge in [low, high] {
+                let reach = f64::max(64.0 * f64::EPSILON * edge, known / share);
+                for (part, is) in [(-1.01, false), (-0.98, true), (0.0, true), (0.98, true), (1.01, false)] {
+                    let ratios = of(0.331, edge + part * reach);
+                    assert_eq!(is_hidden(ratios, &border, &steady), is, "{x} {v} {edge} {part}");
+                }
+            }
+        }
+    }
+}

@@ -214,3 +214,85 @@ fn answer(p: &Parameters, excitation: Excitation) -> Result<(Response<f64>, Scal
     let drive = Drive::new(excitation, p.amplitude, p.angular_frequency)?;
     Ok((Response::new(drive.ratios(&body)?), Scales::new(&body, &drive)?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{MonteCarlo, Parameters};
+    use crate::{Cycle, Excitation, Output, Ratios, Regime};
+    use core::cell::Cell;
+    use rand::Rng;
+    use rand_distr::Distribution;
+
+    /// Draws that are known: (r_y, p₀, ω_d) in turn.
+    struct InTurn<'a>(&'a [[f64; 3]], Cell<usize>);
+
+    impl Distribution<Parameters> for InTurn<'_> {
+        fn sample<G: Rng + ?Sized>(&self, _: &mut G) -> Parameters {
+            let [friction_bound, amplitude, angular_frequency] = self.0[self.1.replace(self.1.get() + 1)];
+            Parameters { mass: 1.0, stiffness: 4.0, friction_bound, amplitude, angular_frequency }
+        }
+    }
+
+    #[test]
+    fn probabilities_quantiles_and_means_are_those_of_the_draws() {
+        let draws = [
+            [1.0, 5.0, 1.4],
+            [1.0, 0.5, 1.4],
+            [1.0, 2.0, 1.4],
+            [-1.0, 2.0, 1.4],
+            [1.0, 1.15, 1.4],
+            [2.0, 6.0, 1.4],
+            [1.0, f64::NAN, 1.4],
+            [1.0, 1.1, 1.4],
+            [1.0, 2.0, 2.0],
+        ];
+        let output = Output::MaxDisplacement;
+        let machine = InTurn(&draws, Cell::new(0));
+        let found = MonteCarlo::new(&machine, Excitation::Force, &[output], 9, 1).unwrap();
+        assert_eq!((found.draws, found.invalid), (9, 2));
+        for (regime, count) in
+            [(Regime::Stuck, 1u32), (Regime::Sticking, 2), (Regime::NonSticking, 3), (Regime::Unbounded, 1)]
+        {
+            assert_eq!(found.count(regime), count);
+            let (probability, count) = (found.probability(regime), f64::from(count));
+            assert_eq!(probability.value, count / 7.0);
+            // p̃ = (count + 2)/11 and √(p̃(1 − p̃)/11).
+            let due = ((count + 2.0) * (9.0 - count) / 1331.0).sqrt();
+            assert!((probability.standard_error / due - 1.0).abs() < 1e-15, "{regime:?}");
+            assert_eq!(probability.degrees_of_freedom, f64::INFINITY);
+        }
+        // In lengths, r_y/k.
+        let length = |alpha: f64, unit: f64| {
+            Cycle::new(Ratios::new(0.7, alpha).unwrap()).unwrap().max_displacement * unit
+        };
+        let mut due = [length(2.0, 0.25), length(5.0, 0.25), length(3.0, 0.5)];
+        due.sort_by(f64::total_cmp);
+        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
+        assert!(
+            found.values(output).iter().zip(due).all(|(&a, b)| close(a, b))
+                && found.values(output).len() == 3
+        );
+        assert!(found.values(Output::MaxVelocity).is_empty());
+        for (share, value) in [
+            (0.0, due[0]),
+            (0.25, 0.5 * (due[0] + due[1])),
+            (0.5, due[1]),
+            (0.875, 0.25 * due[1] + 0.75 * due[2]),
+            (1.0, due[2]),
+        ] {
+            assert!(close(found.quantile(output, share).unwrap(), value), "{share}");
+        }
+        assert_eq!((found.quantile(output, -1e-9), found.quantile(output, 1.0 + 1e-9)), (None, None));
+        let (mean, middle) = (found.mean(output).unwrap(), due.iter().sum::<f64>() / 3.0);
+        let squares: f64 = due.iter().map(|x| (x - middle).powi(2)).sum();
+        assert!(close(mean.value, middle) && close(mean.standard_error, (squares / 6.0).sqrt()));
+        assert_eq!(mean.degrees_of_freedom, 2.0);
+        // One value has no mean with an error, two have.
+        for (count, is) in [(1, false), (2, false), (3, true)] {
+            let some = MonteCarlo::new(&InTurn(&draws, Cell::new(0)), Excitation::Force, &[output], count, 1)
+                .unwrap();
+            assert_eq!(some.mean(output).is_some(), is, "{count}");
+        }
+        assert!(MonteCarlo::new(&InTurn(&draws, Cell::new(0)), Excitation::Force, &[output], 0, 1).is_err());
+    }
+}

@@ -221,3 +221,33 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
     }
     Record { fields, physical: Physical::default() }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::refuse_years;
+
+    /// Ten thousand million rows, or slides, of which a cycle has 2 + 2/Ω.
+    #[test]
+    fn a_run_of_years_is_refused() {
+        for (cycles, samples, omega, words) in [
+            (1_666_666_666, None, 0.5, None),
+            (1_666_666_667, None, 0.5, Some("rows")),
+            (2_500_000_000, None, 1.0, None),
+            (2_500_000_001, None, 1.0, Some("rows")),
+            (4_000_000_000, None, 4.0, None),
+            (4_000_000_001, None, 4.0, Some("rows")),
+            (100_000_000, Some(100), 1.0, None),
+            (100_000_001, Some(100), 1.0, Some("rows")),
+            (2_500_000_001, Some(1), 1.0, Some("slides")),
+            (2_500_000_000, Some(1), 1.0, None),
+        ] {
+            let found = refuse_years(cycles, samples, omega).err().map(|failure| failure.to_string());
+            match words {
+                None => assert!(found.is_none(), "{cycles} {samples:?} {omega}: {found:?}"),
+                Some(words) => {
+                    assert!(found.as_ref().is_some_and(|f| f.contains(words)), "{cycles}: {found:?}")
+                }
+            }
+        }
+    }
+}

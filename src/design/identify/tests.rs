@@ -78,3 +78,34 @@ fn too_little_or_bad_input_is_refused() {
     bad[2].amplitude = -1.0;
     assert!(identify(&body(1.0, 0.0), FORCE, &bad).is_err());
 }
+
+/// Amplitudes beyond those of a body without a damper, far from resonance and near it: no damping fits best, and
+/// the friction that fits then is found by the sum of squares alone.
+#[test]
+fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
+    for (friction, most) in [(1.5, 0.02), (3.0, 0.01), (4.5, 0.03)] {
+        let mut measured = curve(friction, 0.0, (1.3, 3.5), 12, false);
+        for point in &mut measured {
+            let ratio = point.angular_frequency / 2.0;
+            point.amplitude *= 1.0 + most / (1.0 + 30.0 * (1.0 - ratio).powi(2)) - most / 3.0;
+        }
+        let fit = found(&measured);
+        assert!(fit.damping_ratio.value <= 1e-8, "{friction}: {fit:?}");
+        let squares = |friction: f64| -> f64 {
+            let body = body(friction, 0.0);
+            let off = |m: &Measurement| {
+                let drive = Drive::force(FORCE, m.angular_frequency).unwrap();
+                let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
+                1.0 - cycle.max_displacement * body.friction_displacement() / m.amplitude
+            };
+            measured.iter().map(|m| off(m).powi(2)).sum()
+        };
+        let (mut low, mut high) = (0.8 * friction, 1.2 * friction);
+        for _ in 0..60 {
+            let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+            if squares(a) < squares(b) { high = b } else { low = a }
+        }
+        // The sum of squares knows half of the digits.
+        assert!((fit.friction_bound.value / low - 1.0).abs() < 1e-6, "{friction} {low}: {fit:?}");
+    }
+}

@@ -115,3 +115,24 @@ fn in_physical_units() {
     let empty = most_dissipating_stiffness(&body, &drive, 3.0, 2.0).unwrap_err();
     assert!(matches!(empty, Error::EmptyRange { quantity: Quantity::Stiffness, .. }), "{empty}");
 }
+
+/// ζ = γΩ, γ = c/(2mω_d), Ω = √(8/k), is between 2⁻²⁵⁰ and 2²⁵⁰ over the whole range, or the error names the ζ
+/// that is not.
+#[test]
+fn the_damping_ratio_is_in_its_domain_at_both_ends() {
+    let drive = Drive::force(3.75, 2.0).unwrap();
+    let found = |own: f64, gamma: f64, low: f64, high: f64| {
+        let body = Oscillator::new(2.0, own, 3.0).unwrap().with_damping(8.0 * gamma).unwrap();
+        most_dissipating_stiffness(&body, &drive, low, high).map(|best| best.kind)
+    };
+    for (own, gamma, low, high, exponent) in [
+        (99.0, 2f64.powi(249), 8.0 / 64.0, 8.0 / 16.0, 251),
+        (99.0, 2f64.powi(249), 8.0 / 64.0, 8.0, 252),
+        (0.01, 2f64.powi(-249), 8.0, 8.0 * 16.0, -251),
+        (0.01, 2f64.powi(-249), 8.0 * 16.0, 8.0 * 64.0, -252),
+    ] {
+        let zeta = 2f64.powi(exponent);
+        let due = Ratios::new(0.5, 1.25).unwrap().with_damping_ratio(zeta).unwrap_err();
+        assert_eq!(found(own, gamma, low, high), Err(due), "{gamma:e}");
+    }
+}

@@ -60,3 +60,31 @@ fn on_the_border_a_cycle_is_no_smaller_than_its_turning_points_ask_for() {
         assert!(far > 0.99 && fast > 0.99, "{zeta}: {far} {fast}");
     }
 }
+
+/// The same motion as with one friction from its own, higher border on; at Ω = 1 there is none.
+#[test]
+fn with_static_friction_the_cycle_begins_at_its_own_border() {
+    for omega in [0.28, 0.4, 0.7, 1.0, 1.6, 3.0] {
+        let ratios =
+            |alpha: f64, eta| Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
+        let least = crate::Border::of(&ratios(2.0, 1.5)).min_force_ratio;
+        assert!(least >= crate::Border::new(omega).unwrap().min_force_ratio);
+        for alpha in [least, least * 1.3, least * 40.0] {
+            let found = Cycle::new(ratios(alpha, 1.5));
+            assert_eq!(Cycle::find(ratios(alpha, 1.5)), found.clone().ok(), "{omega} {alpha}");
+            if omega == 1.0 {
+                assert!(matches!(found, Err(Error::Unbounded { .. })), "{alpha}: {found:?}");
+                continue;
+            }
+            let (found, one) = (found.unwrap(), Cycle::new(ratios(alpha, 1.0)).unwrap());
+            let of = |c: &Cycle<f64>| {
+                [c.max_displacement, c.displacement_phase, c.max_velocity, c.velocity_phase, c.deviation()]
+            };
+            assert_eq!(of(&found), of(&one), "{omega} {alpha}");
+        }
+        for alpha in [least.next_down(), 0.9 * least] {
+            let found = Cycle::new(ratios(alpha, 1.5));
+            assert!(matches!(found, Err(Error::Sticks { .. })), "{omega} {alpha}: {found:?}");
+        }
+    }
+}

@@ -128,3 +128,50 @@ fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
     assert_eq!(Place::of(&body, &drive).unwrap().verdict(), EITHER);
     assert!(Place::new(drive.ratios(&body).unwrap()).verdict().regime().is_some());
 }
+
+#[test]
+fn with_damping_the_error_bound_is_16_units() {
+    let at = |omega: f64, alpha, zeta| {
+        Place::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()).verdict()
+    };
+    let least = Border::with_damping(0.7, 0.1).unwrap().min_force_ratio;
+    let [above, below] = [16.0, -16.0].map(|units| least * (1.0 + units * f64::EPSILON));
+    for (alpha, verdict) in [
+        (above.next_up(), Verdict::NonSticking),
+        (above, EITHER),
+        (least, EITHER),
+        (below, EITHER),
+        (below.next_down(), Verdict::Sticking),
+        (1f64.next_up(), Verdict::Sticking),
+        (1.0, Verdict::AtRest),
+    ] {
+        assert_eq!(at(0.7, alpha, 0.1), verdict, "{alpha:?}");
+    }
+    let (low, high) = crate::regime::no_stop_force_ratios(0.331, 1e-3).unwrap().six_reversals.unwrap();
+    let due = [Verdict::Sticking, EITHER, Verdict::SixReversals, EITHER, Verdict::Sticking];
+    assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(|alpha| at(0.331, alpha, 1e-3)), due);
+}
+
+/// Within the error of its own border nothing is known, elsewhere the border is, for every start.
+#[test]
+fn with_static_friction_only_the_border_is_known() {
+    for (omega, zeta, units) in [(0.7, 0.0, 8.0), (0.7, 0.1, 16.0), (1.0, 0.0, 8.0), (1.0, 0.1, 16.0)] {
+        let ratios = |alpha: f64| {
+            let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(1.5).unwrap();
+            ratios.with_damping_ratio(zeta).unwrap()
+        };
+        let at = |alpha| Place::new(ratios(alpha)).verdict();
+        let least = Border::of(&ratios(2.0)).min_force_ratio;
+        let above = if omega == 1.0 && zeta == 0.0 { Regime::Unbounded } else { Regime::NonSticking };
+        let unsure = Verdict::Undecided(Regime::Sticking, above);
+        for (off, verdict) in [
+            (-1.5 * units, Verdict::DependsOnStart(Regime::Sticking)),
+            (-0.5 * units, unsure),
+            (0.5 * units, unsure),
+            (1.5 * units, Verdict::DependsOnStart(above)),
+        ] {
+            assert_eq!(at(least * (1.0 + off * f64::EPSILON)), verdict, "{omega} {zeta} {off}");
+        }
+        assert_eq!(at(1.0), Verdict::AtRest);
+    }
+}
