@@ -196,3 +196,21 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
         refused(arguments, &parts);
     }
 }
+
+#[test]
+fn a_picture_has_as_many_points_as_fit() {
+    let file = place("map-limits.svg");
+    let map = |grids: &str| format!("map {grids} --out {}", file.display());
+    for (grids, words) in [
+        ("--omega 0.5:2:20001 --alpha 2:3:2", "--omega: 20001 values, must be ≤ 20000 in a picture"),
+        ("--omega 2:3:2 --alpha 0.5:2:20001", "--alpha: 20001 values, must be ≤ 20000 in a picture"),
+        ("--omega 2:3:2001 --alpha 0.5:2:2000", "--omega, --alpha: 4002000 points, must be ≤ 4000000"),
+    ] {
+        refused(&map(grids), &[words]);
+        assert!(!file.exists());
+    }
+    for grids in ["--omega 0.5:2:20000 --alpha 2:3:2", "--omega 2:3:2 --alpha 0.5:2:20000"] {
+        stdout(&map(grids));
+        std::fs::remove_file(&file).unwrap();
+    }
+}

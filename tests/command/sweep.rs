@@ -356,3 +356,45 @@ fn an_interrupted_sweep_can_be_gone_on_with() {
     let columns = text.lines().next().unwrap().split(',').count();
     assert!(text.lines().all(|line| line.split(',').count() == columns));
 }
+
+/// Whichever row has another Ω or α than is due, and whatever else it has: it is not of this sweep.
+#[test]
+fn a_row_of_another_point_is_refused() {
+    for (sweep, name) in [
+        ("border --omega 0.5:2:400", "omega"),
+        ("border --omega 0.5:2:400 --format jsonl", "omega"),
+        ("border --omega 0.5:2:400 --outputs best_force_ratio,omega", "omega"),
+        ("response --omega 0.7 --alpha 1.5:8:400", "alpha"),
+        ("response --omega 0.5:2:400 --alpha 3 --format jsonl", "omega"),
+        ("response --omega 0.5:2:400 --alpha 3", "omega"),
+    ] {
+        let whole = stdout(&format!("sweep {sweep}"));
+        let file = place("other-point");
+        let lines: Vec<&str> = whole.lines().collect();
+        let header = usize::from(!sweep.contains("jsonl"));
+        assert_eq!(lines.len(), 400 + header);
+        for row in [0, 1, 23, 57, 111, 199, 250, 301, 398, 399] {
+            // The point of the row two further on, or before; the other values stay.
+            let (line, other) = (lines[row + header], lines[(row + 2) % 400 + header]);
+            let changed = if header == 1 {
+                let place = lines[0].split(',').position(|column| column == name).unwrap();
+                let mut cells: Vec<&str> = line.split(',').collect();
+                cells[place] = other.split(',').nth(place).unwrap();
+                cells.join(",")
+            } else {
+                let member = |line: &str| {
+                    let mut members = line.split(['{', '}', ',']).map(str::to_owned);
+                    members.find(|member| member.starts_with(&format!("\"{name}\":"))).unwrap()
+                };
+                line.replace(&member(line), &member(other))
+            };
+            assert_ne!(changed, line, "{sweep}");
+            let mut kept = lines.clone();
+            kept[row + header] = &changed;
+            std::fs::write(&file, kept.join("\n") + "\n").unwrap();
+            let row = format!("row {} is not of this sweep", row + 1);
+            refused(&format!("sweep {sweep} --out {} --resume", file.display()), &[&row]);
+        }
+        std::fs::remove_file(&file).unwrap();
+    }
+}

@@ -464,3 +464,84 @@ fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
         close(number(&base[0][end]), number(&force[0][end]), 1e-13);
     }
 }
+
+/// Each value in the machine's units is that in the units of `outputs` times B = r_y/k, B ω_d, B ω_d², r_y,
+/// 1/ω_d or r_y B, here 0.375 m, 0.525 m/s, 0.735 m/s², 3 N, 1/1.4 s and 1.125 N·m.
+#[test]
+fn every_value_in_units_is_its_ratio_times_its_unit() {
+    let body = "--mass 2 --stiffness 8 --friction 3 --frequency 1.4 --format json";
+    let (turn, hertz) = (TAU / 1.4, 1.4 / TAU);
+    let mut compared = 0;
+    for (arguments, force, base) in [
+        ("steady --force 15 --damping-ratio 0.05", 15.0, false),
+        ("steady --base-displacement 15", 58.8, true),
+        ("steady --force 6 --static-friction-ratio 1.3", 6.0, false),
+        ("steady --force 2.4", 2.4, false),
+        ("response --force 15 --damping-ratio 0.05", 15.0, false),
+        ("response --base-velocity 21", 58.8, true),
+        ("response --foot-displacement 3", 24.0, false),
+        ("border --damping-ratio 0.05", 0.0, false),
+    ] {
+        let answer = json(&format!("{arguments} {body}"));
+        let own = |name: &str| answer[name].as_f64();
+        for (name, found) in answer["physical"].as_object().unwrap() {
+            if ["units", "drive"].contains(&name.as_str()) {
+                continue;
+            }
+            let (due, unit) = match name.as_str() {
+                "frequency" => (Some(hertz), "Hz"),
+                "angular_frequency" => (Some(1.4), "rad/s"),
+                "natural_frequency" => (Some(2.0), "rad/s"),
+                "period" => (Some(TAU / 2.0), "s"),
+                "mass" => (Some(2.0), "kg"),
+                "stiffness" => (Some(8.0), "N/m"),
+                "friction" => (Some(3.0), "N"),
+                "static_friction" => (Some(3.9), "N"),
+                "damping" => (Some(0.4), "N·s/m"),
+                "force_amplitude" => (Some(force), "N"),
+                "friction_displacement" => (Some(0.375), "m"),
+                "foot_displacement" => (Some(3.0), "m"),
+                "base_displacement" => (Some(15.0), "m"),
+                "base_velocity" => (Some(21.0), "m/s"),
+                "base_acceleration" => (Some(29.4), "m/s²"),
+                "max_displacement" | "min_displacement" | "deviation" | "distance" | "rest_position"
+                | "least_displacement" => (own(name).map(|x| x * 0.375), "m"),
+                "max_absolute_displacement" => {
+                    assert!(base, "{arguments}");
+                    (own(name).map(|x| x * 0.375), "m")
+                }
+                "max_velocity" | "min_velocity" => (own(name).map(|x| x * 0.525), "m/s"),
+                "max_acceleration" => (own(name).map(|x| x * 0.735), "m/s²"),
+                "transmitted_force" => (own(name).map(|x| x * 3.0), "N"),
+                "min_force" | "min_force_turning_point" | "best_force" => {
+                    (own(&name.replace("force", "force_ratio")).map(|x| x * 3.0), "N")
+                }
+                "energy_in" | "energy_out" => (own(name).map(|x| x * 1.125), "N·m"),
+                "damper_energy_per_cycle" => (own("damper_work").map(|x| x * 1.125), "N·m"),
+                // A₁ is stated per p₀²/(2k).
+                "energy_per_cycle" => (own("loop_size_stiffness").map(|x| x * force * force / 16.0), "N·m"),
+                "best_force_energy" => {
+                    let best = own("best_force_ratio").map(|ratio| 3.0 * ratio);
+                    (own("best_loop_size").zip(best).map(|(size, p0)| size * p0 * p0 / 16.0), "N·m")
+                }
+                "followed_for" => (own("periods").map(|x| x * turn), "s"),
+                time => {
+                    let phase = time.strip_suffix("_time").unwrap_or_else(|| panic!("{arguments}: {time}"));
+                    (own(&format!("{phase}_phase")).map(|x| x / 1.4), "s")
+                }
+            };
+            assert_eq!(answer["physical"]["units"][name], unit, "{arguments}: {name}");
+            let found = found.as_f64();
+            let is = match (found, due) {
+                (Some(found), Some(due)) => (found - due).abs() <= 1e-13 * due.abs(),
+                (found, due) => found == due,
+            };
+            assert!(is, "{arguments}: {name} {found:?} for {due:?}");
+            compared += u32::from(found.is_some());
+        }
+        let felt = own("transmitted_force").zip(own("transmissibility"));
+        let is_share = |(f, ratio): (f64, f64)| (f * 3.0 / force / ratio - 1.0).abs() < 1e-13;
+        assert!(arguments.contains("foot") || felt.is_none_or(is_share), "{arguments}");
+    }
+    assert!(compared > 130, "{compared}");
+}
