@@ -66,7 +66,7 @@ use crate::float::Float;
 ///
 /// `f` gives the function with whatever else the caller wants to know of that instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(
-    search: &Search<F>,
+    search: &Search<'_, F>,
     start: Jet<F>,
     f: impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -86,8 +86,9 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
     // The window at which a stretch ended: if it were computed again from there, rounding could leave a
     // remainder of the stretch.
     let mut entered = None;
+    let mut waves = None;
     for stretches in 0..u32::MAX {
-        if stretches >= USUAL_STRETCHES && is_overdue(search.omega, search.waves.as_deref(), phi, stretches) {
+        if stretches >= USUAL_STRETCHES && is_overdue(search, phi, stretches) {
             return Verdict::Lost(phi);
         }
         let boundary = (quarter - search.angle + half_turn * F::pi()) / search.omega;
@@ -120,9 +121,9 @@ pub(crate) fn next_zero<F: Float, M: Copy>(
                 entered = Some((begins, ends));
             }
         }
-        if let Some(waves) = &search.waves
+        if let Some(slide) = search.waves
             && !from_zero
-            && let Some(ends) = waves.end(phi)
+            && let Some(ends) = waves.get_or_insert_with(|| Waves::of(slide)).end(phi)
         {
             let skipped = search.half_turn_at(ends);
             if modulo_two(skipped - half_turn) {
@@ -160,10 +161,10 @@ const USUAL_STRETCHES: u32 = 64;
 /// than such a time can contain.
 #[cold]
 #[inline(never)]
-fn is_overdue<F: Float>(omega: F, waves: Option<&Waves<F>>, phi: F, stretches: u32) -> bool {
-    let (one, two) = (F::int(1), F::int(2));
+fn is_overdue<F: Float>(search: &Search<'_, F>, phi: F, stretches: u32) -> bool {
+    let (one, two, omega) = (F::int(1), F::int(2), search.omega);
     let usual = F::pi() * (one + two / omega);
-    let longest = waves.map_or(usual, Waves::longest);
+    let longest = search.waves.map_or(usual, |slide| Waves::of(slide).longest());
     // As many times as many where a damped slide may last longer.
     let times = if longest > usual { longest / usual } else { one };
     let most = F::int(8) * (F::int(8) + omega + one / omega) * times;
@@ -182,7 +183,7 @@ mod tests {
     use std::cell::Cell;
     use std::f64::consts::PI;
 
-    fn search(omega: f64, limit: Option<f64>) -> Search<f64> {
+    fn search(omega: f64, limit: Option<f64>) -> Search<'static, f64> {
         let (from_zero, safe, short_noise) = (false, None, None);
         Search {
             omega,

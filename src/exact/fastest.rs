@@ -155,7 +155,7 @@ impl<F: Float> Slide<F> {
 
     /// The search for the first zero of the acceleration from φ = `at` on, whose sign there is `side`.
     #[inline]
-    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<F> {
+    fn acceleration_search(&self, at: F, to: F, side: F, from_zero: bool, noise: F) -> Search<'_, F> {
         let omega = self.equation.omega;
         // −sin θ = cos(θ + π/2)
         let shifted = self.start.advanced(omega * at + F::pi() / F::int(2));

@@ -2,6 +2,7 @@
 
 use super::cover::Cover;
 use super::jet::Jet;
+use super::slide::Slide;
 use super::window::Waves;
 use crate::float::Float;
 
@@ -39,8 +40,8 @@ impl<F: Float> Safe<F> {
 }
 
 /// What is known of the function whose zero is sought.
-#[derive(Debug, Clone)]
-pub(crate) struct Search<F> {
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Search<'a, F> {
     pub(crate) omega: F,
     /// The fastest rate of change, [`super::equation::Equation::pace`].
     pub(crate) pace: F,
@@ -57,15 +58,15 @@ pub(crate) struct Search<F> {
     pub(crate) hint: F,
     /// Where no zero can be, without damping.
     pub(crate) safe: Option<Safe<F>>,
-    /// Where no zero can be, with damping.
-    pub(crate) waves: Option<Box<Waves<F>>>,
+    /// The slide, where a look at the two waves of its velocity costs less than the stretches that they clear.
+    pub(crate) waves: Option<&'a Slide<F>>,
     /// The rounding error of f near a zero.
     pub(crate) noise: F,
     /// The same at a short time: the coefficients of 1, φ, φ², φ³.
     pub(crate) short_noise: Option<[F; 4]>,
 }
 
-impl<F: Float> Search<F> {
+impl<F: Float> Search<'_, F> {
     /// How many half turns of g have passed at φ.
     pub(crate) fn half_turn_at(&self, phi: F) -> F {
         ((phi * self.omega + self.angle) / F::pi() + F::ratio(1, 2)).floor()
@@ -74,7 +75,7 @@ impl<F: Float> Search<F> {
     /// The rounding error of f near a zero at φ.
     pub(crate) fn noise_at(&self, phi: F) -> F {
         let least = |x: F, y: F| if x < y { x } else { y };
-        let long = self.waves.as_ref().map_or(self.noise, |waves| least(waves.noise_at(phi), self.noise));
+        let long = self.waves.map_or(self.noise, |slide| least(Waves::of(slide).noise_at(phi), self.noise));
         let Some([a, b, c, d]) = self.short_noise else { return long };
         least(a + phi * (b + phi * (c + phi * d)), long)
     }

@@ -34,6 +34,9 @@ use crate::nonsticking::damped::half_period::HalfPeriod;
 use crate::nonsticking::damped::rising::Rising;
 use crate::nonsticking::displacement::max_displacement;
 use crate::phase_function::{PhaseFunction, one_minus_square};
+use miss::Miss;
+
+mod miss;
 
 /// Stops are looked for where they are let go forward, around θ = 0.
 const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };
@@ -101,7 +104,7 @@ impl<F: Float> Sticking<F> {
     /// As for [`passage`].
     pub(crate) fn limit(&self, budget: &mut Budget<'_>) -> Result<Option<LongRun<F>>, Broken> {
         let equation = self.equation;
-        let found = fixed_point(equation, self.guess(), budget)?;
+        let found = fixed_point(equation, self.guess(), self.other_guesses(), budget)?;
         found.map_or(Ok(None), |passage| steady(equation, &passage, budget))
     }
 
@@ -111,6 +114,16 @@ impl<F: Float> Sticking<F> {
         let (one, alpha) = (F::int(1), self.equation.alpha);
         let (by_cycle, slow) = (self.shift - self.amplitude, one - alpha);
         if by_cycle > -(one + alpha) && by_cycle < slow { by_cycle } else { slow }
+    }
+
+    /// With damping, where to look if there is no stop at the first guess: where the spring balances the drive's
+    /// amplitude, which a body stops beyond after a slide of a whole free period, and at the minimum of the closed
+    /// form, where a fast drive leaves it.
+    fn other_guesses(&self) -> [Option<F>; 2] {
+        let alpha = self.equation.alpha;
+        let by_cycle = self.shift - self.amplitude;
+        let is_damped = self.equation.is_damped();
+        [is_damped.then_some(-alpha), (is_damped && by_cycle > F::int(1) - alpha).then_some(by_cycle)]
     }
 }
 
@@ -126,18 +139,11 @@ impl<F: Float> Task for Undamped<F> {
     }
 }
 
-/// `G(x) − x` at a point, and its slope.
-#[derive(Clone, Copy)]
-struct Miss<F> {
-    x: F,
-    value: F,
-    slope: F,
-}
-
 /// The passage from the fixed point of G.
 fn fixed_point<F: Float>(
     equation: Equation<F>,
     guess: F,
+    others: [Option<F>; 2],
     budget: &mut Budget<'_>,
 ) -> Result<Option<Passage<F>>, Broken> {
     let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
@@ -148,14 +154,22 @@ fn fixed_point<F: Float>(
     let mut spare = Vec::with_capacity(8);
     let mut is_proved = true;
     let mut failures = 0..MOST_FAILURES;
+    let mut others = others.into_iter().flatten();
     for _ in 0..MOST_PASSAGES {
         if budget.half_turns > budget.most {
             break;
         }
         let expected = Expected { by: best.as_ref(), is_proved };
         let Some(tried) = passage(equation, STATION, x, expected, spare, budget)? else {
-            // No such stop here: back towards the last one.
-            let (Some(last), Some(_)) = (&best, failures.next()) else { break };
+            // No such stop here: back towards the last one, or from elsewhere.
+            let Some(last) = &best else {
+                let Some(other) = others.next() else { break };
+                (x, spare) = (other, Vec::new());
+                continue;
+            };
+            if failures.next().is_none() {
+                break;
+            }
             if x > last.from {
                 high = x;
             } else {
@@ -181,13 +195,21 @@ fn fixed_point<F: Float>(
         } else {
             high = x;
         }
-        let halves = best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
+        // Of a motion with other slides the cubic knows nothing. Without damping it stays, for the same digits.
+        if equation.is_damped() && best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
+            before = None;
+        }
+        let is_other = before.is_none() && equation.is_damped();
+        let halves = is_other || best.as_ref().is_none_or(|last| here.value.abs() * two <= last.left.x.abs());
         let next = x + here.step(before);
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
-        // With a residual of more than ε^¼ the next passage is not the last one.
-        is_proved = (here.value / (one + x.abs())).square().square() <= F::epsilon();
+        // With a residual of more than ε^¼ the next passage is not the last one, and hardly with more than ε^⅓. A proof
+        // costs the more, the slower the drive; without damping all digits stay as they are.
+        let share = (here.value / (one + x.abs())).abs();
+        let power = if equation.is_damped() { share * share.square() } else { share.square().square() };
+        is_proved = power <= F::epsilon();
         let last = best.replace(tried);
         if is_closed {
             // The residual is rounding, a little more of it than expected.
@@ -201,34 +223,6 @@ fn fixed_point<F: Float>(
 
 /// Maximum number of displacements without a stop before the search ends.
 const MOST_FAILURES: u32 = 4;
-
-impl<F: Float> Miss<F> {
-    /// The step to the zero of the cubic through this point and the one before, with their slopes; Newton's
-    /// step without one.
-    fn step(&self, before: Option<Self>) -> F {
-        let (two, three) = (F::int(2), F::int(3));
-        let newton = -(self.value / self.slope);
-        let Some(before) = before else { return newton };
-        // value + slope t + a t² + b t³, t from here
-        let back = self.x - before.x;
-        let secant = (self.value - before.value) / back;
-        let a = (two * self.slope + before.slope - three * secant) / back;
-        let b = (self.slope + before.slope - two * secant) / back.square();
-        // The zero next to here of the parabola, then Newton's steps for the cubic.
-        let discriminant = self.slope.square() - F::int(4) * a * self.value;
-        let bends_away = discriminant <= F::int(0) || !discriminant.is_finite();
-        if bends_away {
-            return newton;
-        }
-        let mut t = -(two * self.value) / (self.slope - discriminant.sqrt());
-        for _ in 0..3 {
-            let value = self.value + t * (self.slope + t * (a + t * b));
-            let slope = self.slope + t * (two * a + three * t * b);
-            t = t - value / slope;
-        }
-        t
-    }
-}
 
 /// The steady state that a fixed point of G is.
 fn steady<F: Float>(

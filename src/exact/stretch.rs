@@ -16,7 +16,7 @@ pub(crate) struct Stretch<F> {
 
 /// The zero of a stretch where g ≤ 0: there is one if and only if f < 0 at the end.
 pub(crate) fn in_opposing<F: Float, M: Copy>(
-    search: &Search<F>,
+    search: &Search<'_, F>,
     stretch: Stretch<F>,
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -59,7 +59,7 @@ fn first_zero_of_bound<F: Float>(jet: Jet<F>) -> F {
 ///
 /// `below` says that f(high) < 0 is known; otherwise f(high) ≥ 0 means that there is no zero.
 fn bracketed<F: Float, M: Copy>(
-    search: &Search<F>,
+    search: &Search<'_, F>,
     low: F,
     high: F,
     below: bool,
@@ -142,7 +142,7 @@ fn is_final<F: Float>(pace: F, jet: &Jet<F>, phi: F, step: F) -> bool {
 
 /// The first zero of a stretch where g ≥ 0.
 pub(crate) fn in_helping<F: Float, M: Copy>(
-    search: &Search<F>,
+    search: &Search<'_, F>,
     stretch: Stretch<F>,
     f: &impl Fn(F) -> (Jet<F>, M),
 ) -> Verdict<F, M> {
@@ -152,7 +152,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
         return Verdict::Clear(None);
     }
     if let Some(j) = jet
-        && search.cover.forward(j) >= to - from
+        && search.cover.reaches_forward(j, to - from)
     {
         return Verdict::Clear(None);
     }
@@ -166,7 +166,7 @@ pub(crate) fn in_helping<F: Float, M: Copy>(
     let (left, left_motion) = match jet {
         Some(j) => (j, None),
         // The interval covered from the end need not be searched.
-        None if right.value > F::int(0) && search.cover.backward(right) >= to - from => {
+        None if right.value > F::int(0) && search.cover.reaches_back(right, to - from) => {
             return Verdict::Clear(Some((right, right_motion)));
         }
         None => {
@@ -226,7 +226,7 @@ const MOST_POLISHES: u32 = 6;
 /// u falls (`cover`), its backward cover is longer than half a stretch, and the point replaces the left end;
 /// where it rises, the right one.
 fn dip<F: Float, M: Copy>(
-    search: &Search<F>,
+    search: &Search<'_, F>,
     left: (F, Jet<F>),
     right: (F, Jet<F>),
     right_motion: M,
@@ -269,7 +269,7 @@ fn dip<F: Float, M: Copy>(
 }
 
 /// What rounding can make of the lowest value of a dip: of f, and of φ, which is known to ε of itself.
-fn noise<F: Float>(search: &Search<F>, phi: F, jet: &Jet<F>) -> F {
+fn noise<F: Float>(search: &Search<'_, F>, phi: F, jet: &Jet<F>) -> F {
     let unit = F::int(4) * F::epsilon() * phi;
     search.noise_at(phi) + jet.second.abs() * unit.square() / F::int(2)
 }

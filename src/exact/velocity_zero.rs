@@ -10,7 +10,6 @@ use super::motion::Motion;
 use super::search::{Found, Safe, Search, Verdict};
 use super::slide::{Direction, Slide};
 use super::stretch::polished_guess;
-use super::window::Waves;
 use crate::float::Float;
 
 /// How a slide ends.
@@ -169,7 +168,7 @@ impl<F: Float> Slide<F> {
 
     /// The known properties of the velocity before its evaluation.
     #[inline]
-    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<F> {
+    fn velocity_search<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Search<'_, F> {
         let sign = self.direction.sign::<F>();
         let unit = F::int(4) * F::epsilon();
         Search {
@@ -239,15 +238,15 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The two waves of the velocity with damping, if their windows cost less than the skipped stretches: for
-    /// Ω > 2 or Ω < 1/8, for Ω < 1/4 if the free wave decays soon, and for ζ ≥ 1/2.
+    /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear: for Ω > 2
+    /// or Ω < 1/4, from ζ = 1 on, and from ζ = 1/2 on unless it begins at rest and not far out, when it is short.
     #[inline]
-    fn damped_waves(&self) -> Option<Box<Waves<F>>> {
-        let (one, two, four) = (F::int(1), F::int(2), F::int(4));
-        let Equation { omega, damping, .. } = self.equation;
-        let slow = omega * F::int(8) < one || (omega * four < one && damping * four > one);
-        let long = self.equation.is_damped() && (slow || omega > two || damping >= one);
-        long.then(|| Box::new(Waves::of(self)))
+    fn damped_waves(&self) -> Option<&Self> {
+        let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));
+        let Equation { omega, alpha, damping, .. } = self.equation;
+        let is_short = self.w == zero && self.acceleration.abs() <= F::int(16) * (one + alpha);
+        let is_stiff = damping >= two || (damping >= one && !is_short);
+        (omega * four < one || omega > two || is_stiff).then_some(self)
     }
 
     /// Where the slow one of the two waves of the velocity exceeds the amplitude of the fast one, for Ω

@@ -118,8 +118,7 @@ impl<F: Float> Waves<F> {
         let psi = psi - two * F::pi() * (psi / (two * F::pi())).round();
         let quarter = F::pi() / two;
         if self.gain * psi.cos() > r + noise && psi < quarter {
-            let clear = |t: F| self.gain * (psi + omega * t).cos() - r * (-(decay * t)).exp() - noise;
-            let end = inner_end((quarter - psi) / omega, one / four, clear)?;
+            let end = self.forced_end(psi, r, noise);
             return (end > one).then(|| phi + end);
         }
         // Whatever its phase, the forced wave is at most G.
@@ -148,6 +147,29 @@ impl<F: Float> Waves<F> {
         None
     }
 
+    /// How long from ψ on the forced wave stays above `r e^{−βt}` and `noise`, where it does at first: from
+    /// below, by the time until it falls to what that was at the time before.
+    fn forced_end(&self, psi: F, r: F, noise: F) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let mut end = F::int(0);
+        for _ in 0..MOST_ADVANCES {
+            let fall = if end > F::int(0) { (-(self.rates.1 * end)).exp() } else { one };
+            // The noise once more for the rounding of the angle.
+            let least = (r * fall + two * noise) / self.gain;
+            let is_above = least < one;
+            if !is_above {
+                break;
+            }
+            let next = (((one - least) * (one + least)).sqrt().atan2(least) - psi) / self.equation.omega;
+            let gained = next - end;
+            end = end.or_larger(next);
+            if gained * F::int(4) <= one {
+                break;
+            }
+        }
+        end
+    }
+
     /// How long a slide can last: the free wave of a pair of instants π/d apart cancels, and from ζ = 1/2 on
     /// it is below half of the forced one after a time; each time the forced wave then changes its sign
     /// within half a turn of the drive. A turn more for rounding.
@@ -162,6 +184,9 @@ impl<F: Float> Waves<F> {
         turns + if swing < fall { swing } else { fall }
     }
 }
+
+/// Steps towards the end of a window of the forced wave; what is left of it is another.
+const MOST_ADVANCES: u32 = 8;
 
 /// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below
 /// to within `close`.

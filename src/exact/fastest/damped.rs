@@ -76,19 +76,29 @@ impl<F: Float> Slide<F> {
                 consider(near, self.motion(near).w);
             }
         }
-        let free = free.hypot(rate);
-        let rounding = F::int(64) * F::epsilon() * (forced + free);
-        let least = (sign * best.w - free - rounding) / forced;
-        let angle = if least < one { ((one - least) * (one + least)).sqrt().atan2(least) } else { zero };
-        let half_width = angle / omega;
+        // The free wave is at most its size at the start, and at most an envelope that dies out.
+        let zeta = vibration.zeta;
+        let size = free.hypot(rate);
+        let envelope = free.hypot((rate + zeta * free) / vibration.frequency);
+        let rounding = F::int(64) * F::epsilon() * (forced + size);
+        let least = |free: F| (sign * best.w - free - rounding) / forced;
+        let half_width = |least: F| {
+            let angle = if least < one { ((one - least) * (one + least)).sqrt().atan2(least) } else { zero };
+            angle / omega
+        };
+        let at_start = least(size);
+        let widest = half_width(at_start);
         let part = |crest: F| {
-            let (from, to) = (crest - half_width, crest + half_width);
+            let earliest = (crest - widest).or_larger(zero);
+            let later = envelope * (-(zeta * earliest)).exp();
+            let width = if vibration.swings() && later < size { half_width(least(later)) } else { widest };
+            let (from, to) = (crest - width, crest + width);
             (from.or_larger(zero), if to < end { to } else { end })
         };
         let parts = [part(crest), part(next)];
-        let is_short = parts.iter().all(|(from, to)| *to - *from <= F::int(16));
-        let are_all = next + two * pi / omega - half_width >= end;
-        (least > -one && is_short && are_all).then_some(parts)
+        let is_short = parts.iter().all(|(from, to)| *to - *from <= F::int(32));
+        let are_all = next + two * pi / omega - widest >= end;
+        (at_start > -one && is_short && are_all).then_some(parts)
     }
 
     /// The maximum speed where the extrema may be many and the free wave dies out, by the search of the
@@ -118,3 +128,6 @@ impl<F: Float> Slide<F> {
             .fold(start, |best, next| if sign * next.w > sign * best.w { next } else { best })
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -90,7 +90,10 @@ fn what_is_found_is_proved() {
         let equation = Equation::new(ratios(i));
         let sticking = Sticking::new(equation);
         let mut budget = Budget::of(1000);
-        let Some(passage) = fixed_point(equation, sticking.guess(), &mut budget).unwrap() else { continue };
+        let others = sticking.other_guesses();
+        let Some(passage) = fixed_point(equation, sticking.guess(), others, &mut budget).unwrap() else {
+            continue;
+        };
         found += 1;
         unproved += u32::from(!passage.is_proved);
         // Found again from no expectation at all.
