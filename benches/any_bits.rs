@@ -132,9 +132,9 @@ fn machine(count: &mut Count, random: &mut Random) {
     let input = [m.mass, m.stiffness, m.friction_bound];
     let body = Oscillator::new(m.mass, m.stiffness, m.friction_bound);
     count.value("body", input, body.clone().map(|b| b.mass()), Some(input.iter().all(|&x| good(x))));
-    let make = if m.base { Drive::base_motion } else { Drive::force };
+    let excitation = if m.base { stickslip::Excitation::FootMotion } else { stickslip::Excitation::Force };
     let input = [m.amplitude, m.frequency, 0.0];
-    let drive = make(m.amplitude, m.frequency);
+    let drive = Drive::new(excitation, m.amplitude, m.frequency);
     count.value(
         "drive",
         input,

@@ -23,7 +23,7 @@
 //! is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
 //! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity. So there is
 //! an answer for every point of the domain, and on which side of the border it lies is decided as
-//! [`mod@crate::regime`] decides it.
+//! [`crate::Regime`] decides it.
 //!
 //! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all
 //! but the border where there is no non-sticking cycle.

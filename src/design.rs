@@ -5,7 +5,7 @@
 //! | minimum force that keeps the body sliding | [`crate::Border::min_force_ratio`] | [`min_amplitude`] | `force.rs` |
 //! | maximum friction that lets it slide | the same, p₀/α_min | [`max_friction`] | `friction.rs` |
 //! | frequencies at which it never sticks | [`bands()`] | [`frequency_bands`] | `bands.rs` |
-//! | forces without any stop, two or six reversals | [`crate::regime::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
+//! | forces without any stop, two or six reversals | [`crate::no_stop_force_ratios`] | [`forces_without_stop`] | `no_stop.rs` |
 //! | frequencies without any stop | [`bands_without_stop`] | [`frequency_bands_without_stop`] | `no_stop.rs` |
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
@@ -23,7 +23,7 @@
 //! [`crate::Border`]) reproduces the target to rounding. “Sliding” is the motion of the closed forms, two
 //! reversals a cycle and no stop; below its border the body stops, or near a pole reverses six times
 //! ([`crate::nonsticking::SixReversals`]): answers that include such motions are searched there, not proved.
-//! On the border of sticking there is no safety margin, which real friction needs: see [`crate::Place`].
+//! On the border of sticking there is no safety margin, which real friction needs: see [`crate::Output::Margin`].
 
 mod band;
 mod bands;

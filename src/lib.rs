@@ -24,7 +24,7 @@
 //! # From input to answer
 //!
 //! [`Oscillator`] and [`Drive`] (physical) → [`Ratios`] (Ω, α) → [`PhaseFunction`] K(Ω) → [`Cycle`],
-//! [`Border`] → [`Response`], [`Place`] → [`design`], the inverse problems, and [`uncertainty`], parameters
+//! [`Border`] → [`Response`], [`Verdict`] → [`design`], the inverse problems, and [`uncertainty`], parameters
 //! that are not known exactly; [`Scales`] leads back to physical units, [`Output`] names the outputs.
 //!
 //! # The closed forms
@@ -183,7 +183,7 @@ mod pages;
 )]
 mod phase_function;
 mod ratios;
-pub mod regime;
+mod regime;
 mod response;
 mod root;
 #[cfg(feature = "dual")]
@@ -221,5 +221,8 @@ pub use oscillator::{Drive, Excitation, Oscillator, Scales};
 pub use output::{Output, UnknownOutput};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
-pub use regime::{Place, Regime, Verdict, regime};
+pub use regime::{Family, NoStop, Regime, Stops, Verdict, no_stop_force_ratios, regime, stops_per_cycle};
+// The regime of an exact motion, as the command and the Python package report it.
+#[doc(hidden)]
+pub use regime::{Observed, observed};
 pub use response::Response;

@@ -45,7 +45,7 @@ mod undamped;
 mod velocity;
 mod waves;
 
-pub use border::{Border, Lobe, Minimum, Shortfall};
+pub use border::{Border, Minimum, Shortfall};
 pub use cycle::Cycle;
 #[cfg(any(test, feature = "matching"))]
 pub use matching::Unknowns;

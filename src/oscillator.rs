@@ -200,7 +200,7 @@ mod tests {
     #[test]
     fn base_motion_is_a_force_k_times_its_amplitude() {
         let oscillator = Oscillator::new(2.0, 8.0, 4.0).unwrap();
-        let base = Drive::base_motion(1.5, 3.0).unwrap();
+        let base = Drive::new(crate::Excitation::FootMotion, 1.5, 3.0).unwrap();
         assert_eq!(base.force_amplitude(&oscillator), 12.0);
         let ratios = base.ratios(&oscillator).unwrap();
         assert_eq!((ratios.omega(), ratios.alpha()), (1.5, 3.0));
@@ -222,7 +222,7 @@ mod tests {
         assert_eq!(text(Oscillator::new(1.0, f64::NAN, 1.0)), "stiffness k = NaN must be finite");
         assert_eq!(text(Oscillator::new(1.0, 1.0, -2.0)), "friction bound r_y = -2 must be > 0");
         assert!(Drive::force(f64::INFINITY, 1.0).is_err());
-        assert!(Drive::base_motion(1.0, 0.0).is_err());
+        assert!(Drive::new(crate::Excitation::FootMotion, 1.0, 0.0).is_err());
         let tiny = Oscillator::new(1.0, 1e300, 1e-300).unwrap();
         let message = Scales::new(&tiny, &Drive::force(1.0, 1.0).unwrap()).unwrap_err().to_string();
         assert!(message.starts_with("friction displacement B"), "{message}");

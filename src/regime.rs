@@ -1,12 +1,12 @@
 //! The steady behaviour of the body over the plane of Ω and α.
 //!
-//! [`Regime`] classifies it by comparison with the rounded border. [`Place`] gives the point's place in the
-//! plane and its margin from the border, and is undecided where the arithmetic is.
+//! [`Regime`] classifies it by comparison with the rounded border. [`Verdict`] is undecided where
+//! the arithmetic is.
 
 pub(crate) mod damped;
+mod decision;
 mod no_stop;
 mod observed;
-mod place;
 mod stops;
 mod verdict;
 
@@ -15,7 +15,6 @@ pub use no_stop::{NoStop, no_stop_force_ratios};
 // The regime of an exact motion, as the command and the Python package report it.
 #[doc(hidden)]
 pub use observed::{Observed, observed};
-pub use place::Place;
 pub use stops::{Stops, stops_per_cycle};
 pub use verdict::{Family, Verdict};
 

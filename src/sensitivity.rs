@@ -169,8 +169,11 @@ mod tests {
         let grown = by_friction + by_force;
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
         // A base that moves pushes more on a stiffer body.
-        let based =
-            Sensitivities::by_parameters(&body, &Drive::base_motion(9.0 / 8.0, 1.5).unwrap()).unwrap();
+        let based = Sensitivities::by_parameters(
+            &body,
+            &Drive::new(crate::Excitation::FootMotion, 9.0 / 8.0, 1.5).unwrap(),
+        )
+        .unwrap();
         let more = based.of(Output::MaxDisplacement).unwrap().by[1] - delta.by[1];
         assert!((more / (delta.by[3] * 9.0 / 8.0) - 1.0).abs() < 1e-12, "{more}");
     }

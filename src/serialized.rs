@@ -7,7 +7,6 @@ use crate::exact::{FreeDecay, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::{Border, Cycle};
 use crate::output::Output;
-use crate::regime::Place;
 use crate::response::Response;
 #[cfg(feature = "dual")]
 use crate::sensitivity::{Sensitivities, Sensitivity};
@@ -101,18 +100,6 @@ impl<F: Float + Serialize> Serialize for FreeDecay<F> {
             map.serialize_entry("first_turn", &self.first_turn)?;
             map.serialize_entry("rest_position", &self.rest_position)?;
             map.serialize_entry("rest_time", &Some(self.rest_time).filter(|time| time.is_finite()))
-        })
-    }
-}
-
-/// The ratios, the verdict, the margin and the border.
-impl<F: Float + Serialize> Serialize for Place<F> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        in_map(serializer, None, |map| {
-            map.serialize_entry("ratios", &self.ratios())?;
-            map.serialize_entry("verdict", &self.verdict())?;
-            map.serialize_entry(Output::Margin.name(), &self.margin())?;
-            map.serialize_entry("border", self.border())
         })
     }
 }

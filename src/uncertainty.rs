@@ -199,7 +199,7 @@ impl<F: Float> Range<F> {
 #[cfg(test)]
 mod tests {
     use super::{Interval, Known, Range};
-    use crate::{Error, Place, Ratios};
+    use crate::{Error, Ratios, Verdict};
 
     #[test]
     fn intervals() {
@@ -229,8 +229,8 @@ mod tests {
             (0.5, 9.0, Some(false)),
             (1.0, 2.0, Some(false)),
         ] {
-            let place = Place::new(Ratios::new(omega, alpha).unwrap());
-            assert_eq!(place.verdict().sticks(), sticking, "{omega} {alpha}");
+            let verdict = Verdict::new(Ratios::new(omega, alpha).unwrap());
+            assert_eq!(verdict.sticks(), sticking, "{omega} {alpha}");
         }
     }
 }

@@ -8,7 +8,7 @@ use numpy::PyReadwriteArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch};
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::no_stop_force_ratios;
 use stickslip::{Output, Regime, Response};
 
 /// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a

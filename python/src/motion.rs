@@ -11,7 +11,7 @@ use pyo3::types::PyDict;
 use rayon::prelude::*;
 use stickslip::Error;
 use stickslip::exact::{DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::regime::{Observed, observed};
+use stickslip::{Observed, observed};
 
 /// The most rows of a simulation: what fits into memory.
 const MOST_ROWS: usize = 1 << 28;

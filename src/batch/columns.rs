@@ -84,7 +84,7 @@ impl<'a> Columns<'a> {
         self
     }
 
-    /// With the body's motion in the long run ([`mod@crate::regime`]); `None` where a ratio is outside its
+    /// With the body's motion in the long run ([`crate::Regime`]); `None` where a ratio is outside its
     /// domain.
     pub fn with_regime(mut self, slice: &'a mut [Option<Regime>]) -> Self {
         self.0.regime = Some(slice);

@@ -1,7 +1,5 @@
 //! A band of frequency in which the body slides, and what ends it.
 
-use crate::nonsticking::border::Lobe;
-
 /// What ends a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -28,8 +26,8 @@ pub struct Band<F> {
     pub low_edge: Edge,
     /// What bounds the upper end.
     pub high_edge: Edge,
-    /// The lobe of the border that the band is in; with a damper that its lower end would be in without one.
-    /// Only that of index 0 can contain Ω = 1, where the body never sticks but its motion grows without
-    /// bound.
-    pub lobe: Lobe,
+    /// The number n of the lobe of the border, between the poles 1/(2n+3) and 1/(2n+1), that the band is in;
+    /// with a damper that its lower end would be in without one. Only lobe 0 can contain Ω = 1, where the
+    /// body never sticks but its motion grows without bound.
+    pub lobe: u16,
 }

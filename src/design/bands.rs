@@ -71,7 +71,7 @@ struct Frequency<F> {
 /// ```
 ///
 /// # Errors
-/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last [`Lobe`]
+/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω = 7.6e-6,
 /// and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe
 /// whose minimum is so close to α that the type cannot tell whether there is a band in it.
 pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
@@ -192,7 +192,7 @@ pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result
     } else {
         (root::enclosed(best, first_beyond(best, to, slides), excess).0, Edge::Border)
     };
-    Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe }))
+    Ok(Some(Band { low: start, high: end, low_edge, high_edge, lobe: lobe.index() }))
 }
 
 /// A frequency ratio in `(from, to]` where the body sticks, close to the band's end, given that it sticks at
@@ -209,7 +209,7 @@ fn first_beyond<F: Float>(from: F, to: F, slides: impl Fn(F) -> bool) -> F {
 /// border and, next to a corner, the change of the border within the rounding of its Ω.
 fn is_too_close<F: Float>(alpha: F, least: F, omega: F) -> bool {
     let one = F::int(1);
-    let error = F::int(crate::Place::<F>::BORDER_ERROR) * F::epsilon() * (one + one / omega);
+    let error = F::int(crate::Verdict::<F>::BORDER_ERROR) * F::epsilon() * (one + one / omega);
     (alpha - least).abs() <= error * least
 }
 

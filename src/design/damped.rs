@@ -186,7 +186,7 @@ impl<F: Float> Iterator for Search<F> {
 /// A band, in the lobe of the border without damping that its lower end is in.
 fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     let lobe = Lobe::containing(low).unwrap_or(Lobe::new(u16::MAX));
-    Band { low, high, low_edge, high_edge, lobe }
+    Band { low, high, low_edge, high_edge, lobe: lobe.index() }
 }
 
 /// The place of the greatest value between two, by golden sections: of a function with one maximum there, to

@@ -28,7 +28,9 @@ mod tests {
     fn slides_below_and_sticks_above() {
         for omega in [0.22, 0.4, 0.7, 1.0, 3.0] {
             let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
-            for drive in [Drive::force(12.0, 2.0 * omega), Drive::base_motion(1.5, 2.0 * omega)] {
+            for drive in
+                [Drive::force(12.0, 2.0 * omega), Drive::new(crate::Excitation::FootMotion, 1.5, 2.0 * omega)]
+            {
                 let drive = drive.unwrap();
                 let friction: f64 = max_friction(&body, &drive).unwrap();
                 let regime = |share: f64| {

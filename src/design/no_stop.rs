@@ -14,7 +14,7 @@ use crate::ratios::positive;
 use crate::regime::{NoStop, no_stop_of};
 use crate::root;
 
-/// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::regime::no_stop_force_ratios`].
+/// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
 ///
 /// Unit of force. Proved and searched as there.
 ///

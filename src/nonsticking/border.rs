@@ -47,7 +47,8 @@ mod turning_point;
 use crate::error::Error;
 use crate::float::{Field, Float, Task, pair::Pair};
 use crate::phase_function::PhaseFunction;
-pub use lobe::{Lobe, Minimum};
+pub(crate) use lobe::Lobe;
+pub use lobe::Minimum;
 #[cfg(feature = "batch")]
 pub(crate) use near::border_near;
 pub(crate) use range::ordered_lobes;

@@ -115,7 +115,7 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::regime::no_stop_force_ratios`]),
+    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::no_stop_force_ratios`]),
     /// and with a static friction above the kinetic one, for which it is not known.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());

@@ -18,7 +18,8 @@ use crate::ratios::{Ratios, finite, positive};
 pub enum Excitation {
     /// A force `p₀ sin ω_d t` on the body.
     Force,
-    /// A motion `u₀ sin ω_d t` of the foot of the spring over a surface that stays: `p₀ = k u₀`.
+    /// A motion `u₀ sin ω_d t` of the foot of the spring over a surface that stays: `p₀ = k u₀`. The paper's
+    /// base motion (`docs/errata.md`, 7).
     FootMotion,
     /// The same with the damper standing on the moving foot, too: `p₀ = √(k² + c²ω_d²) u₀`, ahead of the
     /// motion by [`Drive::phase_lead`].
@@ -126,18 +127,6 @@ impl<F: Float> Drive<F> {
     /// Where p₀ or ω_d is not finite or not > 0.
     pub fn force(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
         Self::new(Excitation::Force, amplitude, angular_frequency)
-    }
-
-    /// A motion `u_g0 sin ω_d t` of the foot of the spring over a surface that stays
-    /// ([`Excitation::FootMotion`]): `p₀ = k u_g0`.
-    ///
-    /// The paper's base motion. For a base that carries the surface along: [`Excitation::SurfaceMotion`]
-    /// (`docs/errata.md`, 7).
-    ///
-    /// # Errors
-    /// Where u_g0 or ω_d is not finite or not > 0.
-    pub fn base_motion(amplitude: F, angular_frequency: F) -> Result<Self, Error> {
-        Self::new(Excitation::FootMotion, amplitude, angular_frequency)
     }
 
     /// The force `p₀ = α r_y` at the angular frequency ω_d.

@@ -93,7 +93,7 @@ mod tests {
     use super::{reverses_six_times, verdict_around, within_edges};
     use crate::exact::{LongRun, State};
     use crate::nonsticking::six_reversals::Within;
-    use crate::{Border, Place, Ratios, Regime, Response, Verdict};
+    use crate::{Border, Ratios, Regime, Response, Verdict};
 
     const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
 
@@ -210,7 +210,7 @@ mod tests {
             };
             assert_eq!((response.regime, response.reversals_per_cycle()), (regime, zeros), "{zeta}");
             assert!(response.cycle.is_none());
-            assert_eq!(Place::new(ratios).verdict(), verdict, "{zeta}");
+            assert_eq!(Verdict::new(ratios), verdict, "{zeta}");
             assert_eq!(crate::regime::observed(ratios, &limit).regime, regime, "{zeta}");
         }
     }

@@ -54,7 +54,7 @@ impl<F: Float> NoStop<F> {
 /// (`docs/theory/six-reversals.md`).
 ///
 /// ```
-/// use stickslip::regime::no_stop_force_ratios;
+/// use stickslip::no_stop_force_ratios;
 /// let found = no_stop_force_ratios(0.331f64, 0.0)?;
 /// let (low, high) = found.six_reversals.unwrap();
 /// assert!((low - 53.67330651204315).abs() < 1e-12 && (high - 155.36188887727886).abs() < 1e-11);

@@ -32,7 +32,7 @@ pub struct Stops {
 ///
 /// ```
 /// use stickslip::Ratios;
-/// use stickslip::regime::stops_per_cycle;
+/// use stickslip::stops_per_cycle;
 /// let stops = |omega, alpha| Ok::<_, stickslip::Error>(stops_per_cycle(Ratios::new(omega, alpha)?)?.map(|s| (s.sticks, s.velocity_zeros)));
 /// assert_eq!(stops(0.1, 3.0)?, Some((4, 4)));
 /// assert_eq!(stops(0.4, 6.0)?, Some((2, 4))); // two of the zeros are reversals without a stop

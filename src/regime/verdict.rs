@@ -6,6 +6,27 @@ use crate::phase_function::one_minus_square;
 use crate::ratios::Ratios;
 
 /// The steady behaviour of the body, as far as the arithmetic can decide.
+///
+/// **Undecided.** The border is known to 8 units in the last place, its error bound
+/// ([`Verdict::BORDER_ERROR`]); if α is closer to the border, the verdict is [`Verdict::Undecided`], and a
+/// wider number type decides. Ω and α are taken as exact by [`Verdict::new`]. [`Verdict::of`] and
+/// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
+/// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
+/// error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
+///
+/// ```
+/// use stickslip::uncertainty::{Interval, RatioBox};
+/// use stickslip::{Border, Ratios, Regime, Verdict};
+/// assert_eq!(Verdict::new(Ratios::new(0.4, 6.0)?), Verdict::Sticking);
+/// // On the border itself f64 cannot decide.
+/// let border: f64 = Border::new(0.4)?.min_force_ratio;
+/// assert_eq!(Verdict::new(Ratios::new(0.4, border)?), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
+/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided, twice the force is not.
+/// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
+/// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
+/// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
+/// # Ok::<(), stickslip::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]

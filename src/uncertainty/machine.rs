@@ -80,7 +80,7 @@ impl<F: Float> MachineBox<F> {
             .with_damping(self.damping.at(c))?;
         let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
         let drive = if self.is_base_motion {
-            Drive::base_motion(amplitude, frequency)
+            Drive::new(crate::Excitation::FootMotion, amplitude, frequency)
         } else {
             Drive::force(amplitude, frequency)
         };

@@ -9,7 +9,7 @@ use crate::output::Output;
 use crate::ratios::Ratios;
 #[cfg(not(feature = "mp"))]
 use crate::regime::Regime;
-use crate::regime::{Place, Verdict};
+use crate::regime::Verdict;
 use crate::response::Response;
 
 /// Parts that a verdict with damping cuts a box into, at most.
@@ -82,7 +82,7 @@ impl<F: Float> RatioBox<F> {
             return self.damped_verdict();
         }
         let ends = |interval: Interval<F>| (interval.low, interval.high);
-        Ok(Place::within(ends(self.omega), ends(self.alpha))?.verdict())
+        Verdict::within(ends(self.omega), ends(self.alpha))
     }
 
     /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked

@@ -5,7 +5,7 @@ use super::random::Random;
 use std::f64::consts::{PI, TAU};
 use stickslip::float::Mp;
 use stickslip::{
-    Border, Cycle, Drive, Error, Field, Float, Oscillator, Place, Ratios, Regime, Response, Verdict, design,
+    Border, Cycle, Drive, Error, Field, Float, Oscillator, Ratios, Regime, Response, Verdict, design,
 };
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
@@ -305,17 +305,14 @@ fn size_exists(omega: f64, zeta: f64) -> bool {
 #[test]
 fn resonance_is_bounded_and_places_are_decided() {
     let at_one = Response::new(ratios(1.0, 0.01, 2.0));
-    assert_eq!(
-        (at_one.regime, Place::new(at_one.ratios).verdict()),
-        (Regime::NonSticking, Verdict::NonSticking)
-    );
+    assert_eq!((at_one.regime, Verdict::new(at_one.ratios)), (Regime::NonSticking, Verdict::NonSticking));
     assert_eq!(Response::new(ratios(1.0, 0.0, 2.0)).regime, Regime::Unbounded);
     for (omega, zeta) in [(0.4, 0.05), (0.7, 0.3), (1.0, 1.0), (0.25, 1e-3)] {
         let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
-        let verdict = |over: f64| Place::new(ratios(omega, zeta, least * over)).verdict();
+        let verdict = |over: f64| Verdict::new(ratios(omega, zeta, least * over));
         assert_eq!(verdict(1.0), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         assert_eq!((verdict(1.0 - 1e-13), verdict(1.0 + 1e-13)), (Verdict::Sticking, Verdict::NonSticking));
-        assert_eq!(Place::new(ratios(omega, zeta, 0.9)).verdict(), Verdict::AtRest);
+        assert_eq!(Verdict::new(ratios(omega, zeta, 0.9)), Verdict::AtRest);
         assert!(matches!(Cycle::new(ratios(omega, zeta, least * 0.999)), Err(Error::Sticks { .. })));
     }
 }
@@ -329,7 +326,7 @@ fn the_border_is_known_to_its_error_bound() {
         let narrow = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let wide = Border::with_damping(Mp::<3>::from(omega), Mp::from(zeta)).unwrap().min_force_ratio;
         let error = ((Mp::<3>::from(narrow) - wide) / wide).to_f64().abs() / f64::EPSILON;
-        assert!(error < f64::from(Place::<f64>::DAMPED_BORDER_ERROR), "{omega} {zeta}: {error}");
+        assert!(error < f64::from(Verdict::<f64>::DAMPED_BORDER_ERROR), "{omega} {zeta}: {error}");
     }
 }
 
@@ -363,16 +360,16 @@ fn a_machine_with_a_damper_has_a_place() {
         let found = design::forces_without_stop(&body, 2.0 * omega).unwrap();
         let ends: Vec<_> = found.intervals().flat_map(|(low, high)| [Some(low), high]).flatten().collect();
         for end in ends {
-            let place = |by: f64| Place::of(&body, &Drive::force(end * by, 2.0 * omega).unwrap()).unwrap();
+            let at = |by: f64| Verdict::of(&body, &Drive::force(end * by, 2.0 * omega).unwrap()).unwrap();
             let of_ratios = |by: f64| {
                 let ratios = Drive::force(end * by, 2.0 * omega).unwrap().ratios(&body).unwrap();
-                Place::new(ratios).verdict()
+                Verdict::new(ratios)
             };
             if end > 3.0 * (1.0 + 1e-12) {
-                assert_eq!(place(1.0).verdict().regime(), None, "{omega} {zeta} {end}");
+                assert_eq!(at(1.0).regime(), None, "{omega} {zeta} {end}");
             }
             for by in [1.0 - 1e-9, 1.0 + 1e-9, 0.9, 1.1] {
-                let (of_machine, of_ratios) = (place(by).verdict(), of_ratios(by));
+                let (of_machine, of_ratios) = (at(by), of_ratios(by));
                 // Beside a peak of the border its rounding is that of the distance.
                 let is_hidden = of_machine.regime().is_none() && (by - 1.0).abs() < 1e-8;
                 assert!(of_machine == of_ratios || is_hidden, "{omega} {zeta} {end} {by}: {of_machine:?}");
@@ -381,7 +378,7 @@ fn a_machine_with_a_damper_has_a_place() {
     }
     // A peak narrower than the rounding of the frequency: nothing is said.
     let light = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(1e-17).unwrap();
-    let force = |p| Place::of(&light, &Drive::force(p, 1.0 / 3.0).unwrap()).unwrap().verdict();
+    let force = |p| Verdict::of(&light, &Drive::force(p, 1.0 / 3.0).unwrap()).unwrap();
     assert_eq!(force(1e17).regime(), None);
     assert_eq!(force(1e5), stickslip::Verdict::SixReversals);
     // A box of machines with a damper is decided in balls.

@@ -7,11 +7,10 @@ use stickslip::design::{
     self, Edge, OptimumKind, bands, force_ratio_for_displacement, force_ratio_for_velocity,
     most_dissipating_force_ratio, most_dissipating_frequency_ratio,
 };
-use stickslip::nonsticking::Lobe;
 use stickslip::uncertainty::{Interval, RatioBox};
 use stickslip::{
-    Border, Cycle, Drive, Excitation, Oscillator, Output, PhaseFunction, Place, Ratios, Regime, Response,
-    Verdict, regime,
+    Border, Cycle, Drive, Excitation, Oscillator, Output, PhaseFunction, Ratios, Regime, Response, Verdict,
+    regime,
 };
 
 /// Ω from 0.05 to 20, evenly by its logarithm, which crosses nine poles of the border.
@@ -52,7 +51,7 @@ fn the_border_to_the_last_digit() {
     for (omega, exact) in [(0.35, 26.101_754_114_3), (0.22, 27.474_349_816_3)] {
         assert!((border(omega) - exact).abs() < 5e-11);
     }
-    let least = Lobe::new(0).minimum::<f64>();
+    let least = Border::<f64>::minimum(0);
     assert!((least.omega - 0.849_158_848_834_442).abs() < 1e-15);
     assert!((least.force_ratio - 1.209_998_436_338_07).abs() < 5e-15);
 }
@@ -74,11 +73,12 @@ proptest! {
     fn a_billionth_from_the_border_the_regime_is_right(omega in frequency_ratios()) {
         prop_assume!(distance_from_pole(omega) > 1e-3 && (omega - 1.0).abs() > 1e-3);
         let least = border(omega);
-        let place = |share: f64| Place::new(Ratios::new(omega, least * share).unwrap());
-        let (above, below) = (place(1.0 + 1e-9), place(1.0 - 1e-9));
-        prop_assert_eq!(above.verdict(), Verdict::NonSticking);
-        prop_assert_eq!(below.verdict(), Verdict::Sticking);
-        prop_assert!((above.margin() - 1.0 - 1e-9).abs() < 1e-15 && below.margin() < 1.0);
+        let at = |share: f64| Response::new(Ratios::new(omega, least * share).unwrap());
+        let (above, below) = (at(1.0 + 1e-9), at(1.0 - 1e-9));
+        prop_assert_eq!(Verdict::new(above.ratios), Verdict::NonSticking);
+        prop_assert_eq!(Verdict::new(below.ratios), Verdict::Sticking);
+        let margin = |answer| Output::Margin.of(answer).unwrap();
+        prop_assert!((margin(&above) - 1.0 - 1e-9).abs() < 1e-15 && margin(&below) < 1.0);
         prop_assert_eq!(regime(omega, least * (1.0 + 1e-9)), Ok(Regime::NonSticking));
         prop_assert_eq!(regime(omega, least * (1.0 - 1e-9)), Ok(Regime::Sticking));
 
@@ -88,7 +88,7 @@ proptest! {
         };
         let (delta_above, delta_below) =
             (delta(least * (1.0 + 1e-9)).sqrt(), delta(least * (1.0 - 1e-9)).sqrt());
-        let touching = above.border().touching_phase;
+        let touching = above.border.touching_phase;
         let sup = if touching == 0.0 { 1.0 / (omega * omega) } else { den_hartog(omega, touching) };
         prop_assert!(sup > delta_below, "{sup} {delta_below}");
         for i in 1..500 {
@@ -102,12 +102,13 @@ proptest! {
     /// Eighth-order differences, with a step that follows the distance from the poles.
     #[test]
     fn the_slope_of_the_border_is_that_of_differences(omega in frequency_ratios()) {
-        let lobe = Lobe::containing(omega).unwrap();
+        // Between the poles 1/(2n+3) and 1/(2n+1).
+        let lobe = ((1.0 / omega - 1.0) / 2.0).max(0.0) as u16;
         let distance = distance_from_pole(omega).min(1.0);
         let h = omega * (distance * 2e-3).min(1e-3);
-        let corner = [Some(lobe), lobe.index().checked_add(1).map(Lobe::new)].into_iter().flatten().filter_map(|l| l.shortfall::<f64>());
+        let corner = [Some(lobe), lobe.checked_add(1)].into_iter().flatten().filter_map(Border::<f64>::shortfall);
         let mut joints: Vec<f64> = corner.flat_map(|s| [s.low, s.high]).collect();
-        joints.push(0.5 / f64::from(lobe.index() + 1));
+        joints.push(0.5 / f64::from(u32::from(lobe) + 1));
         prop_assume!(distance > 1e-4 && joints.iter().all(|joint| (omega - joint).abs() > 5.0 * h));
         let [c1, c2, c3, c4] = [4.0 / 5.0, -1.0 / 5.0, 4.0 / 105.0, -1.0 / 280.0];
         let pair = |n: f64| border(omega + n * h) - border(omega - n * h);
@@ -129,17 +130,17 @@ proptest! {
         // What rounding Ω in and out can change.
         let p = PhaseFunction::new(omega).unwrap();
         let slack = 1e-14 * (1.0 + (omega * Border::slope(&p) / border(omega)).abs());
-        for drive in [drive(1.0), Drive::base_motion(base, frequency).unwrap()] {
-            let place = Place::of(&body, &drive).unwrap();
-            prop_assert!((place.margin() - 1.0).abs() < slack, "{}", place.margin());
-            prop_assert_eq!(place.verdict().regime(), None);
+        for drive in [drive(1.0), Drive::new(stickslip::Excitation::FootMotion, base, frequency).unwrap()] {
+            let margin = Output::Margin.of(&Response::new(drive.ratios(&body).unwrap())).unwrap();
+            prop_assert!((margin - 1.0).abs() < slack, "{margin}");
+            prop_assert_eq!(Verdict::of(&body, &drive).unwrap().regime(), None);
             let greatest = design::max_friction(&body, &drive).unwrap();
             prop_assert!((greatest / friction - 1.0).abs() < slack);
         }
         // Within rounding of Ω = 1 sliding is not told from growing without bound, nor within 1e-7 of a pole
         // six reversals from two.
         prop_assume!((omega - 1.0).abs() > 1e-14 && distance_from_pole(omega) > 1e-6);
-        let verdict = |share| Place::of(&body, &drive(share)).unwrap().verdict();
+        let verdict = |share| Verdict::of(&body, &drive(share)).unwrap();
         prop_assert_eq!(verdict(1.0 - 8.0 * slack).regime(), Some(Regime::Sticking));
         prop_assert_eq!(verdict(1.0 + 8.0 * slack).regime(), Some(Regime::NonSticking));
     }
@@ -253,8 +254,8 @@ fn next_to_six_reversals_a_machine_sticks() {
             let omega = 1.0 / (pole + off);
             let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
             let force = 3.0 * border(omega) * 0.97;
-            let place = Place::of(&body, &Drive::force(force, 2.0 * omega).unwrap()).unwrap();
-            assert_eq!(place.verdict(), Verdict::Sticking, "{pole} {off}");
+            let verdict = Verdict::of(&body, &Drive::force(force, 2.0 * omega).unwrap()).unwrap();
+            assert_eq!(verdict, Verdict::Sticking, "{pole} {off}");
         }
     }
 }

@@ -2,8 +2,7 @@
 
 use stickslip::design::{bands, force_ratio_for_velocity, most_dissipating_frequency_ratio};
 use stickslip::float::Mp;
-use stickslip::nonsticking::Lobe;
-use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Place, Ratios, Regime, Verdict};
+use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Regime, Verdict};
 
 type Wide = Mp<4>;
 
@@ -38,7 +37,7 @@ fn minima_and_ends_of_bands_at_sixty_digits() {
             "375.05398526049162781299751300348352006393392386424868658221894",
         ),
     ] {
-        let found = Lobe::new(n).minimum::<Wide>();
+        let found = Border::<Wide>::minimum(n);
         close(found.omega, omega, 16);
         close(found.force_ratio, force_ratio, 16);
     }
@@ -47,7 +46,7 @@ fn minima_and_ends_of_bands_at_sixty_digits() {
         (2, "0.18682822550613929643341650271261484303448842626423792520790728"),
         (9, "0.05165216271353845337093011691442501056646098765661247157153278"),
     ] {
-        close(Lobe::new(n).shortfall::<Wide>().unwrap().low, low, 16);
+        close(Border::<Wide>::shortfall(n).unwrap().low, low, 16);
     }
 }
 
@@ -56,13 +55,13 @@ fn what_f64_leaves_open_a_wider_type_decides() {
     for omega in [0.052, 0.22, 0.3, 0.333, 0.4, 0.7, 0.999, 1.5, 20.0] {
         let border: f64 = Border::new(omega).unwrap().min_force_ratio;
         for alpha in [border, border.next_up(), border.next_down()] {
-            let verdict = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
+            let verdict = Verdict::new(Ratios::new(omega, alpha).unwrap());
             assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
-            let wide = Place::new(Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap());
+            let wide = Verdict::new(Ratios::new(Wide::from(omega), Wide::from(alpha)).unwrap());
             let least = Border::new(Mp::<16>::from(omega)).unwrap().min_force_ratio;
             let slides = Mp::<16>::from(alpha) >= least;
-            assert_eq!(wide.verdict().regime() == Some(Regime::NonSticking), slides, "{omega} {alpha}");
-            assert!(wide.verdict().regime().is_some());
+            assert_eq!(wide.regime() == Some(Regime::NonSticking), slides, "{omega} {alpha}");
+            assert!(wide.regime().is_some());
         }
     }
 }

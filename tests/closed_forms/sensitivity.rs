@@ -130,7 +130,11 @@ fn by_the_machine_at_512_bits() {
         let a = if is_base { alpha * r / k } else { alpha * r };
         let at = [m, k, r, a, w];
         fn machine<F: Float>([m, k, r, a, w]: [F; 5], is_base: bool) -> (Oscillator<F>, Drive<F>) {
-            let drive = if is_base { Drive::base_motion(a, w) } else { Drive::force(a, w) };
+            let drive = if is_base {
+                Drive::new(stickslip::Excitation::FootMotion, a, w)
+            } else {
+                Drive::force(a, w)
+            };
             (Oscillator::new(m, k, r).unwrap(), drive.unwrap())
         }
         let outputs = |at: [Wide; 5]| {

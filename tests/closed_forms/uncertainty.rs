@@ -176,7 +176,12 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
         for _ in 0..40 {
             let [m, k, r, a, w] = [m, k, r, a, w].map(|i| within(&mut random, i));
             let body = Oscillator::new(m, k, r).unwrap();
-            let drive = if is_base { Drive::base_motion(a, w) } else { Drive::force(a, w) }.unwrap();
+            let drive = if is_base {
+                Drive::new(stickslip::Excitation::FootMotion, a, w)
+            } else {
+                Drive::force(a, w)
+            }
+            .unwrap();
             let scales = Scales::new(&body, &drive).unwrap();
             let response = Response::new(drive.ratios(&body).unwrap());
             match sticks {
@@ -215,7 +220,9 @@ fn one_machine_is_in_its_own_box() {
             };
             let machine = machine.unwrap();
             let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
-            let drive = if is_base { Drive::base_motion } else { Drive::force }(a.low(), w.low()).unwrap();
+            let excitation =
+                if is_base { stickslip::Excitation::FootMotion } else { stickslip::Excitation::Force };
+            let drive = Drive::new(excitation, a.low(), w.low()).unwrap();
             let (whole, ratios) = (machine.ratios().unwrap(), drive.ratios(&body).unwrap());
             let holds =
                 |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;

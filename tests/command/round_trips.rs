@@ -118,8 +118,8 @@ proptest! {
     #[test]
     fn any_machine(m in hard::<Machine>()) {
         let body = Oscillator::new(m.mass.abs(), m.stiffness.abs(), m.friction_bound.abs());
-        let kind = if m.base { Drive::base_motion } else { Drive::force };
-        if let (Ok(body), Ok(drive)) = (body, kind(m.amplitude, m.frequency.abs())) {
+        let excitation = if m.base { stickslip::Excitation::FootMotion } else { stickslip::Excitation::Force };
+        if let (Ok(body), Ok(drive)) = (body, Drive::new(excitation, m.amplitude, m.frequency.abs())) {
             machine(&body, &drive);
         }
     }

@@ -166,6 +166,6 @@ fn erratum_7_the_force_of_a_base_that_carries_the_surface() {
     close(shaken(omega, base, false), printed, 1e-4);
     // What the library calls base motion is the spring's.
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
-    let drive = Drive::base_motion(base, omega).unwrap();
+    let drive = Drive::new(stickslip::Excitation::FootMotion, base, omega).unwrap();
     assert_eq!(drive.ratios(&body).unwrap().alpha(), base);
 }

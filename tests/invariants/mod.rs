@@ -3,10 +3,10 @@
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::no_stop_force_ratios;
 use stickslip::{
-    Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Place, Quantity, Ratios, Regime, Response,
-    Scales, design,
+    Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Regime, Response, Scales,
+    Verdict, design,
 };
 
 /// Everything the closed forms promise at (Ω, α), and the waveform at one phase.
@@ -37,7 +37,7 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
         Regime::Unbounded => assert!(omega == 1.0 && alpha >= least),
         Regime::NonSticking => assert!(omega != 1.0 && is_without_stop),
     }
-    place(ratios, answer.regime);
+    verdict(ratios, answer.regime);
     inverse_questions(omega, alpha);
     let again = Cycle::new(ratios);
     match answer.cycle.as_ref() {
@@ -117,13 +117,13 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
 
 /// A verdict that is decided is that of the rounded border, but for a few units in its last place at
 /// Ω = 1/(2n).
-fn place(ratios: Ratios<f64>, regime: Regime) {
-    let place = Place::new(ratios);
-    let margin = place.margin();
+fn verdict(ratios: Ratios<f64>, regime: Regime) {
+    let verdict = Verdict::new(ratios);
+    let margin = ratios.alpha() / Border::of(&ratios).min_force_ratio;
     assert!(margin >= 0.0 && margin.is_finite(), "margin {margin:e}");
-    match place.verdict().regime() {
-        Some(decided) => assert!(decided == regime || (margin - 1.0).abs() < 1e-15, "{place:?} {regime:?}"),
-        None => assert!((margin - 1.0).abs() < 1e-14 || is_at_an_edge(ratios), "{place:?}"),
+    match verdict.regime() {
+        Some(decided) => assert!(decided == regime || (margin - 1.0).abs() < 1e-15, "{verdict:?} {regime:?}"),
+        None => assert!((margin - 1.0).abs() < 1e-14 || is_at_an_edge(ratios), "{verdict:?}"),
     }
 }
 
@@ -214,8 +214,11 @@ pub(crate) fn physical_units(
     let good = |x: f64| x.is_finite() && x > 0.0;
     let body = Oscillator::new(mass, stiffness, friction_bound);
     assert_eq!(body.is_ok(), good(mass) && good(stiffness) && good(friction_bound));
-    let drive =
-        if base { Drive::base_motion(amplitude, frequency) } else { Drive::force(amplitude, frequency) };
+    let drive = if base {
+        Drive::new(stickslip::Excitation::FootMotion, amplitude, frequency)
+    } else {
+        Drive::force(amplitude, frequency)
+    };
     assert_eq!(drive.is_ok(), good(amplitude) && good(frequency));
     let (Ok(body), Ok(drive)) = (body, drive) else { return };
     if let Ok(scales) = Scales::new(&body, &drive) {

@@ -63,7 +63,7 @@ proptest! {
         let force = mass * length / (time * time);
         let answer = |m, k, r, p, w| {
             let body = Oscillator::new(m, k, r).unwrap();
-            let drive = if base { Drive::base_motion(p, w) } else { Drive::force(p, w) }.unwrap();
+            let drive = if base { Drive::new(stickslip::Excitation::FootMotion, p, w) } else { Drive::force(p, w) }.unwrap();
             (drive.ratios(&body).unwrap(), Scales::new(&body, &drive).unwrap())
         };
         let amplitude = if base { length } else { force };

@@ -2,20 +2,20 @@
 
 use crate::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState};
-use stickslip::{Border, Cycle, Place, Ratios, Verdict};
+use stickslip::{Border, Cycle, Ratios, Response, Verdict};
 
-fn place(omega: f64, alpha: f64) -> Place<f64> {
-    Place::new(Ratios::new(omega, alpha).unwrap())
+fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
+    Verdict::new(Ratios::new(omega, alpha).unwrap())
 }
 
 /// Whether the verdict is that of the motion from rest; `None` where one of them leaves it open.
 fn agrees(omega: f64, alpha: f64) -> Option<bool> {
-    let verdict = place(omega, alpha).verdict();
-    let motion = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::default()).unwrap();
+    let ratios = Ratios::new(omega, alpha).unwrap();
+    let motion = LongRun::from_start(ratios, State::default()).unwrap();
     let sticks = motion.steady_state().map(|s| (s.sticks_per_cycle, s.velocity_zeros_per_cycle));
-    Some(match (verdict, motion) {
+    Some(match (Verdict::new(ratios), motion) {
         (Verdict::Undecided(..), _) | (_, LongRun::NotConverged { .. }) => return None,
-        (_, motion) if hidden(&place(omega, alpha), &motion) => return None,
+        (_, motion) if hidden(&Response::new(ratios), &motion) => return None,
         (Verdict::AtRest, motion) => matches!(motion, LongRun::Rest(_)),
         (Verdict::Sticking, LongRun::Periodic(_)) => sticks.is_some_and(|(sticks, _)| sticks > 0),
         (Verdict::SixReversals, LongRun::Periodic(_)) => sticks == Some((0, 6)),
@@ -29,9 +29,9 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
 
 /// Whether the motion found is known less well than what would decide: inside a half cycle the velocity comes
 /// within `|α − α_min| sin τ*` of zero, and the motion says itself how far from the limit it may be.
-fn hidden(place: &Place<f64>, motion: &LongRun<f64>) -> bool {
-    let border = place.border();
-    let miss = (place.ratios().alpha() - border.min_force_ratio).abs() * border.touching_phase.sin();
+fn hidden(answer: &Response<f64>, motion: &LongRun<f64>) -> bool {
+    let border = answer.border;
+    let miss = (answer.ratios.alpha() - border.min_force_ratio).abs() * border.touching_phase.sin();
     let (x, v) = motion.steady_state().map_or((0.0, 0.0), SteadyState::distance);
     miss > 0.0 && miss < 16.0 * x.max(v)
 }
@@ -48,7 +48,7 @@ fn the_verdict_is_that_of_the_motion() {
             _ => Border::new(omega).unwrap().min_force_ratio * random.scale(0.3, 30.0),
         };
         match agrees(omega, alpha) {
-            Some(agrees) => assert!(agrees, "({omega}, {alpha}): {:?}", place(omega, alpha)),
+            Some(agrees) => assert!(agrees, "({omega}, {alpha}): {:?}", verdict(omega, alpha)),
             None => open += 1,
         }
     }
@@ -65,7 +65,7 @@ fn a_billionth_from_the_border_the_motion_agrees() {
         let alpha =
             Border::new(omega).unwrap().min_force_ratio * (1.0 + side * random.between(0.9e-9, 1.1e-9));
         match agrees(omega, alpha) {
-            Some(agrees) => assert!(agrees, "({omega}, {alpha}): {:?}", place(omega, alpha)),
+            Some(agrees) => assert!(agrees, "({omega}, {alpha}): {:?}", verdict(omega, alpha)),
             None => open += 1,
         }
     }
@@ -77,7 +77,7 @@ fn a_billionth_from_the_border_the_motion_agrees() {
 fn beside_a_pole_below_the_border_it_may_reverse_instead_of_stopping() {
     for (omega, alpha) in [(0.334_325, 149.563), (0.330_15, 66.562), (0.198_7, 230.688), (0.090_71, 1362.534)]
     {
-        assert_eq!(place(omega, alpha).verdict(), Verdict::SixReversals);
+        assert_eq!(verdict(omega, alpha), Verdict::SixReversals);
         let motion = LongRun::from_start(Ratios::new(omega, alpha).unwrap(), State::default()).unwrap();
         let steady = motion.steady_state().unwrap();
         assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 6));

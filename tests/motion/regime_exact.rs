@@ -6,8 +6,8 @@
 use crate::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState};
 use stickslip::float::Mp;
-use stickslip::regime::{Stops, stops_per_cycle};
-use stickslip::{Border, Cycle, Error, Float, Place, Ratios, Regime, Verdict};
+use stickslip::{Border, Cycle, Error, Float, Ratios, Regime, Verdict};
+use stickslip::{Stops, stops_per_cycle};
 
 /// What the exact motion does in the long run; `None` where it does not say.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
@@ -48,15 +48,15 @@ impl Count {
 
     fn compare(&mut self, omega: f64, alpha: f64) {
         let ratios = Ratios::new(omega, alpha).unwrap();
-        match (Place::new(ratios).verdict().regime(), exact_regime(ratios)) {
+        match (Verdict::new(ratios).regime(), exact_regime(ratios)) {
             (None, _) => self.undecided += 1,
             (Some(_), None) => self.unsettled += 1,
             (Some(here), Some(exact)) if here == exact => self.agreed += 1,
             (Some(here), Some(exact)) => {
                 let wide = Ratios::new(Mp::<3>::from(omega), Mp::from(alpha)).unwrap();
-                let place = Place::new(wide);
-                let off = (place.margin().to_f64() - 1.0).abs();
-                assert_eq!(place.verdict().regime(), Some(here), "({omega:?}, {alpha:?})");
+                let margin = wide.alpha() / Border::of(&wide).min_force_ratio;
+                let off = (margin.to_f64() - 1.0).abs();
+                assert_eq!(Verdict::new(wide).regime(), Some(here), "({omega:?}, {alpha:?})");
                 assert_eq!(
                     exact_regime(wide),
                     Some(here),
@@ -101,7 +101,7 @@ fn stops_per_cycle_and_what_has_none() {
     ] {
         let expected: Result<_, Error> = expected;
         assert_eq!(stops(omega, alpha), expected, "({omega}, {alpha})");
-        let verdict = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
+        let verdict = Verdict::new(Ratios::new(omega, alpha).unwrap());
         let sticks = stops(omega, alpha).unwrap().is_some_and(|s| s.sticks > 0);
         assert_eq!(sticks, verdict == Verdict::Sticking, "({omega}, {alpha})");
     }
@@ -109,7 +109,7 @@ fn stops_per_cycle_and_what_has_none() {
     // A fifth below the border, beside the pole 1/15: it turns back and forth without a stop.
     let below = Ratios::new(0.066_658_079_476_532_49, 42_358.137_294_718_49).unwrap();
     let wide = Ratios::new(Mp::<3>::from(below.omega()), Mp::from(below.alpha())).unwrap();
-    assert!(Place::new(below).margin() < 0.8);
+    assert!(below.alpha() < 0.8 * Border::of(&below).min_force_ratio);
     for found in [stops_per_cycle(below), stops_per_cycle(wide)] {
         assert!(matches!(found, Ok(Some(Stops { sticks: 0, velocity_zeros: 4.. }))), "{found:?}");
     }

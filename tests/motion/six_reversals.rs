@@ -11,8 +11,8 @@ use std::ops::ControlFlow;
 use stickslip::exact::{Kind, LongRun, State, Trajectory};
 use stickslip::float::Mp;
 use stickslip::nonsticking::SixReversals;
-use stickslip::regime::{no_stop_force_ratios, observed, stops_per_cycle};
 use stickslip::{Border, Error, Float, Ratios, Regime, Response, regime};
+use stickslip::{no_stop_force_ratios, observed, stops_per_cycle};
 
 /// The least and the greatest force ratio of six reversals.
 fn force_ratios<F: Float>(omega: F) -> Result<Option<(F, F)>, Error> {

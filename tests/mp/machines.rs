@@ -16,7 +16,8 @@ fn parts(base: bool, (values, shares): &Machine) -> MachineBox<f64> {
 fn value(base: bool, (values, shares): &Machine, places: [f64; 6], output: Output) -> Option<f64> {
     let [m, k, r, a, w, c] = core::array::from_fn(|i| values[i] * (1.0 + shares[i] * places[i]));
     let body = Oscillator::new(m, k, r).unwrap().with_damping(c).unwrap();
-    let drive = if base { Drive::base_motion(a, w) } else { Drive::force(a, w) }.unwrap();
+    let drive =
+        if base { Drive::new(stickslip::Excitation::FootMotion, a, w) } else { Drive::force(a, w) }.unwrap();
     let response = Response::new(drive.ratios(&body).unwrap());
     Some(output.of(&response)? * output.unit(&Scales::new(&body, &drive).unwrap()))
 }

@@ -9,8 +9,8 @@ use crate::record::Record;
 use crate::response::single_format;
 use crate::{enclose, input, note, points};
 use std::io::Write;
-use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::{Error, Ratios, Response};
+use stickslip::{NoStop, no_stop_force_ratios};
 
 /// The command with its arguments and where its answer goes.
 struct Run<'a, W>(&'a BorderArgs, &'a mut W);

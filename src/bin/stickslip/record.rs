@@ -9,8 +9,8 @@ use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use stickslip::NoStop;
 use stickslip::Response;
-use stickslip::regime::NoStop;
 use stickslip::units::Kind;
 
 pub(crate) use cell::Cell;

@@ -16,7 +16,7 @@ use crate::response::single_format;
 use std::io::Write;
 use std::ops::ControlFlow;
 use stickslip::exact::{Irregular, LongRun, State, SteadyState};
-use stickslip::regime::observed;
+use stickslip::observed;
 use stickslip::units::Kind;
 use stickslip::{Error, Quantity, Ratios};
 

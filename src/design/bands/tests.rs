@@ -75,7 +75,7 @@ fn in_physical_units() {
     // ω_n = 2, r_y = 3.
     let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
     let ratios = all(12.0, 0.1, 2.0);
-    for drive in [Drive::force(36.0, 1.0), Drive::base_motion(4.5, 7.0)] {
+    for drive in [Drive::force(36.0, 1.0), Drive::new(crate::Excitation::FootMotion, 4.5, 7.0)] {
         let found: Vec<_> =
             frequency_bands(&body, &drive.unwrap(), 0.2, 4.0).unwrap().map(Result::unwrap).collect();
         assert_eq!(found.len(), 2);

@@ -110,7 +110,7 @@ fn in_physical_units() {
     let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
     let energy = 4.0 * 3.0 * cycle.max_displacement * body.friction_displacement();
     assert!((best.value / energy - 1.0).abs() < 1e-10, "{energy} {best:?}");
-    let base = Drive::base_motion(1.0, 2.0).unwrap();
+    let base = Drive::new(crate::Excitation::FootMotion, 1.0, 2.0).unwrap();
     assert_eq!(most_dissipating_stiffness(&body, &base, 2.0, 32.0), Err(Error::BaseMotion));
     let empty = most_dissipating_stiffness(&body, &drive, 3.0, 2.0).unwrap_err();
     assert!(matches!(empty, Error::EmptyRange { quantity: Quantity::Stiffness, .. }), "{empty}");

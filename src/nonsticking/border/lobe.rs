@@ -47,8 +47,7 @@ use crate::root;
 /// The index goes to 65535, Ω = 7.6e-6: beyond, a force ratio of 1.7e10 does not keep the body sliding
 /// anywhere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Lobe {
+pub(crate) struct Lobe {
     index: u16,
 }
 
@@ -68,7 +67,7 @@ pub struct Minimum<F> {
 impl Lobe {
     /// Lobe n.
     #[must_use]
-    pub const fn new(index: u16) -> Self {
+    pub(crate) const fn new(index: u16) -> Self {
         Self { index }
     }
 
@@ -76,7 +75,7 @@ impl Lobe {
     ///
     /// # Errors
     /// Where Ω is not in the domain of [`crate::Ratios`], or below the lowest lobe.
-    pub fn containing<F: Float>(omega: F) -> Result<Self, Error> {
+    pub(crate) fn containing<F: Float>(omega: F) -> Result<Self, Error> {
         let lowest = Self::new(u16::MAX).low_pole();
         let omega = frequency_ratio(omega)?;
         if omega < lowest {
@@ -97,7 +96,7 @@ impl Lobe {
 
     /// The index n.
     #[must_use]
-    pub const fn index(self) -> u16 {
+    pub(crate) const fn index(self) -> u16 {
         self.index
     }
 
@@ -125,12 +124,9 @@ impl Lobe {
         (self.index > 0).then(|| F::int(1) / odd(self.index, 1))
     }
 
-    /// The minimum force ratio in this lobe, and where: the only minimum of α_min in it.
-    ///
-    /// 1.20999843633807… at Ω = 0.849158848834442 in lobe 0, 11.3641047199701 at 0.297128660867652 in lobe 1;
-    /// a corner from lobe 2 on. Accuracy at f64: 8 ulp in both.
+    /// The minimum force ratio in this lobe ([`Border::minimum`]).
     #[must_use]
-    pub fn minimum<F: Float>(self) -> Minimum<F> {
+    pub(crate) fn minimum<F: Float>(self) -> Minimum<F> {
         // Brackets that hold the minimum of eq. 61 and no end of a band.
         let (low, high) = match self.index {
             0 => (F::ratio(1, 2), F::int(1)),
@@ -149,6 +145,17 @@ impl Lobe {
 /// `2n + offset`.
 fn odd<F: Float>(index: u16, offset: i32) -> F {
     F::int(i32::from(index).saturating_mul(2).saturating_add(offset))
+}
+
+impl<F: Float> Border<F> {
+    /// The minimum force ratio between two neighbouring poles, and where it is: in lobe n, from the pole 1/(2n+3) to the pole
+    /// 1/(2n+1), for n = 0 from 1/3 on, it is the only minimum of α_min.
+    ///
+    /// 1.20999843633807… at Ω = 0.849158848834442 in lobe 0, 11.3641047199701 at 0.297128660867652 in lobe 1;
+    /// a corner from lobe 2 on. Accuracy at f64: 8 ulp in both.
+    pub fn minimum(lobe: u16) -> Minimum<F> {
+        Lobe::new(lobe).minimum()
+    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! Above the pole the band reaches to 1/(2n), below it to Ω_e in (1/(2n+2), 1/(2n+1)), the one crossing of
 //! the two values of S (proved in [`super::lobe`]).
 
+use super::Border;
 use super::band_end::BandEnd;
 use super::lobe::Lobe;
 use crate::float::Float;
@@ -24,21 +25,19 @@ pub struct Shortfall<F> {
     pub high: F,
 }
 
-impl Lobe {
-    /// Where eq. 61 falls short around the pole at the upper end of this lobe; `None` for lobe 0.
+impl<F: Float> Border<F> {
+    /// Where eq. 61 falls short around the pole 1/(2n+1); `None` for n = 0, where there is no pole.
     ///
     /// `low` is the one root, on the bracket γ ∈ (π/2, π), of a monotonic function; accuracy at f64: 4 ulp.
-    #[must_use]
-    pub fn shortfall<F: Float>(self) -> Option<Shortfall<F>> {
-        let pole = self.high_pole()?;
-        let high = F::ratio(1, 2) / F::int(i32::from(self.index()));
-        Some(Shortfall { low: BandEnd::of(self.index()).omega(), pole, high })
+    pub fn shortfall(n: u16) -> Option<Shortfall<F>> {
+        let pole = Lobe::new(n).high_pole()?;
+        let high = F::ratio(1, 2) / F::int(i32::from(n));
+        Some(Shortfall { low: BandEnd::of(n).omega(), pole, high })
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Lobe;
     use crate::Border;
 
     fn close(a: f64, b: f64, ulps: f64) {
@@ -47,7 +46,7 @@ mod tests {
 
     #[test]
     fn ends_of_the_bands_where_eq_61_falls_short() {
-        assert_eq!(Lobe::new(0).shortfall::<f64>(), None);
+        assert_eq!(Border::<f64>::shortfall(0), None);
         for (n, low) in [
             (1, 0.299_505_147_567_967_3),
             (2, 0.186_828_225_506_139_28),
@@ -57,7 +56,7 @@ mod tests {
             (5000, 9.998639278110747e-05),
             (65535, 7.62943173153576e-06),
         ] {
-            let found = Lobe::new(n).shortfall::<f64>().unwrap();
+            let found = Border::<f64>::shortfall(n).unwrap();
             close(found.low, low, 4.0);
             close(found.high, 0.5 / f64::from(n), 1.0);
             close(found.pole, 1.0 / (2.0 * f64::from(n) + 1.0), 1.0);

@@ -4,7 +4,7 @@ use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{End, Kind, LongRun, Segment, SteadyState};
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::no_stop_force_ratios;
 use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 
 /// A value: of numbers the digits of `{:e}`, which no two of a type share, the sign of zero included.

@@ -3,7 +3,7 @@
 use super::{counts, matching_problem_gives_the_exact_motion, ulps};
 use crate::random::Random;
 use stickslip::float::Mp;
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::no_stop_force_ratios;
 use stickslip::{Border, Ratios, Regime, Response};
 
 /// Frequency and damping ratios beside the poles with a cycle of six reversals, with its edges.

@@ -6,7 +6,7 @@ use crate::failure::Failure;
 use crate::note::no_stop;
 use crate::record::{Cell, Record};
 use stickslip::design::{self, Edge};
-use stickslip::regime::no_stop_force_ratios;
+use stickslip::no_stop_force_ratios;
 use stickslip::units::Kind;
 
 impl<F: Value> Asked<'_, F> {

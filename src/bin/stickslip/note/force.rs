@@ -5,8 +5,8 @@ use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};
-use stickslip::regime::{NoStop, no_stop_force_ratios};
 use stickslip::units::System;
+use stickslip::{NoStop, no_stop_force_ratios};
 use stickslip::{Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.

@@ -8,8 +8,8 @@ use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
 use stickslip::exact::{LongRun, Peaks, SteadyState};
-use stickslip::regime::{Observed, observed};
 use stickslip::units::{Kind, System};
+use stickslip::{Observed, observed};
 
 /// The answer as an engineer's note.
 pub(super) fn note<F: Value>(

@@ -1,4 +1,4 @@
-//! The place of a point in the plane of Ω and α, and its certainty.
+//! The decision of which regime a point of the plane of Ω and α is in, and its certainty.
 
 use super::{Family, Regime, Verdict, damped, regime_by_border};
 use crate::error::{Error, Quantity, written};
@@ -10,41 +10,7 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// A point of the plane: its verdict, its margin from the border, and where the velocity first touches zero
-/// there.
-///
-/// **Undecided.** The border is known to 8 units in the last place, its error bound
-/// ([`Place::BORDER_ERROR`]); if α is closer to the border, the verdict is [`Verdict::Undecided`], and a
-/// wider number type decides. Ω and α are taken as exact by [`Place::new`]. [`Place::of`] and
-/// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
-/// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
-/// error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
-///
-/// ```
-/// use stickslip::uncertainty::{Interval, RatioBox};
-/// use stickslip::{Place, Ratios, Regime, Verdict};
-/// let place = Place::new(Ratios::new(0.4, 6.0)?);
-/// assert_eq!(place.verdict(), Verdict::Sticking);
-/// assert!((place.margin() - 0.8633419_f64).abs() < 1e-7);
-/// // On the border itself f64 cannot decide.
-/// let border = place.border().min_force_ratio;
-/// let verdict = Place::new(Ratios::new(0.4, border)?).verdict();
-/// assert_eq!(verdict, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
-/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided, twice the force is not.
-/// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
-/// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
-/// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[must_use]
-pub struct Place<F> {
-    ratios: Ratios<F>,
-    border: Border<F>,
-    verdict: Verdict<F>,
-}
-
-impl<F: Float> Place<F> {
+impl<F: Float> Verdict<F> {
     /// Relative error bound of the computed border, in units of [`Float::epsilon`].
     ///
     /// The greatest error found against the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
@@ -58,7 +24,7 @@ impl<F: Float> Place<F> {
     #[doc(hidden)]
     pub const DAMPED_BORDER_ERROR: i32 = 16;
 
-    /// The place of exact ratios.
+    /// The verdict at exact ratios.
     ///
     /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the
     /// verdict. A float that is 1/(2n) to within its rounding only has one limit, the symmetric cycle, though
@@ -71,25 +37,23 @@ impl<F: Float> Place<F> {
             return Self::damped(ratios);
         }
         let p = PhaseFunction::of_valid(ratios.omega());
-        let border = Border::at(&p);
-        let least = border.min_force_ratio;
+        let least = Border::at(&p).min_force_ratio;
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        let verdict = if p.value() == F::int(0) {
+        if p.value() == F::int(0) {
             degenerate(ratios)
         } else {
             let line = BorderRange { least, greatest: Some(least) };
             decide((omega, omega), (alpha, alpha), &line)
-        };
-        Self { ratios, border, verdict }
+        }
     }
 
-    /// The place of ratios with damping: no family and no unbounded motion, and undecided within
-    /// [`Place::DAMPED_BORDER_ERROR`] of the border and next to the edges of six reversals.
+    /// The verdict with damping: no family and no unbounded motion, and undecided within
+    /// [`Verdict::DAMPED_BORDER_ERROR`] of the border and next to the edges of six reversals.
     fn damped(ratios: Ratios<F>) -> Self {
-        let (border, alpha, one) = (Border::of(&ratios), ratios.alpha(), F::int(1));
+        let (alpha, one) = (ratios.alpha(), F::int(1));
         let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
-        let least = border.min_force_ratio;
-        let verdict = if alpha <= one {
+        let least = Border::of(&ratios).min_force_ratio;
+        if alpha <= one {
             Verdict::AtRest
         } else if alpha < least * (one - error) {
             match damped::within(ratios) {
@@ -101,18 +65,17 @@ impl<F: Float> Place<F> {
             Verdict::NonSticking
         } else {
             Verdict::Undecided(Regime::Sticking, Regime::NonSticking)
-        };
-        Self { ratios, border, verdict }
+        }
     }
 
-    /// The place of ratios with a static friction above the kinetic one, where only the border is known for
+    /// The verdict with a static friction above the kinetic one, where only the border is known for
     /// every start.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
         let (least, one) = (border.min_force_ratio, F::int(1));
         let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
         let regime = regime_by_border(ratios, &border);
-        let verdict = if regime == Regime::Stuck {
+        if regime == Regime::Stuck {
             Verdict::AtRest
         } else if (ratios.alpha() - least).abs() <= error * F::epsilon() * least {
             let at_resonance = ratios.omega() == one && !ratios.is_damped();
@@ -120,11 +83,10 @@ impl<F: Float> Place<F> {
             Verdict::Undecided(Regime::Sticking, above)
         } else {
             Verdict::DependsOnStart(regime)
-        };
-        Self { ratios, border, verdict }
+        }
     }
 
-    /// The place of a machine in physical units, whose ratios carry the rounding of two divisions and a
+    /// The verdict on a machine in physical units, whose ratios carry the rounding of two divisions and a
     /// square root.
     ///
     /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the
@@ -139,56 +101,31 @@ impl<F: Float> Place<F> {
         let ratios = drive.ratios(body)?.with_one_friction()?;
         if ratios.is_damped() {
             let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
-            let verdict = damped::verdict_around(ratios, error)?;
-            return Ok(Self { ratios, border: Border::of(&ratios), verdict });
+            return damped::verdict_around(ratios, error);
         }
         // 1.25 and 1 times ε at most, and the rounding of the ends themselves.
         let around = |x: F| (x - F::int(2) * F::epsilon() * x, x + F::int(2) * F::epsilon() * x);
-        Self::over(ratios, around(ratios.omega()), around(ratios.alpha()))
+        Self::over(around(ratios.omega()), around(ratios.alpha()))
     }
 
-    /// The place of ratios without damping known to lie in the intervals `omega` and `alpha`, each (low,
+    /// The verdict on ratios without damping known to lie in the intervals `omega` and `alpha`, each (low,
     /// high): the verdict holds for all. With damping it takes balls
     /// ([`crate::uncertainty::RatioBox::verdict`]).
-    ///
-    /// The margin and the border are those of the middle.
     ///
     /// # Errors
     /// Where an interval is empty or leaves the domain of [`Ratios`].
     pub(crate) fn within(omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
-        let middle = |(low, high): (F, F)| low + (high - low) / F::int(2);
         Ratios::new(omega.0, alpha.0)?;
         Ratios::new(omega.1, alpha.1)?;
         if alpha.0 > alpha.1 {
             let (low, high) = (written(alpha.0), written(alpha.1));
             return Err(Error::EmptyRange { quantity: Quantity::ForceRatio, low, high });
         }
-        Self::over(Ratios::new(middle(omega), middle(alpha))?, omega, alpha)
+        Self::over(omega, alpha)
     }
 
-    fn over(ratios: Ratios<F>, omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
-        let verdict = decide(omega, alpha, &border_range(omega.0, omega.1)?);
-        Ok(Self { ratios, border: Border::new(ratios.omega())?, verdict })
-    }
-
-    /// The ratios (Ω, α); the middle of intervals.
-    pub const fn ratios(&self) -> Ratios<F> {
-        self.ratios
-    }
-
-    /// The steady behaviour of the body.
-    pub const fn verdict(&self) -> Verdict<F> {
-        self.verdict
-    }
-
-    /// The border at this Ω.
-    pub const fn border(&self) -> &Border<F> {
-        &self.border
-    }
-
-    /// The margin α/α_min: the force over the minimum force without sticking.
-    pub fn margin(&self) -> F {
-        self.ratios.alpha() / self.border.min_force_ratio
+    fn over(omega: (F, F), alpha: (F, F)) -> Result<Self, Error> {
+        Ok(decide(omega, alpha, &border_range(omega.0, omega.1)?))
     }
 }
 
@@ -212,7 +149,7 @@ fn degenerate<F: Float>(ratios: Ratios<F>) -> Verdict<F> {
 /// first.
 fn decide<F: Float>(omega: (F, F), alpha: (F, F), border: &BorderRange<F>) -> Verdict<F> {
     let one = F::int(1);
-    let error = F::int(Place::<F>::BORDER_ERROR) * F::epsilon();
+    let error = F::int(Verdict::<F>::BORDER_ERROR) * F::epsilon();
     if alpha.1 <= one {
         return Verdict::AtRest;
     }

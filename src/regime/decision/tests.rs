@@ -1,10 +1,9 @@
-use super::Place;
 use crate::{Border, Drive, Oscillator, Ratios, Regime, Verdict};
 
 const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
 
 fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
-    Place::new(Ratios::new(omega, alpha).unwrap()).verdict()
+    Verdict::new(Ratios::new(omega, alpha).unwrap())
 }
 
 #[test]
@@ -63,7 +62,7 @@ fn beside_a_pole_it_may_reverse_six_times() {
     ] {
         assert_eq!(verdict(0.331, alpha), expected, "{alpha}");
     }
-    let within = |omega, alpha| Place::<f64>::within(omega, alpha).unwrap().verdict();
+    let within = |omega, alpha| Verdict::<f64>::within(omega, alpha).unwrap();
     for (omega, alpha, expected) in [
         ((0.3305, 0.3325), (80.0, 100.0), Verdict::SixReversals),
         ((0.332, 0.334), (80.0, 100.0), Verdict::SixReversals),
@@ -82,7 +81,7 @@ fn a_wider_type_decides() {
     for omega in [0.22f32, 0.3, 0.4, 0.7, 1.5, 20.0] {
         let least = Border::new(omega).unwrap().min_force_ratio;
         for alpha in [least, least.next_up(), least.next_down()] {
-            let narrow = Place::new(Ratios::new(omega, alpha).unwrap()).verdict();
+            let narrow = Verdict::new(Ratios::new(omega, alpha).unwrap());
             assert_eq!(narrow, Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
             assert!(verdict(omega.into(), alpha.into()).regime().is_some(), "{omega} {alpha}");
         }
@@ -96,13 +95,13 @@ fn the_error_bound_holds_at_single_precision() {
         let narrow = f64::from(Border::new(omega).unwrap().min_force_ratio);
         let wide = Border::new(f64::from(omega)).unwrap().min_force_ratio;
         let error = (narrow / wide - 1.0).abs() / f64::from(f32::EPSILON);
-        assert!(error < f64::from(Place::<f32>::BORDER_ERROR), "{omega}: {error}");
+        assert!(error < f64::from(Verdict::<f32>::BORDER_ERROR), "{omega}: {error}");
     }
 }
 
 #[test]
 fn intervals_say_what_holds_for_all() {
-    let within = |omega, alpha| Place::<f64>::within(omega, alpha).unwrap().verdict();
+    let within = |omega, alpha| Verdict::<f64>::within(omega, alpha).unwrap();
     // The border dips to 1.20999 between 0.8 and 0.9, whose ends are at 1.2234 and 1.2184.
     assert_eq!(within((0.8, 0.9), (1.205, 1.2099)), Verdict::Sticking);
     assert_eq!(within((0.8, 0.9), (1.215, 1.216)), EITHER);
@@ -112,27 +111,26 @@ fn intervals_say_what_holds_for_all() {
     assert_eq!(within((0.7, 0.8), (0.5, 1.1)), Verdict::Undecided(Regime::Stuck, Regime::Sticking));
     assert_eq!(within((0.7, 0.8), (0.5, 3.0)), Verdict::Undecided(Regime::Stuck, Regime::NonSticking));
     assert_eq!(within((0.7, 0.8), (0.5, 1.0)), Verdict::AtRest);
-    assert!(Place::within((0.7, 0.8), (2.0, 1.0)).is_err());
-    assert!(Place::within((0.8, 0.7), (1.0, 2.0)).is_err());
+    assert!(Verdict::within((0.7, 0.8), (2.0, 1.0)).is_err());
+    assert!(Verdict::within((0.8, 0.7), (1.0, 2.0)).is_err());
 }
 
 #[test]
 fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
-    let place = |p0: f64| Place::of(&body, &Drive::force(p0, 1.0).unwrap()).unwrap();
-    assert_eq!(place(2.0).verdict(), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
-    assert_eq!(place(1.2).verdict(), Verdict::Sticking);
-    assert_eq!(place(2.0).margin(), 2.0 / place(2.0).border().min_force_ratio);
+    let at = |p0: f64| Verdict::of(&body, &Drive::force(p0, 1.0).unwrap()).unwrap();
+    assert_eq!(at(2.0), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
+    assert_eq!(at(1.2), Verdict::Sticking);
     // A third as written is next to a pole, where the border is undetermined.
     let drive = Drive::force(1e16, 1.0 / 3.0).unwrap();
-    assert_eq!(Place::of(&body, &drive).unwrap().verdict(), EITHER);
-    assert!(Place::new(drive.ratios(&body).unwrap()).verdict().regime().is_some());
+    assert_eq!(Verdict::of(&body, &drive).unwrap(), EITHER);
+    assert!(Verdict::new(drive.ratios(&body).unwrap()).regime().is_some());
 }
 
 #[test]
 fn with_damping_the_error_bound_is_16_units() {
     let at = |omega: f64, alpha, zeta| {
-        Place::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()).verdict()
+        Verdict::new(Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap())
     };
     let least = Border::with_damping(0.7, 0.1).unwrap().min_force_ratio;
     let [above, below] = [16.0, -16.0].map(|units| least * (1.0 + units * f64::EPSILON));
@@ -160,7 +158,7 @@ fn with_static_friction_only_the_border_is_known() {
             let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(1.5).unwrap();
             ratios.with_damping_ratio(zeta).unwrap()
         };
-        let at = |alpha| Place::new(ratios(alpha)).verdict();
+        let at = |alpha| Verdict::new(ratios(alpha));
         let least = Border::of(&ratios(2.0)).min_force_ratio;
         let above = if omega == 1.0 && zeta == 0.0 { Regime::Unbounded } else { Regime::NonSticking };
         let unsure = Verdict::Undecided(Regime::Sticking, above);
