@@ -1,24 +1,24 @@
 //! The number type every formula is written over.
 //!
-//! Three layers. [`Field`] is what most *formulae* need: the field operations, square roots, magnitudes,
-//! small integers and ratios. [`Real`] adds π and the circular functions. [`Float`] adds what a *decision*
-//! needs: order, precision, range, and a way to and from `f64`. A formula asks for the least layer it can, so
-//! that a value that cannot be compared (a symbol) and a value that has no circular functions (a compensated
-//! pair) still run through it.
+//! There are three layers. [`Field`] is enough for most *formulae*: the field operations, square roots,
+//! magnitudes, small integers and ratios. [`Real`] adds π and the circular functions. [`Float`] adds the
+//! needs of a *decision*: order, precision, range, and conversion to and from `f64`. A formula asks for the
+//! least layer that it can. A value that cannot be compared (a symbol) or that has no circular functions (a
+//! compensated pair) can therefore still run through it.
 //!
-//! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] is the exact way in,
-//! [`pair::Pair::value`] rounds once on the way out. The steps that decide how many digits an answer has run
-//! in it, by the same functions.
+//! [`pair::Pair`] is the *wide* arithmetic of every type: [`Float::wide`] converts exactly, and
+//! [`Pair::value`](pair::Pair::value) rounds once on the way back. The steps that decide the number of
+//! correct digits in an answer run in it, through the same functions.
 //!
-//! All are `Copy`: generic code reads like the page it came from. Constants are integers and ratios
-//! of integers ([`Field::int`], [`Field::ratio`]), never decimal literals, so no formula carries the
-//! rounding of a type narrower than its own.
+//! All number types are `Copy`, so that generic code reads like the page it came from. Constants are integers
+//! and ratios of integers ([`Field::int`], [`Field::ratio`]), never decimal literals, so no formula carries
+//! the rounding of a type narrower than its own.
 //!
 //! # The same bits everywhere
 //!
-//! At `f64` an operation gives the same bits on every processor and under every compiler flag: the four
+//! At `f64` an operation gives the same bits on every processor and under every compiler flag. The four
 //! operations, the square root and the fused multiply-add are rounded correctly by IEEE 754, and the circular
-//! functions are those of the pinned crate `libm`. A fused operation stands where the source says
+//! functions are those of the pinned crate `libm`. A fused operation occurs where the source says
 //! [`Real::mul_add`], and nowhere else.
 
 use circular::TO_HALF_PI;
@@ -73,7 +73,7 @@ use task::SinCosOfPair;
 #[doc(hidden)]
 pub use task::{AtPrecision, Task};
 
-/// What a decision needs of its numbers: order, precision, range.
+/// The operations that decisions need: order, precision, range.
 pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Bits of the significand: 24 for `f32`, 53 for `f64`.
     const PRECISION: u32;
@@ -82,8 +82,8 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// type's own exponent range.
     const RATIO_EXPONENT: i32;
 
-    /// What is missing from [`Real::pi`]: the next two parts of π, each rounded once. From the digits of π
-    /// unless the type has them at hand.
+    /// The difference between π and [`Real::pi`]: the next two parts of π, each rounded once. The default
+    /// computes them from the digits of π.
     #[doc(hidden)]
     #[must_use]
     fn pi_rest() -> (Self, Self) {
@@ -111,33 +111,33 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// Neither infinite nor NaN.
     fn is_finite(self) -> bool;
 
-    /// The same number in the wide arithmetic, exactly.
+    /// The same number in the wide arithmetic, without rounding.
     #[doc(hidden)]
     #[inline(always)]
     fn wide(self) -> Pair<Self> {
         Pair::exact(self)
     }
 
-    /// Runs `task` with the processor's own fused multiply-add, where it has one that the program was not
-    /// compiled for.
+    /// Runs `task` with the processor's own fused multiply-add, where the processor has one and the program
+    /// was not compiled for it.
     ///
-    /// The results are the same; what is not inlined into `task` is not faster either.
+    /// The results are the same. Code that is not inlined into `task` does not become faster.
     #[doc(hidden)]
     #[inline(always)]
     fn fused<T: Task>(task: T) -> T::Output {
         task.run()
     }
 
-    /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster way that needs
-    /// a point on the unit circle.
+    /// The angle in `[0, π]` with this sine ≥ 0 and this cosine: [`Real::atan2`], or a faster algorithm that
+    /// requires a point on the unit circle.
     #[doc(hidden)]
     #[inline(always)]
     fn angle_of(sine: Self, cosine: Self) -> Self {
         sine.atan2(cosine)
     }
 
-    /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has: the error is below a third
-    /// of a unit in the last place up to π/3, less than that for smaller angles.
+    /// `(sin, cos)` of an angle in [−π/2, π/2] to more digits than the type has. The error is below a third
+    /// of a unit in the last place up to π/3, and smaller than that for smaller angles.
     #[doc(hidden)]
     #[inline(always)]
     fn sin_cos_acute(angle: Pair<Self>) -> (Pair<Self>, Pair<Self>) {
@@ -148,34 +148,36 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         }
     }
 
-    /// Runs a task at a lower precision, such as finding the start of an iteration: from a quarter of the
-    /// bits on, one step that quadruples them is left to do. At `f64` unless the type knows better.
+    /// Runs a task at a lower precision, for example to find the start of an iteration. With a quarter of the
+    /// bits or more, a single step that quadruples them completes the result. The default precision is that
+    /// of `f64`.
     #[doc(hidden)]
     #[inline]
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<f64>(Self::to_f64, Self::from_f64)
     }
 
-    /// Runs a task with guard bits, where the type has a wider one at hand; at the type itself otherwise.
+    /// Runs a task with guard bits where the type has a wider one available, and at the type itself
+    /// otherwise.
     #[doc(hidden)]
     #[inline]
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
         task.run::<Self>(|x| x, |x| x)
     }
 
-    /// `eˣ` of the number x; a type may have a better way than the series that this is.
+    /// `eˣ`. The default sums the series; a type may provide a better algorithm.
     #[doc(hidden)]
     fn exp(self) -> Self {
         exponential::exp(self)
     }
-    /// `eˣ − 1` of the number x, which keeps its digits for a small x; a type may have a better way than the
-    /// series that this is.
+    /// `eˣ − 1`, without loss of digits for a small x. The default sums the series; a type may provide a
+    /// better algorithm.
     #[doc(hidden)]
     fn exp_m1(self) -> Self {
         exponential::exp_m1(self)
     }
 
-    /// The value alone, without derivatives, in a type that carries some (`dual`); the number itself
+    /// The value alone, without derivatives, in a type that carries them (`dual`); the number itself
     /// otherwise.
     #[doc(hidden)]
     #[inline]
@@ -183,11 +185,11 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
         self
     }
 
-    /// The same value with the derivatives of `like`, in a type that carries some. Otherwise the number
-    /// itself, and `like` is not evaluated.
+    /// The same value with the derivatives of `like`, in a type that carries them. Otherwise this returns the
+    /// number itself and does not evaluate `like`.
     ///
-    /// For values whose own computation is a worse way to their derivatives: a quotient of two small numbers,
-    /// a point found by iteration.
+    /// It serves values whose own computation loses the derivatives' digits: a quotient of two small numbers,
+    /// or a point found by iteration.
     #[doc(hidden)]
     #[inline]
     fn differentiated_as(self, like: impl FnOnce() -> Self) -> Self {
@@ -198,9 +200,9 @@ pub trait Float: Real + PartialOrd + Display + LowerExp {
     /// A root x of `g(x, p) = 0` that was found by iteration, with the derivatives of the implicit function:
     /// `dx = −(∂g/∂p) dp/g′`.
     ///
-    /// `residual` gives (g, g′) at a constant x, so that g carries its explicit dependence on the parameters
-    /// alone: one step of Newton's method in the derivatives. What the iteration itself carried along is
-    /// dropped: it lags behind by a step, and a bracket at f64 carries nothing at all.
+    /// `residual` gives (g, g′) at a constant x, so that g carries only its explicit dependence on the
+    /// parameters. This is one step of Newton's method in the derivatives. Derivatives carried along by the
+    /// iteration are dropped: they lag behind by a step, and a bracket at f64 carries none.
     #[doc(hidden)]
     #[inline]
     fn implicit_root(self, residual: impl FnOnce(Self) -> (Self, Self)) -> Self {

@@ -2,13 +2,13 @@
 //!
 //! A ball is a midpoint of `64 · LIMBS` bits and a radius: all real numbers within the radius of the
 //! midpoint. Every function gives a ball that contains the exact values of the function at **every** point of
-//! its arguments. Where there is no such ball, because a divisor may be zero, a radicand negative or an angle
-//! a pole, the answer is the whole line, never a ball that is too small.
+//! its arguments. Where no such ball exists, because a divisor may be zero, a radicand negative or an angle a
+//! pole, the result is the whole line, never a ball that is too small.
 //!
-//! Each bound is a theorem, named where it is used, and rests on two things: MPFR rounds correctly, so that a
+//! Each bound is a theorem, named where it is used, and rests on two facts. MPFR rounds correctly, so that a
 //! midpoint is within half a unit in the last place of the exact value at the midpoints (Fousse et al.,
-//! *MPFR*, ACM Trans. Math. Softw. 33 (2007) 13); and the arithmetic of radii is rounded up (`radius`).
-//! Midpoint and radius, rather than two ends, cost one operation of MPFR where ends cost two to four.
+//! *MPFR*, ACM Trans. Math. Softw. 33 (2007) 13). The arithmetic of radii is rounded up (`radius`). Midpoint
+//! and radius cost one MPFR operation where two end points cost two to four.
 //!
 //! | file | content |
 //! |---|---|
@@ -39,7 +39,7 @@ pub(crate) struct Ball<const LIMBS: usize> {
     rad: Radius,
 }
 
-/// Below the least positive number of MPFR: what a result that underflows to zero is off at most.
+/// The greatest error of a result that underflows to zero: below the least positive number of MPFR.
 const UNDERFLOW: Radius = Radius::power_of_two(1 - (1 << 30));
 
 impl<const LIMBS: usize> Ball<LIMBS> {
@@ -55,9 +55,9 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         Self::new(x, Radius::ZERO)
     }
 
-    /// The numbers from `low` to `high`, and a little more where their middle has to be rounded.
+    /// The numbers from `low` to `high`, and slightly more where their middle has to be rounded.
     ///
-    /// The whole line where `low ≤ high` does not hold.
+    /// Returns the whole line unless `low ≤ high`.
     #[must_use]
     pub(crate) fn between(low: Mp<LIMBS>, high: Mp<LIMBS>) -> Self {
         if !(low <= high && low.is_finite() && high.is_finite()) {
@@ -68,7 +68,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         Self::new(mid, reach(low, mid).max(reach(mid, high)))
     }
 
-    /// A midpoint and a radius.
+    /// A ball with a midpoint and a radius.
     #[inline]
     pub(crate) fn new(mid: Mp<LIMBS>, rad: Radius) -> Self {
         if rad.is_infinite() || !mid.is_finite() { Self::entire() } else { Self { mid, rad } }
@@ -85,19 +85,19 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         self.rad
     }
 
-    /// A number that no number of the ball is below.
+    /// A lower bound of all numbers of the ball.
     #[must_use]
     pub(crate) fn lower(&self) -> Mp<LIMBS> {
         if self.is_entire() { -Mp::INFINITY } else { self.mid.minus_down(self.rad.value()) }
     }
 
-    /// A number that no number of the ball is above.
+    /// An upper bound of all numbers of the ball.
     #[must_use]
     pub(crate) fn upper(&self) -> Mp<LIMBS> {
         if self.is_entire() { Mp::INFINITY } else { self.mid.plus_up(self.rad.value()) }
     }
 
-    /// Whether nothing is known: the whole line.
+    /// Whether the ball is the whole line.
     #[must_use]
     pub(crate) const fn is_entire(&self) -> bool {
         self.rad.is_infinite()
@@ -110,13 +110,13 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         self.lower() <= x && x <= self.upper()
     }
 
-    /// Whether 0 may be in the ball: exactly, without the rounding of [`Ball::lower`].
+    /// Whether the ball contains 0: exactly, without the rounding of [`Ball::lower`].
     #[must_use]
     pub(crate) fn contains_zero(&self) -> bool {
         Radius::below(self.mid) <= self.rad
     }
 
-    /// The sign, where it is certain: `Equal` of the number 0 alone.
+    /// The sign, where it is certain; `Equal` only for the number 0.
     #[must_use]
     pub(crate) fn sign(&self) -> Option<Ordering> {
         let zero = Mp::ZERO;
@@ -141,13 +141,13 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         self.upper() < other.lower()
     }
 
-    /// Whether every number of `self` is a number of `other`, and none at its ends.
+    /// Whether every number of `self` lies strictly inside `other`.
     #[must_use]
     pub(crate) fn is_inside(&self, other: &Self) -> bool {
         other.lower() < self.lower() && self.upper() < other.upper()
     }
 
-    /// A ball with the numbers of both.
+    /// The least ball that contains both, up to rounding.
     #[must_use]
     pub(crate) fn hull(&self, other: &Self) -> Self {
         let low = if other.lower() < self.lower() { other.lower() } else { self.lower() };
@@ -155,10 +155,10 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         Self::between(low, high)
     }
 
-    /// A ball with the numbers that both have; `None` where they have none in common.
+    /// A ball that contains the numbers common to both; `None` where there are none.
     #[must_use]
     pub(crate) fn intersection(&self, other: &Self) -> Option<Self> {
-        // Balls that are alike are not made larger by the rounding of a middle.
+        // A ball inside the other is returned unchanged, so that rounding a middle does not enlarge it.
         if self.is_entire() || other.is_inside(self) {
             return Some(*other);
         }
@@ -170,7 +170,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
         (low <= high).then(|| Self::between(low, high))
     }
 
-    /// The larger of two numbers: every number that is the larger one of a pair of numbers.
+    /// The range of max(x, y) for x in `self` and y in `other`.
     #[must_use]
     pub(crate) fn larger(&self, other: &Self) -> Self {
         if self.is_below(other) {
@@ -185,7 +185,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     }
 
     #[cfg(test)]
-    /// The same ball at another width, wider by the rounding of its midpoint where that is shorter.
+    /// The same ball at another precision. A lower precision widens it by the rounding of its midpoint.
     #[must_use]
     pub(crate) fn at_width<const OTHER: usize>(&self) -> Ball<OTHER> {
         let mid = Mp::<OTHER>::rounded(self.mid);
@@ -194,7 +194,7 @@ impl<const LIMBS: usize> Ball<LIMBS> {
     }
 }
 
-/// Half a unit in the last place of a result that MPFR has rounded to nearest.
+/// Half a unit in the last place of a result that MPFR rounded to nearest.
 #[inline]
 fn half_unit<const LIMBS: usize>(x: Mp<LIMBS>) -> Radius {
     // BITS is a u32, far below the range of an exponent.
@@ -203,7 +203,7 @@ fn half_unit<const LIMBS: usize>(x: Mp<LIMBS>) -> Radius {
 
 /// The sum of the parts of an error bound.
 ///
-/// In tests, one of the parts can be made too small (`faults`): the differential tests have to notice.
+/// In tests, one of the parts can be made too small (`faults`), and the differential tests must detect it.
 #[cfg_attr(test, track_caller)]
 #[inline]
 fn bound<const N: usize>(parts: [Radius; N]) -> Radius {

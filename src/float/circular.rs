@@ -1,8 +1,7 @@
-//! Circular functions on bounded angles, without branches, so that loops over them become vector
-//! instructions.
+//! Circular functions on bounded angles, without branches, so that loops over them can be vectorised.
 //!
-//! Polynomials that interpolate at Chebyshev nodes, found at 60 digits and rounded; the errors below are
-//! those of the rounded coefficients, without the rounding of their evaluation:
+//! They are polynomials that interpolate at Chebyshev nodes, computed with 60 digits and rounded. The errors
+//! below are those of the rounded coefficients, without the rounding of the evaluation:
 //!
 //! | function | on | form | error |
 //! |---|---|---|---|
@@ -16,7 +15,7 @@
 
 use super::{Float, pair::Pair};
 
-/// Coefficients from the constant term up, of S and C in the table.
+/// Coefficients of S and C in the table, from the constant term up.
 #[derive(Clone, Copy)]
 pub(crate) struct SinCos<F, const S: usize, const C: usize> {
     sin: [F; S],
@@ -82,11 +81,11 @@ pub(crate) const TO_QUARTER: SinCos<f64, 5, 4> = SinCos {
         -2.752_431_127_195_208_5e-7,
     ],
 };
-/// Coefficients from the constant term up, of A in the table.
+/// Coefficients of A in the table, from the constant term up.
 #[derive(Clone, Copy)]
 pub(crate) struct Arctangent<F>([F; 11]);
 
-/// The only ones.
+/// The coefficients for |t| ≤ tan π/8.
 pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
     -0.333_333_333_333_333_3,
     0.199_999_999_999_955_2,
@@ -101,16 +100,16 @@ pub(crate) const ARCTANGENT: Arctangent<f64> = Arctangent([
     -0.019_176_887_117_579_786,
 ]);
 
-/// Coefficients as numbers that the compiler does not know: it then keeps each in a vector for the whole of a
-/// loop, where it would make it again from the constant for every use, a quarter of a loop's instructions
-/// with AVX2.
+/// Hides the coefficients' values from the compiler. It then keeps each in a vector register for the whole
+/// loop instead of rebuilding it from the constant at every use, a quarter of a loop's instructions with
+/// AVX2.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn held<T>(coefficients: T) -> T {
     core::hint::black_box(coefficients)
 }
 
-/// A polynomial by Horner's rule, fused.
+/// A polynomial by Horner's rule, with fused operations.
 #[inline(always)]
 pub(crate) fn polynomial<F: Float, const N: usize>(coefficients: &[F; N], z: F) -> F {
     let mut falling = coefficients.iter().rev();
@@ -119,7 +118,7 @@ pub(crate) fn polynomial<F: Float, const N: usize>(coefficients: &[F; N], z: F) 
 }
 
 impl<const S: usize, const C: usize> SinCos<f64, S, C> {
-    /// The same in another number type.
+    /// The same coefficients in another number type.
     #[inline(always)]
     pub(crate) fn of<F: Float>(&self) -> SinCos<F, S, C> {
         SinCos { sin: self.sin.map(F::from_f64), cos: self.cos.map(F::from_f64) }
@@ -142,7 +141,7 @@ impl<F: Float, const S: usize, const C: usize> SinCos<F, S, C> {
         ((polynomial(&self.sin, z) * z).mul_add(x, x), bend * z)
     }
 
-    /// `(sin x, cos x)`, of which the roundings of all but the leading terms are left.
+    /// `(sin x, cos x)`, exact except for the roundings of all but the leading terms.
     #[inline(always)]
     pub(crate) fn wide(&self, x: Pair<F>) -> (Pair<F>, Pair<F>) {
         let (one, half) = (F::int(1), F::ratio(1, 2));
@@ -173,7 +172,7 @@ impl<F: Float, const S: usize, const C: usize> SinCos<F, S, C> {
 }
 
 impl Arctangent<f64> {
-    /// The same in another number type.
+    /// The same coefficients in another number type.
     #[inline(always)]
     pub(crate) fn of<F: Float>(&self) -> Arctangent<F> {
         Arctangent(self.0.map(F::from_f64))
@@ -190,8 +189,8 @@ impl<F: Float> Arctangent<F> {
 
     /// The angle in [0, π/2] of the point with ordinate `y` ≥ 0 and abscissa `x` ≥ 0.
     ///
-    /// With `r = hypot(x, y)` its half has the tangent `y/(x + r)`, at most 1; beyond tan π/8 that is taken
-    /// from π/4.
+    /// With `r = hypot(x, y)`, half the angle has the tangent `y/(x + r)`, which is at most 1. Beyond tan π/8
+    /// the half angle is measured from π/4.
     #[inline(always)]
     pub(crate) fn first_quadrant_angle(&self, y: F, x: F, r: F) -> F {
         let sum = x + r;
@@ -207,7 +206,7 @@ impl<F: Float> Arctangent<F> {
     }
 }
 
-/// (sin x/x, cos x) by their series for |x| ≤ 3/8 at no more digits than f64 has.
+/// (sin x/x, cos x) by their series for |x| ≤ 3/8, for types with no more digits than f64.
 #[inline]
 pub(crate) fn sinc_cos_small<F: Float>(x: F) -> Option<(F, F)> {
     let square = x * x;
@@ -227,7 +226,7 @@ mod tests {
     use super::{ARCTANGENT, TO_HALF_PI, TO_ONE, TO_QUARTER, sinc_cos_small};
     use std::f64::consts::FRAC_PI_2;
 
-    /// Against 256 bits.
+    /// The errors of the wide functions, against 256 bits.
     #[cfg(feature = "mp")]
     #[test]
     fn wide_has_a_third_of_a_unit() {
@@ -246,7 +245,7 @@ mod tests {
         assert!(worst_sine < 0.34 && worst_cosine < 0.34, "{worst_sine} {worst_cosine}");
     }
 
-    /// Within `ulps` of the system's own, which is right to one unit in the last place.
+    /// Within `ulps` of the platform's own function, which is accurate to one unit in the last place.
     fn close(a: f64, b: f64, scale: f64, ulps: f64, at: f64) {
         assert!((a - b).abs() <= ulps * f64::EPSILON * scale, "at {at}: {a:e} against {b:e}");
     }

@@ -1,8 +1,9 @@
-//! Does a number type keep the promises of [`Field`](super::Field), [`Real`](super::Real) and [`Float`]?
+//! A check of the promises that a number type makes by [`Field`](super::Field), [`Real`](super::Real) and
+//! [`Float`].
 //!
-//! An own number type that breaks one of them gives wrong answers without a word: with negative numbers in
-//! the wrong order a maximum is a minimum, with a digit missing in π an angle is off at a high frequency.
-//! [`check`] finds out before. `docs/number-types.md` is the guide.
+//! A user's number type that breaks one of them gives wrong answers silently. If negative numbers compare in
+//! the wrong order, a maximum becomes a minimum; if π lacks a digit, angles are off at high frequencies.
+//! [`check`] finds such errors beforehand. `docs/number-types.md` is the guide.
 //!
 //! ```
 //! use stickslip::float::conformance;
@@ -11,10 +12,10 @@
 //! # Ok::<(), stickslip::float::conformance::Broken>(())
 //! ```
 //!
-//! Nothing is taken from another type. The operations are held against results that are known exactly: sums
-//! and products of numbers such as 1 + i 2⁻ᵖ, and the rest of a quotient or of a root, which a fused
-//! operation gives without rounding. π is held against integers of as many digits, and the functions against
-//! their series in compensated pairs, which have twice the digits.
+//! No other type serves as a reference. The operations are compared with results that are known exactly: sums
+//! and products of numbers such as 1 + i 2⁻ᵖ, and the remainder of a quotient or a root, which a fused
+//! operation gives without rounding. π is compared with integers of as many digits. The functions are
+//! compared with their series in compensated pairs, which have twice the digits.
 
 mod functions;
 mod operations;
@@ -34,21 +35,21 @@ pub struct Broken {
     pub promise: &'static str,
 }
 
-/// Holds `F` to the promises of its traits: integers, order, rounding of the five operations and of the fused
-/// one, range, rounding to integers, conversions, π, circular and exponential functions, text.
+/// Checks that `F` keeps the promises of its traits: integers, order, rounding of the five operations and of
+/// the fused one, range, rounding to integers, conversions, π, circular and exponential functions, text.
 ///
-/// It takes some milliseconds for f64 and does not sample at random: a type that passes once passes always.
-/// What it cannot see is an error at arguments that it does not try.
+/// The check takes some milliseconds for f64. It is deterministic, so that a type that passes once always
+/// passes. It cannot detect an error at arguments that it does not try.
 ///
 /// # Errors
-/// [`Broken`]: the first method that breaks a promise, with its argument. The methods come in the order in which they build on each
-/// other, so that the first one is the one to mend.
+/// [`Broken`]: the first method that breaks a promise, with its argument. The methods are checked in the
+/// order in which they build on each other, so that the first failure is the one to fix.
 pub fn check<F: Float>() -> Result<(), Broken> {
     operations::check::<F>()?;
     functions::check::<F>()
 }
 
-/// Of a method whether it keeps a promise.
+/// An error unless the method keeps the promise.
 fn hold(
     is_kept: bool,
     method: &'static str,
@@ -65,6 +66,6 @@ fn both<F: Float>(a: F, b: F) -> String {
 
 /// Evenly spread fractions of 2³⁰, the same in each run.
 fn spread() -> impl Iterator<Item = i32> {
-    // The golden section of 2³⁰, odd.
+    // The golden section of 2³⁰, made odd.
     (1..=200).map(|n: i32| n.wrapping_mul(663_608_941) & ((1 << 30) - 1))
 }

@@ -9,11 +9,11 @@ use num_dual::DualSVec64;
 
 /// An f64 with its first derivatives by N parameters, on which every closed form of the crate runs.
 ///
-/// For the closed forms: the exact motion (`exact`) runs on it too, with the values of f64, but its events
-/// and its limit are found by iterations that have not been taught the implicit function theorem, so that
-/// derivatives of a steady state are not to be relied on.
+/// The exact motion (`exact`) also runs on it, with the values of f64. Its events and its limit are found by
+/// iterations that do not apply the implicit function theorem, so derivatives of a steady state are not
+/// reliable.
 ///
-/// A wrapper of [`num_dual::DualSVec64`] that is a [`Field`], a [`Real`] and a [`Float`]:
+/// It wraps [`num_dual::DualSVec64`] and implements [`Field`], [`Real`] and [`Float`]:
 ///
 /// * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64
 ///   rounds them, and the derivatives are computed beside them.
@@ -24,8 +24,8 @@ use num_dual::DualSVec64;
 ///   a maximum those of the function at the fixed point (the envelope theorem): the phase of the border and
 ///   its minimum displacement (`nonsticking::border`), the phase of the maximum velocity
 ///   (`nonsticking::velocity`).
-/// * **K(Ω)** is differentiated by its own closed form, which keeps its
-///   digits through Ω = 1 and far above it.
+/// * **K(Ω)** is differentiated by its own closed form, which keeps its digits through Ω = 1 and far above
+///   it.
 ///
 /// ```
 /// use stickslip::float::Dual;
@@ -41,7 +41,8 @@ use num_dual::DualSVec64;
 pub struct Dual<const N: usize>(DualSVec64<N>);
 
 impl<const N: usize> Dual<N> {
-    /// The parameters themselves: each has the derivative 1 by itself and 0 by the others.
+    /// The parameters themselves: each has the derivative 1 with respect to itself and 0 with respect to the
+    /// others.
     #[must_use]
     pub fn parameters(values: [f64; N]) -> [Self; N] {
         let mut index = 0;
@@ -58,13 +59,13 @@ impl<const N: usize> Dual<N> {
         Self(DualSVec64::from_re(value))
     }
 
-    /// The number itself.
+    /// The number without its derivatives.
     #[must_use]
     pub const fn value(self) -> f64 {
         self.0.re
     }
 
-    /// Its derivatives by the parameters.
+    /// The derivatives with respect to the parameters.
     #[must_use]
     pub fn derivatives(self) -> [f64; N] {
         self.0.eps.0.map_or([0.0; N], Into::into)
@@ -101,14 +102,14 @@ impl<const N: usize> From<Dual<N>> for DualSVec64<N> {
     }
 }
 
-/// The value, with the digits of an f64: derivatives are for [`Dual::derivatives`].
+/// Displays the value, with the digits of an f64. The derivatives are in [`Dual::derivatives`].
 impl<const N: usize> Display for Dual<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         Display::fmt(&self.value(), f)
     }
 }
 
-/// The value, with a power of ten.
+/// Displays the value with a power of ten.
 impl<const N: usize> LowerExp for Dual<N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         LowerExp::fmt(&self.value(), f)
@@ -289,7 +290,7 @@ mod tests {
         assert_eq!((x * x).differentiated_as(|| x).derivatives(), [1.0]);
         let zero = x - Dual::of(2.0);
         assert_eq!(zero.abs().derivatives(), [1.0]);
-        // y³ = x, by its residual at the rounded root
+        // The root of y³ = x, by its residual at the rounded root.
         let root = Dual::of(8.0f64.cbrt()).implicit_root(|y| (y * y * y - x * x * x, Dual::int(3) * y * y));
         assert!((root.derivatives()[0] - 1.0f64).abs() < 1e-15);
     }

@@ -1,14 +1,13 @@
-//! `eˣ` and `eˣ − 1` by the operations that every number type has: what a type without functions of its own
-//! runs on.
+//! `eˣ` and `eˣ − 1` by the operations that every number type has, for types without functions of their own.
 
 use super::Float;
 
 /// `eˣ − 1` by its series at `x/2ⁿ`, doubled n times: `e²ʸ − 1 = (eʸ − 1)(eʸ − 1 + 2)`.
 ///
-/// Relative accuracy: a few roundings for |x| ≤ 1, |x| times as many beyond.
+/// The relative error is a few roundings for |x| ≤ 1, and |x| times as many beyond.
 pub(super) fn exp_m1<F: Float>(x: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
-    // Beyond it e⁻ˣ has no digit left near 1, and doubling would only lose what is there.
+    // Beyond this, e⁻ˣ is below the last digit of 1, and doubling would only lose digits.
     let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX);
     if x < -F::int(bits) {
         return -one;
@@ -19,7 +18,7 @@ pub(super) fn exp_m1<F: Float>(x: F) -> F {
         y = y / two;
         doublings = doublings.saturating_add(1);
     }
-    // Σ yⁿ/n!, each term from the last.
+    // Σ yⁿ/n!, each term from the previous one.
     let (mut term, mut sum) = (y, y);
     for n in 2..=bits {
         term = term * y / F::int(n);
@@ -55,7 +54,7 @@ mod tests {
             close(Float::exp_m1(x), x.exp_m1(), 1.0);
             close(Float::exp(x), x.exp(), 1.0);
         }
-        // Of a narrow type over its range, held against a wide one.
+        // A narrow type over its range, compared with a wide one.
         for i in -1000..=1000i16 {
             let x = f32::from(i).powi(3) * 8.7e-8;
             let (exact, units) = (f64::from(x), f64::from(4.0 * x.abs().max(1.0)) * f64::from(f32::EPSILON));

@@ -1,4 +1,4 @@
-//! Numbers of other crates.
+//! An adapter for the number types of other crates.
 
 use super::{Field, Float, Real};
 use core::cmp::Ordering;
@@ -6,10 +6,10 @@ use core::fmt::{self, Debug, Display, Formatter, LowerExp};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use num_traits::{FloatConst, NumCast};
 
-/// A number of any crate that has the traits of num-traits, as a number of this one.
+/// A number of any type that implements the traits of num-traits, as a number of this crate.
 ///
-/// `PRECISION` and `RATIO_EXPONENT` are those of [`Float`], which num-traits has no names for: the bits of
-/// the significand, and about a quarter of the largest exponent.
+/// `PRECISION` and `RATIO_EXPONENT` are the constants of [`Float`], for which num-traits has no names: the
+/// bits of the significand, and about a quarter of the largest exponent.
 /// [`conformance::check`](super::conformance::check) finds out whether they are right, and whether the type
 /// rounds as the formulae need.
 ///

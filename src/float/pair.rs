@@ -1,8 +1,8 @@
 //! Compensated pairs: a number as the unevaluated sum of two, which doubles the precision of the type.
 //!
-//! The textbook's error-free transformations, with u = 2⁻ᵖ half a unit in the last place of 1. Each is exact
-//! where a type rounds to nearest and nothing over- or underflows, and so for `f32`, `f64` and, because MPFR
-//! rounds correctly, `Mp`.
+//! These are the standard error-free transformations, with u = 2⁻ᵖ, half a unit in the last place of 1. Each
+//! is exact where a type rounds to nearest and nothing overflows or underflows. This holds for `f32`, `f64`
+//! and, because MPFR rounds correctly, `Mp`.
 //!
 //! | name | exact | operations | source |
 //! |---|---|---|---|
@@ -10,14 +10,13 @@
 //! | `fast_two_sum` | a + b = hi + lo for \|a\| ≥ \|b\| | 3 | Dekker 1971, Numer. Math. 18 |
 //! | `two_prod` | a b = hi + lo | 2, one of them fused | Ogita, Rump and Oishi 2005, SIAM J. Sci. Comput. 26 |
 //!
-//! Where there is a fused operation it takes the place of Veltkamp's split, which Dekker's product needs:
-//! both give the same rest, to the last bit, and a processor without one has it in software
-//! ([`super::Float::fused`]).
+//! The fused operation replaces Veltkamp's split, which Dekker's product needs: both give the same remainder,
+//! to the last bit. A processor without a fused operation runs it in software ([`super::Float::fused`]).
 //!
-//! What is built on them is that of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15; their
-//! "sloppy" sum), except that the last step of each but the sum, which makes |lo| half a unit of hi at most,
-//! is left out: [`Pair::value`] rounds once, at the end. With |lo| ≤ c u |hi| on the way in, the relative
-//! errors are at most
+//! The operations built on them are those of Joldes, Muller and Popescu 2017 (ACM Trans. Math. Softw. 44, 15;
+//! their "sloppy" sum). Only the sum keeps their last step, which makes |lo| at most half a unit of hi;
+//! elsewhere [`Pair::value`] rounds once, at the end. For operands with |lo| ≤ c u |hi|, the relative errors
+//! are at most
 //!
 //! | operation | error | \|lo\| ≤ … u \|hi\| on the way out |
 //! |---|---|---|
@@ -28,18 +27,18 @@
 //! | √x | (c² + 3c + 3) u² | 1 + c |
 //! | √(x² − y²) | that of √ and half that of x² − y² | 2 |
 //!
-//! No overflow or underflow is looked after; the domain of [`crate::Ratios`] has room for both.
+//! Overflow and underflow are not handled; the domain of [`crate::Ratios`] has room for both.
 
 mod operators;
 
 use super::{Field, Float};
 
-/// The number `hi + lo`: |lo| is a few units in the last place of hi at most.
+/// The number `hi + lo`, where |lo| is at most a few units in the last place of hi.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pair<F> {
     /// The leading part.
     pub hi: F,
-    /// The rest.
+    /// The remainder.
     pub lo: F,
 }
 
@@ -55,7 +54,7 @@ impl<F: Float> Pair<F> {
     #[inline(always)]
     #[must_use]
     pub fn exact(x: F) -> Self {
-        // y + (−0) is y for every y, so that a compiler leaves the sum out; y + 0 is not where y is −0.
+        // y + (−0) is y for every y, so that the compiler drops the sum; y + 0 is not y where y is −0.
         Self { hi: x, lo: -F::int(0) }
     }
 
@@ -69,7 +68,7 @@ impl<F: Float> Pair<F> {
         Self { hi, lo: (a - (hi - b_part)) + (b - b_part) }
     }
 
-    /// `a + b` exactly, of |a| ≥ |b| (or a = 0) in half the operations.
+    /// `a + b` exactly for |a| ≥ |b| (or a = 0), in half the operations.
     #[inline(always)]
     #[must_use]
     pub(crate) fn fast_two_sum(a: F, b: F) -> Self {
@@ -82,12 +81,12 @@ impl<F: Float> Pair<F> {
     #[inline(always)]
     #[must_use]
     pub(crate) fn two_prod(a: F, b: F) -> Self {
-        // p = fl(a b), e = fl(a b − p), which is fused
+        // p = fl(a b), e = fl(a b − p), which is one fused operation
         let hi = a * b;
         Self { hi, lo: a.mul_add(b, -hi) }
     }
 
-    /// π: within `2⁻²ᵖ` of it.
+    /// π with an error of at most `2⁻²ᵖ`.
     #[inline(always)]
     #[must_use]
     pub(crate) fn pi() -> Self {
@@ -107,7 +106,7 @@ impl<F: Float> Pair<F> {
         self.hi + self.lo
     }
 
-    /// The same number with hi its nearest.
+    /// The same number with hi as its nearest value.
     #[inline(always)]
     #[must_use]
     pub(crate) fn normalised(self) -> Self {
@@ -121,7 +120,7 @@ impl<F: Float> Field for Pair<F> {
         Self::exact(F::int(n))
     }
 
-    /// Of a zero zero, of a negative number NaN.
+    /// The root of zero is zero; that of a negative number is NaN.
     #[inline(always)]
     fn sqrt(self) -> Self {
         let hi = self.hi.sqrt();
@@ -134,17 +133,17 @@ impl<F: Float> Field for Pair<F> {
         Self { hi: self.hi.abs(), lo: self.lo.times_sign_of(self.hi) }
     }
 
-    /// Two squares that nearly cancel leave the digits of a pair.
+    /// The digits of a pair remain even if the two squares nearly cancel.
     #[inline(always)]
     fn leg(self, other: Self) -> Self {
         let (square, less) = (self.square(), other.square());
-        // The fast sum of the leading parts, as a difference.
+        // The fast sum of the leading parts, written as a difference.
         let hi = square.hi - less.hi;
         let lo = (square.hi - hi) - less.hi;
         Self::fast_two_sum(hi, lo + (square.lo - less.lo)).sqrt()
     }
 
-    /// Without a rounding of the leading part where n is a power of two.
+    /// The leading part is not rounded where n is a power of two.
     #[inline(always)]
     fn times(self, n: i32) -> Self {
         let factor = F::int(n);
@@ -168,7 +167,7 @@ mod tests {
     use crate::float::{Field, Float};
     use proptest::prelude::*;
 
-    /// The rational value of a double as integer and exponent is exact in i128 for such as these: k·2⁻⁶⁰.
+    /// The value of a double times 2⁶⁰ as an integer: exact in i128 for the numbers tried here.
     fn scaled(x: f64) -> i128 {
         (x * 2f64.powi(60)) as i128
     }
@@ -198,7 +197,7 @@ mod tests {
             let near = |p: Pair<f64>, q: Pair<f64>| within(p, q, q.value().abs());
             prop_assert!(near(x / y * y, x));
             prop_assert!(near(x.sqrt().square(), x));
-            // What cancels leaves the rounding of what it was made of.
+            // Cancellation leaves the rounding errors of the operands.
             let of = (x + y) * y;
             prop_assert!(within(of - y.square(), x * y, of.value()));
             prop_assert!(near(-(-x).abs(), -x));
@@ -211,7 +210,7 @@ mod tests {
                 let error = (found - exact).value().abs();
                 error <= ulps * (exact.hi.next_up() - exact.hi)
             };
-            // However close the two are.
+            // The bound holds however close the two are.
             let longer = Pair::exact(a + a * c);
             let (difference, sum) = (longer - x, longer + x);
             prop_assert!(near(longer.leg(x), (difference * sum).sqrt(), 1e-9));
@@ -220,10 +219,10 @@ mod tests {
         }
     }
 
-    /// π − 3 less its leading digits, to twice the digits: a pair that is only as good as its leading part
-    /// fails.
+    /// π − 3 minus its leading digits, to twice the digits: a pair that is only as accurate as its leading
+    /// part fails.
     fn pi_has_twice_the_digits<F: Float>() {
-        // sin of the leading part is what is missing from π, to the third order.
+        // The sine of the leading part is the part missing from π, to the third order.
         let missing = F::pi().sin();
         let (second, third) = F::pi_rest();
         assert!((second - missing).abs() <= F::epsilon() * missing.abs(), "{second} {missing}");
@@ -241,7 +240,7 @@ mod tests {
             let (second, third) = Mp::<2>::pi_rest();
             let sum = Mp::<6>::rounded(Mp::<2>::pi()) + Mp::rounded(second) + Mp::rounded(third);
             assert!((sum - Mp::pi()).abs() <= Mp::<6>::epsilon() * Mp::of_int(4));
-            // The doubles agree with the wide number.
+            // The two parts at f64 agree with the wide number.
             let (second, third) = <f64 as Float>::pi_rest();
             let sum = Mp::<4>::from(<f64 as Real>::pi()) + Mp::from(second) + Mp::from(third);
             assert!((sum - Mp::pi()).abs() <= Mp::<4>::exp2i(-160));

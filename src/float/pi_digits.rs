@@ -1,6 +1,6 @@
-//! π to any number of digits, as integers: what a number type's own π is held against.
+//! π to any number of digits, in integers: the reference for the π of a number type.
 //!
-//! Numbers here are fixed: `Σ dₖ 2⁻²⁴ᵏ`, k from 0, with signed digits dₖ.
+//! Numbers here are in fixed point: `Σ dₖ 2⁻²⁴ᵏ`, k from 0, with signed digits dₖ.
 
 use super::Float;
 
@@ -9,15 +9,14 @@ const BITS: u32 = 24;
 /// `2²⁴`.
 const BASE: i64 = 1 << BITS;
 
-/// The digits that `bits` bits after the point take, and one more.
+/// The number of digits that hold `bits` bits after the point, and one more.
 pub(super) const fn count(bits: u32) -> usize {
     (bits / BITS) as usize + 2
 }
 
-/// `π = 16 arctan(1/5) − 4 arctan(1/239)` (Machin 1706), to `count` digits but for some units of the last
-/// one.
+/// `π = 16 arctan(1/5) − 4 arctan(1/239)` (Machin 1706), to within a few units of the last of `count` digits.
 pub(super) fn pi(count: usize) -> Vec<i64> {
-    // One digit more takes up what the divisions cut off.
+    // One more digit absorbs the truncation of the divisions.
     let (mut sum, mut small) = (inverse_arctangent(5, count + 1), inverse_arctangent(239, count + 1));
     sum.iter_mut().for_each(|digit| *digit *= 16);
     small.iter_mut().for_each(|digit| *digit *= 4);
@@ -76,8 +75,7 @@ fn balance(digits: &mut [i64]) {
     }
 }
 
-/// The digits of a number, exactly where `count` of them suffice. The parts are split off by operations
-/// without rounding.
+/// The digits of a number, exact where `count` digits suffice. Each part is split off without rounding.
 pub(super) fn digits_of<F: Float>(x: F, count: usize) -> Vec<i64> {
     let mut rest = x;
     let mut digits = Vec::with_capacity(count);
@@ -89,7 +87,7 @@ pub(super) fn digits_of<F: Float>(x: F, count: usize) -> Vec<i64> {
     digits
 }
 
-/// The number nearest to balanced digits, to a rounding or two.
+/// The number nearest to balanced digits, to within a rounding or two.
 pub(super) fn number<F: Float>(digits: &[i64]) -> F {
     let base = F::int(1 << BITS);
     let digit = |d: i64| F::int(i32::try_from(d).unwrap_or(i32::MAX));
@@ -97,7 +95,7 @@ pub(super) fn number<F: Float>(digits: &[i64]) -> F {
     digits.iter().skip(1).rev().fold(F::int(0), |sum, &d| (sum + digit(d)) / base) + digit(first)
 }
 
-/// The two next parts of π after `leading`, the number nearest to it.
+/// The two parts of π that follow `leading`, the number nearest to π.
 pub(super) fn rest<F: Float>(leading: F) -> (F, F) {
     let count = count(F::PRECISION.saturating_mul(3));
     let left = less(&pi(count), &digits_of(leading, count));

@@ -114,14 +114,15 @@ macro_rules! primitive {
             }
             #[inline(always)]
             fn times_sign_of(self, sign: Self) -> Self {
-                // By bits, of which vectors are made without a comparison.
+                // By bits, which compilers vectorise without a comparison.
                 <$float>::from_bits(self.to_bits() ^ (sign.to_bits() & (-0.0 as $float).to_bits()))
             }
         }
     };
 }
 
-/// On an x86-64 that has fused operations of which the program was not told, the task compiled for them.
+/// Runs the task compiled for fused operations on an x86-64 processor that has them, if the program was not
+/// compiled for them.
 #[cfg(all(target_arch = "x86_64", not(target_feature = "fma")))]
 #[inline(always)]
 #[allow(unsafe_code, reason = "a call that needs a feature of the processor, which is looked for")]

@@ -1,16 +1,16 @@
-//! Work that a number type runs in its own way: with the fused operation, or at another precision.
+//! Computations that a number type runs in its own way: with the fused operation, or at another precision.
 
 use super::{Float, pair::Pair};
 
-/// Work to be compiled for the processor's fused operation ([`Float::fused`]).
+/// A computation to be compiled for the processor's fused operation ([`Float::fused`]).
 ///
-/// A trait, because a closure cannot be told to be inlined: `run` has to be `#[inline(always)]`, down to what
-/// it calls often.
+/// This is a trait because a closure cannot be forced inline: `run`, and everything that it calls often, must
+/// be `#[inline(always)]`.
 #[doc(hidden)]
 pub trait Task {
-    /// What it comes to.
+    /// The result.
     type Output;
-    /// The work.
+    /// Runs the computation.
     fn run(self) -> Self::Output;
 }
 
@@ -18,9 +18,9 @@ pub trait Task {
 /// [`Float::guarded`]).
 #[doc(hidden)]
 pub trait AtPrecision<F> {
-    /// What it comes to.
+    /// The result.
     type Output;
-    /// The task at the type `G`, with the ways there and back, each of which rounds once.
+    /// Runs the task at the type `G`, given the conversions there and back, each of which rounds once.
     fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output;
 }
 

@@ -10,7 +10,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self { mid, rad: bound([half_unit(mid)]) }
     }
 
-    /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's; and no
+    /// `|sin x − sin a| ≤ |x − a|`, by the mean value theorem, and `≤ |cos a| r + r²/2`, by Taylor's. No
     /// value is beyond ±1.
     #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
@@ -51,7 +51,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
     /// |δ| ≤ r < √2, `tan δ ≤ δ/(1 − δ²/2)` since sin δ ≤ δ and cos δ ≥ 1 − δ²/2 > 0. There is no pole
     /// between a and x where |t| tan r < 1.
     ///
-    /// The whole line where a pole may be in the ball.
+    /// The result is the whole line where the ball may contain a pole.
     #[inline(never)]
     fn tan(self) -> Self {
         let r = self.rad;
@@ -65,11 +65,12 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         Self::new(mid, bound([moved, rounding]))
     }
 
-    /// Seen from the origin, a point moves by δ with `tan δ = n/(d + p)`: n and p are its moves across and
-    /// along the direction to it, d its distance. `|n| ≤ (|a| s + |b| r)/d` for an ordinate within r of a and
-    /// an abscissa within s of b, and `|p| ≤ r + s`.
+    /// Seen from the origin, a point moves by δ with `tan δ = n/(d + p)`: n and p are its displacements
+    /// across and along the direction to it, and d is its distance. For an ordinate within r of a and an
+    /// abscissa within s of b, `|n| ≤ (|a| s + |b| r)/d` and `|p| ≤ r + s`.
     ///
-    /// All angles, 0 ± π, where the origin or the cut at the negative abscissae may be met.
+    /// The result is all angles, 0 ± π, where the box may meet the origin or the cut along the negative
+    /// abscissae.
     #[inline(never)]
     fn atan2(self, x: Self) -> Self {
         let all = || {
@@ -83,7 +84,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
         if self.contains_zero() && !is_exact_zero && !x.is_positive() || is_exact_zero && x.contains_zero() {
             return all();
         }
-        // Not −0, whose angle to the negative abscissae is −π.
+        // The midpoint must not be −0, whose angle to the negative abscissae is −π.
         let mid = if self.mid.is_zero() { Mp::ZERO } else { self.mid }.atan2(x.mid);
         let rounding = if mid.is_zero() && self.mid.is_zero() { Radius::ZERO } else { half_unit(mid) };
         if is_exact_zero || self.rad.is_zero() && x.rad.is_zero() {
@@ -111,7 +112,7 @@ impl<const LIMBS: usize> Real for Ball<LIMBS> {
 }
 
 impl<const LIMBS: usize> Ball<LIMBS> {
-    /// The rounding of a function's value that is zero at zero alone, and exactly.
+    /// The rounding error of a function that is zero only at zero, and exact there.
     #[inline(never)]
     fn odd_rounding(self, value: Mp<LIMBS>) -> Radius {
         if self.mid.is_zero() && value.is_zero() { Radius::ZERO } else { half_unit(value) }

@@ -1,8 +1,8 @@
 //! Faults put into the error bounds, one at a time.
 //!
-//! Each call of [`super::bound`] adds the parts of one bound. Here one part of one call is left out, or
-//! halved. A test that compares balls with values at more bits has to notice each: otherwise it would not
-//! notice a bound that was written down wrong.
+//! Each call of [`super::bound`] adds the parts of one bound. Here one part of one call is left out or
+//! halved. A test that compares balls with values at more bits must detect each such fault; otherwise it
+//! would not detect a mistake in the bound.
 
 use super::Radius;
 use core::panic::Location;
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 /// One part of one bound.
 pub(super) type Part = (&'static str, u32, usize);
 
-/// What is done to a part.
+/// The change made to a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fault {
     LeftOut,
@@ -49,7 +49,7 @@ pub(super) fn parts_of(run: impl FnOnce()) -> BTreeSet<Part> {
     SEEN.with_borrow(Clone::clone)
 }
 
-/// Runs with one part of one bound made too small.
+/// Runs a computation with one part of one bound made too small.
 pub(super) fn with<T>(part: Part, fault: Fault, run: impl FnOnce() -> T) -> T {
     FAULT.set(Some((part, fault)));
     let result = run();

@@ -1,12 +1,13 @@
-//! The field operations. The bounds are those of Johansson (2017), section 3, derived in each line from the
-//! distance of two points: x within r of a, y within s of b.
+//! The field operations. The bounds are those of Johansson (2017), section 3. Each is derived in its line
+//! from the distance between two points, with x within r of a and y within s of b.
 
 use super::{Ball, Radius, bound, half_unit};
 use crate::float::Field;
 use crate::float::mp::Mp;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-// Not inlined: each is calls into MPFR many times as long as its own, and there is a copy for each width.
+// These are not inlined: each consists of calls into MPFR that take far longer, and there is a copy for each
+// precision.
 impl<const LIMBS: usize> Add for Ball<LIMBS> {
     type Output = Self;
 
@@ -14,7 +15,7 @@ impl<const LIMBS: usize> Add for Ball<LIMBS> {
     #[inline(never)]
     fn add(self, other: Self) -> Self {
         let mid = self.mid + other.mid;
-        // Numbers that cancel leave an exact zero.
+        // Numbers that cancel exactly have no rounding error.
         let rounding = if self.mid == -other.mid { Radius::ZERO } else { half_unit(mid) };
         Self::new(mid, bound([self.rad, other.rad, rounding]))
     }
@@ -49,7 +50,7 @@ impl<const LIMBS: usize> Mul for Ball<LIMBS> {
         }
         let mid = self.mid * other.mid;
         let (a, b) = (Radius::above(self.mid), Radius::above(other.mid));
-        // The product with an exact zero is exact.
+        // A product with an exact zero is exact.
         let rounding = if a.is_zero() || b.is_zero() { Radius::ZERO } else { half_unit(mid) };
         let (r, s) = (self.rad, other.rad);
         Self::new(mid, bound([a.times(s), b.times(r), r.times(s), rounding]))
@@ -67,7 +68,7 @@ impl<const LIMBS: usize> Div for Ball<LIMBS> {
         }
         let mid = self.mid / other.mid;
         let rounding = if self.mid.is_zero() { Radius::ZERO } else { half_unit(mid) };
-        // |a/b| is the rounded quotient, or more by its rounding.
+        // |a/b| is at most the rounded quotient plus its rounding error.
         let quotient = Radius::above(mid).plus(rounding);
         let least = Radius::below(other.mid).minus_down(other.rad);
         let moved = bound([self.rad, quotient.times(other.rad)]).over(least);
@@ -81,8 +82,8 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
         Self { mid: Mp::of_int(n), rad: Radius::ZERO }
     }
 
-    /// `|√x − √a| = |x − a|/(√x + √a)`, and `√x ≥ √(a − r) ≥ √a (1 − r/a)`. The whole line where a radicand
-    /// may be negative.
+    /// `|√x − √a| = |x − a|/(√x + √a)`, and `√x ≥ √(a − r) ≥ √a (1 − r/a)`. The result is the whole line
+    /// where a radicand may be negative.
     #[inline(never)]
     fn sqrt(self) -> Self {
         if self.rad.is_zero() && self.mid.is_zero() {
@@ -99,7 +100,7 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
         Self::new(mid, bound([moved, half_unit(mid)]))
     }
 
-    /// From 0 to |a| + r where the sign is not certain.
+    /// The result is [0, |a| + r] where the sign is not certain.
     #[inline(never)]
     fn abs(self) -> Self {
         if self.is_entire() || !self.contains_zero() || self.rad.is_zero() {
@@ -119,7 +120,7 @@ impl<const LIMBS: usize> Field for Ball<LIMBS> {
         Self::new(mid, bound([Radius::above(self.mid).scaled(1).times(r), r.times(r), rounding]))
     }
 
-    /// `|hypot(x, y) − hypot(a, b)| ≤ hypot(x − a, y − b) ≤ r + s`: the inequality of the triangle.
+    /// `|hypot(x, y) − hypot(a, b)| ≤ hypot(x − a, y − b) ≤ r + s`, by the triangle inequality.
     #[inline(never)]
     fn hypot(self, other: Self) -> Self {
         let mid = self.mid.hypot(other.mid);

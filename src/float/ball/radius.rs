@@ -1,10 +1,10 @@
-//! A bound of an error: a number ≥ 0 of 32 bits, whose arithmetic is rounded away from zero.
+//! An error bound: a number ≥ 0 with 32 bits, whose arithmetic is rounded away from zero.
 //!
-//! `value = mantissa · 2^(exponent − 32)`, mantissa in [2³¹, 2³²) or 0. Every function named without a
-//! direction gives a number that is not below the exact one; those that end in `_down` give one that is not
-//! above it. The arithmetic is that of integers, so that both can be read off the code. Arb's `mag_t` is the
-//! model (Johansson, *Arb: efficient arbitrary-precision midpoint-radius interval arithmetic*, IEEE Trans.
-//! Comput. 66 (2017) 1281–1292, section 2.1).
+//! `value = mantissa · 2^(exponent − 32)`, with the mantissa in [2³¹, 2³²) or 0. A function without a
+//! direction in its name gives a number that is not below the exact one; one that ends in `_down` gives a
+//! number that is not above it. The arithmetic uses integers, so that both properties can be read off the
+//! code. The model is Arb's `mag_t` (Johansson, *Arb: efficient arbitrary-precision midpoint-radius interval
+//! arithmetic*, IEEE Trans. Comput. 66 (2017) 1281–1292, section 2.1).
 
 use crate::float::mp::Mp;
 
@@ -17,7 +17,7 @@ pub(crate) struct Radius {
 
 /// Bits of the mantissa.
 const BITS: u32 = 32;
-/// Exponents beyond this are infinite, below its negative the least bound.
+/// Larger exponents give an infinite bound; exponents below the negative of this give the least bound.
 const GREATEST: i64 = 1 << 40;
 
 impl Radius {
@@ -30,7 +30,7 @@ impl Radius {
         Self { mantissa: 1 << 31, exponent: e + 1 }
     }
 
-    /// The e of a bound in [2ᵉ⁻¹, 2ᵉ).
+    /// The exponent e of a bound in [2ᵉ⁻¹, 2ᵉ).
     pub(crate) const fn exponent(self) -> i64 {
         self.exponent
     }
@@ -77,7 +77,7 @@ impl Radius {
         if e < -GREATEST { Self::ZERO } else { Self::of_parts(m, e) }
     }
 
-    /// m in [2³¹, 2³²], with the exponent in range.
+    /// A bound of m in [2³¹, 2³²], with the exponent clamped to its range.
     #[inline]
     fn of_parts(m: u64, e: i64) -> Self {
         let (m, e) = if m >> BITS != 0 { (m >> 1, e + 1) } else { (m, e) };
@@ -91,7 +91,7 @@ impl Radius {
         Self { mantissa: m as u32, exponent: e }
     }
 
-    /// `|x|`, or more: infinite where x is not a number.
+    /// An upper bound of `|x|`; infinite for an infinity or NaN.
     #[inline]
     pub(crate) fn above<const LIMBS: usize>(x: Mp<LIMBS>) -> Self {
         match x.exponent() {
@@ -105,19 +105,19 @@ impl Radius {
         }
     }
 
-    /// `|x|`, or less: of an infinity or NaN zero.
+    /// A lower bound of `|x|`; zero for an infinity or NaN.
     #[inline]
     pub(crate) fn below<const LIMBS: usize>(x: Mp<LIMBS>) -> Self {
         x.exponent().map_or(Self::ZERO, |e| Self::rounded_down(x.top().0 >> BITS, e))
     }
 
-    /// The bound as a number.
+    /// The bound as an `Mp` number.
     pub(crate) fn value<const LIMBS: usize>(self) -> Mp<LIMBS> {
         if self.is_infinite() {
             return Mp::INFINITY;
         }
-        // A mantissa fits in any number; beyond an i32 the exponent is as good as infinite, or as the least
-        // number.
+        // The mantissa fits in any `Mp`. An exponent beyond the range of i32 behaves like infinity, or like
+        // the least number.
         let bits = i64::from(BITS);
         let shift = (self.exponent - bits).clamp(i64::from(i32::MIN), i64::from(i32::MAX));
         let value = Mp::of_f64(self.mantissa.into()).scale2(shift as i32);
@@ -152,7 +152,7 @@ impl Radius {
         Self::rounded_up(product, self.exponent + other.exponent - i64::from(BITS))
     }
 
-    /// `self / other` where `other` bounds the divisor from below; infinite where that is zero.
+    /// `self / other`, where `other` is a lower bound of the divisor; infinite where that is zero.
     #[inline]
     pub(crate) fn over(self, other: Self) -> Self {
         if other.is_zero() || self.is_infinite() {
@@ -175,7 +175,8 @@ impl Radius {
         }
     }
 
-    /// `self − other` where `self` bounds from below and `other` from above; zero where that is negative.
+    /// `self − other` rounded down, where `self` is a lower bound and `other` an upper one; zero where that
+    /// is negative.
     #[inline]
     pub(crate) fn minus_down(self, other: Self) -> Self {
         if other.is_zero() || self.is_infinite() && !other.is_infinite() {
@@ -184,7 +185,7 @@ impl Radius {
         if other.is_infinite() || self <= other {
             return Self::ZERO;
         }
-        // other < self: its exponent is not larger.
+        // other < self, so that its exponent is not larger.
         let distance = (self.exponent - other.exponent).min(i64::from(BITS)) as u32;
         let (large, small) = (u64::from(self.mantissa) << 31, u64::from(other.mantissa) << 31);
         let shifted = small >> distance;

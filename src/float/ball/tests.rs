@@ -1,4 +1,4 @@
-//! Balls against the same functions at eight times the bits, and against those of Arb.
+//! Balls are compared with the same functions at eight times the bits, and with those of Arb.
 
 mod random;
 
@@ -8,7 +8,7 @@ use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use random::{Narrow, Random, Wide};
 
-/// Whether the exact value is in the ball, to the digits that the exact value has.
+/// Whether the ball contains the exact value, to the digits of that value.
 fn holds(ball: &Narrow, exact: Wide) -> bool {
     ball.is_entire() || {
         let slack = exact.abs().scale2(-400) + Wide::of_int(1).scale2(-2000);
@@ -45,7 +45,7 @@ const BINARY: [Binary; 9] = [
     ("hull", |x, y| x.hull(&y), |x, _| x),
 ];
 
-/// A function of which a value is outside of its ball, among those of `cases` random balls.
+/// The first function whose value lies outside its ball, among `cases` random balls.
 fn escaped(seed: u64, cases: usize) -> Option<String> {
     let mut random = Random(seed);
     for _ in 0..cases {
@@ -53,7 +53,7 @@ fn escaped(seed: u64, cases: usize) -> Option<String> {
         let points = [random.points(&x), random.points(&y), random.points(&z)];
         for (name, ball, exact) in UNARY {
             let enclosure = ball(x);
-            // A value that does not exist (√ of a negative number) makes the ball the whole line.
+            // Where a value does not exist (√ of a negative number), the ball is the whole line.
             if let Some(at) = points[0].iter().find(|&&x| !holds(&enclosure, exact(x))) {
                 return Some(format!("{name} at {at} of {x:?}: {enclosure:?}"));
             }
@@ -78,7 +78,7 @@ fn escaped(seed: u64, cases: usize) -> Option<String> {
         (Mp::<24>::pi() - Mp::rounded(pi.mid())).abs() <= pi.rad().value()
     }
     let of_pi = pi_is_in_its_ball::<1>() && pi_is_in_its_ball::<4>();
-    // Where π is nearly half a unit from its midpoint.
+    // These are widths at which π is nearly half a unit from its midpoint.
     let of_pi = of_pi && pi_is_in_its_ball::<15>() && pi_is_in_its_ball::<17>();
     (!of_pi).then(|| "pi".to_owned())
 }
@@ -88,7 +88,7 @@ fn every_value_is_in_its_ball() {
     assert_eq!(escaped(1, 10_000), None);
 }
 
-/// Each part of each error bound, left out or halved, lets a value escape.
+/// Leaving out or halving any part of any error bound lets a value escape.
 #[test]
 fn every_part_of_every_bound_is_needed() {
     let run = || escaped(2, 1000);
@@ -114,7 +114,7 @@ fn where_there_is_no_ball_it_is_the_whole_line() {
         quarter.tan().is_entire() && about(1.5, 0.1).tan().is_entire() && !about(1.4, 0.1).tan().is_entire()
     );
     assert!(about(0.0, 4.0).tan().is_entire());
-    // The whole line stays what it is.
+    // Operations on the whole line give the whole line.
     let all = Narrow::entire();
     for ball in [
         all + one,
@@ -127,17 +127,17 @@ fn where_there_is_no_ball_it_is_the_whole_line() {
     ] {
         assert!(ball.is_entire());
     }
-    // Sine, cosine and angle know more.
+    // Sine, cosine and angle have bounded ranges.
     assert_eq!((all.sin().upper(), all.cos().lower()), (Mp::of_int(1), Mp::of_int(-1)));
     let angle = all.atan2(one);
     assert!(angle.contains(Mp::pi().scale2(-1)) && !angle.is_entire());
-    // The angle at the cut, and on it.
+    // The angle near the cut, and on it.
     assert!(about(0.0, 1e-9).atan2(-one).contains(-Mp::of_int(3)));
     assert!(Narrow::int(0).atan2(-one).contains(Mp::pi()) && Narrow::int(0).atan2(-one).is_positive());
     assert!(!about(0.0, 1e-9).atan2(one).contains(Mp::of_f64(1e-3)));
     let huge = Narrow::exact(Mp::largest());
     assert!((huge + huge).is_entire() && (huge * huge).is_entire());
-    // What underflows is not taken for zero.
+    // An underflow does not count as zero.
     let tiny = one / huge;
     assert!((tiny * tiny).contains_zero() && (tiny * tiny).sign().is_none());
 }
@@ -157,7 +157,7 @@ fn decisions_are_made_where_they_are_certain() {
     assert!(about(1.0, 0.25).intersection(&about(2.0, 0.25)).is_none());
 }
 
-/// Balls of Arb at the same bits (`tests/data/balls.py`): the same numbers, and not much wider.
+/// Balls of Arb at the same bits (`tests/data/balls.py`): the balls overlap, and ours are not much wider.
 #[test]
 fn as_arb_has_them() {
     fn ball(mid: &str, rad: &str) -> Ball<2> {
@@ -188,7 +188,7 @@ fn as_arb_has_them() {
             continue;
         }
         let theirs = ball(mid, rad);
-        // Their functions know more of balls that are as large as a turn.
+        // Arb has tighter results for balls as large as a full turn.
         if found.is_entire() && x.rad() > Radius::power_of_two(-2) {
             continue;
         }
@@ -211,7 +211,7 @@ fn bounds_are_rounded_in_their_direction() {
             || Radius::above(Mp::<1>::from(random.bits() >> 32 | 1)).scaled(random.below(70) as i64 - 35);
         let (a, b) = (bound(), bound());
         let (x, y): (Wide, Wide) = (a.value(), b.value());
-        // Within 2⁻³⁰ of the exact result, and on the right side of it.
+        // The result is within 2⁻³⁰ of the exact one, and on the right side of it.
         let above = |r: Radius, exact: Wide| {
             let r = r.value::<8>();
             assert!(

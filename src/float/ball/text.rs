@@ -1,8 +1,8 @@
-//! A ball in decimal: digits that are certain, then ±.
+//! A ball in decimal: its certain digits, then ±.
 //!
-//! Printing rounds the midpoint once more. The printed radius has that rounding in it, and is itself rounded
-//! up, so that the numbers between printed midpoint ∓ printed radius contain the ball. The arithmetic is that
-//! of rational numbers, without rounding.
+//! Printing rounds the midpoint once more. The printed radius includes that rounding and is itself rounded
+//! up, so that the interval of printed midpoint ∓ printed radius contains the ball. The arithmetic is
+//! rational, without rounding.
 
 use super::Ball;
 use core::fmt;
@@ -15,11 +15,10 @@ pub(crate) struct Written {
     pub(crate) rad: String,
 }
 
-/// A midpoint and a radius in decimal, with so many more digits than are certain to within one in the last
-/// place.
+/// A midpoint and a radius in decimal, with `more` digits beyond those that are certain to within one unit in
+/// the last place.
 pub(crate) fn written(mid: &Rational, rad: &Rational, more: u32) -> Written {
-    // The place whose unit is at least twice the radius; an exact number has the digits that it needs, as far
-    // as they are few.
+    // The place whose unit is at least twice the radius. An exact number gets all its digits, up to a limit.
     let place =
         if *rad == 0 { place_of_exact(mid) } else { place_above(&(rad.clone() * 2u32)) - i64::from(more) };
     let unit = power_of_ten(place);
@@ -34,7 +33,7 @@ fn place_above(x: &Rational) -> i64 {
     if power_of_ten(logarithm) >= *x { logarithm } else { logarithm + 1 }
 }
 
-/// The place of the last digit of a number that is exact: of a hundred digits where it has more.
+/// The place of the last digit of an exact number, limited to a hundred digits.
 fn place_of_exact(x: &Rational) -> i64 {
     if *x == 0 {
         return 0;
@@ -49,7 +48,7 @@ fn power_of_ten(place: i64) -> Rational {
     if place < 0 { Rational::from((Integer::from(1), size)) } else { Rational::from(size) }
 }
 
-/// `last · 10ᵖ`: with an exponent where the point would be far from the digits.
+/// `last · 10ᵖ`, with an exponent where the decimal point would be far from the digits.
 fn decimal(last: &Integer, place: i64) -> String {
     let sign = if *last < 0 { "-" } else { "" };
     let digits = last.clone().abs().to_string();
@@ -88,7 +87,7 @@ fn rounded_up(x: &Rational) -> String {
 }
 
 impl<const LIMBS: usize> fmt::Display for Ball<LIMBS> {
-    /// Digits that are certain to within one in the last place, then ± and the radius.
+    /// Prints the digits that are certain to within one unit in the last place, then ± and the radius.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match (self.mid.to_rational(), self.rad.value::<1>().to_rational()) {
             (Some(mid), Some(rad)) if !self.is_entire() => {

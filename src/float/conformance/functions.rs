@@ -1,4 +1,4 @@
-//! π, the circular functions and the exponential.
+//! Checks of π, the circular functions and the exponential.
 
 use super::{Broken, both, hold};
 use crate::float::pair::Pair;
@@ -12,7 +12,7 @@ pub(super) fn check<F: Float>() -> Result<(), Broken> {
     precisions::<F>()
 }
 
-/// The three parts of π against its digits.
+/// Checks the three parts of π against its digits.
 fn pi<F: Float>() -> Result<(), Broken> {
     let count = pi_digits::count(F::PRECISION.saturating_mul(3));
     let (first, (second, third)) = (F::pi(), F::pi_rest());
@@ -20,14 +20,14 @@ fn pi<F: Float>() -> Result<(), Broken> {
     let nearest = "is the nearest number to what is left of π";
     for (method, part) in [("Real::pi", first), ("Float::pi_rest", second), ("Float::pi_rest", third)] {
         left = pi_digits::less(&left, &pi_digits::digits_of(part, count));
-        // Half a unit in the last place; the digits of the last part end a little beyond it.
+        // Half a unit in the last place; the digits of the last part end slightly beyond it.
         let last = F::epsilon() * part.abs() * F::ratio(33, 64);
         hold(pi_digits::number::<F>(&left).abs() <= last, method, || format!("{part:e}"), nearest)?;
     }
     Ok(())
 }
 
-/// `(sin x, cos x)` in pairs by their series, |x| ≤ 4 or so.
+/// `(sin x, cos x)` in pairs by their series, for |x| up to about 4.
 fn series<F: Float>(x: Pair<F>) -> (Pair<F>, Pair<F>) {
     let one = Pair::<F>::int(1);
     let (mut sine, mut cosine, mut term) = (Pair::int(0), one, one);
@@ -43,7 +43,7 @@ fn series<F: Float>(x: Pair<F>) -> (Pair<F>, Pair<F>) {
     (sine, cosine)
 }
 
-/// Terms of a series at 4 that leave less than twice the digits: n! > 4ⁿ 2²ᵖ.
+/// The number of terms after which a series at 4 is accurate to twice the digits: n! > 4ⁿ 2²ᵖ.
 fn terms<F: Float>() -> i32 {
     let (mut n, mut bits) = (16, 0.0);
     while bits < f64::from(F::PRECISION) * 2.0 + 8.0 {
@@ -53,7 +53,7 @@ fn terms<F: Float>() -> i32 {
     n
 }
 
-/// Units in the last place that a function may be off.
+/// Whether a result is within a number of units in the last place.
 fn within<F: Float>(found: F, exact: Pair<F>, units: i32) -> bool {
     (exact - found.wide()).value().abs() <= F::int(units) * F::epsilon() * exact.value().abs()
 }
@@ -86,7 +86,8 @@ fn circular<F: Float>() -> Result<(), Broken> {
         let is_odd = (half_turns / F::int(2)).floor() * F::int(2) != half_turns;
         let (sine, cosine) = if is_odd { (-sine, -cosine) } else { (sine, cosine) };
         let (s, c) = x.sin_cos();
-        // Where the function is small its digits are those of the argument's distance from a multiple of π/2.
+        // Where the function is small, its accuracy depends on the argument's distance from a multiple of
+        // π/2.
         let close = "is within 2 units in the last place, beside multiples of π/2 too";
         hold(within(s, sine, 2), "Real::sin_cos", || format!("{x} (the sine)"), close)?;
         hold(within(c, cosine, 2), "Real::sin_cos", || format!("{x} (the cosine)"), close)?;
@@ -128,7 +129,7 @@ fn angles<F: Float>() -> Result<(), Broken> {
                 let angle = y.atan2(x);
                 let (sine, cosine) = series(angle.wide());
                 let (wide_y, wide_x) = (y.wide(), x.wide());
-                // sin(exact − angle) times the distance, and its cosine.
+                // sin(exact − angle) times the distance, and the cosine likewise.
                 let off = (wide_y * cosine - wide_x * sine).value();
                 let along = (wide_x * cosine + wide_y * sine).value();
                 let is = along > zero && off.abs() <= F::int(2) * F::epsilon() * angle.abs() * along;
@@ -160,7 +161,7 @@ fn exponentials<F: Float>() -> Result<(), Broken> {
     let one = Pair::<F>::int(1);
     for (p, q) in [(1, 1000), (1, 10), (1, 2), (1, 1), (2, 1), (4, 1)] {
         for x in [F::ratio(p, q), -F::ratio(p, q)] {
-            // Of a negative number e⁻ˣ − 1 = −(eˣ − 1)/eˣ, without cancellation.
+            // For a negative number, e⁻ˣ − 1 = −(eˣ − 1)/eˣ, without cancellation.
             let rise = exponential_series(x.abs().wide());
             let less_one = if x < F::int(0) { -rise / (rise + one) } else { rise };
             let units = 16 + 16 * p / q;
@@ -172,7 +173,7 @@ fn exponentials<F: Float>() -> Result<(), Broken> {
     Ok(())
 }
 
-/// There and back again.
+/// Converts to the other precision and back.
 struct Return<F>(F);
 
 impl<F: Float> AtPrecision<F> for Return<F> {

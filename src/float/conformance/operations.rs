@@ -1,4 +1,4 @@
-//! The operations, the order and the range.
+//! Checks of the operations, the order and the range.
 
 use super::{Broken, both, hold, spread};
 use crate::float::Float;
@@ -63,7 +63,7 @@ fn is_nan<F: Float>(x: F) -> bool {
     x != x
 }
 
-/// `2¹⁻ᵖ` by halving.
+/// `2¹⁻ᵖ`, by repeated halving.
 pub(super) fn unit<F: Float>() -> F {
     (1..F::PRECISION).fold(F::int(1), |unit, _| unit / F::int(2))
 }
@@ -78,7 +78,7 @@ fn precision<F: Float>() -> Result<(), Broken> {
     hold(even, "Add::add", || both(one, unit / two), "is rounded to nearest, ties to even")
 }
 
-/// Of `1 + i 2⁻ᵖ⁺¹` and a few quarters of the unit.
+/// Checks sums of `1 + i 2⁻ᵖ⁺¹` and a few quarters of the unit.
 fn sums<F: Float>() -> Result<(), Broken> {
     let (one, unit) = (F::int(1), unit::<F>());
     let nearest = "is the exact result rounded to nearest, ties to even";
@@ -111,7 +111,7 @@ fn products<F: Float>() -> Result<(), Broken> {
         let rest = F::int(i * j) * unit * unit;
         let once = "is a b + c with one rounding";
         hold(a.mul_add(b, -product) == rest, "Real::mul_add", || both(a, b), once)?;
-        // Anywhere in [1, 2): the rest is half a unit of the product at most.
+        // For any factors in [1, 2), the remainder is at most half a unit of the product.
         let (a, b) = (anywhere::<F>(m), anywhere::<F>(n));
         let product = a * b;
         let half = if product < F::int(2) { unit / F::int(2) } else { unit };

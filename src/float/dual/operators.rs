@@ -35,7 +35,7 @@ impl<const N: usize> Mul for Dual<N> {
     }
 }
 
-/// Not num-dual's own, which multiplies by the reciprocal.
+/// num-dual's own division multiplies by the reciprocal, which rounds twice.
 impl<const N: usize> Div for Dual<N> {
     type Output = Self;
     #[inline]

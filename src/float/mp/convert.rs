@@ -1,4 +1,4 @@
-//! To and from primitive numbers, `rug` numbers, and text radixes.
+//! Conversions from and to primitive numbers, `rug` numbers, and text in other radixes.
 
 use super::Mp;
 use rug::{Float, Rational};
@@ -10,9 +10,9 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         Self::from_rug(&Float::with_val(Self::BITS, ratio))
     }
 
-    /// The ratio of integers this number is; `None` of infinities and NaN.
+    /// The exact value as a ratio of integers; `None` for infinities and NaN.
     ///
-    /// Exact, and as long as the exponent is large: `2^(2³⁰)` has a hundred million digits.
+    /// Its length grows with the exponent: `2^(2³⁰)` has a hundred million digits.
     #[doc(hidden)]
     #[must_use]
     pub fn to_rational(self) -> Option<Rational> {
@@ -20,7 +20,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 }
 
-/// Exact: no `f64` has more bits than a limb.
+/// Exact, since no `f64` has more bits than a limb.
 impl<const LIMBS: usize> From<f64> for Mp<LIMBS> {
     #[inline]
     fn from(x: f64) -> Self {
@@ -28,7 +28,7 @@ impl<const LIMBS: usize> From<f64> for Mp<LIMBS> {
     }
 }
 
-/// Exact, as from `f64`.
+/// Exact, as for `f64`.
 impl<const LIMBS: usize> From<f32> for Mp<LIMBS> {
     #[inline]
     fn from(x: f32) -> Self {
@@ -38,7 +38,7 @@ impl<const LIMBS: usize> From<f32> for Mp<LIMBS> {
 
 macro_rules! from_integers {
     ($($integer:ident)*) => {$(
-        /// The nearest number: exact where the significand has the bits.
+        /// The nearest number; exact where the significand has enough bits.
         impl<const LIMBS: usize> From<$integer> for Mp<LIMBS> {
             #[inline]
             fn from(n: $integer) -> Self {
@@ -58,16 +58,16 @@ impl<const LIMBS: usize> From<i32> for Mp<LIMBS> {
     }
 }
 
-/// A number has more bits than the type.
+/// The error for a number with more bits than the type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("the number has more significant bits than the {bits} of the type")]
 #[non_exhaustive]
 pub struct Inexact {
-    /// Bits of the type.
+    /// The number of bits of the type.
     pub bits: u32,
 }
 
-/// Exact, or an error: [`Mp::from_rug`] rounds.
+/// Exact, or an error; [`Mp::from_rug`] rounds instead.
 impl<const LIMBS: usize> TryFrom<&Float> for Mp<LIMBS> {
     type Error = Inexact;
 

@@ -1,5 +1,5 @@
-//! `num_traits::real::Real`: the functions of a real number, each rounded once but for the three that say
-//! otherwise.
+//! `num_traits::real::Real`: the functions of a real number, each rounded once except for three that state
+//! their roundings.
 
 use super::Mp;
 use num_traits::real::Real;

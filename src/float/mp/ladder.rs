@@ -1,4 +1,4 @@
-//! A precision chosen at run time: the least of a ladder of widths that has the bits.
+//! A precision chosen at run time: the least of several widths that has enough bits.
 
 use super::Mp;
 #[cfg(not(feature = "matching"))]
@@ -9,11 +9,11 @@ use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
 use num_traits::Pow;
 
-/// A computation generic over the number, to be run at a width that is known only at run time.
+/// A computation generic over the number type, to be run at a width known only at run time.
 pub trait WithPrecision {
-    /// What it comes to.
+    /// The result.
     type Output;
-    /// The computation over `F`.
+    /// Runs the computation over `F`.
     fn run<F>(self) -> Self::Output
     where
         F: Number
@@ -27,23 +27,23 @@ pub trait WithPrecision {
             + 'static;
 }
 
-/// A number of bits that no width has.
+/// The error for a number of bits that no width has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("precision = {bits} bits must be ≥ 1 and ≤ {greatest}")]
 #[non_exhaustive]
 pub struct PrecisionError {
-    /// The bits asked for.
+    /// The requested number of bits.
     pub bits: u32,
-    /// The most bits there are.
+    /// The greatest available number of bits.
     pub greatest: u32,
 }
 
 macro_rules! ladder {
     ($($limbs:literal)*) => {
-        /// The widths there are, in bits, ascending.
+        /// The available widths in bits, ascending.
         pub const WIDTHS: &[u32] = &[$(Mp::<$limbs>::BITS),*];
 
-        /// Runs a computation at the least width of at least `bits`.
+        /// Runs a computation at the least available width of at least `bits`.
         ///
         /// # Errors
         /// [`PrecisionError`] where `bits` is 0 or more than the last of [`WIDTHS`].
@@ -58,6 +58,6 @@ macro_rules! ladder {
     };
 }
 
-// Each width is a copy of every computation that is run at it, and half a minute of compiling the command:
-// few.
+// The list is short because each width is a copy of every computation run at it, and costs half a minute of
+// compiling the command.
 ladder!(2 4 16 64 128);

@@ -6,7 +6,7 @@ use core::iter::{Product, Sum};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
 impl<const LIMBS: usize> Mp<LIMBS> {
-    /// `|self|` where it is an integer of one limb, not 0.
+    /// `|self|` where it is a nonzero integer of one limb.
     #[inline]
     fn small_integer(&self) -> Option<u64> {
         let (top, others) = self.significand().split_last()?;
@@ -15,8 +15,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         (others.iter().all(|&limb| limb == 0) && n << (64 - bits) == *top).then_some(n)
     }
 
-    /// `self · other`. The formulae are full of small integers, by which MPFR multiplies in a fraction of the
-    /// time.
+    /// `self · other`. The formulae contain many small integers, by which MPFR multiplies in a fraction of
+    /// the time.
     #[inline]
     fn times(self, other: Self) -> Self {
         let (number, n, sign) = match (other.small_integer(), self.small_integer()) {
@@ -28,7 +28,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         if sign.is_sign_negative() { -product } else { product }
     }
 
-    /// `self / other`, fast by small integers.
+    /// `self / other`, with a fast path for small integers.
     #[inline]
     fn over(self, other: Self) -> Self {
         match other.small_integer() {

@@ -1,10 +1,9 @@
 //! The number itself and MPFR's functions of it, through MPFR's custom interface.
 //!
-//! Everything unsafe stands here, and rests on two things. A value's fields are written only by
-//! [`Mp::output`], from what MPFR left there (`parts` changes signs, no more), so that they always describe a
-//! valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. And MPFR writes only to the number that
-//! a function names as its result, whose significand is on the stack for the time of the call, of the right
-//! size.
+//! All unsafe code is in this file, and rests on two facts. A value's fields are written only by
+//! [`Mp::output`], from the result of an MPFR call (`parts` only changes signs), so that they always describe
+//! a valid MPFR number of [`Mp::BITS`] bits whose exponent is in range. MPFR writes only to the number that a
+//! function names as its result, whose significand has the right size and is on the stack during the call.
 
 #![allow(unsafe_code, reason = "the calls of MPFR, each behind a safe function")]
 
@@ -18,16 +17,16 @@ use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
 
 /// Binary floating point with a significand of `64 · LIMBS` bits, LIMBS ≥ 1.
 ///
-/// Every function gives the exact result rounded once, to nearest and ties to even. An infinity, a NaN or a zero is that of `f64`:
-/// `Mp::from(f64::NAN)`.
+/// Every function gives the exact result rounded once, to nearest, ties to even. An infinity, a NaN or a zero
+/// is made from that of `f64`: `Mp::from(f64::NAN)`.
 ///
-/// The limbs are inline, so that the type is `Copy` and the generic code reads the same as for `f64`. Exponents reach ±2³⁰, beyond which a
-/// result is an infinity or a zero of the right sign; there are no subnormal numbers. Zeros have signs and
-/// NaN is unordered, as in IEEE 754.
+/// The limbs are inline, so that the type is `Copy` and the generic code reads the same as for `f64`.
+/// Exponents reach ±2³⁰; a result beyond becomes an infinity or a zero of the right sign, without subnormal
+/// numbers. Zeros have signs and NaN is unordered, as in IEEE 754.
 ///
-/// A formula over this type rounds as it goes, and loses some of the last digits as any does at f64.
-/// [`Float::guarded`](crate::float::Float::guarded) runs it with a limb more and rounds once: then every output
-/// of the closed forms is right to one unit in the last place (`tests/closed_forms/precision.rs`).
+/// A formula over this type rounds at every step and loses some of the last digits, as it does at f64.
+/// [`Float::guarded`](crate::float::Float::guarded) runs it with a guard limb and rounds once: then every
+/// output of the closed forms is accurate to one unit in the last place (`tests/closed_forms/precision.rs`).
 ///
 /// ```
 /// use stickslip::float::Mp;
@@ -38,9 +37,9 @@ use gmp_mpfr_sys::mpfr::{self, exp_t, mpfr_t, prec_t, rnd_t};
 /// ```
 #[derive(Clone, Copy)]
 pub struct Mp<const LIMBS: usize> {
-    /// What the number is, as MPFR counts kinds, with its sign.
+    /// The kind of number in MPFR's encoding, with its sign.
     kind: c_int,
-    /// The exponent of a regular number in `[1/2, 1) · 2^exponent`, 0 of any other.
+    /// The exponent of a regular number in `[1/2, 1) · 2^exponent`; 0 for the other kinds.
     exponent: exp_t,
     /// The significand of a regular number, least limb first, top bit set.
     limbs: [limb_t; LIMBS],
@@ -70,20 +69,20 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     #[inline]
     fn header(kind: c_int, exponent: exp_t, limbs: *mut c_void) -> mpfr_t {
         let mut header = MaybeUninit::uninit();
-        // SAFETY: writes all fields of the header and reads nothing.
+        // SAFETY: this writes all fields of the header and reads nothing.
         unsafe {
             mpfr::custom_init_set(header.as_mut_ptr(), kind, exponent, Self::BITS as prec_t, limbs);
             header.assume_init()
         }
     }
 
-    /// This number as MPFR reads it. Valid while `self` is borrowed; never to be written through.
+    /// This number as MPFR reads it. It is valid while `self` is borrowed, and must never be written through.
     #[inline]
     fn input(&self) -> mpfr_t {
         Self::header(self.kind, self.exponent, self.limbs.as_ptr().cast_mut().cast())
     }
 
-    /// The number that `compute` leaves in the place it is given.
+    /// The number that `compute` writes to the place it is given.
     #[inline]
     fn output(compute: impl FnOnce(*mut mpfr_t)) -> Self {
         let mut result = Self::NAN;
@@ -105,8 +104,8 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         })
     }
 
-    /// The distance from `|self|` to the next larger number; of zero the least positive number, of an
-    /// infinity or NaN NaN.
+    /// The distance from `|self|` to the next larger number. For zero it is the least positive number; for an
+    /// infinity or NaN it is NaN.
     #[doc(hidden)]
     #[must_use]
     pub fn ulp(self) -> Self {
@@ -205,7 +204,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 }
 
-/// MPFR's functions whose arguments are numbers and all else converts to plain C types.
+/// MPFR functions whose arguments are numbers or convert to plain C types.
 macro_rules! functions {
     ($($(#[$doc:meta])* $visible:vis $name:ident($($number:ident),*; $($plain:ident: $type:ty),*) = $mpfr:ident($($rnd:ident)?);)*) => {
         impl<const LIMBS: usize> Mp<LIMBS> {$(
@@ -257,7 +256,7 @@ functions! {
     pub(crate) exp(self;) = exp(RNDN);
     /// `2^self`.
     pub(crate) exp2(self;) = exp2(RNDN);
-    /// `e^self − 1`, accurate beside 0.
+    /// `e^self − 1`, accurate near 0.
     pub(crate) exp_m1(self;) = expm1(RNDN);
     /// The natural logarithm; NaN below zero.
     pub(crate) ln(self;) = log(RNDN);
@@ -265,7 +264,7 @@ functions! {
     pub(crate) log2(self;) = log2(RNDN);
     /// The logarithm to base 10.
     pub(crate) log10(self;) = log10(RNDN);
-    /// `ln(1 + self)`, accurate beside 0.
+    /// `ln(1 + self)`, accurate near 0.
     pub(crate) ln_1p(self;) = log1p(RNDN);
     /// The largest integer not above `self`.
     pub(crate) floor(self;) = rint_floor(RNDN);
@@ -293,7 +292,8 @@ functions! {
     pub(super) times_int(self; n: u64) = mul_ui(RNDN);
     /// `self / n`.
     pub(super) over_int(self; n: u64) = div_ui(RNDN);
-    /// What is left of `self` after division by `other` with the quotient truncated; the sign of `self`.
+    /// The remainder of `self` after division by `other` with the quotient truncated; it has the sign of
+    /// `self`.
     pub(super) remainder(self, other;) = fmod(RNDN);
     /// The angle in `[−π, π]` of the point with ordinate `self` and abscissa `x`.
     pub(crate) atan2(self, x;) = atan2(RNDN);

@@ -59,13 +59,13 @@ impl<const LIMBS: usize> Real for Mp<LIMBS> {
 
 impl<const LIMBS: usize> Float for Mp<LIMBS> {
     const PRECISION: u32 = Self::BITS;
-    // The domain of f64, although the exponents here reach 2³⁰: roots start from their values at f64, which
-    // have to exist, and the exact reduction of 1/Ω takes RATIO_EXPONENT/PRECISION passes. Between types
-    // with one domain an input is either valid in all of them or in none.
+    // The domain of f64, although the exponents here reach 2³⁰. Roots start from their values at f64, which
+    // must exist, and the exact reduction of 1/Ω takes RATIO_EXPONENT/PRECISION passes. With one domain for
+    // all types, an input is valid in all of them or in none.
     const RATIO_EXPONENT: i32 = <f64 as Float>::RATIO_EXPONENT;
 
     fn pi_rest() -> (Self, Self) {
-        // At three times the bits: each difference is exact.
+        // At three times the bits, each difference is exact.
         let mut rest = rug::Float::with_val(3 * Self::BITS + 64, rug::float::Constant::Pi);
         rest -= Self::pi().to_rug();
         let second = Self::from_rug(&rest);
@@ -74,7 +74,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     }
     #[inline]
     fn epsilon() -> Self {
-        // LIMBS ≤ 2²⁰ by the assertion on BITS, so that this does not wrap.
+        // LIMBS ≤ 2²⁰ by the assertion on BITS, so that this cannot wrap.
         Self::of_int(1).scale2(1 - Self::BITS as i32)
     }
     #[inline]
@@ -110,8 +110,8 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         self.exp_m1()
     }
 
-    /// From its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. One pair
-    /// of sine and cosine, where the inverse function costs twice that.
+    /// Refines its value θ at a lower precision: `angle − θ = d + d³/6 + O(d⁵)`, `d = sin(angle − θ)`. This
+    /// takes one sine and cosine; the inverse function costs twice that.
     fn angle_of(sine: Self, cosine: Self) -> Self {
         let start = Self::narrowed(Angle { sine, cosine });
         let (s, c) = start.sin_cos();
@@ -119,7 +119,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
         start + (d + d.square() * d / Self::of_int(6))
     }
 
-    /// At the least of a few widths that has a quarter of the bits and a guard limb.
+    /// The task runs at the least of several widths that has a quarter of the bits and a guard limb.
     fn narrowed<T: AtPrecision<Self>>(task: T) -> T::Output {
         match LIMBS {
             ..=3 => task.run::<f64>(Self::to_f64, Self::of_f64),
@@ -129,12 +129,12 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
             17..=32 => task.run::<Mp<9>>(Mp::rounded, Self::rounded),
             33..=64 => task.run::<Mp<17>>(Mp::rounded, Self::rounded),
             65..=128 => task.run::<Mp<33>>(Mp::rounded, Self::rounded),
-            // Wider than any width of the ladder: an iteration takes its further steps.
+            // For types wider than any width of the ladder, an iteration takes further steps.
             _ => task.run::<Mp<65>>(Mp::rounded, Self::rounded),
         }
     }
 
-    /// With one more limb, or to the next width that has a limb more than one of the ladder.
+    /// The task runs with at least one more limb, at the next available width.
     fn guarded<T: AtPrecision<Self>>(task: T) -> T::Output {
         match LIMBS {
             1 => task.run::<Mp<2>>(Mp::rounded, Self::rounded),
@@ -156,7 +156,7 @@ impl<const LIMBS: usize> Float for Mp<LIMBS> {
     }
 }
 
-/// The angle with this sine and cosine, at a lower precision.
+/// A task that computes the angle with this sine and cosine at a lower precision.
 struct Angle<F> {
     sine: F,
     cosine: F,

@@ -1,5 +1,5 @@
-//! Serialised as decimal text with all digits, and read from such text: a number of another format would
-//! pass through `f64` on its way.
+//! Numbers are serialised as decimal text with all digits, and read from such text. A number of the data
+//! format would pass through `f64`.
 
 use super::Mp;
 use core::fmt::{self, Formatter};

@@ -1,5 +1,5 @@
-//! Decimal text: read at full precision, written with all the digits that tell a number from its
-//! neighbours and no more, or rounded once to as many as asked for.
+//! Decimal text is read at full precision. It is written with just the digits that distinguish a number from
+//! its neighbours, or rounded once to the requested number of digits.
 
 use super::Mp;
 use core::fmt::{self, Debug, Display, Formatter, LowerExp};
@@ -7,12 +7,12 @@ use core::str::FromStr;
 use rug::{Float, Rational, float::Round, ops::Pow};
 use std::cmp::Ordering;
 
-/// Text that is not a number.
+/// The error for text that is not a number.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}` must be a number: decimal digits, with at most one point and an exponent after `e`")]
 #[non_exhaustive]
 pub struct ParseError {
-    /// The text.
+    /// The rejected text.
     pub text: String,
 }
 
@@ -29,14 +29,14 @@ impl<const LIMBS: usize> Mp<LIMBS> {
     }
 }
 
-/// Decimal, with or without a sign, a point and an exponent (`1.5`, `-2e-3`), and `inf`, `infinity`, `nan`:
-/// the nearest number. The grammar is that of `f64`: no white space, no underscores, no other mark of an
-/// exponent.
+/// Reads the nearest number from decimal text with or without a sign, a point and an exponent (`1.5`,
+/// `-2e-3`), or from `inf`, `infinity` or `nan`. The grammar is that of `f64`: no white space, no
+/// underscores, no other exponent mark.
 impl<const LIMBS: usize> FromStr for Mp<LIMBS> {
     type Err = ParseError;
 
     fn from_str(text: &str) -> Result<Self, ParseError> {
-        // What `f64` reads is what a number is; its value counts only where it has no digits.
+        // Text that `f64` accepts is a number; the value of the `f64` matters only if the text has no digits.
         let double: f64 = text.parse().map_err(|_| ParseError { text: text.to_owned() })?;
         if text.bytes().any(|byte| byte.is_ascii_digit()) {
             return Self::parse_radix(text, 10);
@@ -60,10 +60,10 @@ impl Decimal {
 
     /// `x`, finite and not zero, with the fewest digits that read back as the same number.
     ///
-    /// A number read from no more than `(bits − 1) log₁₀ 2` digits gives those digits back; three more always
-    /// do.
+    /// A number read from at most `(bits − 1) log₁₀ 2` digits gives those digits back; three more always
+    /// suffice.
     fn whole(x: &Float) -> Self {
-        // log₁₀ 2 from below, so that the search begins low enough.
+        // A lower bound of log₁₀ 2, so that the search begins low enough.
         let least = ((u64::from(x.prec()) - 1) * 30_102 / 100_000).max(1) as usize;
         let same = |decimal: &Self| {
             let text = format!("0.{}e{}", decimal.digits, decimal.point);
@@ -72,24 +72,24 @@ impl Decimal {
         let mut decimal = (least..least + 4)
             .map(|count| Self::rounded(x, count))
             .find(same)
-            // As many as MPFR itself says are enough.
+            // If none suffices, use the number of digits that MPFR considers enough.
             .unwrap_or_else(|| Self::rounded(x, 0));
         decimal.digits.truncate(decimal.digits.trim_end_matches('0').len());
         decimal
     }
 
-    /// `x` rounded once to `places` after the point: as an integer's digits, empty of zero.
+    /// `x` rounded once to `places` after the point, as the digits of an integer; empty for zero.
     fn to_places(x: &Float, places: usize) -> String {
-        // Truncated, so that it is the number's own exponent, not that of a neighbouring power of ten.
+        // Truncation gives the number's own exponent, not that of a neighbouring power of ten.
         let (_, _, point) = x.to_sign_string_exp_round(10, Some(1), Round::Zero);
         let point = point.map_or(0, i64::from);
-        // A number below a unit of the last place asked for is a unit or nothing, as it is above half of it
-        // or not.
+        // A number below one unit of the last place rounds to one unit if it is above half of it, otherwise
+        // to zero.
         let count = point.saturating_add(i64::try_from(places).unwrap_or(i64::MAX));
         if count > 0 {
             let count = usize::try_from(count).unwrap_or(usize::MAX);
             let rounded = Self::rounded(x, count);
-            // 9.99… to 10.0…: one digit more, a zero.
+            // Rounding 9.99… to 10.0… adds a digit, which is a zero.
             return if rounded.point > point { rounded.digits + "0" } else { rounded.digits };
         }
         let half_unit = || Rational::from(10).pow(-i32::try_from(places).unwrap_or(i32::MAX)) / 2u32;
@@ -97,7 +97,7 @@ impl Decimal {
         if above { "1".to_owned() } else { String::new() }
     }
 
-    /// Without an exponent.
+    /// The number without an exponent.
     fn plain(&self) -> String {
         let Self { digits, point } = self;
         match usize::try_from(*point) {
@@ -110,7 +110,7 @@ impl Decimal {
         }
     }
 
-    /// One digit, the others after a point, and an exponent.
+    /// The number with one digit before the point, and an exponent.
     fn scientific(&self) -> String {
         let (first, others) = self.digits.split_at(1.min(self.digits.len()));
         let point = if others.is_empty() { "" } else { "." };
@@ -118,19 +118,19 @@ impl Decimal {
     }
 }
 
-/// The digits of an integer as a number with that many after the point.
+/// The digits of an integer, with the decimal point before the last `places` of them.
 fn with_point(digits: &str, places: usize) -> String {
     let padded = format!("{digits:0>width$}", width = places + 1);
     let (integer, fraction) = padded.split_at(padded.len() - places);
     if places == 0 { integer.to_owned() } else { format!("{integer}.{fraction}") }
 }
 
-/// Writes `text` of `|x|` with the sign of x and the padding asked for.
+/// Writes the text of `|x|` with the sign of x and the padding of the formatter.
 fn write<const LIMBS: usize>(x: Mp<LIMBS>, text: &str, f: &mut Formatter<'_>) -> fmt::Result {
     f.pad_integral(!x.is_sign_negative(), "", text)
 }
 
-/// The text of what has no digits.
+/// The text of an infinity or NaN; `None` for other numbers.
 fn special<const LIMBS: usize>(x: Mp<LIMBS>) -> Option<&'static str> {
     if x.is_nan() {
         Some("NaN")
@@ -141,8 +141,8 @@ fn special<const LIMBS: usize>(x: Mp<LIMBS>) -> Option<&'static str> {
     }
 }
 
-/// The fewest digits that read back as the same number, without an exponent between 1e-7 and 1e21; with a
-/// precision (`{:.40}`), that many after the point, rounded once.
+/// Writes the fewest digits that read back as the same number, without an exponent between 1e-7 and 1e21.
+/// With a precision (`{:.40}`), it writes that many digits after the point, rounded once.
 impl<const LIMBS: usize> Display for Mp<LIMBS> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if let Some(text) = special(*self) {
@@ -161,7 +161,8 @@ impl<const LIMBS: usize> Display for Mp<LIMBS> {
     }
 }
 
-/// With an exponent: the same digits, or as many after the point as the precision says, rounded once.
+/// Writes an exponent with the same digits, or with the requested number of digits after the point, rounded
+/// once.
 impl<const LIMBS: usize> LowerExp for Mp<LIMBS> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         if let Some(text) = special(*self) {
@@ -180,7 +181,7 @@ impl<const LIMBS: usize> LowerExp for Mp<LIMBS> {
     }
 }
 
-/// As [`Display`].
+/// Writes the same text as [`Display`].
 impl<const LIMBS: usize> Debug for Mp<LIMBS> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         Display::fmt(self, f)

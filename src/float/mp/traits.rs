@@ -1,4 +1,4 @@
-//! The traits of num-traits.
+//! Implementations of the traits of num-traits.
 
 use super::{Mp, ParseError};
 use num_traits::{FloatConst, FromPrimitive, Inv, MulAdd, Num, NumCast, One, Pow, Signed, ToPrimitive, Zero};
@@ -32,7 +32,7 @@ impl<const LIMBS: usize> Signed for Mp<LIMBS> {
     fn abs_sub(&self, other: &Self) -> Self {
         if self <= other { Self::ZERO } else { *self - *other }
     }
-    /// ±1, of zeros too; NaN of NaN: as of `f64`.
+    /// ±1, for zeros too, and NaN for NaN, as for `f64`.
     fn signum(&self) -> Self {
         if self.is_nan() { *self } else { Self::of_int(if self.is_sign_negative() { -1 } else { 1 }) }
     }
@@ -65,7 +65,7 @@ impl<const LIMBS: usize> FromPrimitive for Mp<LIMBS> {
     }
 }
 
-/// Integers without the fraction, `None` out of their range or of NaN; floats to the nearest.
+/// Integers drop the fraction, and are `None` out of range or for NaN; floats round to nearest.
 impl<const LIMBS: usize> ToPrimitive for Mp<LIMBS> {
     fn to_i64(&self) -> Option<i64> {
         self.to_i128()?.try_into().ok()
@@ -74,7 +74,7 @@ impl<const LIMBS: usize> ToPrimitive for Mp<LIMBS> {
         self.to_u128()?.try_into().ok()
     }
     fn to_i128(&self) -> Option<i128> {
-        // The bound first, so that a huge exponent does not make a huge integer.
+        // The bound is tested first, so that a huge exponent does not create a huge integer.
         self.exponent().is_none_or(|e| e <= 128).then(|| self.trunc().to_rug().to_integer())??.to_i128()
     }
     fn to_u128(&self) -> Option<u128> {
@@ -88,11 +88,11 @@ impl<const LIMBS: usize> ToPrimitive for Mp<LIMBS> {
     }
 }
 
-/// From any number that has an `f64` or integer value; the former where it is not an integer.
+/// Converts any number that has an integer or an `f64` value; an integer is preferred.
 impl<const LIMBS: usize> NumCast for Mp<LIMBS> {
     fn from<T: ToPrimitive>(x: T) -> Option<Self> {
         let float = x.to_f64()?;
-        // Past 2⁵³ an integer's f64 is rounded, the integer itself is not.
+        // Beyond 2⁵³ an integer's f64 is rounded, while the integer itself is exact.
         let integer = (float.trunc() == float).then(|| x.to_i128()).flatten();
         Some(integer.map_or_else(|| float.into(), Into::into))
     }
@@ -100,7 +100,7 @@ impl<const LIMBS: usize> NumCast for Mp<LIMBS> {
 
 macro_rules! constants {
     ($($name:ident = $value:expr;)*) => {
-        /// From correctly rounded parts: within one unit in the last place.
+        /// Computed from correctly rounded parts, to within one unit in the last place.
         impl<const LIMBS: usize> FloatConst for Mp<LIMBS> {$(
             fn $name() -> Self {
                 $value

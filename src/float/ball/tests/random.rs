@@ -1,9 +1,9 @@
-//! Random balls, and numbers of them.
+//! Random balls and sample points of them.
 
 use super::super::{Ball, Radius};
 use crate::float::mp::Mp;
 
-/// The width of the balls under test, and one that has no rounding to speak of beside it.
+/// The width under test, and a width whose rounding is negligible beside it.
 pub(super) type Narrow = Ball<1>;
 pub(super) type Wide = Mp<8>;
 
@@ -23,7 +23,7 @@ impl Random {
         self.bits() % n
     }
 
-    /// A midpoint: of moderate size mostly, sometimes special, sometimes beside a multiple of π/2.
+    /// A midpoint: mostly of moderate size, sometimes special, sometimes next to a multiple of π/2.
     pub(super) fn mid(&mut self) -> Mp<1> {
         let sign = if self.below(2) == 0 { Mp::of_int(1) } else { Mp::of_int(-1) };
         let size = match self.below(12) {
@@ -36,7 +36,7 @@ impl Random {
         sign * size
     }
 
-    /// A radius: none, of the order of the midpoint, or far smaller.
+    /// A radius: zero, of the order of the midpoint, or far smaller.
     pub(super) fn rad(&mut self, mid: Mp<1>) -> Radius {
         let of = |e: i64, random: &mut Self| {
             Radius::above(Mp::<1>::from(random.bits() >> 32 | 1).scale2(-32)).scaled(e)
@@ -56,9 +56,9 @@ impl Random {
         Ball::new(mid, self.rad(mid))
     }
 
-    /// Numbers of a ball, at all its digits: the middle, the ends, and others.
+    /// Sample points of a ball without rounding: the middle, the ends, and others.
     pub(super) fn points(&mut self, ball: &Narrow) -> [Wide; 5] {
-        // Not −0, which has another angle.
+        // The sum is never −0, which has another angle.
         let (mid, rad) = (Wide::rounded(ball.mid()) + Wide::ZERO, ball.rad().value::<8>());
         let share = Wide::from(self.bits()).scale2(-64);
         [mid, mid - rad, mid + rad, mid + rad * share, mid - rad * share]

@@ -1,4 +1,4 @@
-//! Sign, kind, exponent and significand: what needs no call of MPFR.
+//! Sign, kind, exponent and significand: the operations that need no MPFR call.
 
 use super::{Mp, limb_t, mpfr};
 
@@ -16,7 +16,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         Self { kind: self.kind.abs(), ..self }
     }
 
-    /// Whether the sign is negative: of −0 and −∞ too, never of NaN.
+    /// Whether the sign is negative: true for −0 and −∞ too, never for NaN.
     #[inline]
     #[must_use]
     pub(crate) fn is_sign_negative(self) -> bool {
@@ -45,7 +45,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         self.kind.abs() >= mpfr::ZERO_KIND
     }
 
-    /// The e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` of zeros, infinities and NaN.
+    /// The exponent e of `|self|` in `[2ᵉ⁻¹, 2ᵉ)`; `None` for zeros, infinities and NaN.
     #[inline]
     #[must_use]
     pub(crate) fn exponent(self) -> Option<i64> {
@@ -58,7 +58,7 @@ impl<const LIMBS: usize> Mp<LIMBS> {
         &self.limbs
     }
 
-    /// The top limb of a regular number, and whether there is anything in the others.
+    /// The top limb of a regular number, and whether any of the others is nonzero.
     #[inline]
     pub(in crate::float) fn top(&self) -> (limb_t, bool) {
         self.limbs
