@@ -1,4 +1,4 @@
-//! Many points at once: slices in, slices out.
+//! Many points at once, from slices to slices.
 //!
 //! ```
 //! use stickslip::Output;
@@ -10,26 +10,27 @@
 //!     .with(Output::MinForceRatio, &mut border);
 //! Batch::new().run(&omega, &alpha, columns)?;
 //! assert!((displacement[0] - 3.488507872497762_f64).abs() < 1e-14);
-//! // At (0.4, 6) the body sticks, up to α = 6.949….
+//! // At (0.4, 6) the body sticks; the border is at α = 6.949….
 //! assert!(displacement[2].is_nan() && (border[2] - 6.949737755908733_f64).abs() < 1e-13);
 //! # Ok::<(), stickslip::batch::LengthMismatch>(())
 //! ```
 //!
-//! # How
+//! # How it works
 //!
-//! Blocks of 128 points run through short loops without branches, those that the outputs wanted take,
-//! compiled once for each [`Level`] and chosen at run time: one set of loops from Ω = 1/2 to 2²⁰, another
-//! from 2⁻¹⁰ to 1/2, for which the points are gathered into blocks of their own. What a loop cannot do well
-//! is left to the library's own answer at one point ([`crate::Response`]): the other Ω, those closer to
-//! 1/(2n) than 0.0012 Ω of it or to 1 than 2⁻²⁴, and a start too far from the greatest velocity. So there is
-//! an answer for every point of the domain, and on which side of the border it lies is decided as
-//! [`crate::Regime`] decides it.
+//! Points run in blocks of 128 through short loops without branches, and only through the loops that the
+//! requested outputs need. The loops are compiled once for each [`Level`], which is chosen at run time. One
+//! set of loops covers Ω from 1/2 to 2²⁰; another covers 2⁻¹⁰ to 1/2, for which the points are gathered into
+//! blocks of their own.
 //!
-//! What does not exist is NaN: every output where Ω or α is outside the domain of [`crate::Ratios`], and all
-//! but the border where there is no non-sticking cycle.
+//! The remaining points are computed one by one by [`crate::Response`]: any other Ω, an Ω within 0.0012 Ω of
+//! 1/(2n) or within 2⁻²⁴ of 1, and a start too far from the maximum velocity. Every point of the domain thus
+//! has an answer, and its side of the border is decided as in [`crate::Regime`].
 //!
-//! The loops run the functions that answer a point, so that every [`Level`] gives the bits of the point
-//! alone, and its accuracy. Threads do not change them.
+//! Values that do not exist are NaN: every output where Ω or α is outside the domain of [`crate::Ratios`],
+//! and all but the border where there is no non-sticking cycle.
+//!
+//! The loops call the same functions as a single point, so that every [`Level`] gives the same bits, and the
+//! same accuracy. Neither depends on the number of threads.
 
 mod alone;
 mod amplitude;
@@ -59,7 +60,7 @@ use crate::ratios::Ratios;
 use columns::{Looped, Slices, same_length};
 use kernel::Kernel;
 
-/// How batches are run: with which instructions, and on how many threads.
+/// The way in which batches run: the instruction set, and whether to use threads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Batch {
     level: Level,
@@ -74,7 +75,7 @@ impl Default for Batch {
 }
 
 impl Batch {
-    /// With the best instructions of this processor, on the calling thread.
+    /// A batch with the best instructions of this processor, on the calling thread.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -84,7 +85,7 @@ impl Batch {
         }
     }
 
-    /// With given instructions; with [`Level::Portable`] where the processor does not have them.
+    /// Selects an instruction set; [`Level::Portable`] where the processor does not have it.
     #[doc(hidden)]
     #[must_use]
     pub fn at_level(mut self, level: Level) -> Self {
@@ -92,7 +93,7 @@ impl Batch {
         self
     }
 
-    /// On all threads of the current rayon pool. The results are the same.
+    /// Uses all threads of the current rayon pool. The results are the same.
     #[cfg(feature = "rayon")]
     #[must_use]
     pub fn on_threads(mut self) -> Self {
@@ -100,20 +101,20 @@ impl Batch {
         self
     }
 
-    /// The instructions it runs with.
+    /// The instruction set in use.
     #[doc(hidden)]
     #[must_use]
     pub const fn level(&self) -> Level {
         self.level
     }
 
-    /// The outputs wanted at the points (Ω, α).
+    /// Computes the requested outputs at the points (Ω, α).
     ///
-    /// The nine that a loop has cost what their loops cost: {Δ₀, α_min, A₁} one, V₀ with its phase, Δ₁ and λ
+    /// Nine outputs are computed by loops: {Δ₀, α_min, A₁} need one loop; V₀ with its phase, Δ₁ and λ need
     /// one more each. The others are computed point by point.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
+    /// [`LengthMismatch`] where the slices differ in length.
     pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), LengthMismatch> {
         same_length(omega.len(), "alpha", alpha.len())?;
         let mut columns = columns.of_length(omega.len())?;
@@ -125,7 +126,7 @@ impl Batch {
     /// The same at one Ω.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
+    /// [`LengthMismatch`] where the slices differ in length.
     pub fn run_at(
         &self,
         row: &FixedOmega,
@@ -138,11 +139,11 @@ impl Batch {
         Ok(())
     }
 
-    /// The outputs wanted at `n` points whose ratios may have damping and static friction, each point alone;
-    /// NaN where there are no ratios.
+    /// Computes the requested outputs at `n` points whose ratios may have damping and static friction, point
+    /// by point; NaN where there are no ratios.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where a slice is not of `n` elements.
+    /// [`LengthMismatch`] where a slice does not have `n` elements.
     pub fn run_each(
         &self,
         n: usize,
@@ -153,12 +154,12 @@ impl Batch {
         Ok(())
     }
 
-    /// The exact motion in the long run from rest at the points (Ω, α): [`LongRun::from_start`] for each.
+    /// The steady state of the exact motion from rest at the points (Ω, α): [`LongRun::from_start`] for each.
     ///
-    /// An [`Error`] for a point outside the domain, in its place.
+    /// A point outside the domain has an [`Error`] in its place.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices are not of one length.
+    /// [`LengthMismatch`] where the slices differ in length.
     pub fn steady(
         &self,
         omega: &[f64],
@@ -187,7 +188,7 @@ impl Batch {
         run::run(&kernel, level, omega, alpha, out);
     }
 
-    /// Each point alone, for the columns that no loop fills.
+    /// Computes the columns that no loop fills, point by point.
     fn each(
         &self,
         n: usize,

@@ -13,18 +13,18 @@ pub(crate) struct Jet<F> {
 }
 
 impl<F: Float> Jet<F> {
-    /// No absolute value within `radius` is larger, `second` being a bound of the second derivative there.
+    /// A bound of the absolute value within `radius`, given that `second` bounds the second derivative there.
     pub(crate) fn reach(&self, radius: F) -> F {
         self.value.abs() + radius * (self.slope.abs() + radius * self.second.abs() / F::int(2))
     }
 }
 
-/// What is known of a function on a piece of an interval.
+/// Bounds of a function on a piece of an interval.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bound<F> {
-    /// Of the second derivative.
+    /// A bound of the second derivative.
     pub(crate) curvature: F,
-    /// Of the function itself; infinite where nothing is known.
+    /// A bound of the function itself; infinite where none is known.
     pub(crate) value: F,
 }
 
@@ -55,7 +55,7 @@ impl<F: Float> Piece<F> {
     }
 }
 
-/// By what a piece may hold at most.
+/// Pieces are ordered by the greatest value that they may contain.
 impl<F: Float> Ord for Piece<F> {
     fn cmp(&self, other: &Self) -> Ordering {
         self.reach.partial_cmp(&other.reach).unwrap_or(Ordering::Equal)
@@ -76,14 +76,14 @@ impl<F: Float> PartialEq for Piece<F> {
 
 impl<F: Float> Eq for Piece<F> {}
 
-/// Pieces that an interval is cut into before any is left out.
+/// The number of pieces of an interval before any is discarded.
 const PIECES: i32 = 16;
 
-/// The greater of `best` and the greatest |f| on `[low, high]`, with what `bound` knows of f on a piece.
+/// The greater of `best` and the greatest |f| on `[low, high]`; `bound` gives bounds of f on a piece.
 ///
-/// By division, the most promising piece first: a piece of half width d about c holds nothing above
-/// `|f(c)| + |f′(c)| d + curvature d²/2`, and is left out where that is no more than the best so far. Pieces
-/// narrow enough for it are left to Newton's method on f′, from their middle.
+/// This is branch and bound, with the most promising piece first. On a piece of half width d about c, |f| is
+/// at most `|f(c)| + |f′(c)| d + curvature d²/2`; the piece is discarded where that does not exceed the best
+/// value so far. On a sufficiently narrow piece, Newton's method on f′ starts from its middle.
 pub(crate) fn greatest<F: Float>(
     low: F,
     high: F,
@@ -100,19 +100,19 @@ pub(crate) fn greatest<F: Float>(
     while let Some(Piece { low, high, middle, at, reach, rest }) = pieces.pop() {
         best = best.or_larger(at.value.abs());
         if !reach.is_finite() {
-            // Not a number, or beyond the range of the type: no division would tell more.
+            // The bound is NaN or overflows, and further division would not help.
             return reach;
         }
         if reach <= best * slack {
             break;
         }
-        // So narrow that f″ hardly changes: its stationary point, if it has one.
+        // The piece is so narrow that f″ hardly changes: find its stationary point, if it has one.
         if rest * F::int(1 << 20) <= best {
             let mut x = middle;
             for _ in 0..F::PRECISION.ilog2() {
                 let at = f(x);
                 let next = x - at.slope / at.second;
-                // A step may lead out of the piece on the way to a point beside its end.
+                // A step may leave the piece on the way to a point near its end.
                 let next = if next < low {
                     low
                 } else if next > high {
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn the_greatest_of_two_waves_is_found() {
-        // |sin 40t + 0.3 cos 3t| on [0, 7]: some crest among ninety.
+        // |sin 40t + 0.3 cos 3t| on [0, 7]: the greatest of about ninety crests.
         let f = |t: f64| Jet {
             value: (40.0 * t).sin() + 0.3 * (3.0 * t).cos(),
             slope: 40.0 * (40.0 * t).cos() - 0.9 * (3.0 * t).sin(),

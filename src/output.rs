@@ -1,4 +1,5 @@
-//! The outputs of a [`Response`] by name: what the questions about uncertain parameters are asked of.
+//! The outputs of a [`Response`] by name, for batches, sensitivities and the analysis of uncertain
+//! parameters.
 
 use crate::float::{Field, Float};
 #[cfg(feature = "serde")]
@@ -7,11 +8,11 @@ use crate::nonsticking::dynamic_amplification;
 use crate::oscillator::Scales;
 use crate::response::Response;
 
-/// From a row for each output: its description, its name in Rust and as the command prints it, its value,
-/// dimensionless, and the physical size of one unit of it.
+/// Defines the outputs from one row each: the description, the names in Rust and in the command, the
+/// dimensionless value, and the physical size of one unit of it.
 ///
-/// The value is computed from the `cycle`, and exists where that does, from the `border`, or from the whole
-/// `response`, as an `Option`.
+/// The value is computed from the `cycle` and exists where the cycle does, from the `border`, or from the
+/// whole `response` as an `Option`.
 macro_rules! outputs {
     ($(
         $(#[$doc:meta])*
@@ -19,8 +20,8 @@ macro_rules! outputs {
     )*) => {
         /// One output of a [`Response`].
         ///
-        /// [`Output::of`] gives it dimensionless, in the units of the table; [`Output::unit`] is what to
-        /// multiply it by for physical units.
+        /// [`Output::of`] gives the dimensionless value, in the units of the table. Multiply it by
+        /// [`Output::unit`] for physical units.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
         #[non_exhaustive]
         pub enum Output {
@@ -28,10 +29,10 @@ macro_rules! outputs {
         }
 
         impl Output {
-            /// All of them, in order.
+            /// All outputs, in order.
             pub const ALL: [Self; [$($name),*].len()] = [$(Self::$output),*];
 
-            /// [`Display`](core::fmt::Display) as a static text.
+            /// The output's name, as [`Display`](core::fmt::Display) prints it.
             #[doc(hidden)]
             #[must_use]
             pub const fn name(self) -> &'static str {
@@ -40,7 +41,7 @@ macro_rules! outputs {
                 }
             }
 
-            /// Whether it belongs to the non-sticking cycle, and exists where that does.
+            /// Whether the output belongs to the non-sticking cycle and exists only where the cycle does.
             #[must_use]
             pub(crate) const fn is_of_cycle(self) -> bool {
                 match self {
@@ -48,14 +49,14 @@ macro_rules! outputs {
                 }
             }
 
-            /// Its value, dimensionless; `None` where it does not exist.
+            /// The dimensionless value; `None` where it does not exist.
             pub fn of<F: Float>(self, response: &Response<F>) -> Option<F> {
                 match self {
                     $(Self::$output => outputs!(@of response, $from $from, $value),)*
                 }
             }
 
-            /// Its value, where it belongs to the cycle.
+            /// The value, if the output belongs to the cycle.
             #[cfg(feature = "serde")]
             pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
                 match self {
@@ -63,7 +64,7 @@ macro_rules! outputs {
                 }
             }
 
-            /// The physical size of one unit of it.
+            /// The physical size of one unit of the output.
             pub fn unit<F: Field>(self, scales: &Scales<F>) -> F {
                 match self {
                     $(Self::$output => {
@@ -118,7 +119,7 @@ outputs! {
         in _scales => F::int(1);
     /// Minimum force ratio without sticking, α_min (1; the minimum force p₀).
     MinForceRatio "min_force_ratio": border => border.min_force_ratio, in scales => scales.force;
-    /// The same by eq. 61 (1; force).
+    /// Minimum force ratio without sticking by eq. 61 (1; force).
     TurningPointForceRatio "min_force_ratio_turning_point": border => border.turning_point,
         in scales => scales.force;
     /// Minimum Δ₀, S, of a cycle that does not stick (B; length).
@@ -128,7 +129,7 @@ outputs! {
     /// Force ratio α* of the largest loop (1; force).
     BestForceRatio "best_force_ratio": response => Some(response.best_force_ratio),
         in scales => scales.force;
-    /// Loop size A₁max there (p₀²/2k; energy).
+    /// Loop size A₁max at that force ratio (p₀²/2k; energy).
     BestLoopSize "best_loop_size": response => response.best_loop_size,
         in scales => scales.energy_stiffness;
     /// Dynamic amplification k Δ₀/p₀ (1; 1).
@@ -137,25 +138,25 @@ outputs! {
     /// Maximum acceleration |x″| (B ω_d²; acceleration).
     MaxAcceleration "max_acceleration": cycle => cycle.max_acceleration(),
         in scales => scales.velocity / scales.time;
-    /// Maximum force of spring and friction on what carries them (r_y; force).
+    /// Maximum force of spring and friction on their support (r_y; force).
     TransmittedForce "transmitted_force": cycle => cycle.transmitted_force(), in scales => scales.force;
-    /// That force over p₀ (1; 1).
+    /// Maximum transmitted force over p₀ (1; 1).
     Transmissibility "transmissibility": cycle => cycle.transmitted_force() / cycle.ratios.alpha(), in _scales => F::int(1);
     /// Maximum absolute displacement under a base that carries the surface (B; length).
     MaxAbsoluteDisplacement "max_absolute_displacement": cycle => cycle.max_absolute_displacement(),
         in scales => scales.length;
 }
 
-/// No output has this name.
+/// The error for a name that no output has.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("output `{name}` must be one of Output::ALL by its name, such as max_displacement")]
 #[non_exhaustive]
 pub struct UnknownOutput {
-    /// The name.
+    /// The unknown name.
     pub name: String,
 }
 
-/// By its name.
+/// Parses an output by its name.
 impl core::str::FromStr for Output {
     type Err = UnknownOutput;
 
@@ -165,7 +166,7 @@ impl core::str::FromStr for Output {
     }
 }
 
-/// Its name.
+/// Displays the output's name.
 impl core::fmt::Display for Output {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())

@@ -1,18 +1,18 @@
-//! The phase function K(Ω), which carries every closed form.
+//! The phase function K(Ω), on which every closed form depends.
 //!
-//! The paper's formulae hang on `T = sin π₁/(1 + cos π₁) = tan(π/2Ω)` with `π₁ = π/Ω` (eq. 26), and on
-//! `K(Ω) = (1 − Ω²) T/Ω`: `cos ω_d t₂ = K/α` (eq. 40, 41), `Δ₀/B = √(α² − K²)/|1 − Ω²|` (eq. 44), the
-//! border (eq. 61) and the best force ratio (eq. 65). T has a pole at Ω = 1 where K has none:
-//! `K(1) = −4/π`. The poles of K are exactly Ω = 1/(2n+1), n ≥ 1, its zeros Ω = 1/(2n).
+//! The paper's formulae depend on Ω through `T = sin π₁/(1 + cos π₁) = tan(π/2Ω)` with `π₁ = π/Ω` (eq. 26)
+//! and `K(Ω) = (1 − Ω²) T/Ω`: `cos ω_d t₂ = K/α` (eq. 40, 41), `Δ₀/B = √(α² − K²)/|1 − Ω²|` (eq. 44), the
+//! border (eq. 61) and the best force ratio (eq. 65). T has a pole at Ω = 1, where K has none: `K(1) = −4/π`.
+//! The poles of K are exactly Ω = 1/(2n+1), n ≥ 1, and its zeros are Ω = 1/(2n).
 //!
-//! Everything here works from the angle `β = π/2Ω` reduced to the nearest multiple of π/2,
+//! All functions here start from the angle `β = π/2Ω`, reduced to the nearest multiple of π/2,
 //!
 //! ```text
 //! β = q π/2 + w,   q = round(1/Ω),   w = (π/2) (1 − qΩ)/Ω,   |w| ≤ π/4,
 //! ```
 //!
-//! where `1 − qΩ` is formed with one rounding (exactly, near a pole or a zero). So the floats beside
-//! Ω = 1 and Ω = 1/n are as ordinary as any.
+//! where `1 − qΩ` is formed with one rounding (exactly, near a pole or a zero). The floats near Ω = 1 and Ω =
+//! 1/n are therefore no special cases.
 
 mod cotangent;
 mod excess;
@@ -38,7 +38,7 @@ pub(crate) use value::phase_function_beside_one;
 
 /// `K = (1 − Ω²) T/Ω` from the frequency ratio Ω and the tangent `T = tan(π/2Ω)`.
 ///
-/// The definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
+/// This is the definition, for any number that has the field operations. [`PhaseFunction::value`] is the form
 /// that is smooth through Ω = 1.
 #[inline(always)]
 pub(crate) fn phase_function_of_tangent<R: Field>(omega: R, tangent: R) -> R {
@@ -53,7 +53,8 @@ pub(crate) fn one_minus_square<R: Field>(omega: R) -> R {
     (R::int(1) - omega) * (R::int(1) + omega)
 }
 
-/// A validated frequency ratio Ω with its angle `β = π/2Ω` reduced and K(Ω): what depends on Ω alone.
+/// A validated frequency ratio Ω with its reduced angle `β = π/2Ω` and K(Ω): the quantities that depend on Ω
+/// alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct PhaseFunction<F> {
@@ -99,18 +100,18 @@ impl<F: Float> PhaseFunction<F> {
         self.remainder.hi
     }
 
-    /// Whether Ω lies in the neighbourhood of 1 where forms smooth through it are used.
+    /// Whether Ω lies in the neighbourhood of 1, where the forms smooth through 1 are used.
     #[inline]
     pub(crate) fn is_beside_one(&self) -> bool {
         is_beside_one(self.omega)
     }
 
-    /// Whether Ω is 1/(2n) exactly, where K = 0: a power of two, for a binary type.
+    /// Whether Ω is exactly 1/(2n), where K = 0; for a binary type it is then a power of two.
     pub(crate) fn is_even_subharmonic(&self) -> bool {
         self.value() == F::int(0)
     }
 
-    /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. Infinite at Ω = 1 alone: no other float is a pole.
+    /// `T = tan(π/2Ω) = sin π₁/(1 + cos π₁)`. It is infinite only at Ω = 1, since no other float is a pole.
     #[inline]
     pub(crate) fn tangent(&self) -> F {
         tangent(self.quarter, self.remainder.hi)
@@ -121,7 +122,7 @@ impl<F: Float> PhaseFunction<F> {
     #[inline]
     pub fn sin_cos(&self) -> (F, F) {
         let (s, c) = if F::PRECISION > f64::MANTISSA_DIGITS {
-            // At high precision a circular function costs as much as fifty products.
+            // At high precision, a circular function costs as much as fifty products.
             let t = self.remainder_tangent();
             let c = F::int(1) / (F::int(1) + t.square()).sqrt();
             (t * c, c)
@@ -131,7 +132,7 @@ impl<F: Float> PhaseFunction<F> {
         turned(self.quarter, (s, c))
     }
 
-    /// `(sin β, cos β)`, from Ω = 1/2 on without circular functions, as batches have them.
+    /// `(sin β, cos β)` as batches compute them: without circular functions for Ω ≥ 1/2.
     #[inline(always)]
     pub(crate) fn sin_cos_of_cycle(&self) -> (F, F) {
         if Self::is_rational_enough(self.omega) {
@@ -172,8 +173,8 @@ impl<F: Float> PhaseFunction<F> {
         self.value.value()
     }
 
-    /// K(Ω) to more digits than the type has: its relative error is below half a unit in the last place of
-    /// the type, and from Ω = 1/2 on falls with (1 − 1/Ω)², down to u².
+    /// K(Ω) to more digits than the type has. Its relative error is below half a unit in the last place of
+    /// the type, and for Ω ≥ 1/2 it decreases with (1 − 1/Ω)², down to u².
     #[inline(always)]
     pub(crate) const fn wide(&self) -> Pair<F> {
         self.value
@@ -199,7 +200,7 @@ fn remainder<F: Float>(omega: F, rest: F) -> Pair<F> {
     (Pair::exact(rest) / omega * (Pair::pi() * F::ratio(1, 2))).normalised()
 }
 
-/// `1 − Ω²`, exactly but for the rounding of the rest.
+/// `1 − Ω²`, exact except for the rounding of the low part.
 #[inline(always)]
 pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
     let square = Pair::two_prod(omega, omega);
@@ -207,13 +208,13 @@ pub(crate) fn one_minus_square_wide<F: Float>(omega: F) -> Pair<F> {
     Pair::new(hi, lo - square.lo)
 }
 
-/// The same for Ω ≤ 2²⁰, of fewer operations: 1 is a multiple of the last place of Ω², so that the sum is
+/// The same for Ω ≤ 2²⁰, in fewer operations: 1 is a multiple of the last place of Ω², so that the sum is
 /// exact.
 #[cfg(feature = "batch")]
 #[inline(always)]
 pub(crate) fn one_minus_moderate_square(omega: f64) -> Pair<f64> {
     let square = Pair::two_prod(omega, omega);
-    // The fast sum of 1 and −Ω², as a difference, which takes no negative.
+    // The fast sum of 1 and −Ω², written as a difference, which saves a negation.
     let hi = 1.0 - square.hi;
     Pair::new(hi, ((1.0 - hi) - square.hi) - square.lo)
 }
@@ -236,7 +237,7 @@ pub(crate) fn tangent<R: Real>(quarter: u8, w: R) -> R {
     if quarter & 1 == 0 { t } else { -(R::int(1) / t) }
 }
 
-/// Whether the nearest multiple of π/2 to π/2Ω is π/2 itself: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.
+/// Whether π/2 itself is the multiple of π/2 nearest to π/2Ω: 2/3 ≤ Ω < 2, the neighbourhood of Ω = 1.
 #[inline]
 fn is_beside_one<F: Float>(omega: F) -> bool {
     omega < F::int(2) && F::int(3) * omega >= F::int(2)

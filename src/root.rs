@@ -1,12 +1,12 @@
-//! Zeros of functions of one variable: a bracket at f64, then a polish at the precision of the type.
+//! Zeros of functions of one variable: a bracket at f64, then refinement at the precision of the type.
 
 use crate::float::Float;
 use roots::{SimpleConvergency, find_root_brent};
 
 /// A zero of `f` in `[low, high]`, where it changes sign, by Brent's method at f64.
 ///
-/// Where rounding hides the change of sign, the end at which |f| is smaller: the zero is within rounding
-/// of it.
+/// Where rounding hides the change of sign, the result is the end at which |f| is smaller: the zero is within
+/// rounding of it.
 pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let mut convergency = SimpleConvergency { eps: 1e-15, max_iter: 200 };
     match find_root_brent(low, high, &mut f, &mut convergency) {
@@ -21,11 +21,11 @@ pub(crate) fn bracketed(low: f64, high: f64, mut f: impl FnMut(f64) -> f64) -> f
     }
 }
 
-/// Newton's method from a `start` good to about 1e-8, inside `[low, high]`; `f` gives (value, slope).
+/// Newton's method inside `[low, high]` from a `start` accurate to about 1e-8; `f` gives (value, slope).
 ///
-/// Each step doubles the good bits, so that `log₂(PRECISION)` steps bound the loop. It ends with the step
-/// whose square is below rounding: the error it leaves is of that order, measured by the distance from the
-/// ends, where a second zero may be near.
+/// Each step doubles the correct bits, so that `log₂(PRECISION)` steps bound the loop. It ends after the step
+/// whose square is below rounding, since the remaining error is of that order. Steps are measured relative to
+/// the distance from the ends, where a second zero may be near.
 pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let tolerance = F::epsilon() / F::int(64);
     let mut x = start;
@@ -33,7 +33,7 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
         let (value, slope) = f(x);
         let step = value / slope;
         let next = x - step;
-        // A slope of zero sends the step to infinity or NaN, which are outside as well.
+        // A slope of zero gives a step to infinity or NaN, which is outside as well.
         let inside = next > low && next < high;
         if !inside {
             break;
@@ -48,10 +48,11 @@ pub(crate) fn newton<F: Float>(start: F, low: F, high: F, mut f: impl FnMut(F) -
     x
 }
 
-/// A zero in `[low, high]` of an `f` that falls through it there; `f` gives (value, slope).
+/// A zero in `[low, high]` of an `f` that decreases through it; `f` gives (value, slope).
 ///
-/// Newton's method with the bracket kept: where a step leaves it, or is not half of the last but one, it is
-/// halved instead. So the number of steps is bounded by twice the bits between the ends.
+/// This is Newton's method with a bracket. Where a step leaves the bracket, or is longer than half of the
+/// last step but one, the bracket is halved instead. The number of steps is therefore at most twice the bits
+/// between the ends.
 pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (F, F)) -> F {
     let (mut low, mut high, two) = (low, high, F::int(2));
     let mut x = low + (high - low) / two;
@@ -83,17 +84,17 @@ pub(crate) fn newton_within<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> (
     }
 }
 
-/// The two numbers, next to each other but for rounding, between which `f` changes sign in `[low, high]`: the
-/// first on the side of `low`, the second on that of `high`. A zero counts as positive.
+/// The two numbers in `[low, high]`, adjacent except for rounding, between which `f` changes sign: the first
+/// on the side of `low`, the second on that of `high`. A zero counts as positive.
 ///
-/// At the precision of the type from start to end, and certain: the bracket only ever shrinks. Inverse
-/// quadratic interpolation where the three last points promise a monotone one, halving elsewhere
-/// (Chandrupatla's criterion). Where `f` has one sign at both ends there is nothing to enclose, and the end
-/// where |f| is smaller is returned twice.
+/// The search runs at the precision of the type throughout, and cannot lose the zero: the bracket only ever
+/// shrinks. It uses inverse quadratic interpolation where the last three points promise a monotone one, and
+/// halving elsewhere (Chandrupatla's criterion). Where `f` has one sign at both ends there is nothing to
+/// enclose, and the end where |f| is smaller is returned twice.
 pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> (F, F) {
     let (zero, one, half) = (F::int(0), F::int(1), F::ratio(1, 2));
     let positive = |y: F| y >= zero;
-    // x is the latest point, opposite the other end of the bracket, previous the point before.
+    // x is the latest point, opposite is the other end of the bracket, and previous is the point before.
     let (mut opposite, mut x) = (low, high);
     let (mut at_opposite, mut y) = (f(low), f(high));
     let ordered = |a: F, b: F| if a < b { (a, b) } else { (b, a) };
@@ -102,7 +103,7 @@ pub(crate) fn enclosed<F: Float>(low: F, high: F, mut f: impl FnMut(F) -> F) -> 
         return (end, end);
     }
     let mut share = half;
-    // Each halving takes a bit off the bracket; interpolation never makes two steps worse than that.
+    // Each halving takes a bit off the bracket; interpolation never takes more than twice as many steps.
     for _ in 0..F::PRECISION.saturating_mul(4) {
         let width = (opposite - x).abs();
         let tolerance = F::epsilon() * x.abs().or_larger(opposite.abs());
@@ -159,7 +160,7 @@ mod tests {
         assert!(below.cos() > 0.0 && above.cos() < 0.0);
         assert!(above - below <= 2.0 * f64::EPSILON, "{below} {above}");
         assert!(calls.get() < 14, "{} evaluations", calls.get());
-        // A corner, a jump and a flat start: what no interpolation likes.
+        // A corner, a jump and a flat start are hard cases for any interpolation.
         for corner in [1e-9, 0.3, 0.999] {
             let (a, b) =
                 enclosed(0.0, 1.0, |x: f64| if x < corner { -1e-3 } else { 1e5 * (x - corner) + 1.0 });
@@ -196,7 +197,7 @@ mod tests {
             let root = newton(2f64.sqrt() + off, 1.0, 2.0, |x| (x * x - 2.0, 2.0 * x));
             assert!((root - 2f64.sqrt()).abs() <= f64::EPSILON, "{off:e}: {:e}", root - 2f64.sqrt());
         }
-        // Of any size.
+        // The size of the root does not matter.
         for size in [2f64.powi(-100), 1e-3, 1e4, 2f64.powi(100)] {
             let (exact, two) = (2f64.sqrt() * size, 2.0 * size * size);
             let root = newton(exact * (1.0 + 1e-7), size, 2.0 * size, |x| (x * x - two, 2.0 * x));
@@ -207,7 +208,7 @@ mod tests {
     #[test]
     fn newton_within_a_bracket_finds_what_newton_alone_does_not() {
         for (low, high) in [(-8.0, 0.5), (-0.1, 90.0), (-1e-9, 1e9), (-3.0, 3.0)] {
-            // Flat far off: Newton's method alone leaves for infinity from |x| > 1.39.
+            // The function is flat far off: Newton's method alone diverges from |x| > 1.39.
             let calls = core::cell::Cell::new(0);
             let root = newton_within(low, high, |x: f64| {
                 calls.set(calls.get() + 1);
@@ -215,14 +216,14 @@ mod tests {
             });
             assert!((root - 0.125).abs() <= f64::EPSILON && calls.get() < 80, "{root} {}", calls.get());
         }
-        // A jump, where the slope says nothing.
+        // At a jump the slope carries no information.
         let root = newton_within(0.0, 1.0, |x: f64| (if x < 0.3 { 1.0 } else { -1.0 }, 0.0));
         assert!((root - 0.3).abs() < 1e-15, "{root}");
     }
 
     #[test]
     fn newton_stays_in_its_bracket() {
-        // The slope sends the first step far outside: the start is kept.
+        // The slope sends the first step far outside, so that the start is kept.
         assert_eq!(newton(1.0, 0.5, 2.0, |x: f64| (x, 1e-9)), 1.0);
     }
 }

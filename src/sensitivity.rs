@@ -1,10 +1,10 @@
-//! Derivatives of every output by every parameter, by dual numbers ([`crate::float::Dual`]).
+//! Derivatives of every output with respect to every parameter, by dual numbers ([`crate::float::Dual`]).
 //!
-//! The formulae themselves are differentiated, term by term and at the roots by the implicit function
-//! theorem: no step size and no cancellation of differences. Near a pole of the border, a double multiplier
-//! or the border itself the derivatives are large because the outputs are steep there, and where an output
-//! has a corner (the border next to a pole, the contraction where gσ = 1) they are those of the side that the
-//! point is on.
+//! The formulae themselves are differentiated, term by term, and at roots by the implicit function theorem.
+//! There is no step size and no cancellation of differences. Near a pole of the border, a double multiplier
+//! or the border itself, the derivatives are large because the outputs are steep there. Where an output has a
+//! corner (the border next to a pole, the contraction where gσ = 1), the derivatives are those of the side on
+//! which the point lies.
 //!
 //! ```
 //! use stickslip::sensitivity::Sensitivities;
@@ -13,7 +13,7 @@
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Sensitivities::by_parameters(&body, &drive)?;
 //! let stroke = answer.of(Output::MaxDisplacement).unwrap();
-//! // A percent more mass: 2.08 percent less displacement.
+//! // One percent more mass gives 2.08 percent less displacement.
 //! let [by_mass, ..] = stroke.elasticities([50.0, 1000.0, 5.0, 12.0, std::f64::consts::TAU]);
 //! assert!((by_mass + 2.084325).abs() < 1e-6);
 //! # Ok::<(), stickslip::Error>(())
@@ -27,19 +27,20 @@ use crate::ratios::Ratios;
 use crate::regime::Regime;
 use crate::response::Response;
 
-/// A value and its derivatives by N parameters.
+/// A value and its derivatives with respect to N parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 #[must_use]
 pub struct Sensitivity<const N: usize> {
     /// The value.
     pub value: f64,
-    /// Its derivatives: the unit of the value over that of the parameter.
+    /// The derivatives, in the unit of the value over that of the parameter.
     pub by: [f64; N],
 }
 
 impl<const N: usize> Sensitivity<N> {
-    /// Percents of change for a percent of each parameter, `(p/y) ∂y/∂p`, where the parameters are p.
+    /// Relative sensitivities `(p/y) ∂y/∂p` at the parameters p: percent of change per percent of each
+    /// parameter.
     #[must_use]
     pub fn elasticities(&self, parameters: [f64; N]) -> [f64; N] {
         let mut found = self.by;
@@ -49,8 +50,8 @@ impl<const N: usize> Sensitivity<N> {
         found
     }
 
-    /// The standard deviation of the value, to first order, for independent ones of the parameters:
-    /// `√Σ(σᵢ ∂y/∂pᵢ)²`.
+    /// The standard deviation of the value to first order, for independent parameters with these standard
+    /// deviations: `√Σ(σᵢ ∂y/∂pᵢ)²`.
     #[must_use]
     pub fn deviation(&self, deviations: [f64; N]) -> f64 {
         self.by
@@ -61,41 +62,42 @@ impl<const N: usize> Sensitivity<N> {
     }
 }
 
-/// All outputs with their derivatives by N parameters.
+/// All outputs with their derivatives with respect to N parameters.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Sensitivities<const N: usize> {
-    /// The steady behaviour of the body.
+    /// The regime of the steady motion.
     pub regime: Regime,
     /// All outputs that exist.
     pub outputs: Vec<(Output, Sensitivity<N>)>,
 }
 
 impl Sensitivities<2> {
-    /// The dimensionless outputs and their derivatives by Ω and α, in this order.
+    /// The dimensionless outputs and their derivatives with respect to Ω and α, in this order.
     ///
-    /// In units of B = r_y/k, Bω_d and radians, held constant, as is ζ. Accuracy: that of the outputs, a few
-    /// units in the last place of the larger of p ∂y/∂p and y, away from the corners named above; measured
-    /// against differences at 512 bits, 5e-14 of that. Less for the contraction near Ω = 1, ε/|1 − Ω|, and
-    /// for τ* near 1/(2n), 1e-11.
+    /// The units are B = r_y/k, Bω_d and radians, which are held constant, as is ζ. Away from the corners
+    /// named above, the accuracy is that of the outputs: a few units in the last place of the larger of p
+    /// ∂y/∂p and y. Compared with differences at 512 bits, the error is at most 5e-14 of that. It is larger
+    /// for the contraction near Ω = 1, ε/|1 − Ω|, and for τ* near 1/(2n), 1e-11.
     #[must_use]
     pub fn by_ratios(ratios: Ratios<f64>) -> Self {
         let [omega, alpha] = Dual::parameters([ratios.omega(), ratios.alpha()]);
         let (zeta, eta) = (Dual::of(ratios.damping_ratio()), Dual::of(ratios.static_friction_ratio()));
-        // Valid as they were.
+        // The ratios were valid before.
         Self::of_response(&Response::new(Ratios::of_valid(omega, alpha, zeta, eta)), |_| Dual::of(1.0))
     }
 }
 
 impl Sensitivities<5> {
-    /// The outputs in physical units ([`Output::unit`]) and their derivatives by m, k, r_y, the amplitude and
-    /// ω_d, in this order.
+    /// The outputs in physical units ([`Output::unit`]) and their derivatives with respect to m, k, r_y, the
+    /// amplitude and ω_d, in this order.
     ///
-    /// Everything else being constant, the damping constant c too; under base motion a change of stiffness
-    /// changes the force, too. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`, by two ways.
+    /// All other parameters are constant, including the damping constant c. Under base motion a change of
+    /// stiffness also changes the force. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`, computed in
+    /// two ways.
     ///
     /// # Errors
-    /// Where a ratio leaves the domain of [`Ratios`], or a scale over- or underflows.
+    /// Where a ratio leaves the domain of [`Ratios`], or a scale overflows or underflows.
     pub fn by_parameters(body: &Oscillator<f64>, drive: &Drive<f64>) -> Result<Self, Error> {
         let amplitude = drive.amplitude();
         let frequency = drive.angular_frequency();
@@ -157,7 +159,7 @@ mod tests {
         assert!(sticking.of(Output::MaxDisplacement).is_none() && sticking.outputs.len() < all.len());
     }
 
-    /// A force and a friction bound that both grow by a share make lengths grow by it.
+    /// If the force and the friction bound grow by the same share, so do the lengths.
     #[test]
     fn by_parameters_is_in_their_units() {
         let body = Oscillator::new(2.0, 8.0, 3.0).unwrap();
@@ -168,7 +170,7 @@ mod tests {
         let [_, _, by_friction, by_force, _] = delta.elasticities([2.0, 8.0, 3.0, 9.0, 1.5]);
         let grown = by_friction + by_force;
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
-        // A base that moves pushes more on a stiffer body.
+        // Under foot motion a stiffer spring means a larger force.
         let based = Sensitivities::by_parameters(
             &body,
             &Drive::new(crate::Excitation::FootMotion, 9.0 / 8.0, 1.5).unwrap(),

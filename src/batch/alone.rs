@@ -1,4 +1,4 @@
-//! The points that the loops leave: the library's own answer at one point.
+//! The points that the loops cannot compute: the library's answer at a single point.
 
 use super::columns::LOOPED;
 use crate::float::{Float, Task};
@@ -8,7 +8,7 @@ use crate::ratios::Ratios;
 use crate::regime::has_two_reversals;
 use crate::response::Response;
 
-/// The outputs of [`LOOPED`] at (Ω, α): NaN where one does not exist.
+/// The outputs of [`LOOPED`] at (Ω, α); NaN where one does not exist.
 pub(crate) fn all(omega: f64, alpha: f64) -> [f64; LOOPED.len()] {
     let Ok(ratios) = Ratios::new(omega, alpha) else { return [f64::NAN; LOOPED.len()] };
     let answer = Response::new(ratios);

@@ -1,5 +1,5 @@
-//! Δ₀ and what goes with it, by the very functions that answer a point; and which points the loops may
-//! answer.
+//! Δ₀ and the outputs that follow from it, by the same functions as a single point; and the domain of the
+//! loops.
 
 use super::block::{AtPoint, select};
 use crate::float::circular::held;
@@ -7,7 +7,7 @@ use crate::float::{Float, pair::Pair};
 use crate::nonsticking::{Reversal, border::turning_point_border};
 use crate::phase_function::{Quotient, is_close_to_one, one_minus_moderate_square};
 
-/// The bounds of Ω within which nothing over- or underflows.
+/// The range of Ω within which nothing overflows or underflows.
 const LEAST_OMEGA: f64 = 0.5;
 const GREATEST_OMEGA: f64 = 1_048_576.0;
 /// The greatest α of [`crate::Ratios`], 2²⁵⁰.
@@ -19,7 +19,8 @@ pub(crate) fn has_loops(omega: f64) -> bool {
     Between::new(LEAST_OMEGA, GREATEST_OMEGA).has(omega) & !is_close_to_one(omega)
 }
 
-/// Bounds of a positive number, as of its bits, moved to where the least is the first integer.
+/// A range of positive numbers, compared by their bits as integers, shifted so that the least is the first
+/// integer.
 #[derive(Debug, Clone, Copy)]
 struct Between {
     offset: i64,
@@ -40,7 +41,7 @@ impl Between {
     }
 }
 
-/// What Ω and α are compared with.
+/// The limits for Ω and α.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Domain {
     omega: Between,
@@ -59,10 +60,10 @@ impl Domain {
     }
 }
 
-/// One point.
+/// The results at one point.
 pub(crate) struct Amplitude {
     reversal: Reversal<f64>,
-    /// α_min; NaN where the point is to be redone.
+    /// α_min; NaN where the point must be recomputed.
     pub(crate) border: f64,
 }
 
@@ -83,7 +84,7 @@ impl Amplitude {
         )
     }
 
-    /// One point where the border is known; NaN says that the point is to be redone.
+    /// One point whose border is known; NaN means that the point must be recomputed.
     #[inline(always)]
     pub(crate) fn at(
         domain: &Domain,
@@ -93,7 +94,7 @@ impl Amplitude {
         one_minus_square: Pair<f64>,
         border: f64,
     ) -> Self {
-        // Where there is no cycle, all that has α in it is NaN.
+        // Without a cycle, all results that depend on α are NaN.
         let sliding = select(alpha >= border, alpha, domain.nan);
         let reversal = Reversal::by_formula(phase_function, one_minus_square, sliding);
         let is_answered = domain.alpha.has(alpha) & !reversal.falls_short(omega);
@@ -106,7 +107,7 @@ impl Amplitude {
         self.reversal.max_displacement()
     }
 
-    /// The rest of the rounded Δ₀; NaN where there is no cycle.
+    /// The low part of the pair Δ₀; NaN where there is no cycle.
     #[inline(always)]
     pub(crate) fn rest(&self) -> f64 {
         self.reversal.max_displacement_pair().lo
@@ -131,7 +132,7 @@ impl Amplitude {
     }
 }
 
-/// `[Δ₀, α_min, A₁]`; NaN for α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁]`; a NaN in α_min means that the point must be recomputed.
 #[derive(Clone, Copy)]
 pub(crate) struct Point(Quotient<f64>, Domain);
 
@@ -150,8 +151,8 @@ impl AtPoint<2, 3> for Point {
     }
 }
 
-/// `[Δ₀, α_min, A₁, ω_d t₂, the rest of the rounded Δ₀]` from `[Ω, α, K, the rest of the rounded K]`; NaN for
-/// α_min says that the point is to be redone.
+/// `[Δ₀, α_min, A₁, ω_d t₂, the low part of Δ₀]` from `[Ω, α, K, the low part of K]`; a NaN in α_min means
+/// that the point must be recomputed.
 #[derive(Clone, Copy)]
 pub(crate) struct Sizes(pub(crate) Domain);
 

@@ -1,5 +1,5 @@
-//! Blocks of points: short enough to stay in the first cache through several loops, long enough to fill the
-//! vectors.
+//! Blocks of points: short enough to stay in the first-level cache through several loops, long enough to fill
+//! the vectors.
 
 /// Points in a block.
 pub(crate) const POINTS: usize = 128;
@@ -7,17 +7,17 @@ pub(crate) const POINTS: usize = 128;
 /// One quantity at the points of a block.
 pub(crate) type Block = [f64; POINTS];
 
-/// `O` quantities of `I` others at one point, without branches or calls.
+/// Computes `O` quantities from `I` others at one point, without branches or calls.
 ///
-/// A trait with `#[inline(always)]` functions, as closures and function pointers cannot be told to be inlined
-/// always, and what is not inlined is not compiled for the level's instructions.
+/// This is a trait with `#[inline(always)]` functions because closures and function pointers cannot be forced
+/// inline, and a function that is not inlined is not compiled for the level's instructions.
 pub(crate) trait AtPoint<const I: usize, const O: usize> {
     fn at(&self, inputs: [f64; I]) -> [f64; O];
 }
 
 /// One loop over a block: `outputs = f(inputs)`, point by point.
 ///
-/// Simple enough that the compiler turns it into vector instructions.
+/// It is simple enough for the compiler to vectorise.
 #[inline(always)]
 pub(crate) fn each<const I: usize, const O: usize>(
     f: &impl AtPoint<I, O>,
@@ -34,13 +34,13 @@ pub(crate) fn each<const I: usize, const O: usize>(
     }
 }
 
-/// `yes` where `condition` holds, `no` elsewhere: both are computed, so that nothing branches.
+/// `yes` where `condition` holds, `no` elsewhere. Both are computed, so that there is no branch.
 #[inline(always)]
 pub(crate) fn select(condition: bool, yes: f64, no: f64) -> f64 {
     if condition { yes } else { no }
 }
 
-/// Fills a block with `points`, the last of them repeated to the end.
+/// Fills a block with `points`, repeating the last of them to the end.
 pub(crate) fn pad(points: &[f64], block: &mut Block) {
     let last = points.last().copied().unwrap_or_default();
     for (slot, x) in block.iter_mut().zip(points.iter().copied().chain(core::iter::repeat(last))) {

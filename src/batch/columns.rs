@@ -1,11 +1,11 @@
-//! Which outputs a batch has, and where they go.
+//! The requested outputs of a batch, and the slices that receive them.
 
 use crate::output::Output;
 use crate::ratios::Ratios;
 use crate::regime::Regime;
 use crate::response::Response;
 
-/// Slices that do not belong together: their lengths differ.
+/// The error for slices whose lengths differ.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("{name} has {found} elements where {expected} are due")]
 #[non_exhaustive]
@@ -18,7 +18,7 @@ pub struct LengthMismatch {
     pub expected: usize,
 }
 
-/// `Err` where a slice of length `found` is not as long as the first.
+/// An error unless a slice of length `found` is as long as the first.
 pub(super) const fn same_length(
     expected: usize,
     name: &'static str,
@@ -27,7 +27,7 @@ pub(super) const fn same_length(
     if found == expected { Ok(()) } else { Err(LengthMismatch { name, found, expected }) }
 }
 
-/// The outputs a batch is asked for, each with the slice it is written to: any of [`Output::ALL`], and the
+/// The requested outputs of a batch, each with the slice that receives it: any of [`Output::ALL`], and the
 /// regime.
 ///
 /// ```
@@ -43,14 +43,14 @@ pub(super) const fn same_length(
 #[must_use]
 pub struct Columns<'a>(Slices<'a, { Output::ALL.len() }>);
 
-/// Slices of one length, of the outputs that are wanted.
+/// Slices of one length for the requested outputs.
 #[derive(Debug)]
 pub(super) struct Slices<'a, const N: usize> {
     pub(super) numbers: [Option<&'a mut [f64]>; N],
     pub(super) regime: Option<&'a mut [Option<Regime>]>,
 }
 
-/// The outputs that the loops have, in their order.
+/// The outputs that the loops compute, in their order.
 pub(super) const LOOPED: [Output; 9] = [
     Output::MaxDisplacement,
     Output::MinForceRatio,
@@ -64,16 +64,17 @@ pub(super) const LOOPED: [Output; 9] = [
 ];
 /// The place of α_min among [`LOOPED`].
 pub(super) const BORDER: usize = 1;
-/// Where the loops write.
+/// The slices that the loops write to.
 pub(super) type Looped<'a> = Slices<'a, { LOOPED.len() }>;
 
 impl<'a> Columns<'a> {
-    /// No output as yet.
+    /// No outputs yet.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// With an output, NaN where it does not exist. Of two slices for one output the last counts.
+    /// Adds an output, which is NaN where it does not exist. If an output is added twice, the last slice
+    /// counts.
     pub fn with(mut self, output: Output, slice: &'a mut [f64]) -> Self {
         for (place, own) in self.0.numbers.iter_mut().zip(Output::ALL) {
             if own == output {
@@ -84,14 +85,14 @@ impl<'a> Columns<'a> {
         self
     }
 
-    /// With the body's motion in the long run ([`crate::Regime`]); `None` where a ratio is outside its
+    /// Adds the regime of the steady motion ([`crate::Regime`]); `None` where a ratio is outside its
     /// domain.
     pub fn with_regime(mut self, slice: &'a mut [Option<Regime>]) -> Self {
         self.0.regime = Some(slice);
         self
     }
 
-    /// The slices, where all are of length `n`.
+    /// The slices, if all have length `n`.
     pub(super) fn of_length(self, n: usize) -> Result<Slices<'a, { Output::ALL.len() }>, LengthMismatch> {
         for (slice, output) in self.0.numbers.iter().zip(Output::ALL) {
             slice.as_ref().map_or(Ok(()), |slice| same_length(n, output.name(), slice.len()))?;
@@ -102,7 +103,7 @@ impl<'a> Columns<'a> {
 }
 
 impl<'a> Slices<'a, { Output::ALL.len() }> {
-    /// Those that the loops fill; what is left here takes more than a loop.
+    /// Removes the slices that the loops fill; the others are computed point by point.
     pub(super) fn take_looped(&mut self) -> Looped<'a> {
         let mut looped = Looped { regime: self.regime.take(), ..Looped::default() };
         for (slice, own) in self.numbers.iter_mut().zip(Output::ALL) {
@@ -115,7 +116,7 @@ impl<'a> Slices<'a, { Output::ALL.len() }> {
         looped
     }
 
-    /// The answer of a point alone to its place; NaN without ratios.
+    /// Computes a point by itself and writes its outputs; NaN without ratios.
     pub(super) fn put(&mut self, place: usize, ratios: Option<Ratios<f64>>) {
         let answer = ratios.map(Response::new);
         for (slice, output) in self.numbers.iter_mut().zip(Output::ALL) {
@@ -140,12 +141,12 @@ impl<const N: usize> Slices<'_, N> {
         self.regime.is_none() && self.numbers.iter().all(Option::is_none)
     }
 
-    /// Whether one of these outputs is wanted, by its place.
+    /// Whether any of the outputs at these places is requested.
     pub(super) fn has(&self, places: core::ops::Range<usize>) -> bool {
         self.numbers.get(places).is_some_and(|slices| slices.iter().any(Option::is_some))
     }
 
-    /// The parts before and from `place` on.
+    /// The parts before `place` and from it on.
     #[cfg(feature = "rayon")]
     pub(super) fn split_at(self, place: usize) -> (Self, Self) {
         let (mut low, mut high) = (Self::default(), Self::default());

@@ -1,4 +1,4 @@
-//! Rows of one frequency ratio: what depends on Ω is computed once.
+//! Rows of one frequency ratio, whose quantities of Ω are computed once.
 
 use super::amplitude::{Amplitude, Domain, has_loops};
 use super::block::{AtPoint, Block, POINTS, select};
@@ -10,7 +10,7 @@ use crate::float::pair::Pair;
 use crate::nonsticking::Border;
 use crate::phase_function::{PhaseFunction, is_close_to_one};
 
-/// A frequency ratio with all that depends on it alone, for many force ratios.
+/// A frequency ratio with all quantities that depend on it alone, for many force ratios.
 ///
 /// ```
 /// use stickslip::Output;
@@ -28,14 +28,14 @@ pub struct FixedOmega {
     of_omega: OfOmega,
 }
 
-/// The numbers of Ω that the loops take.
+/// The quantities of Ω that the loops use.
 #[derive(Debug, Clone)]
 pub(crate) enum OfOmega {
     /// Ω ≥ 1/2.
     High(Box<HighParts>),
-    /// Below.
+    /// Ω < 1/2.
     Low(Box<LowParts>),
-    /// Beyond: each point on its own.
+    /// No loop covers this Ω, and each point is computed by itself.
     None,
 }
 
@@ -56,7 +56,7 @@ impl FixedOmega {
         {
             OfOmega::Low(Box::new([k, rest, inverse, sine, cosine, border].map(|x| [x; POINTS])))
         } else {
-            // Of any other Ω and of those that a batch would redo, each point on its own.
+            // The points of this Ω are computed one by one, as in a batch.
             OfOmega::None
         };
         Ok(Self { point, omega: [omega; POINTS], of_omega })
@@ -68,7 +68,7 @@ impl FixedOmega {
         self.point.omega
     }
 
-    /// Whether the loops over α reach this Ω.
+    /// Whether there are loops over α for this Ω.
     pub(crate) const fn has_loops(&self) -> bool {
         !matches!(self.of_omega, OfOmega::None)
     }
@@ -77,13 +77,13 @@ impl FixedOmega {
         &self.of_omega
     }
 
-    /// Ω, as often as a block has points.
+    /// A block filled with Ω.
     pub(crate) const fn block(&self) -> &Block {
         &self.omega
     }
 }
 
-/// The numbers of Ω at one point.
+/// The quantities of Ω at one point.
 #[derive(Debug, Clone, Copy)]
 struct PointAt {
     omega: f64,
@@ -98,7 +98,7 @@ struct PointAt {
 pub(crate) struct Row {
     point: PointAt,
     domain: Domain,
-    /// The border, or NaN where the points of the row are to be redone: too close to Ω = 1.
+    /// The border, or NaN where the points of the row must be recomputed because Ω is too close to 1.
     border: f64,
 }
 

@@ -1,4 +1,4 @@
-//! What is asked of a batch: the outputs wanted, and which of the loops have them.
+//! The requested outputs of a batch, and the loops that compute them.
 
 use super::alone;
 use super::amplitude::Point;
@@ -11,7 +11,7 @@ use super::stages::{Answer, HighParts, LowParts, Stages, Work};
 use super::velocity::Parts;
 use crate::regime::{Regime, regime_above};
 
-/// The outputs wanted, as functions of Ω and α, or of α in a row of one Ω.
+/// The requested outputs as functions of Ω and α, or of α in a row of one Ω.
 #[derive(Clone, Copy)]
 pub(crate) struct Kernel<'a> {
     pub(crate) stages: Stages,
@@ -23,13 +23,13 @@ impl<'a> Kernel<'a> {
         Self { stages: Stages::of(wanted), row }
     }
 
-    /// The level it runs at: point by point where the loops do not reach the row.
+    /// The level to run at: point by point where no loops cover the row.
     pub(crate) fn level(&self, level: Level) -> Level {
         let is_reached = self.row.is_none_or(|row| self.stages.is_amplitude() || row.has_loops());
         if is_reached { level } else { Level::Scalar }
     }
 
-    /// The outputs over a block.
+    /// Computes the outputs over a block.
     #[inline(always)]
     pub(crate) fn pass(&self, omega: &Block, alpha: &Block, scratch: &mut Scratch) {
         let Scratch { high, work, answer, .. } = scratch;
@@ -62,12 +62,12 @@ impl<'a> Kernel<'a> {
         self.stages.low(omega, alpha, low, work, answer);
     }
 
-    /// Whether [`Kernel::pass_low`] may have the answer at an Ω for which [`Kernel::pass`] has none.
+    /// Whether [`Kernel::pass_low`] may compute an Ω that [`Kernel::pass`] cannot.
     pub(crate) fn has_low(&self, omega: f64) -> bool {
         self.row.is_none() && has_low_loops(omega)
     }
 
-    /// The Ω of a point, where the slice of Ω has `given`.
+    /// The Ω of a point, given its value in the slice of Ω.
     pub(crate) fn omega(&self, given: f64) -> f64 {
         self.row.map_or(given, FixedOmega::omega)
     }
@@ -76,7 +76,7 @@ impl<'a> Kernel<'a> {
         self.row
     }
 
-    /// The regimes where they are wanted, from the borders: where that is NaN there is no regime.
+    /// Writes the regimes, if requested, from the borders; where the border is NaN there is no regime.
     pub(crate) fn regimes(
         &self,
         slots: Option<&mut [Option<Regime>]>,
@@ -91,7 +91,7 @@ impl<'a> Kernel<'a> {
     }
 }
 
-/// Blocks of a thread's own: that no two of them overlap is then known to the compiler, too.
+/// Blocks local to a thread, so that the compiler knows that no two of them overlap.
 pub(crate) struct Scratch {
     pub(crate) high: HighParts,
     pub(crate) low: LowParts,
@@ -105,8 +105,8 @@ impl Scratch {
         Self { high: [block; 5], low: [block; 6], work: [block; 3], answer: [block; LOOPED.len()] }
     }
 
-    /// Does the points of which α_min is NaN, but for those that are `set_aside`, by their place in the block
-    /// and Ω.
+    /// Recomputes the points whose α_min is NaN, except for those for which `set_aside` returns true, given
+    /// the place in the block and Ω.
     pub(crate) fn redo(
         &mut self,
         kernel: &Kernel<'_>,
@@ -127,7 +127,7 @@ impl Scratch {
         }
     }
 
-    /// The first of the outputs of the i-th point of the block.
+    /// Sets the first outputs of the i-th point of the block.
     #[inline]
     fn set<const N: usize>(&mut self, i: usize, values: [f64; N]) {
         for (block, value) in self.answer.iter_mut().zip(values) {

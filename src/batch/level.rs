@@ -1,20 +1,20 @@
-//! Which vector instructions the loops are compiled for, chosen at run time.
+//! The vector instruction sets for which the loops are compiled, chosen at run time.
 
 #[cfg(target_arch = "x86_64")]
 use pulp::x86::{V3, V4};
 
-/// The instructions a batch runs with.
+/// The instruction set of a batch.
 ///
-/// One source for all of them, with the same fused products in the same order: all give the same bits.
-/// [`Level::Scalar`] is the library's own code for one point at a time.
+/// One source serves all of them, with the same fused products in the same order, so that all give the same
+/// bits. [`Level::Scalar`] is the library's own code for one point at a time.
 #[doc(hidden)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Level {
-    /// Point by point, without a batch's own code: where the processor has no fused product, the others would
-    /// lose to it.
+    /// Point by point, without the batch loops: where the processor has no fused product, the other levels
+    /// would be slower.
     Scalar,
-    /// What the program was compiled for.
+    /// The instructions for which the program was compiled.
     Portable,
     /// x86-64 with AVX2 and FMA: four points at a time.
     Avx2,
@@ -26,7 +26,7 @@ impl Level {
     /// Every level, the fastest last.
     pub const ALL: [Self; 4] = [Self::Scalar, Self::Portable, Self::Avx2, Self::Avx512];
 
-    /// The fastest level of this processor.
+    /// The fastest level that this processor supports.
     #[must_use]
     pub fn best() -> Self {
         if Self::Avx512.is_available() {
@@ -40,7 +40,7 @@ impl Level {
         }
     }
 
-    /// Whether this processor has the level.
+    /// Whether this processor supports the level.
     #[must_use]
     pub fn is_available(self) -> bool {
         match self {
@@ -54,8 +54,8 @@ impl Level {
         }
     }
 
-    /// Runs the loops of `task` with these instructions; with those the program was compiled for where the
-    /// processor does not have them.
+    /// Runs the loops of `task` with these instructions, or with those of the program where the processor
+    /// does not support them.
     #[inline]
     pub(crate) fn run<T: Loops>(self, task: T) -> T::Output {
         #[cfg(target_arch = "x86_64")]
@@ -76,10 +76,10 @@ impl Level {
     }
 }
 
-/// Loops to be compiled once for each level: `run` has to be `#[inline(always)]`, down to the last function
-/// it calls.
+/// Loops to be compiled once for each level: `run`, and every function that it calls, must be
+/// `#[inline(always)]`.
 pub(crate) trait Loops {
-    /// What is known after them.
+    /// The result.
     type Output;
 
     /// Runs them.

@@ -1,4 +1,4 @@
-//! Below Ω = 1/2: the functions that answer a point there, for the loops over blocks.
+//! The loops over blocks below Ω = 1/2, by the same functions as a single point.
 
 use super::amplitude::{Amplitude, Domain};
 use super::block::{AtPoint, select};
@@ -8,7 +8,7 @@ use crate::nonsticking::stability::contraction;
 use crate::nonsticking::{LowCircular, LowWaves, border_near, velocity_phase};
 use crate::phase_function::{LowAngle, one_minus_square_wide};
 
-/// The bounds of Ω: below, the angle takes more than one reduction.
+/// The least Ω of these loops; below, the angle needs more than one reduction.
 const LEAST_OMEGA: f64 = 1.0 / 1024.0;
 
 /// Whether Ω is within the range of these loops.
@@ -18,12 +18,13 @@ pub(crate) fn has_low_loops(omega: f64) -> bool {
     (omega >= LEAST_OMEGA) & (omega < 0.5)
 }
 
-/// The numbers that depend on Ω alone.
+/// The quantities that depend on Ω alone.
 #[derive(Clone, Copy)]
 pub(crate) struct LowOmega;
 
 impl AtPoint<1, 6> for LowOmega {
-    /// `[K, the rest of the rounded K, 1/Ω, sin β, cos β, α_min]`; NaN for the last where it is to be redone.
+    /// `[K, the low part of K, 1/Ω, sin β, cos β, α_min]`; a NaN in α_min means that the point must be
+    /// recomputed.
     #[inline(always)]
     fn at(&self, [omega]: [f64; 1]) -> [f64; 6] {
         let (angle, is_nearest) = LowAngle::of_moderate(omega);
@@ -35,8 +36,8 @@ impl AtPoint<1, 6> for LowOmega {
     }
 }
 
-/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, the rest of the rounded K, α_min]`; NaN for α_min says that the point is
-/// to be redone.
+/// `[Δ₀, α_min, A₁]` from `[Ω, α, K, the low part of K, α_min]`; a NaN in α_min means that the point must be
+/// recomputed.
 #[derive(Clone, Copy)]
 pub(crate) struct LowSizes(Domain);
 
@@ -61,7 +62,7 @@ impl AtPoint<5, 3> for LowSizes {
 }
 
 impl AtPoint<5, 6> for LowSizes {
-    /// The same and `[ω_d t₂, A₂, the rest of the rounded Δ₀]`.
+    /// The same and `[ω_d t₂, A₂, the low part of Δ₀]`.
     #[inline(always)]
     fn at(&self, given: [f64; 5]) -> [f64; 6] {
         let found = self.amplitude(given);
@@ -75,7 +76,7 @@ fn waves([omega, max_displacement, rest, inverse, sin_beta, cos_beta]: [f64; 6])
     LowWaves { omega, inverse, max_displacement, rest, beta: (sin_beta, cos_beta) }
 }
 
-/// θ near the greatest velocity.
+/// A phase θ near the maximum velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct LowStart(LowCircular<f64>);
 
@@ -87,14 +88,14 @@ impl LowStart {
 }
 
 impl AtPoint<8, 1> for LowStart {
-    /// `[θ]` from `[Ω, Δ₀, the rest of the rounded Δ₀, 1/Ω, sin β, cos β, α, ω_d t₂]`.
+    /// `[θ]` from `[Ω, Δ₀, the low part of Δ₀, 1/Ω, sin β, cos β, α, ω_d t₂]`.
     #[inline(always)]
     fn at(&self, [a, b, c, d, e, f, alpha, phase2]: [f64; 8]) -> [f64; 1] {
         [waves([a, b, c, d, e, f]).start(&self.0, alpha, phase2)]
     }
 }
 
-/// The greatest velocity.
+/// The maximum velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct LowArrival(LowCircular<f64>);
 
@@ -106,8 +107,8 @@ impl LowArrival {
 }
 
 impl AtPoint<9, 4> for LowArrival {
-    /// `[V₀, ω_d t₁, α_min, Δ₁]` from the same with θ in place of α, and α_min; α_min NaN where the velocity
-    /// is to be redone.
+    /// `[V₀, ω_d t₁, α_min, Δ₁]` from the same with θ in place of α, and α_min; a NaN in α_min means that the
+    /// velocity must be recomputed.
     #[inline(always)]
     fn at(&self, [omega, delta, rest, inverse, sine, cosine, theta, phase2, border]: [f64; 9]) -> [f64; 4] {
         let waves = waves([omega, delta, rest, inverse, sine, cosine]);
@@ -115,7 +116,7 @@ impl AtPoint<9, 4> for LowArrival {
         [
             velocity,
             velocity_phase(phase2, omega, fastest.psi),
-            // Where there is no cycle, nothing could be found.
+            // Without a cycle there is nothing to find.
             select(fastest.is_found | delta.is_nan(), border, f64::NAN),
             fastest.displacement,
         ]

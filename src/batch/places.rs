@@ -1,8 +1,8 @@
-//! Places of points that are set aside until a block of them is there.
+//! The places of points that are set aside until they fill a block.
 
 use super::block::POINTS;
 
-/// Points set aside.
+/// The points set aside.
 #[derive(Default)]
 pub(crate) struct Places(Vec<usize>);
 
@@ -11,7 +11,7 @@ impl Places {
         self.0.push(place);
     }
 
-    /// Whether a whole block of them is there.
+    /// Whether they fill a block.
     pub(crate) const fn is_full(&self) -> bool {
         self.0.len() >= POINTS
     }
@@ -20,7 +20,7 @@ impl Places {
         self.0.is_empty()
     }
 
-    /// The last block of them, or what there is of it.
+    /// Removes the last block of them, or all if they do not fill a block.
     pub(crate) fn pop(&mut self) -> Vec<usize> {
         self.0.split_off(self.0.len().saturating_sub(POINTS))
     }

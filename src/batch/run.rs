@@ -1,4 +1,4 @@
-//! How slices are cut into blocks, and the points that the loops left are done.
+//! Slices are cut into blocks, and the points that the loops cannot compute are added.
 
 use super::block::{Block, POINTS, pad};
 use super::columns::{BORDER, Looped};
@@ -39,7 +39,7 @@ impl Loops for PassLow<'_> {
 }
 
 impl Looped<'_> {
-    /// The answers of the points from `start` on.
+    /// Writes the answers of the points from `start` on.
     fn put(&mut self, kernel: &Kernel<'_>, start: usize, omega: &[f64], alpha: &[f64], answer: &Answer) {
         let n = omega.len();
         for (slice, block) in self.numbers.iter_mut().zip(answer) {
@@ -101,7 +101,7 @@ pub(crate) fn run<'a>(
     }
 }
 
-/// A block of the points set aside.
+/// Computes a block of the points set aside.
 fn low_points(
     kernel: &Kernel<'_>,
     level: Level,
@@ -146,7 +146,7 @@ fn low_points(
     }
 }
 
-/// `points` as a block; where there are fewer, `room` with them.
+/// `points` as a block; if there are fewer, they are copied to `room` and padded.
 fn whole<'a>(points: &'a [f64], room: &'a mut Block) -> &'a Block {
     points.first_chunk().unwrap_or_else(|| {
         pad(points, room);

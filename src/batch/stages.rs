@@ -1,4 +1,4 @@
-//! The loops over a block that the wanted outputs take, and no others.
+//! The loops over a block that the requested outputs need.
 
 use super::amplitude::{Domain, Sizes};
 use super::block::{Block, each};
@@ -8,14 +8,14 @@ use super::velocity::{Arrival, Contraction, Start};
 
 /// The outputs of [`LOOPED`] over a block.
 pub(crate) type Answer = [Block; LOOPED.len()];
-/// Blocks for numbers that pass from one loop to the next.
+/// Blocks for intermediate quantities that pass from one loop to the next.
 pub(crate) type Work = [Block; 3];
-/// Of Ω alone, from 1/2: K, the rest of the rounded K, 1/Ω, κ and u/(Ω − 1).
+/// Quantities of Ω ≥ 1/2: K, the low part of K, 1/Ω, κ and u/(Ω − 1).
 pub(crate) type HighParts = [Block; 5];
-/// The same below: K, the rest of the rounded K, 1/Ω, sin β, cos β and α_min.
+/// Quantities of Ω < 1/2: K, the low part of K, 1/Ω, sin β, cos β and α_min.
 pub(crate) type LowParts = [Block; 6];
 
-/// The stages behind {Δ₀, α_min, A₁}.
+/// The stages beyond {Δ₀, α_min, A₁}.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Stages {
     is_more: bool,
@@ -36,12 +36,12 @@ impl Stages {
         }
     }
 
-    /// Whether one loop has all: no output but {Δ₀, α_min, A₁}.
+    /// Whether one loop suffices: no output but {Δ₀, α_min, A₁} is requested.
     pub(crate) const fn is_amplitude(self) -> bool {
         !self.is_more
     }
 
-    /// The loops over α, from Ω = 1/2.
+    /// Runs the loops over α, for Ω ≥ 1/2.
     #[inline(always)]
     pub(crate) fn high(
         self,
@@ -74,7 +74,7 @@ impl Stages {
         }
     }
 
-    /// The loops over α, below Ω = 1/2.
+    /// Runs the loops over α, for Ω < 1/2.
     #[inline(always)]
     pub(crate) fn low(
         self,

@@ -5,10 +5,10 @@ use crate::exact::{LongRun, State, SteadyState};
 use crate::nonsticking::Cycle;
 use crate::ratios::Ratios;
 
-/// What the motion from rest at (Ω, α) tends to.
+/// The steady state that is reached from rest at (Ω, α).
 ///
-/// Where there is one periodic motion for all starts, and it does not stick, from the closed form, which is
-/// closer than rest.
+/// Where a single periodic motion attracts all starts and does not stick, it is taken from the closed form,
+/// which is more accurate than the motion from rest.
 pub(crate) fn steady(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
     let ratios = Ratios::new(omega, alpha)?;
     if let Some(cycle) = Cycle::find(ratios)

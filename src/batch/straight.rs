@@ -1,4 +1,4 @@
-//! {Δ₀, α_min, A₁}, which one loop has: written to where they belong, without blocks in between.
+//! {Δ₀, α_min, A₁} by a single loop, written directly to the slices of the caller.
 
 use super::alone;
 use super::amplitude::Point;
@@ -9,8 +9,8 @@ use super::kernel::Kernel;
 use super::level::{Level, Loops};
 use super::places::Places;
 
-/// The most points that one call runs through: few enough to stay in the first cache until they are looked
-/// at.
+/// The greatest number of points per call: few enough to stay in the first-level cache until they are
+/// checked.
 const STRETCH: usize = 8 * POINTS;
 
 struct Pass<'a> {
@@ -28,14 +28,15 @@ impl Loops for Pass<'_> {
         let Self { row, omega, alpha, out: [displacement, border, size] } = self;
         match row {
             None => each(&Point::new(), omega, alpha, displacement, border, size),
-            // A copy, which the outputs cannot overlap.
+            // A copy, which cannot overlap the outputs.
             Some(row) => each(&Row::new(row), omega, alpha, displacement, border, size),
         }
         is_any_nan(border)
     }
 }
 
-/// One loop from slices to slices. That no two of them overlap is known to the compiler of parameters only.
+/// One loop from slices to slices. They are parameters because only then does the compiler know that they do
+/// not overlap.
 #[inline(always)]
 fn each(f: &impl AtPoint<2, 3>, omega: &[f64], alpha: &[f64], a: &mut [f64], b: &mut [f64], c: &mut [f64]) {
     let outputs = a.iter_mut().zip(b).zip(c);
@@ -44,7 +45,7 @@ fn each(f: &impl AtPoint<2, 3>, omega: &[f64], alpha: &[f64], a: &mut [f64], b: 
     }
 }
 
-/// Whether there is a NaN: one makes a sum NaN. In sixteen sums, of which vectors are made.
+/// Whether any number is NaN: one NaN makes a sum NaN. Sixteen sums allow vector instructions.
 #[inline(always)]
 pub(crate) fn is_any_nan(numbers: &[f64]) -> bool {
     let mut sums = [0.0; 16];
@@ -60,7 +61,7 @@ pub(crate) fn is_any_nan(numbers: &[f64]) -> bool {
     total.is_nan()
 }
 
-/// The room for those of the three outputs that are not wanted.
+/// Buffers for those of the three outputs that are not requested.
 pub(crate) struct Rooms([Vec<f64>; 3]);
 
 impl Rooms {
@@ -69,8 +70,8 @@ impl Rooms {
         Self([a, b, c].map(|slice| vec![0.0; if slice.is_some() { 0 } else { STRETCH }]))
     }
 
-    /// Does the whole blocks from `start` on, as many as one call runs through; the points below Ω = 1/2 are
-    /// set aside. How many points that is.
+    /// Computes the whole blocks from `start` on, up to the limit of one call, and sets aside the points
+    /// below Ω = 1/2. Returns the number of points.
     pub(crate) fn stretch(
         &mut self,
         kernel: &Kernel<'_>,

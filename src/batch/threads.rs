@@ -1,4 +1,4 @@
-//! The work spread over threads.
+//! Batches on several threads.
 
 use super::block::POINTS;
 use super::columns::{Looped, Slices};
@@ -8,8 +8,8 @@ use super::run::run;
 use crate::output::Output;
 use crate::ratios::Ratios;
 
-/// [`run`] on all threads of the current rayon pool: the halves of halves, cut between blocks, so that the
-/// result does not depend on how many threads there are.
+/// Runs [`run`] on all threads of the current rayon pool. The slices are halved recursively between blocks,
+/// so that the result does not depend on the number of threads.
 pub(crate) fn run_on_threads(
     kernel: &Kernel<'_>,
     level: Level,
@@ -17,7 +17,7 @@ pub(crate) fn run_on_threads(
     alpha: &[f64],
     out: Looped<'_>,
 ) {
-    /// Blocks worth a task of their own.
+    /// The least number of points for which a further task pays off.
     const WORTH: usize = 16 * POINTS;
     let half = omega.len() / 2 / POINTS * POINTS;
     if half < WORTH {
@@ -32,7 +32,7 @@ pub(crate) fn run_on_threads(
     );
 }
 
-/// Each point alone, on all threads: the halves of halves again. The first point is the one at `start`.
+/// Computes each point by itself on all threads, by recursive halving. The first point is the one at `start`.
 pub(crate) fn each(
     start: usize,
     n: usize,

@@ -1,4 +1,4 @@
-//! The greatest velocity and the contraction, from Ω = 1/2.
+//! The maximum velocity and the contraction, for Ω ≥ 1/2.
 
 use super::block::{AtPoint, select};
 use crate::float::circular::held;
@@ -7,7 +7,7 @@ use crate::nonsticking::stability::contraction;
 use crate::nonsticking::{Circular, Waves, velocity_phase};
 use crate::phase_function::{Frequency, Offset, Quotient};
 
-/// The numbers that depend on Ω alone.
+/// The quantities that depend on Ω alone.
 #[derive(Clone, Copy)]
 pub(crate) struct Parts(Quotient<f64>, Offset<f64>);
 
@@ -19,7 +19,7 @@ impl Parts {
 }
 
 impl AtPoint<1, 5> for Parts {
-    /// `[K, the rest of the rounded K, 1/Ω, κ, u/(Ω − 1)]`.
+    /// `[K, the low part of K, 1/Ω, κ, u/(Ω − 1)]`.
     #[inline(always)]
     fn at(&self, [omega]: [f64; 1]) -> [f64; 5] {
         let k = self.0.at(omega);
@@ -33,7 +33,7 @@ fn waves([omega, max_displacement, inverse, kappa, offset_slope]: [f64; 5]) -> W
     Waves { max_displacement, rest: 0.0, at: Frequency { omega, inverse, kappa, offset_slope } }
 }
 
-/// ψ near the greatest velocity.
+/// A phase ψ near the maximum velocity.
 pub(crate) struct Start;
 
 impl AtPoint<5, 1> for Start {
@@ -43,7 +43,7 @@ impl AtPoint<5, 1> for Start {
     }
 }
 
-/// The greatest velocity.
+/// The maximum velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrival(Circular<f64>);
 
@@ -60,14 +60,14 @@ impl Arrival {
     ) -> ([f64; 3], f64) {
         let waves = Waves { rest, ..waves([omega, delta, inverse, kappa, slope]) };
         let (fastest, velocity) = waves.arrive(&self.0, psi);
-        // Where there is no cycle, nothing could be found.
+        // Without a cycle there is nothing to find.
         let border = select(fastest.is_found | delta.is_nan(), border, f64::NAN);
         ([velocity, velocity_phase(phase2, omega, fastest.psi), border], fastest.psi)
     }
 }
 
 impl AtPoint<9, 3> for Arrival {
-    /// `[V₀, ω_d t₁, α_min]`, α_min NaN where the velocity is to be redone.
+    /// `[V₀, ω_d t₁, α_min]`; a NaN in α_min means that the velocity must be recomputed.
     #[inline(always)]
     fn at(&self, given: [f64; 9]) -> [f64; 3] {
         self.find(given).0
@@ -75,7 +75,7 @@ impl AtPoint<9, 3> for Arrival {
 }
 
 impl AtPoint<11, 4> for Arrival {
-    /// The same and Δ₁, from K and the rest of the rounded K, too.
+    /// The same and Δ₁, for which K and its low part are also given.
     #[inline(always)]
     fn at(
         &self,

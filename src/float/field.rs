@@ -1,9 +1,9 @@
-//! The two lower layers of a number type: the field operations, and the circular functions.
+//! The two lower layers of a number type: the field operations and the circular functions.
 
 use core::fmt::Debug;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
-/// What most formulae need of their numbers: + − × ÷, √, magnitudes, small integers and ratios.
+/// The operations that most formulae need: + − × ÷, √, magnitudes, small integers and ratios.
 ///
 /// Domains and special values are those of IEEE 754 where the type has them: `sqrt(−1)` is NaN.
 pub trait Field:
@@ -38,9 +38,10 @@ pub trait Field:
     fn hypot(self, other: Self) -> Self {
         (self.square() + other.square()).sqrt()
     }
-    /// `√(self² − other²)`: a leg of the right triangle with this hypotenuse and the `other` leg.
+    /// `√(self² − other²)`, |other| ≤ |self|: a leg of the right triangle with this hypotenuse and the
+    /// `other` leg.
     ///
-    /// For |other| ≤ |self|; a type may have a better way than the product of the difference and the sum.
+    /// The default multiplies the difference by the sum; a type may provide a better algorithm.
     #[inline(always)]
     fn leg(self, other: Self) -> Self {
         ((self - other) * (self + other)).sqrt()
@@ -52,7 +53,7 @@ pub trait Field:
     }
 }
 
-/// What a formula with angles needs on top: π and the circular functions.
+/// The operations that formulae with angles need in addition: π and the circular functions.
 pub trait Real: Field {
     /// π, rounded once.
     fn pi() -> Self;

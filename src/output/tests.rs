@@ -13,8 +13,7 @@ fn each_is_read_by_its_name() {
     );
 }
 
-/// Each unit by its dimension, mass, length and time, for scales that no two dimensions share; written out by
-/// hand.
+/// Each unit must have the dimension written out here by hand; no two dimensions share a scale.
 #[test]
 fn each_has_the_unit_of_its_dimension() {
     let scales = Scales::<f64> {
@@ -51,7 +50,7 @@ fn each_has_the_unit_of_its_dimension() {
     assert_eq!(Output::ALL.map(|output| (output.name(), output.unit(&scales))), expected);
 }
 
-/// By the exact border, which eq. 61 falls short of at 0.4.
+/// The margin uses the exact border, which exceeds eq. 61 at Ω = 0.4.
 #[test]
 fn the_margin_is_that_of_the_exact_border() {
     let response = Response::new(Ratios::new(0.4, 6.5).unwrap());

@@ -4,10 +4,10 @@
 //! y cot y = 1 − g,   g = z/(3 − t),   t = z/(5 − z/(7 − z/(9 − …))),   z = y² ≤ (π/4)²
 //! ```
 //!
-//! Every difference is of a large and a small number: t < 0.13, so that an error of t counts a twenty-fifth
-//! of itself in g and less than a ninetieth in `y cot y`. Hence t needs no compensation, z and the two outer
-//! levels do. Below f64's precision t is one quotient of polynomials with integer coefficients, the
-//! convergent of the level 17; above, the levels one by one.
+//! Every difference is of a large and a small number. Since t < 0.13, an error of t is reduced 25 times in g
+//! and more than 90 times in `y cot y`. Hence z and the two outer levels are compensated, while t is not. Up
+//! to f64's precision t is one quotient of polynomials with integer coefficients, the convergent of level 17;
+//! at higher precision the levels are evaluated one by one.
 
 use crate::float::{Field, Float, pair::Pair};
 
@@ -17,8 +17,8 @@ pub(super) fn cotangent_defect<F: Float>(square: Pair<F>) -> Pair<F> {
     square / Pair::fast_two_sum(F::int(3), -tail(square.hi))
 }
 
-/// `y cot y`, with the rounding errors of t only: a thirtieth of a unit in the last place at |y| = π/4, fewer
-/// with y⁴.
+/// `y cot y`, accurate except for the rounding errors of t: a thirtieth of a unit in the last place at |y| =
+/// π/4, decreasing as y⁴.
 #[inline(always)]
 pub(super) fn y_cot_y<F: Float>(y: Pair<F>) -> Pair<F> {
     Pair::exact(F::int(1)) - cotangent_defect(y.square())
@@ -36,7 +36,8 @@ fn tail<F: Float>(z: F) -> F {
     z * numerator / denominator
 }
 
-/// t from the level at which it is final: each takes at least five bits of the error, many more of a small z.
+/// t from the level at which it has converged: each level removes at least five bits of the error, and many
+/// more for a small z.
 #[cold]
 fn tail_by_levels<F: Float>(z: F) -> F {
     let last = 3 + F::PRECISION as i32 / 5;
@@ -70,7 +71,7 @@ mod tests {
             let defect = super::cotangent_defect(Pair::exact(y).square());
             let exact = Mp::of_int(1) - exact;
             let error = (Mp::from(defect.hi) + Mp::from(defect.lo) - exact) / exact;
-            // t counts less than a twentieth, and has a few roundings.
+            // An error of t is reduced more than twenty times, and t has a few roundings.
             assert!(error.abs() < Mp::exp2i(-55), "{y}: {error}");
         }
     }

@@ -1,24 +1,24 @@
-//! α − |K| so close to Ω = 1 that a pair of K does not have the digits.
+//! α − |K| so close to Ω = 1 that K as a pair does not have enough digits.
 //!
-//! On the border `α² − K² = (1/Ω² − 1)²` for Ω ≥ 1/2, with |1/Ω² − 1| = (2/π)|w|(1 + Ω)/Ω, and
-//! |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + … ≥ 0. From α + |K| ≤ 2|K| + |1/Ω² − 1| follows
+//! On the border `α² − K² = (1/Ω² − 1)²` for Ω ≥ 1/2, with |1/Ω² − 1| = (2/π)|w|(1 + Ω)/Ω, and |K| = (2/π)(1
+//! + Ω)(1 − g), g = w²/3 + … ≥ 0. From α + |K| ≤ 2|K| + |1/Ω² − 1| it follows that
 //!
 //! ```text
 //! α − |K| ≥ (w²/π) [(1 + Ω)/Ω²] / [1 + |w|/(2Ω)],
 //! ```
 //!
-//! which is (2/π) w² at Ω = 1: of the order of g. There
+//! which is (2/π) w² at Ω = 1, of the order of g. In the expression
 //!
 //! ```text
 //! (π/2)(α − |K|) = (π/2) α − (1 + Ω) + (1 + Ω) g,
 //! ```
 //!
-//! in which π takes three parts, (1 + Ω) is exact and g has its full relative accuracy.
+//! π is taken in three parts, (1 + Ω) is exact, and g has its full relative accuracy.
 
 use super::cotangent_defect;
 use crate::float::{Field, Float, pair::Pair};
 
-/// Whether Ω is so close to 1 that a pair of K may not do.
+/// Whether Ω is so close to 1 that K as a pair may not have enough digits.
 #[inline(always)]
 pub(crate) fn is_close_to_one<F: Float>(omega: F) -> bool {
     let bits = if F::PRECISION < f64::MANTISSA_DIGITS { F::PRECISION as i32 / 2 - 2 } else { 24 };

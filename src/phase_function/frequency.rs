@@ -1,7 +1,7 @@
-//! What the velocity needs of Ω ≥ 1/2: one form through Ω = 1 and to the largest Ω.
+//! The quantities of Ω ≥ 1/2 that the velocity depends on, in one form through Ω = 1 and up to the largest Ω.
 //!
 //! With `T = tan β`, `u = (1 − sin β)/cos β = tan(π/4 − β/2)`, t = 1/Ω and z = (1 − t)², the zero and the
-//! pole of u are rational in t, and what is left is all but constant:
+//! pole of u are rational in t, and the remaining factor is almost constant:
 //!
 //! ```text
 //! u = (Ω − 1) Ω/((Ω + 1)(3Ω − 1)) U(z),   0 ≤ z ≤ 1,   U from π to 3.
@@ -10,8 +10,8 @@
 use crate::float::circular::polynomial;
 use crate::float::{Float, pair::Pair};
 
-/// U, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and rounded. Error
-/// 5.6e-17.
+/// The coefficients of U from the constant term up: interpolated at Chebyshev nodes, computed with 60 digits
+/// and rounded. The error is 5.6e-17.
 const U: [f64; 8] = [
     core::f64::consts::PI,
     -0.139_434_065_891_205_55,
@@ -23,7 +23,7 @@ const U: [f64; 8] = [
     -3.234_302_248_390_718_7e-11,
 ];
 
-/// U's coefficients.
+/// The coefficients of U in a number type.
 #[derive(Clone, Copy)]
 pub(crate) struct Offset<F>([F; 8]);
 
@@ -34,7 +34,7 @@ impl<F: Float> Offset<F> {
     }
 }
 
-/// What the velocity needs of Ω: none has a pole.
+/// The quantities of Ω that the velocity depends on; none has a pole.
 #[derive(Clone, Copy)]
 pub(crate) struct Frequency<F> {
     pub(crate) omega: F,
@@ -70,7 +70,7 @@ impl<F: Float> Frequency<F> {
         (self.omega - F::int(1)) * self.offset_slope
     }
 
-    /// `F = −(1 − Ω²)/cos β`: v″ + Ω²v = F sin ψ. With 1/cos β = T + u.
+    /// `F = −(1 − Ω²)/cos β`, the forcing in v″ + Ω²v = F sin ψ, with 1/cos β = T + u.
     #[inline(always)]
     pub(crate) fn forcing(&self) -> F {
         let less = F::int(1) - self.omega;
@@ -82,7 +82,7 @@ impl<F: Float> Frequency<F> {
     pub(crate) fn sin_cos_beta(&self) -> (F, F) {
         let (u, one) = (self.offset(), F::int(1));
         let quotient = F::int(2) / u.mul_add(u, one);
-        // sin β = (1 − u²)/(1 + u²), which far above 1 is small.
+        // sin β = (1 − u²)/(1 + u²), which is small far above Ω = 1.
         let beside_one = (one - u) * (one + u) * (quotient * F::ratio(1, 2));
         let above = -(self.kappa * self.offset_slope * quotient);
         (if self.omega < F::int(2) { beside_one } else { above }, u * quotient)

@@ -1,4 +1,4 @@
-//! The angle β = π/2Ω of an Ω below 1/2, as its nearest multiple of π/2 and what is left, without branches.
+//! The angle β = π/2Ω for Ω < 1/2, as its nearest multiple of π/2 and the remainder, without branches.
 
 use super::PhaseFunction;
 #[cfg(feature = "batch")]
@@ -10,14 +10,14 @@ use crate::float::{Float, pair::Pair};
 pub(crate) struct LowAngle<F> {
     /// Whether q is even.
     is_even: bool,
-    /// Whether the sign of sin β is not that of cos w for an odd q, of sin w for an even one.
+    /// Whether sin β has the opposite sign of cos w (for an odd q) or of sin w (for an even q).
     is_turned: bool,
     w: Pair<F>,
 }
 
 impl<F: Float> LowAngle<F> {
-    /// For 2⁻¹⁰ ≤ Ω < 1/2, where 1/Ω has a fraction; and whether q is the nearest, which rounding of 1/Ω can
-    /// miss.
+    /// The angle for 2⁻¹⁰ ≤ Ω < 1/2, where 1/Ω has a fraction. The flag says whether q is the nearest
+    /// integer, which rounding of 1/Ω can miss.
     #[cfg(feature = "batch")]
     #[inline(always)]
     pub(crate) fn of_moderate(omega: F) -> (Self, bool) {
@@ -31,7 +31,7 @@ impl<F: Float> LowAngle<F> {
         (Self { is_even, is_turned, w: super::remainder(omega, rest) }, rest.abs() * F::int(2) <= omega)
     }
 
-    /// That of a phase function below Ω = 1/2.
+    /// The angle of a phase function for Ω < 1/2.
     #[inline(always)]
     pub(crate) fn of(p: &PhaseFunction<F>) -> Self {
         Self { is_even: p.quarter & 1 == 0, is_turned: p.quarter & 2 != 0, w: p.remainder }

@@ -4,17 +4,17 @@ use crate::float::Float;
 
 /// `(q mod 4, 1 − qΩ)` with `q = round(1/Ω)`.
 ///
-/// The first branches are exact by Sterbenz's lemma. In the last, a quotient too large for the
-/// significand is reduced again: `q = fl(1/Ω)` leaves a remainder `1 − qΩ` that one fused operation
-/// gives exactly, so each pass takes [`Float::PRECISION`] bits off the quotient, and the bound on Ω
-/// bounds the passes by `RATIO_EXPONENT / PRECISION + 2`.
+/// The first branches are exact by Sterbenz's lemma. In the last, a quotient too large for the significand is
+/// reduced again: one fused operation gives the remainder `1 − qΩ` of `q = fl(1/Ω)` exactly. Each pass
+/// therefore takes [`Float::PRECISION`] bits off the quotient, and the bound on Ω bounds the passes by
+/// `RATIO_EXPONENT / PRECISION + 2`.
 #[inline(always)]
 pub(super) fn nearest_quarter<F: Float>(omega: F) -> (u8, F) {
     if F::int(5) * omega >= F::int(2) { nearest_of_three(omega) } else { reduce_small(omega) }
 }
 
 /// [`nearest_quarter`] for Ω ≥ 2/5.
-// Always inline: most of what asks for K does not use the angle, and then it is not computed.
+// Always inline: most callers of K do not use the angle, and then it is not computed.
 #[inline(always)]
 pub(super) fn nearest_of_three<F: Float>(omega: F) -> (u8, F) {
     let one = F::int(1);
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn reduction_is_exact_for_huge_quotients() {
-        // 1/Ω = 2²⁰⁰ is a multiple of 4; 3·2⁻²⁰⁰ has 1/Ω = 2²⁰⁰/3, whose fraction is 1/3.
+        // 1/Ω = 2²⁰⁰ is a multiple of 4. For 3·2⁻²⁰⁰, 1/Ω = 2²⁰⁰/3, whose fraction is 1/3.
         assert_eq!(nearest_quarter(2f64.powi(-200)), (0, 0.0));
         let omega = 3.0 * 2f64.powi(-200);
         let (quarter, rest) = nearest_quarter(omega);

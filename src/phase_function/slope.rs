@@ -13,9 +13,9 @@ impl<F: Float> PhaseFunction<F> {
     /// K′ = −(π/Ω³) T/β + (1 − 1/Ω²)(2β − sin 2β)/(2 cos²β)   for Ω ≥ 2,
     /// ```
     ///
-    /// with `T′ = −(π/2Ω²)(1 + T²)`; `w = (π/2)(1 − Ω)/Ω`, of which K = −(2/π)(1 + Ω) E(w), so that
-    /// K′(1) = −2/π; and `β = π/2Ω`, of which K = −(π/2)(1 − 1/Ω²) T/β: there the first form loses all
-    /// digits, K′ being of the order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
+    /// with `T′ = −(π/2Ω²)(1 + T²)`; with `w = (π/2)(1 − Ω)/Ω`, for which K = −(2/π)(1 + Ω) E(w) and K′(1) =
+    /// −2/π; and with `β = π/2Ω`, for which K = −(π/2)(1 − 1/Ω²) T/β. For Ω ≥ 2 the first form loses all
+    /// digits, since K′ is of the order 1/Ω³. Accuracy at f64: 8 ulp of the larger term.
     #[must_use]
     pub(crate) fn slope(&self) -> F {
         let (omega, w, one) = (self.omega(), self.remainder(), F::int(1));
@@ -42,7 +42,7 @@ fn y_cot_y_slope<F: Float>(y: F) -> F {
     -(arc_less_sine(y + y) / (F::int(2) * y.sin().square()))
 }
 
-/// `x − sin x` for |x| ≤ π/2, to full relative accuracy: by its series where the difference would cancel.
+/// `x − sin x` for |x| ≤ π/2 to full relative accuracy, by its series where the difference would cancel.
 pub(crate) fn arc_less_sine<F: Float>(x: F) -> F {
     let square = x.square();
     if square > F::int(1) {
@@ -50,7 +50,7 @@ pub(crate) fn arc_less_sine<F: Float>(x: F) -> F {
     }
     let mut term = x * square / F::int(6);
     let mut sum = term;
-    // Each term is less than a twentieth of the one before: four bits at least.
+    // Each term is less than a twentieth of the one before, a gain of at least four bits.
     let mut n = 4;
     while n < 4 + F::PRECISION as i32 && term.abs() > F::epsilon() * sum.abs() {
         term = -(term * square / F::int(n * (n + 1)));
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn values_at_forty_digits() {
-        // d/dΩ of (1 − Ω²) tan(π/2Ω)/Ω, by mpmath.
+        // The reference is d/dΩ of (1 − Ω²) tan(π/2Ω)/Ω, computed by mpmath.
         for (omega, exact) in [
             (0.07, -5_712.768_646_022_978),
             (0.21, -1_275.048_676_400_093_7),

@@ -10,7 +10,7 @@ fn close(a: f64, b: f64, ulps: f64) {
 
 #[test]
 fn ordinary_values() {
-    // T and K at 40 digits, rounded.
+    // The references of T and K were computed with 40 digits and rounded.
     close(at(2.0).value(), -1.5, 1.0);
     close(at(3.0).value(), -1.539_600_717_839_002, 2.0);
     close(at(0.75).value(), -1.010_362_971_081_845, 3.0);

@@ -1,19 +1,19 @@
-//! K(Ω) to more digits than the type has, by a form for each range of Ω.
+//! K(Ω) to more digits than the type has, with one form for each range of Ω.
 //!
-//! **From Ω = 1/2 on, up to 53 digits.** With t = 1/Ω and the angle `y = (π/2)(1 − t)` in (−π/2, π/2), the
-//! zeros and the nearest poles of `y cot y` are rational in t, and what is left of it is all but constant in
-//! `z = (1 − t)²`:
+//! **For Ω ≥ 1/2, at up to 53 bits.** With t = 1/Ω and the angle `y = (π/2)(1 − t)` in (−π/2, π/2), the zeros
+//! and the nearest poles of `y cot y` are rational in t. The remaining factor is almost constant in `z = (1 −
+//! t)²`:
 //!
 //! ```text
 //! K = (2Ω − 1)/(3Ω − 1) G(z),   0 ≤ z ≤ 1,   G from −8/π to −3π/4.
 //! ```
 //!
-//! The quotient and G's leading term, −8/π, are pairs. The rest of G is z times a polynomial, at most a
-//! twelfth of G, and its roundings are all that counts: a relative error of K of the order of u z. On the
-//! border and above, an error of K counts κ = K²/(α² − K²) ≤ K²/(1/Ω² − 1)² times in Δ₀, and κ z < 2.5: so
-//! the closer to Ω = 1, the more digits there are where they are needed.
+//! The quotient and G's leading term, −8/π, are pairs. The rest of G is z times a polynomial and at most a
+//! twelfth of G. Only its roundings matter: they give K a relative error of the order of u z. On the border
+//! and above, an error of K is multiplied in Δ₀ by κ = K²/(α² − K²) ≤ K²/(1/Ω² − 1)², and κ z < 2.5. The
+//! accuracy of K therefore increases towards Ω = 1 just as Δ₀ requires.
 //!
-//! **Elsewhere** the angle is reduced, and K is a quotient of pairs, or is computed with guard digits.
+//! **Elsewhere** the angle is reduced, and K is a quotient of pairs or is computed with guard digits.
 
 use super::{
     PhaseFunction, cotangent, is_beside_one, nearest_of_three, nearest_quarter, one_minus_square_wide,
@@ -24,8 +24,8 @@ use crate::float::{AtPrecision, Float, Real, Task, pair::Pair};
 
 /// `8/π`, to twice the digits of f64; G's leading term is its negative.
 const EIGHT_OVER_PI: (f64, f64) = (2.546_479_089_470_325_5, -1.5742941340145989e-16);
-/// `(G(z) + 8/π)/z`, from the constant term up: interpolated at Chebyshev nodes, found at 60 digits and
-/// rounded. Error 6e-18 of G, falling with z.
+/// `(G(z) + 8/π)/z`, from the constant term up: interpolated at Chebyshev nodes, computed with 60 digits and
+/// rounded. The error is 6e-18 of G and decreases with z.
 const REST: [f64; 9] = [
     0.184_535_785_290_451_48,
     0.005_451_195_028_815_732,
@@ -37,25 +37,25 @@ const REST: [f64; 9] = [
     2.277_823_869_500_360_2e-10,
     1.978_423_405_222_465_2e-11,
 ];
-/// The greatest Ω of the form with G.
+/// The binary exponent of the greatest Ω for which the form with G is used.
 const GREATEST: i32 = 20;
 
 impl<F: Float> PhaseFunction<F> {
-    /// The same with the derivative of K by its own closed form.
+    /// The same value, with the derivative of K by its own closed form.
     #[inline(always)]
     pub(super) fn differentiated(self) -> Self {
         let hi = self.value.hi.differentiated_as(|| self.slope().constant() * self.omega);
         Self { value: Pair::new(hi, self.value.lo.constant()), ..self }
     }
 
-    /// Whether the form with G has the digits of the type, at this Ω.
+    /// Whether the form with G is accurate to the precision of the type at this Ω.
     #[inline(always)]
     pub(crate) fn is_rational_enough(omega: F) -> bool {
         F::PRECISION <= f64::MANTISSA_DIGITS && omega >= F::ratio(1, 2) && omega <= F::exp2i(GREATEST)
     }
 
-    /// Whether the remainder w of this Ω is below 1/2 and the crate's own circular functions have the digits
-    /// of the type.
+    /// Whether Ω is below 1/2 and the crate's own circular functions are accurate to the precision of the
+    /// type.
     #[inline(always)]
     pub(crate) fn is_acute_enough(omega: F) -> bool {
         F::PRECISION <= f64::MANTISSA_DIGITS && omega < F::ratio(1, 2)
@@ -74,7 +74,7 @@ impl<F: Float> PhaseFunction<F> {
         Self { omega, quarter, remainder, value }
     }
 
-    /// At an Ω whose K is known.
+    /// The phase function at an Ω whose K is known.
     #[inline(always)]
     pub(crate) fn of_known(omega: F, value: Pair<F>) -> Self {
         if Self::is_rational_enough(omega) {
@@ -84,7 +84,7 @@ impl<F: Float> PhaseFunction<F> {
         Self { omega, quarter, remainder, value }
     }
 
-    /// K with care.
+    /// K by the reduced angle, in compensated arithmetic or with guard digits.
     #[inline]
     pub(crate) fn refined_at(omega: F) -> Self {
         let (quarter, remainder, value) = refined_parts(omega);
@@ -92,7 +92,7 @@ impl<F: Float> PhaseFunction<F> {
     }
 }
 
-/// The form with G: its coefficients.
+/// The coefficients of the form with G.
 #[derive(Clone, Copy)]
 pub(crate) struct Quotient<F> {
     leading: Pair<F>,
@@ -112,15 +112,15 @@ impl<F: Float> Quotient<F> {
     #[inline(always)]
     pub(crate) fn at(&self, omega: F) -> Pair<F> {
         let one = F::int(1);
-        // Exact, as 2Ω − 1 is: both are multiples of Ω's last place, and not larger than 2Ω.
+        // Exact, like 2Ω − 1: both are multiples of Ω's last place, and not larger than 2Ω.
         let from_one = omega - one;
         let z = from_one * from_one * (one / (omega * omega));
         let (rest, leading) = (polynomial(&self.rest, z), self.leading);
         let hi = z.mul_add(rest, leading.hi);
         let g = Pair::new(hi, z.mul_add(rest, leading.hi - hi) + leading.lo);
         let twice_less_one = from_one + omega;
-        // Below Ω = 1 the first is the smaller one, and a multiple of the last place of the second: the sum
-        // is exact all the same.
+        // Below Ω = 1 the first term is the smaller one, but it is a multiple of the last place of the
+        // second, so that the sum is still exact.
         g * twice_less_one / Pair::fast_two_sum(twice_less_one, omega)
     }
 }
@@ -158,7 +158,7 @@ fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
 
 /// [`compensated`] away from Ω = 1, for even or odd q.
 ///
-/// One quotient for both, so that loops do not branch.
+/// One quotient serves both, so that loops do not branch.
 #[inline(always)]
 pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pair<F> {
     let cotangent = cotangent::y_cot_y(w);
@@ -166,15 +166,15 @@ pub(super) fn of_remainder<F: Float>(omega: F, is_even: bool, w: Pair<F>) -> Pai
     (one_minus_square_wide(omega) * over / (under * omega)).normalised()
 }
 
-/// q mod 4, w and K with care; not a whole [`PhaseFunction`], so that the common path keeps its own in
-/// registers.
+/// q mod 4, w and K of [`PhaseFunction::refined_at`]. It does not return a [`PhaseFunction`], so that the
+/// common path keeps its own in registers.
 #[cold]
 #[inline(never)]
 fn refined_parts<F: Float>(omega: F) -> (u8, Pair<F>, Pair<F>) {
     F::fused(Refined(omega))
 }
 
-/// [`refined_parts`].
+/// The task of [`refined_parts`].
 struct Refined<F>(F);
 
 impl<F: Float> Task for Refined<F> {
@@ -192,7 +192,7 @@ impl<F: Float> Task for Refined<F> {
     }
 }
 
-/// K(Ω) with guard digits, as a pair.
+/// A task that computes K(Ω) with guard digits, as a pair.
 struct Guarded<F>(F);
 
 impl<F: Float> AtPrecision<F> for Guarded<F> {
@@ -212,7 +212,7 @@ impl<F: Float> AtPrecision<F> for Guarded<F> {
 #[inline]
 pub(super) fn y_cot_y<F: Float>(y: F) -> F {
     let y2 = y.square();
-    // Below √ε the first two terms of the series, 1 − y²/3 − y⁴/45, are already exact to rounding.
+    // Below √ε the first two terms of the series 1 − y²/3 − y⁴/45 − … are exact to rounding.
     if y2 < F::epsilon() { F::int(1) - y2 / F::int(3) } else { y / y.tan() }
 }
 
