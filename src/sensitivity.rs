@@ -92,9 +92,9 @@ impl Sensitivities<5> {
     /// The outputs in physical units ([`Output::unit`]) and their derivatives with respect to m, k, r_y, the
     /// amplitude and ω_d, in this order.
     ///
-    /// All other parameters are constant, including the damping constant c. Under base motion a change of
-    /// stiffness also changes the force. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`, computed in
-    /// two ways.
+    /// All other parameters are constant, including the damping constant c. If the spring's foot moves, a
+    /// change of stiffness also changes the force. Both loop sizes are the energy of a cycle, `4 r_y Δ₀`,
+    /// computed in two ways.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`], or a scale overflows or underflows.
@@ -170,7 +170,7 @@ mod tests {
         let [_, _, by_friction, by_force, _] = delta.elasticities([2.0, 8.0, 3.0, 9.0, 1.5]);
         let grown = by_friction + by_force;
         assert!((grown - 1.0).abs() < 1e-13, "{grown}");
-        // Under foot motion a stiffer spring means a larger force.
+        // If the spring's foot moves, a stiffer spring means a larger force.
         let based = Sensitivities::by_parameters(
             &body,
             &Drive::new(crate::Excitation::FootMotion, 9.0 / 8.0, 1.5).unwrap(),

@@ -1,4 +1,5 @@
-//! Parameters that are known to intervals, or by distributions: what the outputs can be.
+//! Parameters that are known to lie in intervals, or by their distributions, and the resulting ranges of the
+//! outputs.
 //!
 //! | file | what |
 //! |---|---|
@@ -6,13 +7,13 @@
 //! | [`MachineBox`] | m, k, r_y, p₀ or u_g0, ω_d and c in intervals |
 //! | `enclosure` | guaranteed ranges of the displacement and the energy |
 //! | `enclosed` | ranges of any output in ball arithmetic (feature `mp`) |
-//! | `samples` | points of a box, for what is not known to be monotone |
+//! | `samples` | points of a box, for outputs that are not known to be monotone |
 //! | `random` | Monte-Carlo over distributions (feature `random`) |
 //!
-//! # From which start
+//! # Which start
 //!
-//! From every one: a box has no static friction above the kinetic one, so there is one limit. At Ω = 1/(2n)
-//! each start leads to a member of a family, none of which sticks.
+//! The results hold for every start: a box has no static friction above the kinetic one, so there is one
+//! limit. At Ω = 1/(2n) each start leads to a member of a family, none of which sticks.
 //!
 //! # What is guaranteed, and why
 //!
@@ -28,26 +29,26 @@
 //! | V₀ | Δ₀/B, hence α (rising) | exact for one Ω; sampled over an interval of them |
 //! | K², hence α* = √2 \|K\| | Ω: falling from 1/(2n+1) to 1/(2n), rising from there to 1/(2n−1); for n = 1 to ∞ | exact |
 //!
-//! K² rises for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` falls with v = 1/Ω²; below, because
-//! T does within each half lobe and `|T′/T| ≥ π` outweighs the rest (ibid.). V₀ rises with Δ₀ because
-//! ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not negative. **Pieces:** between two neighbouring zeros or
-//! poles of K both `K²` and `|1 − Ω²|` are monotone in Ω, so that their values at the ends of a piece bound
-//! them within, and the bounds of all pieces together bound the output. They are not sharp: they exceed the
-//! range by an amount that shrinks like 1/pieces.
+//! K² increases for Ω > 1/2 because κ(v) of `src/nonsticking/border/lobe.rs` decreases with v = 1/Ω². Below
+//! 1/2 it is monotone because T is, within each half lobe, and `|T′/T| ≥ π` outweighs the other terms
+//! (ibid.). V₀ increases with Δ₀ because ∂V₀/∂(Δ₀/B) = cos Ωψ at its maximum, which is not negative.
+//! **Pieces:** between two neighbouring zeros or poles of K both `K²` and `|1 − Ω²|` are monotone in Ω. Their
+//! values at the ends of a piece therefore bound them within, and the bounds of all pieces together bound the
+//! output. These bounds are not sharp: they exceed the range by an amount that decreases like 1/pieces.
 //!
-//! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone: their ranges are **sampled**,
-//! at every corner of the box and at points spread over it, which is a range from the inside, and the result
-//! says so.
+//! All other outputs (phases, Δ₁, contraction, …) are not known to be monotone. Their ranges are **sampled**
+//! at every corner of the box and at points spread over it. A sampled range lies inside the true one, and is
+//! marked as sampled.
 //!
-//! # What is included of rounding
+//! # Rounding
 //!
-//! Guaranteed means for the exact values: each range is wider at both ends by more than the formulae can lose
-//! to rounding. Sums, products, quotients and roots lose half a unit in the last place each, by IEEE 754:
-//! that is a theorem. K(Ω) and the border enter as right to 2 and 8 units. K² then has a margin of 10 units,
-//! 1/|1 − Ω²| of 4 for three roundings, the border of 10, and what is computed from them of 8 more. The 2 and
-//! the 8 are bounds that were measured: with the feature `mp` a test holds the ranges against enclosures at
-//! 10⁵ points. Nothing at all is left out by `RatioBox::enclosed` and `MachineBox::enclosed` (feature `mp`):
-//! the range of any output, with a damper, too, computed in balls.
+//! A guaranteed range holds for the exact values: it is widened at both ends by more than the formulae can
+//! lose to rounding. Sums, products, quotients and roots lose half a unit in the last place each, by IEEE
+//! 754. K(Ω) and the border count as accurate to 2 and 8 units. K² then has a margin of 10 units, 1/|1 − Ω²|
+//! of 4 for three roundings, the border of 10, and values computed from them of 8 more. The 2 and the 8 are
+//! measured bounds: with the feature `mp` a test compares the ranges with enclosures at 10⁵ points.
+//! `RatioBox::enclosed` and `MachineBox::enclosed` (feature `mp`) rest on no measured bound: they compute the
+//! range of any output in balls, with damping too.
 //!
 //! ```
 //! use stickslip::uncertainty::{Interval, MachineBox};
@@ -89,7 +90,7 @@ use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::within;
 
-/// What is known of a parameter: it lies between two numbers, which belong to it.
+/// The knowledge of a parameter: it lies between two numbers, inclusive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[must_use]
@@ -104,11 +105,11 @@ impl<F: Float> Interval<F> {
         Self { low: x, high: x }
     }
 
-    /// Between `low` and `high`. Whether the numbers make sense for a parameter is judged where the interval
-    /// is used.
+    /// The interval from `low` to `high`. Whether the numbers are valid for a parameter is checked where the
+    /// interval is used.
     ///
     /// # Errors
-    /// [`Error::EmptyInterval`] where not `low ≤ high`.
+    /// [`Error::EmptyInterval`] unless `low ≤ high`.
     pub fn between(low: F, high: F) -> Result<Self, Error> {
         if low <= high {
             Ok(Self { low, high })
@@ -129,7 +130,7 @@ impl<F: Float> Interval<F> {
     /// `x ± off`.
     ///
     /// # Errors
-    /// [`Error::EmptyInterval`] where not `off ≥ 0`.
+    /// [`Error::EmptyInterval`] unless `off ≥ 0`.
     pub fn absolute(x: F, off: F) -> Result<Self, Error> {
         Self::between(x - off, x + off)
     }
@@ -144,7 +145,7 @@ impl<F: Float> Interval<F> {
         self.high
     }
 
-    /// Whether it is one number.
+    /// Whether the interval is a single number.
     pub(crate) fn is_exact(&self) -> bool {
         self.low == self.high
     }
@@ -155,22 +156,22 @@ impl<F: Float> Interval<F> {
     }
 }
 
-/// How a range is known.
+/// How a range was obtained.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Known {
-    /// No parameters in the box give a value outside this range. `sharp` where its ends are taken, too.
+    /// No parameters in the box give a value outside this range.
     Guaranteed {
-        /// Whether both ends are values that are taken in the box, but for the margin for rounding.
+        /// Whether both ends are values attained in the box, except for the margin for rounding.
         sharp: bool,
     },
     /// The least and the greatest value found at some points: the range is at least that wide.
     Sampled {
-        /// Points looked at.
+        /// The number of points tried.
         points: u32,
-        /// Points at which the output exists: the body does not stick there.
+        /// The number of points at which the output exists because the body does not stick there.
         existing: u32,
     },
 }
@@ -185,12 +186,12 @@ pub struct Range<F> {
     pub low: F,
     /// Its upper end; infinite where the output is not bounded in the box.
     pub high: F,
-    /// How it is known.
+    /// How the range was obtained.
     pub known: Known,
 }
 
 impl<F: Float> Range<F> {
-    /// Whether it holds for all parameters of the box.
+    /// Whether the range holds for all parameters of the box.
     pub const fn is_guaranteed(&self) -> bool {
         matches!(self.known, Known::Guaranteed { .. })
     }

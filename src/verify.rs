@@ -1,18 +1,18 @@
-//! The equations of the paper and the answers of this crate, held against the motion, at the precision of the
-//! type.
+//! The equations of the paper and the answers of this crate, checked against the motion at the precision of
+//! the type.
 //!
-//! [`verify`] evaluates every identity at a spread of points and reports the worst residual of each in units
-//! of the last place of its terms. A true identity leaves the rounding of its operations; a false one misses
-//! by some `2^PRECISION` units. What is wrong as printed is there too, and has to fail.
+//! [`verify`] evaluates every identity at a set of points and reports the worst residual of each, in units of
+//! the last place of its terms. A true identity leaves the rounding of its operations; a false one is off by
+//! about `2^PRECISION` units. Statements that are wrong as printed are included, and must fail.
 //!
-//! Three witnesses are asked, none of which knows the closed forms:
+//! There are three independent references, none of which uses the closed forms:
 //!
-//! * the equations of the paper themselves, with the answers put in;
+//! * the equations of the paper themselves, into which the answers are substituted;
 //! * the **exact motion** from rest ([`crate::exact`]): its extrema and their phases, its work, its
 //!   multipliers, its half-turn map by differences, and its stops on either side of the border;
 //! * **Newton's method** on eq. 21–25 ([`Solvable`]), at the same points and on the border.
 //!
-//! The cycle with viscous damping is held against the same three (`damped`).
+//! The cycle with viscous damping is checked against the same three (`damped`).
 //!
 //! ```
 //! use core::ops::ControlFlow;
@@ -57,49 +57,51 @@ pub use enclosed::verify_enclosed;
 use formulae::{Formulae, Library};
 use terms::{Claim, Terms};
 
-/// Units in the last place of its largest term that rounding may leave of a true identity.
+/// The greatest residual that rounding may leave of a true identity, in units of the last place of its
+/// largest term.
 ///
-/// Measured: below 64, at 53 to 4096 bits.
+/// Measured residuals are below 64, at 53 to 4096 bits.
 pub(crate) const TOLERANCE: f64 = 128.0;
 
-/// How an equation of the paper stands.
+/// Whether an equation of the paper holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Standing {
     /// It holds at every point.
     Holds,
-    /// As printed it does not hold where `docs/errata.md` says so, and must be seen to fail there.
+    /// As printed it does not hold where `docs/errata.md` says so, and the check must show that.
     Refuted,
 }
 
-/// How many of the digits of the type an identity is good to.
+/// The share of the type's digits to which an identity holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Digits {
     All,
-    /// A difference quotient: half of them. Its residual is in units of the square root of the last place.
+    /// A difference quotient keeps half of them. Its residual is in units of the square root of the last
+    /// place.
     Half,
 }
 
-/// One identity: which, and what is left of it in a case.
+/// One identity and its residual in a case.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Identity<F> {
-    /// The equation's number, with a letter where one has parts.
+    /// The equation's number, with a letter where the equation has parts.
     pub(crate) equation: &'static str,
-    /// What it says.
+    /// The statement in words.
     pub(crate) statement: &'static str,
-    /// Whether it is to hold or to fail.
+    /// Whether it must hold or fail.
     pub(crate) standing: Standing,
     digits: Digits,
     residual: Residual<F>,
 }
 
-/// What an identity asks for.
+/// The function that gives the residual, by the data that it needs.
 #[derive(Debug, Clone, Copy)]
 enum Residual<F> {
-    /// The closed forms, in any arithmetic.
+    /// It needs only the closed forms, in any arithmetic.
     OfTerms(fn(&Terms<'_, F>) -> Option<F>),
-    /// Order, the exact motion or Newton's method as well.
+    /// It also needs order, the exact motion or Newton's method.
     OfCase(fn(&Case<'_, F>) -> Option<F>),
 }
 
@@ -111,7 +113,7 @@ impl<F> From<Claim<F>> for Identity<F> {
 }
 
 impl<F: Float> Identity<F> {
-    /// Left less right side against the size of the terms; `None` where the identity does not apply.
+    /// The left side minus the right side, relative to the terms; `None` where the identity does not apply.
     pub(crate) fn relative_residual(&self, case: &Case<'_, F>) -> Option<F> {
         let unit = match self.digits {
             Digits::All => F::int(1),
@@ -125,32 +127,32 @@ impl<F: Float> Identity<F> {
     }
 }
 
-/// What came of an identity over all points.
+/// The result of an identity over all points.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Verdict {
     /// The equation's number.
     pub equation: &'static str,
-    /// What it says.
+    /// The statement in words.
     pub statement: &'static str,
-    /// Whether it is to hold or to fail.
+    /// Whether it must hold or fail.
     pub standing: Standing,
     /// The number of points where it applies.
     pub points: usize,
-    /// Of an identity that holds, the largest residual in units of the last place of its terms (of their
-    /// square root, where it is one of differences); of one that is refuted, the smallest, relative to its
+    /// For an identity that holds: the largest residual, in units of the last place of its terms, or of their
+    /// square root for a difference quotient. For one that is refuted: the smallest residual, relative to its
     /// terms.
     pub worst: f64,
-    /// Ω and α where that is, with all digits.
+    /// Ω and α at that point, with all digits.
     pub at: Option<(String, String)>,
-    /// The damping ratio ζ there, if there is a damper.
+    /// The damping ratio ζ at that point, if there is a damper.
     pub damping_ratio: Option<String>,
-    /// Holds within 128 units in the last place of its largest term, or is refuted by more than that.
+    /// Whether it holds within 128 units in the last place of its largest term, or is refuted by more than
+    /// that.
     pub passed: bool,
 }
 
-/// Every identity there is. Those of the exact motion, of Newton's method and of the border apply in
-/// [`verify`] alone.
+/// All identities. Those of the exact motion, of Newton's method and of the border apply only in [`verify`].
 pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
     let of_terms = matching::identities().into_iter().chain(cycle::identities());
     [
@@ -164,15 +166,15 @@ pub(crate) fn identities<F: Float>() -> Vec<Identity<F>> {
     .concat()
 }
 
-/// Holds every identity against the cycles at a spread of points.
+/// Checks every identity for the cycles at a set of points.
 ///
-/// `step` is told (done, all) points, a few times at each point, and may end it all by
+/// `step` receives the numbers of points (done, all) several times at each point, and may stop the check by
 /// [`ControlFlow::Break`].
 ///
-/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3, 1/2, and near Ω = 1, 1/3, 1/5
-/// and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine; α is 1.01, 1.5 and 4
-/// times the exact border. With damping: twelve Ω from 0.18 to 4, 1 among them, and ζ from 0.01 to 1.6, each
-/// with one of these α.
+/// The points lie on both sides of Ω = 1, in the bands between 1/5, 1/4, 1/3 and 1/2, and near Ω = 1, 1/3,
+/// 1/5 and 1/7 at distances down to 10⁻³⁰ where the precision is at least twice as fine. α is 1.01, 1.5 and 4
+/// times the exact border. With damping there are twelve Ω from 0.18 to 4, including 1, and ζ from 0.01 to
+/// 1.6, each with one of these α.
 pub fn verify<F: Solvable, B>(
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
 ) -> ControlFlow<B, Vec<Verdict>> {
@@ -189,7 +191,7 @@ pub fn verify<F: Solvable, B>(
     })
 }
 
-/// The same of another set of formulae.
+/// The same for another set of formulae.
 fn verify_by<F: Solvable, B>(
     formulae: &dyn Formulae<F>,
     mut step: impl FnMut(usize, usize) -> ControlFlow<B>,
@@ -230,7 +232,7 @@ struct Tally<F> {
 impl<F: Float> Tally<F> {
     fn add(&mut self, standing: Standing, residual: F, cycle: &Cycle<F>) {
         self.points = self.points.saturating_add(1);
-        // A residual that is not a number is the worst of all, of either kind.
+        // For either kind, a residual of NaN is the worst of all.
         let worse = self.worst.as_ref().is_none_or(|(worst, _)| match standing {
             Standing::Holds => residual > *worst || is_nan(residual),
             Standing::Refuted => residual < *worst || is_nan(residual),
@@ -269,7 +271,7 @@ fn is_nan<F: Float>(x: F) -> bool {
     x.partial_cmp(&x).is_none()
 }
 
-/// The cycle at α `times` the exact border, where there is one.
+/// The cycle at α `times` the exact border, where it exists.
 fn above_border<F: Float>(omega: F, times: F) -> Option<Cycle<F>> {
     let least = Border::new(omega).ok()?.min_force_ratio;
     Ratios::new(omega, least * times).and_then(Cycle::new).ok()

@@ -14,18 +14,18 @@ use crate::regime::{Regime as Decided, Verdict};
 use parts::{Ends, Over};
 use rug::{Rational, float::Round};
 
-/// Bits of the balls: the boxes make them much wider than rounding does.
+/// Bits of the balls: the box widens them far more than rounding does.
 const BITS: u32 = 64;
 
 impl<F: Float> RatioBox<F> {
-    /// The range of any output over the box, proved in ball arithmetic: no formula is assumed to be right to
-    /// so many digits, and no output to be monotone. `None` where the output does not exist in some part of
-    /// the box, or that is undecided.
+    /// The range of any output over the box, proved in ball arithmetic. It assumes neither a measured
+    /// accuracy of the formulae nor that an output is monotone. `None` where the output does not exist in
+    /// some part of the box, or where that is undecided.
     ///
-    /// The box is cut into `pieces` parts at most, where the ends of the range are, and each part is enclosed
-    /// as [`enclosed::response`] does it. The range exceeds the sharp one, the less the more parts there are.
-    /// A part takes about a millisecond, and tens of them for the maximum acceleration below Ω = 1/2. A phase
-    /// may leave [0, 2π) by as much.
+    /// The box is cut into at most `pieces` parts, preferably at the ends of the range, and each part is
+    /// enclosed as by [`enclosed::response`]. The range exceeds the sharp one, by less the more parts there
+    /// are. A part takes about a millisecond, or tens of milliseconds for the maximum acceleration below Ω =
+    /// 1/2. A phase may lie outside [0, 2π) by the width of its range.
     ///
     /// # Errors
     /// Where a ratio is outside the domain of [`crate::Ratios`].
@@ -40,7 +40,7 @@ impl<F: Float> RatioBox<F> {
     /// ```
     pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
         let Some([omega, alpha, zeta]) = self.ends() else { return Ok(None) };
-        // The border is the same at every α.
+        // The border does not depend on α.
         let is_of_border = !output.is_of_cycle() && output != Output::Margin;
         let alpha = if is_of_border { (alpha.0.clone(), alpha.0) } else { alpha };
         let found = parts::range(vec![omega, alpha, zeta], pieces, |part| of_ratios(output, part))?;
@@ -48,8 +48,9 @@ impl<F: Float> RatioBox<F> {
     }
 
     /// The verdict that holds for the whole box, with its damping, from the margin in ball arithmetic. Where
-    /// that is on neither side of 1, the box is cut, into `pieces` parts at most.
-    /// [`super::MachineBox::enclosed_verdict`] says which part of a verdict is proved and which is searched.
+    /// the margin may lie on either side of 1, the box is cut into at most `pieces` parts.
+    /// [`super::MachineBox::enclosed_verdict`] says which part of a verdict is proved and which is found by a
+    /// search.
     ///
     /// # Errors
     /// As for [`RatioBox::enclosed`].
@@ -81,20 +82,20 @@ impl<F: Float> RatioBox<F> {
     }
 }
 
-/// What is known of an output where Ω, α and ζ are in these intervals.
+/// The values of an output for Ω, α and ζ in these intervals.
 fn of_ratios(output: Output, part: &[Ends]) -> Result<Over, Error> {
     let [omega, alpha, zeta] = part else { return Ok(Over::Undecided) };
     let found = response(output, [omega, alpha, zeta])?;
     Ok(over(output, &found, bounds))
 }
 
-/// The closed forms where Ω, α and ζ are in these intervals.
+/// The closed forms for Ω, α and ζ in these intervals.
 fn response(output: Output, ratios: [&Ends; 3]) -> Result<Response, Error> {
     let [omega, alpha, zeta] = ratios.map(|(low, high)| enclosed::Known::of_ends(low.clone(), high.clone()));
     enclosed::response_for(output, &omega, &alpha, &zeta, BITS)
 }
 
-/// What is known of an output from the closed forms over a part of a box; `to` bounds an enclosure.
+/// The values of an output from the closed forms over a part of a box; `to` bounds an enclosure.
 fn over(output: Output, found: &Response, to: impl Fn(&Enclosure) -> Option<Ends>) -> Over {
     let exists = match found.regime {
         Some(Regime::NonSticking) => true,
@@ -105,7 +106,7 @@ fn over(output: Output, found: &Response, to: impl Fn(&Enclosure) -> Option<Ends
     values.map_or(Over::Undecided, Over::Values)
 }
 
-/// The ends as rational numbers; a unit in the last place of f64 farther out where an end is no f64.
+/// The ends as rational numbers. An end that is no f64 is moved outwards by a unit in the last place.
 fn ends<F: Float>(interval: Interval<F>) -> Option<Ends> {
     let (low, high) = (interval.low().to_f64(), interval.high().to_f64());
     let low = if F::from_f64(low) == interval.low() { low } else { low.next_down() };
@@ -123,12 +124,12 @@ fn guaranteed<F: Float>((low, high): Ends) -> Range<F> {
     Range { low: rounded(&low, -1), high: rounded(&high, 1), known: Known::Guaranteed { sharp: false } }
 }
 
-/// The nearest number of the type below (−1) or above (1), or one that is a little farther.
+/// The nearest number of the type below (−1) or above (1), or one slightly farther out.
 fn rounded<F: Float>(x: &Rational, side: i32) -> F {
     let round = if side < 0 { Round::Down } else { Round::Up };
     let bound = rug::Float::with_val_round(53, x, round).0.to_f64();
     let found = F::from_f64(bound);
-    // A type with fewer digits has rounded once more.
+    // A type with fewer digits has rounded a second time.
     let is_inside = if side < 0 { found.to_f64() > bound } else { found.to_f64() < bound };
     if is_inside { found + F::int(side) * F::epsilon() * found.abs() } else { found }
 }

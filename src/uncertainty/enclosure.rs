@@ -17,21 +17,20 @@ fn ordered<F: Float>(a: F, b: F) -> Interval<F> {
     if a <= b { Interval { low: a, high: b } } else { Interval { low: b, high: a } }
 }
 
-/// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, or one more
+/// The pieces of an interval of Ω that contains neither 1 nor a pole 1/(2n+1): `count` of them, and one more
 /// where K = 0 at an Ω within.
 pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> {
     let one = F::int(1);
     let count = if omega.is_exact() { 1 } else { i32::try_from(count.max(1)).unwrap_or(i32::MAX) };
     let mut ends: Vec<F> = (0..=count).map(|i| omega.at(F::ratio(i, count))).collect();
-    // The only zero 1/(2n) that can be inside, if any: within one of it there is no other without a pole in
-    // between.
+    // The only zero 1/(2n) that can lie inside, since there is a pole between any two zeros.
     let turns = F::int(2) * (one / (F::int(2) * omega.low)).floor();
     let zero = one / turns;
     if turns > F::int(0) && zero > omega.low && zero < omega.high {
         ends.push(zero);
         ends.sort_by(|a, b| a.partial_cmp(b).unwrap_or(core::cmp::Ordering::Equal));
     }
-    // K² is zero at 1/(2n), which the type need not have.
+    // K² is zero at 1/(2n), which the type may not represent.
     let at = |omega: F| {
         let k = if omega == zero { F::int(0) } else { PhaseFunction::of_valid(omega).value() };
         (k.square(), one / one_minus_square(omega).abs())
@@ -49,7 +48,7 @@ pub(super) fn pieces<F: Float>(omega: Interval<F>, count: u32) -> Vec<Piece<F>> 
         .collect()
 }
 
-/// The range that covers all of some.
+/// The range that covers all of these.
 pub(super) fn hull<F: Float>(ranges: impl Iterator<Item = Interval<F>>, sharp: bool) -> Option<Range<F>> {
     let all = ranges.reduce(|a, b| Interval {
         low: if b.low < a.low { b.low } else { a.low },
@@ -64,7 +63,8 @@ impl<F: Float> Piece<F> {
     pub(super) fn root(&self, force: Interval<F>, friction: Interval<F>) -> Interval<F> {
         let root = |p: F, k_squared: F, r: F| {
             let kr = k_squared.sqrt() * r;
-            // Not below zero for a cycle that exists: where the bounds overshoot, zero bounds as well.
+            // The radicand is not negative for a cycle that exists; where the bounds are negative, zero is a
+            // bound as well.
             F::int(0).or_larger((p - kr) * (p + kr)).sqrt()
         };
         Interval {
@@ -73,7 +73,7 @@ impl<F: Float> Piece<F> {
         }
     }
 
-    /// Bounds of `r √(p² − K² r²)`: by friction a parabola in r², with its maximum at r² = p²/(2K²).
+    /// Bounds of `r √(p² − K² r²)`. Its square is a parabola in r², with its maximum at r² = p²/(2K²).
     pub(super) fn work(&self, force: Interval<F>, friction: Interval<F>) -> Interval<F> {
         let work = |p: F, k_squared: F, r: F| r * self.at(p, k_squared, r);
         let (a, b) = (
@@ -99,21 +99,22 @@ impl<F: Float> Piece<F> {
 }
 
 impl<F: Float> Interval<F> {
-    /// Wider by `n` times the type's ε at each end: by more than was lost to rounding on the way.
+    /// Widens the interval by `n` times the type's ε at each end, which exceeds the accumulated rounding.
     ///
-    /// K is right to 2 units in the last place, so that 10 of K² leave 3 for the products with it; 1/|1 − Ω²|
-    /// is to 3, the border to 8, and products, quotients and roots take half of one each.
+    /// K is accurate to 2 units in the last place, so that the 10 units of K² leave 3 for the products with
+    /// it. 1/|1 − Ω²| is accurate to 3, the border to 8, and products, quotients and roots to half a unit
+    /// each.
     pub(super) fn outward(self, n: i32) -> Self {
         let share = F::int(n) * F::epsilon();
         Self { low: self.low - share * self.low.abs(), high: self.high + share * self.high.abs() }
     }
 
-    /// The product of two intervals of numbers not below zero.
+    /// The product of two intervals of nonnegative numbers.
     pub(super) fn times(self, other: Self) -> Self {
         Self { low: self.low * other.low, high: self.high * other.high }
     }
 
-    /// The quotient of two intervals of numbers above zero.
+    /// The quotient of two intervals of positive numbers.
     pub(super) fn over(self, other: Self) -> Self {
         Self { low: self.low / other.high, high: self.high / other.low }
     }

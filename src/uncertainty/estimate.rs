@@ -1,4 +1,4 @@
-//! What is estimated from measurements or draws.
+//! Estimates from measurements or draws.
 
 /// An estimate with its standard error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,11 +16,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
-    /// The interval that holds the true value in 95 % of such measurements or runs, if their errors are
+    /// The interval that contains the true value in 95 % of such measurements or runs, if their errors are
     /// independent and normal.
     ///
-    /// The quantile of Student's distribution is that of its expansion by the degrees of freedom, good to 1 %
-    /// from 3 of them on.
+    /// The quantile of Student's distribution is computed by its expansion in the degrees of freedom,
+    /// accurate to 1 % from 3 degrees on.
     #[must_use]
     pub fn interval(&self) -> (f64, f64) {
         let half = student(self.degrees_of_freedom) * self.standard_error;
@@ -44,7 +44,7 @@ mod tests {
 
     #[test]
     fn the_quantiles_of_students_distribution() {
-        // From tables.
+        // Tabulated quantiles.
         let table =
             [(3.0, 3.182_446), (5.0, 2.570_582), (10.0, 2.228_139), (28.0, 2.048_407), (100.0, 1.983_972)];
         for (n, expected) in table {

@@ -9,8 +9,8 @@ use crate::output::Output;
 use crate::regime::Verdict;
 use crate::response::Response;
 
-/// Mass, stiffness, friction bound, amplitude and angular frequency in intervals, independent of each other;
-/// and a damper, if there is one ([`MachineBox::with_damping`]).
+/// Mass, stiffness, friction bound, amplitude and angular frequency in independent intervals, and a damper if
+/// there is one ([`MachineBox::with_damping`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct MachineBox<F> {
@@ -56,13 +56,13 @@ impl<F: Float> MachineBox<F> {
             .checked()
     }
 
-    /// The same with a viscous damper of constant c in an interval.
+    /// The same with a viscous damper whose constant c lies in an interval.
     ///
-    /// Ranges are sampled then ([`MachineBox::range`]) or, with the feature `mp`, proved
+    /// Ranges are then sampled ([`MachineBox::range`]) or, with the feature `mp`, proved
     /// (`MachineBox::enclosed`).
     ///
     /// # Errors
-    /// Where an end of it is not finite or below 0.
+    /// Where an end is not finite or below 0.
     pub fn with_damping(self, damping: Interval<F>) -> Result<Self, Error> {
         Self { damping, ..self }.checked()
     }
@@ -104,11 +104,12 @@ impl<F: Float> MachineBox<F> {
         if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
 
-    /// The box of ratios that contains those of all machines of this one: Ω = ω_d √(m/k), α = p₀/r_y, ζ =
+    /// The box of ratios that contains those of all machines of this box: Ω = ω_d √(m/k), α = p₀/r_y, ζ =
     /// c/(2√(km)), each monotone in each parameter.
     ///
-    /// Its ends are taken, but under base motion and with a damper, where k and m are in more than one, not
-    /// all of it is. Widened by what the quotients and the root may have lost to rounding.
+    /// Its ends are attained. Under foot motion and with a damper, k and m occur in more than one ratio, so
+    /// that not all of the box is attained. It is widened by the possible rounding of the quotients and the
+    /// root.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`crate::Ratios`].
@@ -129,9 +130,9 @@ impl<F: Float> MachineBox<F> {
 
     /// The verdict that holds for the whole box; [`Verdict::sticks`] says whether the body sticks.
     ///
-    /// Under base motion and with a damper a box that is just decided may be called undecided
-    /// ([`MachineBox::ratios`]). A damper takes the feature `mp` ([`RatioBox::verdict`]);
-    /// `MachineBox::enclosed_verdict` cuts the box into as many parts as it is told to.
+    /// Under foot motion and with a damper, a box that is only just decided may be called undecided
+    /// ([`MachineBox::ratios`]). A damper needs the feature `mp` ([`RatioBox::verdict`]);
+    /// `MachineBox::enclosed_verdict` cuts the box into as many parts as requested.
     ///
     /// # Errors
     /// As [`MachineBox::ratios`] and [`RatioBox::verdict`].
@@ -140,14 +141,14 @@ impl<F: Float> MachineBox<F> {
     }
 
     /// The range of an output over the box, in physical units ([`Output::unit`]); `None` where it exists at
-    /// no point that was looked at.
+    /// none of the points tried.
     ///
-    /// Guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin, by the
-    /// module's head; sampled otherwise, as is everything with a damper, and what belongs to the cycle where
-    /// the body may stick. `points` is the number of points, or of pieces.
+    /// It is guaranteed for Δ₀, the energy of a cycle (both loop sizes), the minimum force and the margin
+    /// (see the module's documentation). It is sampled for all other outputs, with a damper, and for outputs
+    /// of the cycle where the body may stick. `points` is the number of points or of pieces.
     ///
     /// # Errors
-    /// As [`MachineBox::ratios`], and where a scale over- or underflows.
+    /// As for [`MachineBox::ratios`], and where a scale overflows or underflows.
     pub fn range(&self, output: Output, points: u32) -> Result<Option<Range<F>>, Error> {
         match self.guaranteed(output, points)? {
             Some(range) => Ok(Some(range)),
@@ -176,7 +177,7 @@ impl<F: Float> MachineBox<F> {
         }
         let ratios = self.ratios()?;
         if output == Output::MinForceRatio {
-            // r_y has no part in Ω: the two factors are independent.
+            // Ω does not depend on r_y, so that the two factors are independent.
             let border = ratios.range(output, count)?;
             return Ok(border.map(|border| {
                 let ends = Interval { low: border.low, high: border.high };
@@ -196,7 +197,7 @@ impl<F: Float> MachineBox<F> {
         let bounds = found.iter().filter_map(|piece| {
             let stiffness = self.stiffness_in(piece)?;
             let force = self.force_at(stiffness);
-            // Δ₀ = √(p₀² − K² r_y²)/(k |1 − Ω²|), and 4 r_y of it
+            // Δ₀ = √(p₀² − K² r_y²)/(k |1 − Ω²|), and 4 r_y Δ₀
             let root = if is_work {
                 let work = piece.work(force, self.friction_bound);
                 Interval { low: F::int(4) * work.low, high: F::int(4) * work.high }
@@ -208,11 +209,12 @@ impl<F: Float> MachineBox<F> {
         Ok(hull(bounds, false))
     }
 
-    /// The stiffnesses that can have a frequency ratio in a piece, `k = m ω_d²/Ω²`; `None` where none can.
+    /// The stiffnesses for which the frequency ratio can lie in a piece, `k = m ω_d²/Ω²`; `None` where there
+    /// are none.
     fn stiffness_in(&self, piece: &Piece<F>) -> Option<Interval<F>> {
         let squared = |i: Interval<F>| i.times(i);
         let reachable = self.mass.times(squared(self.angular_frequency)).over(squared(piece.omega));
-        // Wider than rounding.
+        // A margin larger than rounding.
         let share = F::int(16) * F::epsilon();
         let low = self.stiffness.low.or_larger(reachable.low - share * reachable.low);
         let high = reachable.high + share * reachable.high;

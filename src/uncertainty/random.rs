@@ -19,7 +19,7 @@ pub struct Parameters {
     pub stiffness: f64,
     /// Friction bound r_y.
     pub friction_bound: f64,
-    /// Amplitude: p₀ of a force, that of the motion otherwise.
+    /// Amplitude: p₀ of a force, otherwise the amplitude of the motion.
     pub amplitude: f64,
     /// Angular frequency ω_d.
     pub angular_frequency: f64,
@@ -28,15 +28,15 @@ pub struct Parameters {
 /// Independent parameters, each with a distribution of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Independent<M, K, R, A, W> {
-    /// Of the mass m.
+    /// The distribution of the mass m.
     pub mass: M,
-    /// Of the stiffness k.
+    /// The distribution of the stiffness k.
     pub stiffness: K,
-    /// Of the friction bound r_y.
+    /// The distribution of the friction bound r_y.
     pub friction_bound: R,
-    /// Of the amplitude: p₀ of a force, that of the motion otherwise.
+    /// The distribution of the amplitude: p₀ of a force, otherwise the amplitude of the motion.
     pub amplitude: A,
-    /// Of the angular frequency ω_d.
+    /// The distribution of the angular frequency ω_d.
     pub angular_frequency: W,
 }
 
@@ -69,13 +69,13 @@ impl Distribution<f64> for Exactly {
     }
 }
 
-/// What came of draws of the parameters from distributions (Monte-Carlo).
+/// The results of random draws of the parameters (Monte-Carlo).
 ///
-/// Any distribution of `rand_distr` for each parameter ([`Independent`]), or one of one's own over all of
-/// them, where they are correlated. Reproducible: the same seed gives the same draws on every machine
-/// (ChaCha8), as far as the distributions do. Draws that make no sense, such as a negative friction bound
-/// from a normal distribution, are counted, not repeated: the probabilities are those given that the draw is
-/// valid, and [`MonteCarlo::invalid`] says how many were not.
+/// Each parameter may have any distribution of `rand_distr` ([`Independent`]); correlated parameters need a
+/// user-defined distribution over all of them. The draws are reproducible: the same seed gives the same draws
+/// on every machine (ChaCha8), as far as the distributions do. Invalid draws, such as a negative friction
+/// bound from a normal distribution, are counted and not repeated. Probabilities are conditional on a valid
+/// draw, and [`MonteCarlo::invalid`] is the number of invalid ones.
 ///
 /// ```
 /// use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
@@ -100,18 +100,18 @@ impl Distribution<f64> for Exactly {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct MonteCarlo {
-    /// Draws in all.
+    /// The total number of draws.
     pub draws: u32,
-    /// Draws without one: a parameter not above zero or not finite, or a ratio or scale outside the domain of
+    /// Invalid draws: a parameter is not positive or not finite, or a ratio or scale is outside the domain of
     /// the number type.
     pub invalid: u32,
     regimes: [(Regime, u32); 4],
-    /// Each output in increasing order, at the draws that have it.
+    /// The values of each output in increasing order, from the draws that have it.
     outputs: Vec<(Output, Vec<f64>)>,
 }
 
 impl MonteCarlo {
-    /// A machine shaken by a force or a motion, drawn `draws` times; `outputs` are kept, in physical units
+    /// Draws a machine `draws` times under a force or a motion, and keeps these `outputs` in physical units
     /// ([`Output::unit`]).
     ///
     /// # Errors
@@ -147,19 +147,19 @@ impl MonteCarlo {
         Ok(Self { draws, invalid: draws.saturating_sub(valid), regimes, outputs })
     }
 
-    /// How many of the valid draws are in each regime.
+    /// The number of valid draws in each regime.
     #[cfg(feature = "serde")]
     pub(crate) const fn regimes(&self) -> &[(Regime, u32); 4] {
         &self.regimes
     }
 
-    /// Valid draws in a regime.
+    /// The number of valid draws in a regime.
     #[must_use]
     pub fn count(&self, regime: Regime) -> u32 {
         self.regimes.iter().filter(|(r, _)| *r == regime).map(|(_, count)| count).sum()
     }
 
-    /// The probability of a regime, given that the draw is valid; NaN where none was.
+    /// The probability of a regime, given that the draw is valid; NaN if no draw was.
     ///
     /// Its standard error is `√(p̃(1 − p̃)/(n + 4))` with `p̃ = (count + 2)/(n + 4)` (Agresti and Coull),
     /// which is not zero where all draws or none are in the regime.
@@ -170,15 +170,16 @@ impl MonteCarlo {
         Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY }
     }
 
-    /// The values of an output that was kept, in increasing order, at the draws that have it: outputs of the
-    /// cycle exist where the body does not stick. Empty for one that was not kept.
+    /// The values of a kept output in increasing order, from the draws that have it: outputs of the cycle
+    /// exist where the body does not stick. Empty for an output that was not kept.
     #[must_use]
     pub fn values(&self, output: Output) -> &[f64] {
         self.outputs.iter().find(|(kept, _)| *kept == output).map_or(&[], |(_, values)| values)
     }
 
-    /// The quantile of an output, given that it exists: linear between the values in order, the least at
-    /// share 0, the greatest at share 1. `None` for a share outside [0, 1], or where there is no value.
+    /// The quantile of an output, given that it exists. It is interpolated linearly between the ordered
+    /// values, from the least at share 0 to the greatest at share 1. `None` for a share outside [0, 1], or if
+    /// there is no value.
     #[must_use]
     pub fn quantile(&self, output: Output, share: f64) -> Option<f64> {
         let values = self.values(output);
@@ -223,7 +224,7 @@ mod tests {
     use rand::Rng;
     use rand_distr::Distribution;
 
-    /// Draws that are known: (r_y, p₀, ω_d) in turn.
+    /// A fixed list of draws: (r_y, p₀, ω_d) in turn.
     struct InTurn<'a>(&'a [[f64; 3]], Cell<usize>);
 
     impl Distribution<Parameters> for InTurn<'_> {
@@ -261,7 +262,7 @@ mod tests {
             assert!((probability.standard_error / due - 1.0).abs() < 1e-15, "{regime:?}");
             assert_eq!(probability.degrees_of_freedom, f64::INFINITY);
         }
-        // In lengths, r_y/k.
+        // The unit of length is r_y/k.
         let length = |alpha: f64, unit: f64| {
             Cycle::new(Ratios::new(0.7, alpha).unwrap()).unwrap().max_displacement * unit
         };
@@ -287,7 +288,7 @@ mod tests {
         let squares: f64 = due.iter().map(|x| (x - middle).powi(2)).sum();
         assert!(close(mean.value, middle) && close(mean.standard_error, (squares / 6.0).sqrt()));
         assert_eq!(mean.degrees_of_freedom, 2.0);
-        // One value has no mean with an error, two have.
+        // The mean of one value has no standard error; that of two has.
         for (count, is) in [(1, false), (2, false), (3, true)] {
             let some = MonteCarlo::new(&InTurn(&draws, Cell::new(0)), Excitation::Force, &[output], count, 1)
                 .unwrap();

@@ -1,4 +1,4 @@
-//! Ω, α and ζ in intervals.
+//! Boxes of Ω, α and ζ.
 
 use super::enclosure::{Piece, hull, pieces};
 use super::{Interval, Known, Range, samples};
@@ -12,11 +12,11 @@ use crate::regime::Regime;
 use crate::regime::Verdict;
 use crate::response::Response;
 
-/// Parts that a verdict with damping cuts a box into, at most.
+/// The greatest number of parts for a verdict with damping.
 #[cfg(feature = "mp")]
 const VERDICT_PARTS: u32 = 1000;
 
-/// Frequency and force ratio in intervals; and the damping ratio, if there is a damper
+/// Frequency and force ratio in intervals, and the damping ratio if there is a damper
 /// ([`RatioBox::with_damping_ratio`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
@@ -39,7 +39,7 @@ impl<F: Float> RatioBox<F> {
 
     /// The same with the damping ratio ζ in an interval.
     ///
-    /// Ranges are sampled then ([`RatioBox::range`]) or, with the feature `mp`, proved
+    /// Ranges are then sampled ([`RatioBox::range`]) or, with the feature `mp`, proved
     /// (`RatioBox::enclosed`).
     ///
     /// # Errors
@@ -72,8 +72,9 @@ impl<F: Float> RatioBox<F> {
 
     /// The verdict that holds for all ratios in the box.
     ///
-    /// With damping it is that of `RatioBox::enclosed_verdict` with at most 1000 parts, some tenths of a second,
-    /// which takes the feature `mp`. Without the feature it is undecided where α exceeds 1.
+    /// With damping it is that of `RatioBox::enclosed_verdict` with at most 1000 parts. This takes some
+    /// tenths of a second and needs the feature `mp`; without the feature the verdict is undecided where α
+    /// exceeds 1.
     ///
     /// # Errors
     /// Where Ω or α leaves the domain of [`Ratios`].
@@ -85,12 +86,12 @@ impl<F: Float> RatioBox<F> {
         Verdict::within(ends(self.omega), ends(self.alpha))
     }
 
-    /// The range of an output over the box, dimensionless; `None` where it exists at no point that was looked
-    /// at.
+    /// The range of an output over the box, dimensionless; `None` where it exists at none of the points
+    /// tried.
     ///
-    /// Guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at one Ω, by the module's head;
-    /// sampled otherwise, as is everything with damping, and what belongs to the cycle where the body may
-    /// stick or Ω = 1 is inside. `points` is the number of points, or of pieces.
+    /// It is guaranteed for Δ₀, A₁, A₂, the border, the margin and α*, and for V₀ at a single Ω (see the
+    /// module's documentation). It is sampled for all other outputs, with damping, and for outputs of the
+    /// cycle where the body may stick or Ω = 1 is inside. `points` is the number of points or of pieces.
     ///
     /// # Errors
     /// As [`RatioBox::verdict`].
@@ -113,7 +114,7 @@ impl<F: Float> RatioBox<F> {
         self.enclosed_verdict(VERDICT_PARTS)
     }
 
-    /// Nothing is proved of a damper without balls.
+    /// Without ball arithmetic nothing is proved about a damper, except that the body sticks below α = 1.
     #[cfg(not(feature = "mp"))]
     fn damped_verdict(&self) -> Result<Verdict<F>, Error> {
         let one = F::int(1);
@@ -152,7 +153,7 @@ impl<F: Float> RatioBox<F> {
             let ends = ends.map(|range| Interval { low: range.low, high: range.high });
             return Ok(hull(ends.into_iter(), sharp));
         }
-        // A₁ = 8 Δ₀/α² by the share ρ = 1/α of friction: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
+        // A₁ = 8 Δ₀/α², with the friction share ρ = 1/α: 8 ρ √(1 − K²ρ²)/|1 − Ω²|; A₂ = Ω² A₁.
         let loop_size = |piece: &Piece<F>| {
             let work = piece.work(one, one.over(alpha)).times(piece.resonance);
             Interval { low: F::int(8) * work.low, high: F::int(8) * work.high }
@@ -171,7 +172,7 @@ impl<F: Float> RatioBox<F> {
         Ok(hull(pieces(omega, count).iter().filter_map(bounds), sharp))
     }
 
-    /// What follows from the range of the border; without an upper bound where a pole is inside.
+    /// A range that follows from that of the border; without an upper bound where a pole is inside.
     fn border(&self, f: impl Fn(Interval<F>) -> Interval<F>, sharp: bool) -> Result<Range<F>, Error> {
         let border = border_range(self.omega.low, self.omega.high)?;
         let infinite = F::int(1) / F::int(0);
@@ -180,7 +181,7 @@ impl<F: Float> RatioBox<F> {
         Ok(Range { low: interval.low, high: interval.high, known: Known::Guaranteed { sharp } })
     }
 
-    /// √2 |K|, monotone on each piece; only where no pole is inside.
+    /// √2 |K|, which is monotone on each piece; `None` where a pole is inside.
     fn best_force_ratio(&self) -> Result<Option<Range<F>>, Error> {
         if border_range(self.omega.low, self.omega.high)?.greatest.is_none() {
             return Ok(None);

@@ -6,8 +6,8 @@ use crate::float::Float;
 
 /// The least and the greatest value of a function of N shares in [0, 1]; `None` where it exists at no point.
 ///
-/// All 2ᴺ corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each share, a
-/// sequence that fills the box evenly and is the same in every run.
+/// The points are all 2ᴺ corners, the middle, and `points` more: `frac(1/2 + i √p)` with a prime p for each
+/// share, a sequence that fills the box evenly and is the same in every run.
 pub(super) fn range<F: Float, const N: usize>(
     points: u32,
     mut f: impl FnMut([F; N]) -> Result<Option<F>, Error>,

@@ -1,4 +1,4 @@
-//! A cycle with all that the identities ask of it.
+//! A cycle with all quantities that the identities use.
 
 use super::Solvable;
 use super::edge::OnBorder;
@@ -14,7 +14,7 @@ use crate::nonsticking::matching::pi_1;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use core::ops::Deref;
 
-/// A cycle with all that the identities ask of it: the terms of the closed forms, and more.
+/// A cycle with all quantities that the identities use: the terms of the closed forms, and more.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Case<'a, F> {
     terms: Terms<'a, F>,
@@ -24,7 +24,7 @@ pub(crate) struct Case<'a, F> {
     pub(super) motion: Option<Motion<F>>,
     /// Eq. 21–25 solved at the same (Ω, α).
     pub(super) solved: Option<Solution<F>>,
-    /// What is found on the border at Ω, in one case of each Ω.
+    /// The results on the border at Ω, in one case of each Ω.
     pub(super) on_border: Option<OnBorder<F>>,
 }
 
@@ -38,14 +38,14 @@ impl<'a, F> Deref for Case<'a, F> {
 
 #[cfg(test)]
 impl<F: Float> Case<'static, F> {
-    /// The case of a cycle, for the identities that ask for nothing beyond the closed forms.
+    /// The case of a cycle for the identities that use only the closed forms.
     pub(crate) fn new(cycle: Cycle<F>) -> Self {
         Case::by(&Library, cycle)
     }
 }
 
 impl<'a, F: Float> Case<'a, F> {
-    /// The case of a cycle, by these formulae.
+    /// The case of a cycle by these formulae.
     pub(super) fn by(formulae: &'a dyn Formulae<F>, cycle: Cycle<F>) -> Self {
         let (omega, alpha) = (cycle.ratios.omega(), cycle.ratios.alpha());
         let phase_function = PhaseFunction::of_valid(omega);
@@ -71,8 +71,8 @@ impl<'a, F: Float> Case<'a, F> {
         Self { terms, cycle, phase_function, motion: None, solved: None, on_border: None }
     }
 
-    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than
-    /// rounding: a difference as large as that counts one unit in the last place.
+    /// The residual of `found = expected`, where `doubt` is the difference that causes other than rounding
+    /// may produce. A difference of that size counts as one unit in the last place.
     pub(super) fn within(&self, residual: F, size: F, doubt: F) -> F {
         let unit = F::epsilon() * size + doubt;
         residual / unit * F::epsilon() * self.scale
@@ -80,9 +80,9 @@ impl<'a, F: Float> Case<'a, F> {
 }
 
 impl<F: Solvable> Case<'_, F> {
-    /// What the exact motion and Newton's method add at (Ω, α), one after the other.
+    /// The steps that add the exact motion and the solution by Newton's method at (Ω, α).
     pub(super) const MOTION: [fn(Self) -> Self; 2] = [Self::with_motion, Self::with_solution];
-    /// What they add on the border at Ω.
+    /// The steps that add the same on the border at Ω.
     pub(super) const BORDER: [fn(Self) -> Self; 3] =
         [Self::with_border, Self::with_stops_beside_it, Self::with_optimum];
 

@@ -1,4 +1,4 @@
-//! Eq. 15, 16, 40–67 and the multipliers: the answers themselves.
+//! Eq. 15, 16, 40–67 and the multipliers: the identities of the answers themselves.
 
 use super::followed::apart;
 use super::matching::holding;
@@ -8,14 +8,14 @@ use crate::float::{Float, Real};
 use crate::nonsticking::{matching::pi_1, stability};
 use crate::phase_function::phase_function_of_tangent;
 
-/// A phase a third of the way down the falling half, and the same half a period before.
+/// A third of the falling half cycle: its length in phase, its phase, and the phase half a period earlier.
 fn on_the_way<F: Real>(c: &Terms<'_, F>) -> (F, F, F) {
     let turn = F::pi() / F::int(3);
     let falling = c.unknowns.displacement_phase + turn;
     (turn, falling, falling - F::pi())
 }
 
-/// V₀/(Bω_d) by eq. 49 with the signs that hold.
+/// V₀/(Bω_d) by eq. 49 with the correct signs.
 fn by_49<F: Real>(c: &Terms<'_, F>) -> F {
     c.formulae.max_velocity_from_phase(
         c.given.amplitude,
@@ -27,7 +27,7 @@ fn by_49<F: Real>(c: &Terms<'_, F>) -> F {
     )
 }
 
-/// α of eq. 61, and the Δ₀/B and sin ω_d t₂ that belong to it.
+/// α of eq. 61, and the corresponding Δ₀/B and sin ω_d t₂.
 fn at_turning_point<F: Real>(c: &Terms<'_, F>) -> (F, F, F) {
     let (k, q) = (c.k, c.one_minus_square);
     let alpha = c.formulae.turning_point_border(k, q, c.given.omega);
@@ -140,7 +140,7 @@ pub(super) fn identities<F: Real>() -> Vec<Claim<F>> {
     claims
 }
 
-/// The contraction by the polynomial of the multipliers, where it is certain whether they are complex.
+/// The contraction by the characteristic polynomial, where it is certain whether the multipliers are complex.
 fn contraction<F: Real>(c: &Terms<'_, F>) -> Option<F> {
     let s = c.formulae.multiplier_product(c.given.omega, c.unknowns.max_displacement);
     let (modulus, cos_pi_1) = (c.answers.contraction, pi_1(c.given.omega).cos());
@@ -163,7 +163,7 @@ macro_rules! answered {
     };
 }
 
-/// The waveform at any phase, and the phase as it is answered.
+/// The waveform at any phase, and the phases of the answers.
 pub(super) fn answered<F: Float>() -> Vec<Identity<F>> {
     answered![
         "15" "x₁(t) is the waveform": |c| {

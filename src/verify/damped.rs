@@ -1,9 +1,9 @@
-//! The cycle with viscous damping, held against the same three witnesses: the matching conditions, the exact
-//! motion, Newton's method.
+//! The cycle with viscous damping, checked against the same three references: the matching conditions, the
+//! exact motion, and Newton's method.
 //!
-//! The matching conditions ([`System`]) know the equation of motion and no closed form. The identities of the
-//! damped cycle are not in the paper: they carry the number of the equation that they become at ζ = 0, and
-//! "ζ".
+//! The matching conditions ([`System`]) use the equation of motion and no closed form. The identities of the
+//! damped cycle are not in the paper: each carries the number of the equation that it becomes at ζ = 0,
+//! followed by "ζ".
 
 mod formulae;
 mod identities;
@@ -34,14 +34,14 @@ struct Identity<F> {
     residual: fn(&Case<'_, F>) -> Option<F>,
 }
 
-/// A cycle with all that the identities ask of it.
+/// A cycle with all quantities that the identities use.
 struct Case<'a, F> {
     formulae: &'a dyn Formulae<F>,
     cycle: Cycle<F>,
     answers: Answers<F>,
     unknowns: Unknowns<F>,
     system: System<F>,
-    /// The amplitudes of all that moves, in units of B.
+    /// The amplitude of the whole motion, in units of B.
     scale: F,
     motion: Option<Motion<F>>,
     solved: Option<Solution<F>>,
@@ -49,7 +49,7 @@ struct Case<'a, F> {
     border: Option<OnBorder<F>>,
 }
 
-/// What is found on the border.
+/// The results on the border.
 struct OnBorder<F> {
     edge: Edge<F>,
     system: System<F>,
@@ -59,18 +59,17 @@ struct OnBorder<F> {
     best: Option<(F, F)>,
 }
 
-/// The frequency ratios, in hundredths, and the damping ratios, in thousandths: below ζ = 1, there, and
-/// above.
+/// The frequency ratios in hundredths, and the damping ratios in thousandths: below, at and above ζ = 1.
 pub(super) const OMEGA: [i32; 12] = [18, 24, 29, 34, 41, 47, 70, 95, 100, 105, 150, 400];
 pub(super) const ZETA: [i32; 6] = [10, 50, 200, 700, 1000, 1600];
-/// α over the border, in hundredths, in turn.
+/// α over the border in hundredths, used in turn.
 pub(super) const OVER: [i32; 3] = [101, 150, 400];
 
-/// How many points there are.
+/// The number of points.
 pub(super) const POINTS: usize = OMEGA.len() * ZETA.len();
 
-/// Holds the identities with damping against the cycles at a spread of points: `step` is told how many are
-/// done, before each and after.
+/// Checks the identities with damping for the cycles at a set of points. `step` receives the number of points
+/// done, before each point and after the last.
 pub(super) fn verify_by<F: Solvable, B>(
     formulae: &dyn Formulae<F>,
     mut step: impl FnMut(usize) -> ControlFlow<B>,
@@ -82,7 +81,7 @@ pub(super) fn verify_by<F: Solvable, B>(
         step(done)?;
         let over = OVER.iter().cycle().nth(done).map_or(F::int(2), |&over| F::ratio(over, 100));
         let Some(cycle) = above_border(F::ratio(omega, 100), F::ratio(zeta, 1000), over) else { continue };
-        // Of a thousand digits every third motion.
+        // Beyond 512 bits only every third motion is computed.
         let with_motion = F::PRECISION <= 512 || done.is_multiple_of(3);
         let case = Case::at(formulae, cycle, with_motion);
         for (identity, tally) in identities.iter().zip(&mut tallies) {
@@ -149,13 +148,13 @@ impl<F: Float> Case<'_, F> {
         self.cycle.ratios.alpha()
     }
 
-    /// The residual of `found = expected`, of which `doubt` is what they may differ by for other reasons than
-    /// rounding.
+    /// The residual of `found = expected`, where `doubt` is the difference that causes other than rounding
+    /// may produce.
     fn within(&self, residual: F, size: F, doubt: F) -> F {
         residual / (F::epsilon() * size + doubt) * F::epsilon() * self.scale
     }
 
-    /// A difference of the size of `size`, in the digits that the solution of eq. 21–25 has.
+    /// A difference of two numbers of this `size`, relative to the accuracy of the solution of eq. 21–25.
     fn in_good_digits(&self, solution: &Solution<F>, difference: F, size: F) -> F {
         let lost = F::exp2i((solution.lost_bits as i32).min(F::RATIO_EXPONENT));
         difference / (size * lost) * self.scale
@@ -182,8 +181,8 @@ impl<F: Solvable> OnBorder<F> {
     }
 }
 
-/// A₁ of the exact motion at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops
-/// at α or a little below.
+/// A₁ of the exact motion at α, and `(α/A₁) dA₁/dα` there by central differences; `None` where the body stops
+/// at α or slightly below.
 fn slope_of_loop_size<F: Float>(alpha: F, least: F, at: impl Fn(F) -> Option<Ratios<F>>) -> Option<(F, F)> {
     let (one, h) = (F::int(1), super::followed::third_of_digits::<F>());
     if alpha < least * F::ratio(101, 100) {

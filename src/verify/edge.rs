@@ -1,5 +1,5 @@
-//! What the border at one Ω is held against: the cycle there by Newton's method, and the exact motion on
-//! either side.
+//! The references for the border at one Ω: the cycle there by Newton's method, and the exact motion on either
+//! side.
 
 use super::Solvable;
 use super::followed::third_of_digits;
@@ -10,7 +10,7 @@ use crate::nonsticking::matching::newton::Solution;
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// What is found on the border at one Ω.
+/// The results on the border at one Ω.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OnBorder<F> {
     pub(super) edge: Edge<F>,
@@ -18,9 +18,9 @@ pub(super) struct OnBorder<F> {
     pub(super) solved: Option<Solution<F>>,
     /// Eq. 21–25, 58 and 59 solved for α.
     pub(super) turning_point: Option<F>,
-    /// Stops in a cycle a little below α_min, and a little above.
+    /// The numbers of stops in a cycle slightly below α_min and slightly above.
     pub(super) stops: Option<(u32, u32)>,
-    /// A₁ by the work against friction at α*, and its relative slope there.
+    /// A₁ at α* from the work against friction, and its relative slope there.
     pub(super) optimum: Option<(F, F)>,
 }
 
@@ -39,13 +39,13 @@ impl<F: Solvable> OnBorder<F> {
         }
     }
 
-    /// The same with the stops on either side.
+    /// Adds the stops on either side.
     pub(super) fn with_stops(self, omega: F) -> Self {
         let at = |alpha: F| Ratios::new(omega, alpha).ok();
         Self { stops: stops_beside(omega, self.edge.min_force_ratio, at), ..self }
     }
 
-    /// The same with what is dissipated at the best force ratio.
+    /// Adds the dissipation at the best force ratio.
     pub(super) fn with_optimum(self, omega: F, best: F) -> Self {
         Self { optimum: optimum(omega, best), ..self }
     }
@@ -56,8 +56,8 @@ fn steady<F: Float>(ratios: Ratios<F>) -> Option<SteadyState<F>> {
     LongRun::from_start(ratios, State::default()).ok()?.steady_state().copied()
 }
 
-/// A₁ of the exact motion, by its work against friction; `None` where it is not one of two reversals without
-/// a stop.
+/// A₁ of the exact motion from its work against friction; `None` unless the motion has two reversals and no
+/// stop.
 pub(super) fn loop_size<F: Float>(ratios: Ratios<F>) -> Option<F> {
     let (steady, alpha) = (steady(ratios)?, ratios.alpha());
     let slides = steady.sticks_per_cycle == 0 && steady.velocity_zeros_per_cycle == 2;
@@ -65,7 +65,7 @@ pub(super) fn loop_size<F: Float>(ratios: Ratios<F>) -> Option<F> {
 }
 
 /// Stops of the exact motion at α (1 − 2⁻¹⁶) and at α (1 + 2⁻¹⁶). Next to a pole the body need not stop below
-/// the border ([errata](crate::nonsticking::printed) 4), and this is not asked there.
+/// the border ([errata](crate::nonsticking::printed) 4), and the stops are not checked.
 pub(super) fn stops_beside<F: Float>(
     omega: F,
     alpha: F,
@@ -80,7 +80,7 @@ pub(super) fn stops_beside<F: Float>(
     far.then(|| Some((stops(alpha * (one - little))?, stops(alpha * (one + little))?)))?
 }
 
-/// A₁ at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or a little
+/// A₁ at α and `(α/A₁) dA₁/dα` there, by central differences; `None` where the body stops at α or slightly
 /// below.
 fn optimum<F: Float>(omega: F, alpha: F) -> Option<(F, F)> {
     let (one, h) = (F::int(1), third_of_digits::<F>());

@@ -1,18 +1,18 @@
-//! The identities in ball arithmetic: the ball of each residual has 0 in it and is as small as the bits that
-//! are asked for.
+//! The identities in ball arithmetic: the ball of each residual must contain 0 and be as small as the
+//! requested number of bits implies.
 //!
-//! A residual at plain numbers is rounding, or looks like it. The ball of a residual contains what the
-//! identity leaves at the exact answers: a ball without 0 refutes the identity at that point for good, and a
-//! ball with 0 bounds by its size what could be wrong with it. The witness of the exact motion is here a
-//! motion that is proved to exist ([`crate::enclosed::steady`]).
+//! In plain arithmetic, a residual is rounding or looks like it. The ball of a residual contains the exact
+//! residual of the identity. A ball without 0 refutes the identity at that point; a ball with 0 bounds any
+//! possible error by its size. The exact motion is represented here by a motion that is proved to exist
+//! ([`crate::enclosed::steady`]).
 //!
 //! | file | content |
 //! |---|---|
 //! | `point` | the points, and the answers there in balls |
-//! | `answered` | what the closed forms say of a motion |
-//! | `claims` | what holds besides the identities for any arithmetic |
-//! | `damped` | points with damping, and what holds there |
-//! | `proved` | the motions that are proved |
+//! | `answered` | the answers of the closed forms about a motion |
+//! | `claims` | further statements, on the border and as printed |
+//! | `damped` | points with damping, and the statements there |
+//! | `proved` | comparison with motions that are proved to exist |
 
 mod answered;
 mod claims;
@@ -33,7 +33,7 @@ use claims::Here;
 use core::ops::ControlFlow;
 use point::{Found, Place, places};
 
-/// The most bits: near the poles more are computed with than are asked for.
+/// The greatest number of bits: near the poles, the computation uses more bits than requested.
 const MOST: u32 = 4096;
 
 /// An identity over balls.
@@ -45,18 +45,18 @@ struct Row<const W: usize> {
 }
 
 enum Residual<const W: usize> {
-    /// Of the closed forms.
+    /// A residual of the closed forms.
     OfTerms(fn(&Terms<'_, Ball<W>>) -> Option<Ball<W>>),
-    /// Of the border or as printed, too.
+    /// A residual that also needs the border or the printed equations.
     OfPoint(fn(&Here<'_, W>) -> Option<Ball<W>>),
 }
 
-/// What is left of an identity at a point, relative to its terms.
+/// The residual of an identity at a point, relative to its terms.
 #[derive(Debug, Clone, Copy)]
 struct Residue {
-    /// It is certainly not larger than this.
+    /// An upper bound of its magnitude.
     most: Radius,
-    /// It is certainly not smaller than this.
+    /// A lower bound of its magnitude.
     least: Radius,
     has_zero: bool,
 }
@@ -75,14 +75,14 @@ impl Residue {
         }
     }
 
-    /// Whether it is as small as one unit in the last of so many bits.
+    /// Whether it is below one unit in the last of `bits` bits.
     fn is_small(&self, bits: u32) -> bool {
         !self.most.is_infinite() && self.most.scaled(i64::from(bits)) <= Radius::ONE
     }
 }
 
-/// Every identity over balls: the same ones as in plain arithmetic, those on the border, and what is wrong as
-/// printed.
+/// All identities over balls: those of plain arithmetic, those on the border, and the equations that are
+/// wrong as printed.
 fn rows<const W: usize>() -> Vec<Row<W>> {
     let same = matching::identities().into_iter().chain(cycle::identities());
     let same = same.map(|claim| Row {
@@ -94,7 +94,7 @@ fn rows<const W: usize>() -> Vec<Row<W>> {
     same.chain(claims::rows()).collect()
 }
 
-/// What is left of every identity at a point; `None` where this width does not find the answers.
+/// The residuals of all identities at a point; `None` where this precision does not find the answers.
 fn residues<const W: usize>(
     place: &Place,
     formulae: &dyn Formulae<Ball<W>>,
@@ -110,7 +110,7 @@ fn residues<const W: usize>(
     Some(rows::<W>().iter().map(|row| residual(row).map(|r| Residue::of(r, terms.scale))).collect())
 }
 
-/// What is left with the library's own formulae and answers.
+/// The residuals with the library's own formulae and answers.
 fn left<const W: usize>(place: &Place) -> Option<Vec<Option<Residue>>> {
     if place.is_damped() {
         damped::residues::<W>(place, |found| found)
@@ -119,7 +119,7 @@ fn left<const W: usize>(place: &Place) -> Option<Vec<Option<Residue>>> {
     }
 }
 
-/// The same with as many bits as it takes for residuals of one unit in the last of `bits`.
+/// The same, with as many bits as needed to bring the residuals to one unit in the last of `bits`.
 fn sharp_residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     let mut last = Vec::new();
     macro_rules! at {
@@ -127,7 +127,7 @@ fn sharp_residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
             if Mp::<$width>::BITS >= bits + 64
                 && let Some(found) = left::<$width>(place)
             {
-                // What excludes 0 needs no more bits.
+                // A residual that excludes 0 needs no more bits.
                 let is_sharp = |residue: &Residue| residue.is_small(bits) || !residue.has_zero;
                 if found.iter().flatten().all(is_sharp) {
                     return found;
@@ -140,7 +140,7 @@ fn sharp_residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     last
 }
 
-/// Worst residual of an identity so far.
+/// The worst residual of an identity so far.
 struct Tally {
     points: usize,
     worst: Option<(Residue, usize)>,
@@ -166,16 +166,16 @@ impl Tally {
     }
 }
 
-/// An equation's number, a statement, and whether it is to hold.
+/// An equation's number, a statement, and whether it must hold.
 type Statement = (&'static str, &'static str, Standing);
 
-/// Holds every identity among closed forms, and those of the exact motion, at a spread of points in ball
+/// Checks every identity among closed forms, and those of the exact motion, at a set of points in ball
 /// arithmetic.
 ///
-/// Passed is what holds at every point with a ball that has 0 in it and reaches no farther from it than one
-/// unit in the last of `bits` bits of the identity's terms; [`Verdict::worst`] is the farthest reach in those
-/// units. A statement that is wrong as printed passes where every ball is without 0, and `worst` is the least
-/// relative residual that it certainly has. Points and `step` are as of [`super::verify`].
+/// A statement passes if, at every point, its ball contains 0 and lies within one unit in the last of `bits`
+/// bits of the identity's terms; [`Verdict::worst`] is the greatest distance from 0 in those units. A
+/// statement that is wrong as printed passes if every ball excludes 0; `worst` is then the least certain
+/// relative residual. Points and `step` are those of [`super::verify`].
 ///
 /// # Errors
 /// Where `bits` is not in [1, 4096].
@@ -206,7 +206,8 @@ pub fn verify_enclosed<B>(
     }))
 }
 
-/// What comes of statements on closed forms and on motions at these points; `step` is told how many are done.
+/// The verdicts on the statements about closed forms and motions at these points; `step` receives the number
+/// done.
 fn verdicts<B>(
     places: &[Place],
     of_forms: &[Statement],
@@ -221,7 +222,7 @@ fn verdicts<B>(
     for (number, place) in places.iter().enumerate() {
         step(number)?;
         let mut found = sharp_residues(place, bits);
-        // Answers that no width finds are undecided.
+        // Answers that no precision finds are undecided.
         found.resize(
             of_forms.len(),
             Some(Residue { most: Radius::INFINITE, least: Radius::ZERO, has_zero: true }),
@@ -265,11 +266,11 @@ mod tests {
             let found = verify_enclosed::<()>(bits, |_, _| ControlFlow::Continue(())).unwrap();
             let ControlFlow::Continue(verdicts) = found else { panic!("ended by nobody") };
             let failed: Vec<_> = verdicts.iter().filter(|v| !v.passed || v.points < 3).collect();
-            // No statement is held against more points than there are.
+            // No statement is checked at more points than there are.
             let most = verdicts.iter().map(|v| v.points).max().unwrap();
             assert!(most <= places().len().max(damped::places().len()), "{most}");
             assert!(failed.is_empty() && verdicts.len() > 60, "{} {failed:#?}", verdicts.len());
-            // Balls are balls: a residual that is exactly zero says nothing.
+            // A residual that is exactly zero would prove nothing: most balls must have a width.
             let holding = || verdicts.iter().filter(|v| v.standing == Standing::Holds);
             assert!(holding().filter(|v| v.worst > 0.0).count() > 50);
         }

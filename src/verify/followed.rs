@@ -1,21 +1,21 @@
-//! The exact motion from rest, and differences of it.
+//! The exact motion from rest, and difference quotients of it.
 
 use crate::exact::{LongRun, Segment, State, SteadyState, Trajectory};
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// The limit of the motion from rest, and its half-turn map by differences.
+/// The limit of the motion from rest, and the derivative of its half-turn map by differences.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Motion<F> {
     pub(super) steady: SteadyState<F>,
-    /// How far (x, w) may be from the limit.
+    /// A bound of the distance of (x, w) from the limit.
     pub(super) doubt: F,
-    /// Trace and determinant of the derivative of the half-turn map, turned upside down.
+    /// Trace and determinant of the derivative of the negated half-turn map.
     pub(super) half_map: Option<(F, F)>,
 }
 
 impl<F: Float> Motion<F> {
-    /// The motion at the ratios; `None` where it has no one limit, or none was found.
+    /// The motion at the ratios; `None` where it has no single limit, or none was found.
     pub(super) fn at(ratios: Ratios<F>) -> Option<Self> {
         let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::default()).ok()? else {
             return None;
@@ -41,7 +41,7 @@ fn half_map<F: Float>(ratios: Ratios<F>, state: State<F>) -> Option<(F, F)> {
     Some((a + d, a * d - b * c))
 }
 
-/// 2⁻ᵖᐟ³, the step at which central differences keep most digits.
+/// 2⁻ᵖᐟ³, the step at which central differences are most accurate.
 pub(super) fn third_of_digits<F: Float>() -> F {
     (0..F::PRECISION / 3).fold(F::int(1), |step, _| step / F::int(2))
 }
@@ -56,7 +56,7 @@ fn half_turn_on<F: Float>(ratios: Ratios<F>, start: State<F>) -> Option<(F, F)> 
     Some((state.x, state.v))
 }
 
-/// `2 sin (a − b)/2`: zero for equal phases only, and not half a turn apart.
+/// `2 sin (a − b)/2`: zero for equal phases only, and not for phases half a turn apart.
 pub(super) fn apart<F: Float>(a: F, b: F) -> F {
     F::int(2) * ((a - b) / F::int(2)).sin()
 }

@@ -1,8 +1,8 @@
-//! The formulae that are held against the motion: the library's, or another set in their place.
+//! The formulae that are checked: those of the library, or a set of wrong ones in tests.
 //!
-//! The default methods are the library's own. A test puts wrong ones in their place, one at a time, and each
-//! of them has to be refused: a check that nothing fails shows nothing. What asks for order is for numbers
-//! that have one; the formulae are for all.
+//! The default methods are the library's own. A test replaces them by wrong ones, one at a time, and each of
+//! these must be detected: a check that never fails proves nothing. Methods that compare numbers require an
+//! ordered type; the others accept any.
 
 use crate::float::{Float, Real};
 use crate::nonsticking::matching::{Given, Unknowns};
@@ -10,7 +10,7 @@ use crate::nonsticking::stability::{self, MultiplierPair};
 use crate::nonsticking::{self, Border, Cycle, border, den_hartog};
 use crate::phase_function::PhaseFunction;
 
-/// What is answered at one (Ω, α). Lengths in B, velocities in B ω_d, phases in `[0, 2π)`.
+/// The answers at one (Ω, α): lengths in B, velocities in B ω_d, phases in `[0, 2π)`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answers<F> {
     pub(crate) max_displacement: F,
@@ -25,7 +25,7 @@ pub(crate) struct Answers<F> {
     pub(crate) multipliers: MultiplierPair<F>,
 }
 
-/// What is answered at one Ω.
+/// The answers at one Ω.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge<F> {
     /// α_min.
@@ -38,7 +38,7 @@ pub(crate) struct Edge<F> {
     pub(crate) least_displacement: F,
 }
 
-/// Every formula that is checked, by its place in the library.
+/// All formulae that are checked, each by its place in the library.
 pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
     /// K(Ω).
     fn phase_function(&self, p: &PhaseFunction<F>) -> F
@@ -91,14 +91,14 @@ pub(crate) trait Formulae<F: Real>: core::fmt::Debug {
     {
         cycle.velocity_at(phase)
     }
-    /// α* as it is answered.
+    /// α* among the answers.
     fn best_force_ratio_at(&self, p: &PhaseFunction<F>) -> F
     where
         F: Float,
     {
         nonsticking::best_force_ratio_at(p)
     }
-    /// A₁max as it is answered.
+    /// A₁max among the answers.
     fn best_loop_size_at(&self, p: &PhaseFunction<F>) -> F
     where
         F: Float,

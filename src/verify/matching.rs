@@ -1,4 +1,4 @@
-//! Eq. 3 and 11–39: the two branches and their matching.
+//! Eq. 3 and 11–39: the two branches and the matching conditions.
 
 use super::terms::{Claim, Terms};
 use crate::float::Real;
@@ -83,7 +83,7 @@ pub(super) fn identities<F: Real>() -> Vec<Claim<F>> {
             c.near_pole((coefficients(c).2.square() - c.formulae.squared_rho(&c.given, &c.unknowns)) * c.one_plus_cos())
         },
         "37" "V₀/ω_n = AΩ cos ω_d t₁ + sgn(1−Ω) √ρ²": |c| {
-            // Times ρ: the root of a small difference has half its digits.
+            // The factor ρ restores the digits: the root of a small difference keeps only half of them.
             let left = c.formulae.max_velocity(&c.given, &c.unknowns, c.sign) - c.unknowns.max_velocity;
             c.near_pole(left * coefficients(c).2 * c.one_plus_cos())
         },

@@ -1,5 +1,5 @@
-//! The answers held against the exact motion, which takes none of them for granted: started from rest,
-//! followed slide by slide.
+//! The answers checked against the exact motion, which uses none of them: it starts from rest and is computed
+//! slide by slide.
 
 use super::followed::apart;
 use super::{Case, Digits, Identity, Residual, Standing};
@@ -17,7 +17,7 @@ macro_rules! moving {
     };
 }
 
-/// 0 where a count is as it has to be, and otherwise far from it.
+/// 0 if a count is as expected, and otherwise a large residual.
 pub(super) fn count<F: Float>(found: u32, expected: u32) -> F {
     if found == expected { F::int(0) } else { F::int(1) }
 }
@@ -28,7 +28,8 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             Some(c.within(m.steady.max_displacement.value - c.answers.max_displacement, c.scale, m.doubt))
         },
         "43" All "ω_d t₂ is that of the exact motion": |c, m| {
-            // What a phase is off moves the velocity by that times the acceleration before the reversal.
+            // An error of a phase changes the velocity by that error times the acceleration before the
+            // reversal.
             let phase = apart(m.steady.max_displacement.phase.reduced(), c.answers.displacement_phase);
             let acceleration = c.given.omega.square() * m.steady.max_displacement.value + F::int(1);
             Some(c.within(phase * acceleration / c.given.omega, c.scale / c.given.omega, m.doubt))
@@ -72,14 +73,14 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
             let found = c.answers.contraction;
             let [(a, b), (p, q)] = c.answers.multipliers.parts();
             let listed = a.hypot(b).or_larger(p.hypot(q));
-            // A double root has half of its digits.
+            // A double root keeps half of the digits.
             let off = (found - listed).abs().or_larger((found.square() - squared).square());
             Some(c.within(off, F::int(1) + F::int(1) / c.given.omega, m.doubt))
         },
     ]
 }
 
-/// Sum and product of the multipliers answered for half a cycle.
+/// Sum and product of the half-cycle multipliers among the answers.
 fn half_cycle<F: Float>(c: &Case<'_, F>) -> (F, F) {
     let [(a, b), (p, q)] = c.answers.multipliers.parts();
     (a + p, a * p - b * q)

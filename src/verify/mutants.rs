@@ -1,4 +1,4 @@
-//! Wrong formulae, one at a time: every one of them has to be refused.
+//! Wrong formulae, one at a time: each must be detected.
 
 use super::formulae::{Answers, Edge, Formulae};
 use super::verify_by;
@@ -23,7 +23,7 @@ fn right_edge(p: &PhaseFunction<f64>) -> Edge<f64> {
     Right.edge(p)
 }
 
-/// The equations that fail by these formulae.
+/// The equations that fail with these formulae.
 fn failed(formulae: &dyn Formulae<f64>) -> Vec<&'static str> {
     match verify_by::<f64, ()>(formulae, |_, _| ControlFlow::Continue(())) {
         ControlFlow::Continue(verdicts) => {
@@ -33,7 +33,7 @@ fn failed(formulae: &dyn Formulae<f64>) -> Vec<&'static str> {
     }
 }
 
-/// The velocity of the rising half cycle at ψ, its fastest points, and the phase at one.
+/// The stationary points of the velocity in the rising half cycle, with the velocity at each.
 fn stationary_points(c: &Cycle<f64>) -> Vec<(f64, f64)> {
     let beta = PI / 2.0 / c.ratios.omega();
     let phase = |psi: f64| (c.displacement_phase - PI / 2.0 - c.ratios.omega() * psi).rem_euclid(TAU);
@@ -78,7 +78,7 @@ fn k(c: C<'_>) -> f64 {
 }
 
 mutants! {
-    // A sign.
+    // Wrong signs.
     "K with the other sign": phase_function(p: P<'_>) -> f64 = -p.value();
     "(α − K)² for (α − K)(α + K)": answers(c: C<'_>) -> Answers<f64> =
         Answers { max_displacement: (c.ratios.alpha() - k(c)).abs() / q(c).abs(), ..right(c) };
@@ -121,7 +121,7 @@ mutants! {
     "sgn(Ω − 1) in eq. 49": max_velocity_from_phase(a: f64, omega: f64, cos_pi_1: f64, at: (f64, f64), deviation: f64, sign: f64) -> f64 =
         crate::nonsticking::max_velocity_from_phase(a, omega, cos_pi_1, at, deviation, -sign);
 
-    // A factor.
+    // Wrong factors.
     "Δ₀ a millionth too large": answers(c: C<'_>) -> Answers<f64> =
         Answers { max_displacement: c.max_displacement * (1.0 + 1e-6), ..right(c) };
     "V₀ over ω_n": answers(c: C<'_>) -> Answers<f64> =
@@ -174,7 +174,7 @@ mutants! {
         Edge { min_force_ratio: p.value().hypot(edge.least_displacement), ..edge }
     };
 
-    // A root.
+    // Wrong roots.
     "another maximum of the velocity": answers(c: C<'_>) -> Answers<f64> = {
         let crests = stationary_points(c);
         let slowest = crests.into_iter().fold((f64::INFINITY, 0.0), |a, b| if b.0 < a.0 { b } else { a });
@@ -187,7 +187,7 @@ mutants! {
         Edge { phase: if edge.phase == 0.0 { 0.0 } else { PI - edge.phase }, ..edge }
     };
 
-    // A range.
+    // Wrong ranges.
     "ω_d t₂ as printed, between π/2 and 3π/2": displacement_phase(k: f64, alpha: f64, omega: f64) -> f64 = {
         let sine = one_minus_square(omega).signum() * ((alpha - k) * (alpha + k)).sqrt() / alpha;
         printed::displacement_phase(sine)

@@ -1,9 +1,9 @@
-//! The border: the cycle there by Newton's method, the exact motion on either side, and the optimum of the
+//! The border: the cycle there by Newton's method, the exact motion on either side, and the maximum of the
 //! dissipation.
 //!
-//! On the border of the two-reversal cycle the body just does not stop: either the force left over at the
-//! turning point is r_y, or the velocity touches zero once on the way. Less force is a stop, and more is
-//! none.
+//! On the border of the two-reversal cycle the body is about to stop: either the excess force at the turning
+//! point is r_y, or the velocity touches zero once on the way. With less force there is a stop; with more
+//! there is none.
 
 use super::solved::points;
 use super::{Case, Digits, Identity, Residual, Standing};
@@ -23,7 +23,7 @@ macro_rules! on_border {
     };
 }
 
-/// A residual in units of `size`, in the digits that the solution has.
+/// A residual in units of `size`, relative to the accuracy of the solution.
 fn relative<F: Float>(c: &Case<'_, F>, s: &Solution<F>, residual: F, size: F) -> Option<F> {
     let lost = F::exp2i((s.lost_bits as i32).min(F::RATIO_EXPONENT));
     Some(residual / (size * lost) * c.scale)
@@ -70,7 +70,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     ]
 }
 
-/// What the matching problem is given on the border.
+/// The data of the matching problem on the border.
 fn given<F: Float>(c: &Case<'_, F>, b: &OnBorder<F>) -> crate::nonsticking::matching::Given<F> {
     let amplitude = b.edge.min_force_ratio / c.one_minus_square;
     crate::nonsticking::matching::Given { amplitude, ..c.given }

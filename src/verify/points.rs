@@ -1,10 +1,10 @@
-//! Where the identities are evaluated.
+//! The points at which the identities are evaluated.
 
 use super::above_border;
 use crate::float::Float;
 use crate::nonsticking::Cycle;
 
-/// Bands of Ω as numerators and denominators of their ends: between the singular frequencies, and far above.
+/// Bands of Ω, with their ends as fractions: between the singular frequencies, and far above.
 pub(super) const BANDS: [((i32, i32), (i32, i32)); 7] = [
     ((1, 6), (1, 5)),
     ((1, 5), (1, 4)),
@@ -15,19 +15,20 @@ pub(super) const BANDS: [((i32, i32), (i32, i32)); 7] = [
     ((2, 1), (9, 1)),
 ];
 
-/// A cycle to look at.
+/// A point to check.
 pub(super) struct Point<F> {
     pub(super) cycle: Cycle<F>,
-    /// Whether the exact motion is followed there, and eq. 21–25 are solved.
+    /// Whether the exact motion is computed there and eq. 21–25 are solved.
     pub(super) with_motion: bool,
-    /// Whether the border is looked at.
+    /// Whether the border is checked.
     pub(super) with_border: bool,
 }
 
-/// The points.
+/// All points.
 pub(super) fn points<F: Float>() -> Vec<Point<F>> {
     let times = [F::ratio(101, 100), F::ratio(3, 2), F::int(4)];
-    // A motion of a thousand digits takes a tenth of a second: there one α at each Ω, each in turn.
+    // A motion with a thousand digits takes a tenth of a second; at such precisions only one α is used at
+    // each Ω, in turn.
     let all = F::PRECISION <= 512;
     let at = |(number, (omega, ordinary)): (usize, (F, bool))| {
         times.iter().enumerate().filter_map(move |(i, &t)| {
@@ -39,7 +40,7 @@ pub(super) fn points<F: Float>() -> Vec<Point<F>> {
     omegas::<F>().into_iter().enumerate().flat_map(at).collect()
 }
 
-/// The frequency ratios, and whether the exact motion is followed there: closer to a singular one than 10⁻³
+/// The frequency ratios, and whether the exact motion is computed there: within 10⁻³ of a singular frequency
 /// it takes too many periods to settle.
 fn omegas<F: Float>() -> Vec<(F, bool)> {
     const INSIDE: i32 = 6;
@@ -51,7 +52,7 @@ fn omegas<F: Float>() -> Vec<(F, bool)> {
     for n in [1, 3, 5, 7] {
         for digits in [3, 10, 30] {
             let distance = (0..digits).fold(F::int(1), |d, _| d / F::int(10));
-            // Nearer than half the digits, the paper's own forms have nothing left to say.
+            // Closer than half the digits, the paper's own forms have no digits left.
             if distance.square() > F::epsilon() {
                 all.extend(
                     [F::ratio(1, n) - distance, F::ratio(1, n) + distance].map(|omega| (omega, digits == 3)),

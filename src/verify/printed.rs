@@ -1,4 +1,4 @@
-//! What is wrong as printed, where it is.
+//! Equations that are wrong as printed, at points where they fail.
 
 use super::{Case, Digits, Identity, Residual, Standing};
 use crate::float::Float;

@@ -1,11 +1,11 @@
-//! The answers held against eq. 21–25 solved by Newton's method, which knows none of them.
+//! The answers checked against eq. 21–25 solved by Newton's method, which uses none of them.
 
 use super::followed::apart;
 use super::{Case, Digits, Identity, Residual, Standing};
 use crate::float::Float;
 use crate::nonsticking::matching::newton::Solution;
 
-/// The residual of a difference of the size of `size`, in the digits that the solution has.
+/// A difference of two numbers of this `size`, relative to the accuracy of the solution.
 fn in_good_digits<F: Float>(c: &Case<'_, F>, s: &Solution<F>, difference: F, size: F) -> F {
     let lost = F::exp2i((s.lost_bits as i32).min(F::RATIO_EXPONENT));
     difference / (size * lost) * c.scale
@@ -49,7 +49,7 @@ pub(super) fn identities<F: Float>() -> Vec<Identity<F>> {
     ]
 }
 
-/// Points of a half cycle, eight in a swing of the spring.
+/// The number of points in a half cycle: eight per free oscillation of the spring.
 pub(super) fn points<F: Float>(omega: F) -> i32 {
     (16.0 + 8.0 / omega.to_f64()) as i32
 }

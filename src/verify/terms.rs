@@ -1,11 +1,12 @@
-//! What the identities among closed forms ask for at one point, in any arithmetic: plain numbers, or balls.
+//! The quantities used by identities among closed forms at one point, in any arithmetic: plain numbers, or
+//! balls.
 
 use super::formulae::{Answers, Formulae};
 use crate::float::Real;
 use crate::nonsticking::den_hartog::{FallingHalf, phase_lag};
 use crate::nonsticking::matching::{Given, Unknowns};
 
-/// An identity among closed forms: left less right side is zero.
+/// An identity among closed forms: the left side minus the right side is zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Claim<F> {
     pub(super) equation: &'static str,
@@ -14,7 +15,7 @@ pub(super) struct Claim<F> {
     pub(super) residual: fn(&Terms<'_, F>) -> Option<F>,
 }
 
-/// What is known of a point but for the answers.
+/// The data of a point other than the answers.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Point<F> {
     pub(super) given: Given<F>,
@@ -30,7 +31,7 @@ pub(crate) struct Point<F> {
     pub(super) one_minus_square: F,
     /// sgn(1 − Ω).
     pub(super) sign: F,
-    /// α* and A₁max as they are answered.
+    /// α* and A₁max among the answers.
     pub(super) best: (F, F),
     /// Whether the multipliers are complex; `None` where that is undecided.
     pub(super) is_complex: Option<bool>,
@@ -38,7 +39,7 @@ pub(crate) struct Point<F> {
     pub(super) is_late: bool,
 }
 
-/// A point with its answers, by certain formulae.
+/// A point with its answers by certain formulae.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Terms<'a, F> {
     pub(super) formulae: &'a dyn Formulae<F>,
@@ -46,7 +47,7 @@ pub(crate) struct Terms<'a, F> {
     pub(super) answers: Answers<F>,
     pub(super) unknowns: Unknowns<F>,
     pub(super) half: FallingHalf<F>,
-    /// The amplitudes: of the drive, of friction, of the motion, and of what swings freely.
+    /// The sum of the amplitudes: of the drive, of friction, of the motion, and of the free oscillation.
     pub(super) scale: F,
 }
 
@@ -75,8 +76,8 @@ impl<'a, F: Real> Terms<'a, F> {
         Self { formulae, point, answers, unknowns, half, scale }
     }
 
-    /// The residual of an identity that holds 1 + cos π₁ as the paper writes it: near Ω = 1/(2n+1) the sum
-    /// keeps no more than the digits of 1/T², so that its terms count as larger by |T|.
+    /// The residual of an identity that contains 1 + cos π₁ as the paper writes it. Near Ω = 1/(2n+1) that
+    /// sum is accurate only to 1/T² of itself, so that |T| counts among the terms.
     pub(super) fn near_pole(&self, residual: F) -> F {
         residual / self.scale
     }
@@ -87,7 +88,7 @@ impl<'a, F: Real> Terms<'a, F> {
     }
 }
 
-/// The unknowns of eq. 21–25 by the answers, lengths in units of B, with t₂ − π/ω_d < t₁ < t₂.
+/// The unknowns of eq. 21–25 from the answers, lengths in units of B, with t₂ − π/ω_d < t₁ < t₂.
 fn unknowns<F: Real>(answers: &Answers<F>, omega: F, is_late: bool) -> Unknowns<F> {
     let turn = if is_late { F::int(2) * F::pi() } else { F::int(0) };
     Unknowns {

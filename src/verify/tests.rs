@@ -33,7 +33,7 @@ fn at_256_bits_too() {
 
 #[test]
 fn a_wrong_sign_is_caught() {
-    // Eq. 31 with a plus sign, in eq. 29.
+    // Eq. 29 with b of eq. 31 taken with the wrong sign.
     let wrong: Identity<f64> = Identity {
         equation: "29",
         statement: "b with the wrong sign",
@@ -48,8 +48,8 @@ fn a_wrong_sign_is_caught() {
     let cycle = above_border(0.7, 1.5).unwrap();
     let residual = wrong.relative_residual(&Case::new(cycle)).unwrap();
     assert!(residual > 1e-3);
-    // Nothing said of no point passes, nor does a wrong one, or a wrong one among right ones; as a misprint
-    // it is refuted.
+    // An identity without points does not pass, nor does a wrong one, whether alone or among right ones. A
+    // misprint passes if it is refuted.
     let passed = |standing, residuals: &[f64]| {
         let mut tally = Tally { points: 0, worst: None };
         residuals.iter().for_each(|&residual| tally.add(standing, residual, &cycle));
@@ -77,7 +77,7 @@ fn progress_reaches_its_end() {
         ControlFlow::Continue(())
     });
     assert!(last.0 == last.1 && last.1 > 50 && told.is_continue());
-    // It ends where it is told to.
+    // The check stops when the callback says so.
     let mut steps = 0;
     let ended = verify::<f64, usize>(|done, _| {
         steps += 1;

@@ -12,17 +12,19 @@ use crate::output::Output;
 use crate::regime::{Regime, Verdict};
 use crate::uncertainty::{MachineBox, Range};
 
-/// A ball that the parameters' own rounding does not widen.
+/// A ball precise enough that rounding the parameters does not widen it.
 type B = Ball<4>;
 
 impl<F: Float> MachineBox<F> {
     /// The range of any output over the box in physical units ([`Output::unit`]), with its damper, proved in
-    /// ball arithmetic: as [`super::RatioBox::enclosed`].
+    /// ball arithmetic as by [`super::RatioBox::enclosed`].
     ///
-    /// The margin tells whether the body sticks: nowhere in the box where its range is above 1.
+    /// The margin tells whether the body sticks: it sticks nowhere in the box if the range of the margin is
+    /// above 1.
     ///
     /// # Errors
-    /// As there.
+    ///
+    /// As for [`super::RatioBox::enclosed`].
     ///
     /// ```
     /// use stickslip::Output;
@@ -44,7 +46,7 @@ impl<F: Float> MachineBox<F> {
     pub fn enclosed(&self, output: Output, pieces: u32) -> Result<Option<Range<F>>, Error> {
         let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
         let Some(mut whole) = whole else { return Ok(None) };
-        // The border is the same at every amplitude.
+        // The border does not depend on the amplitude.
         if !(output.is_of_cycle() || matches!(output, Output::Margin | Output::BestLoopSize))
             && let Some((low, high)) = whole.get_mut(AMPLITUDE)
         {
@@ -57,13 +59,13 @@ impl<F: Float> MachineBox<F> {
 
 impl<F: Float> MachineBox<F> {
     /// The verdict that holds for the whole box, with its damper, from the margin in ball arithmetic. Where
-    /// that is on neither side of 1, the box is cut, into `pieces` parts at most.
+    /// the margin may lie on either side of 1, the box is cut into at most `pieces` parts.
     ///
-    /// **Proved**: that the body never stops, where the margin is above 1 throughout; that it does not
-    /// reverse twice a cycle without a stop, where it is below. That it then stops is searched, as in
-    /// [`crate::Verdict::Sticking`]; where a cycle of six reversals may be inside, next to a pole and with
-    /// little damping, or the box takes more parts, the verdict is undecided. So it is where the box has Ω =
-    /// 1 without damping inside, where the motion has no bound.
+    /// **Proved:** where the margin is above 1 throughout, the body never stops; where it is below, there is
+    /// no cycle of two reversals without a stop. **Searched:** that the body then stops, as in
+    /// [`crate::Verdict::Sticking`]. The verdict is undecided where a cycle of six reversals may exist (next
+    /// to a pole, with little damping), where the box would need more parts, and where it contains Ω = 1
+    /// without damping, so that the motion is unbounded.
     ///
     /// # Errors
     /// As for [`MachineBox::enclosed`].
@@ -94,7 +96,7 @@ impl<F: Float> MachineBox<F> {
         })
     }
 
-    /// What is known of an output in physical units over a part of the box.
+    /// The values of an output in physical units over a part of the box.
     fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
         let Some(machine) = Machine::of(part, self.is_base_motion()) else { return Ok(Over::Undecided) };
         let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
@@ -104,7 +106,7 @@ impl<F: Float> MachineBox<F> {
     }
 }
 
-/// The place of the amplitude among the parameters.
+/// The index of the amplitude among the parameters.
 const AMPLITUDE: usize = 3;
 
 /// m, k, r_y, the amplitude, ω_d and c in intervals.
@@ -142,7 +144,7 @@ impl<'a> Machine<'a> {
         Some([omega, over_positive(&self.force, self.friction), zeta])
     }
 
-    /// The scales of the answers, as of [`Scales::new`].
+    /// The scales of the answers, as in [`Scales::new`].
     fn scales(&self) -> Scales<B> {
         let length = over_positive(self.friction, self.stiffness);
         let static_energy = |stiffness: &Ends| {
@@ -166,17 +168,17 @@ fn ball(x: &Ends) -> B {
     Known::of_ends(x.0.clone(), x.1.clone()).ball()
 }
 
-/// The product of two intervals of numbers not below zero.
+/// The product of two intervals of nonnegative numbers.
 fn times(a: &Ends, b: &Ends) -> Ends {
     ((&a.0 * &b.0).into(), (&a.1 * &b.1).into())
 }
 
-/// The quotient of an interval of numbers not below zero and one of numbers above.
+/// The quotient of an interval of nonnegative numbers and one of positive numbers.
 fn over_positive(a: &Ends, b: &Ends) -> Ends {
     ((&a.0 / &b.1).into(), (&a.1 / &b.0).into())
 }
 
-/// The ends of an enclosed value in a unit.
+/// The ends of an enclosed value in physical units.
 fn physical(value: &Enclosure, unit: B) -> Option<Ends> {
     let (low, high) = bounds(value)?;
     let found = ball(&(low, high)) * unit;

@@ -6,22 +6,22 @@ use rug::Rational;
 /// An interval of rational numbers, from low to high.
 pub(super) type Ends = (Rational, Rational);
 
-/// What is known of a function over a part of the box.
+/// The values of a function over a part of the box.
 #[derive(Debug, Clone)]
 pub(super) enum Over {
-    /// All its values lie between these.
+    /// All values lie between these.
     Values(Ends),
-    /// It has no value anywhere in the part.
+    /// The function has no value anywhere in the part.
     Nowhere,
-    /// The part is too large to tell.
+    /// The part is too large to decide.
     Undecided,
 }
 
-/// The range over the whole box, cut into `most` parts at most; `None` where the function has no value
-/// somewhere, or that remains undecided.
+/// The range over the whole box, cut into at most `most` parts; `None` where the function has no value
+/// somewhere, or where that remains undecided.
 ///
-/// Cut next is a part that is undecided, otherwise one that has an end of the range, across the parameter
-/// that is relatively widest there.
+/// The next part to be cut is an undecided one if there is any, otherwise one that contains an end of the
+/// range. It is cut across its relatively widest parameter.
 pub(super) fn range(
     whole: Vec<Ends>,
     most: u32,
@@ -41,7 +41,7 @@ pub(super) fn range(
     }
 }
 
-/// The part to be cut, and which of its sides; `None` where no cut would help.
+/// The part to be cut, and the parameter to cut; `None` where no cut would help.
 fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
     let undecided = parts.iter().position(|(found, _)| matches!(found, Over::Undecided));
     let low = |(_, (found, _)): &(usize, &(Over, Vec<Ends>))| match found {
@@ -55,13 +55,13 @@ fn next(parts: &[(Over, Vec<Ends>)]) -> Option<(usize, usize)> {
     let numbered = || parts.iter().enumerate();
     let lowest = || numbered().min_by_key(low).map(|(index, _)| index);
     let highest = || numbered().max_by_key(high).map(|(index, _)| index);
-    // In turn at the one end of the range and at the other.
+    // The two ends of the range take turns.
     let index = undecided.or_else(|| if parts.len() & 1 == 1 { highest() } else { lowest() })?;
     let (_, part) = parts.get(index)?;
     Some((index, widest(part)?))
 }
 
-/// The parameter that is relatively widest; `None` where all are known exactly.
+/// The parameter with the relatively widest interval; `None` where all are known exactly.
 fn widest(part: &[Ends]) -> Option<usize> {
     let width = |(low, high): &Ends| {
         let size = Rational::from(low + high);
@@ -71,10 +71,10 @@ fn widest(part: &[Ends]) -> Option<usize> {
     (width > 0).then_some(side)
 }
 
-/// Whether the function is above 1 over the whole box or below 1 over the whole box; `None` where it is on
-/// both sides, or where `most` parts do not tell.
+/// Whether the function is above 1 over the whole box (true) or below 1 (false); `None` where it is on both
+/// sides, or where `most` parts do not decide.
 ///
-/// Only a part that is on neither side is cut.
+/// Only undecided parts are cut.
 pub(super) fn is_above_one(
     whole: Vec<Ends>,
     most: u32,
@@ -116,7 +116,7 @@ fn halves(part: &[Ends], side: usize) -> [Vec<Ends>; 2] {
     [cut(false), cut(true)]
 }
 
-/// From the least to the greatest value over all parts, where each has values.
+/// The range from the least to the greatest value over all parts, if each has values.
 fn hull(parts: &[(Over, Vec<Ends>)]) -> Option<Ends> {
     let mut all: Option<Ends> = None;
     for (found, _) in parts {
@@ -139,7 +139,7 @@ mod tests {
         (Rational::from(low), Rational::from(high))
     }
 
-    /// y − x, by the ends of the part.
+    /// y − x from the ends of the part.
     fn difference(part: &[Ends]) -> Over {
         let [(x1, x2), (y1, y2)] = part else { panic!("two sides") };
         Over::Values((Rational::from(y1 - x2), Rational::from(y2 - x1)))
@@ -147,7 +147,7 @@ mod tests {
 
     #[test]
     fn the_ends_close_in_as_the_box_is_cut() {
-        // x² − x by interval arithmetic on [1, 3]: from 0 to 6, and −2 to 8 in one part.
+        // x² − x by interval arithmetic on [1, 3]: the range is 0 to 6, and a single part gives −2 to 8.
         let over = |part: &[Ends]| {
             let (low, high) = &part[0];
             Ok(Over::Values((Rational::from(low * low) - high, Rational::from(high * high) - low)))
@@ -169,7 +169,7 @@ mod tests {
         };
         assert_eq!(range(square.clone(), 3, narrow).unwrap(), None);
         assert_eq!(range(square.clone(), 100, narrow).unwrap(), Some(ends(3, 6)));
-        // One number needs one part.
+        // A box of a single point needs one part.
         let exact = range(vec![ends(1, 1), ends(2, 2)], 50, |part| Ok(difference(part)));
         assert_eq!(exact.unwrap(), Some(ends(1, 1)));
     }
@@ -188,10 +188,10 @@ mod tests {
         };
         assert_eq!((level(3, 4, 1), looked.get()), (Some(true), 1));
         assert_eq!((level(-1, 0, 1), looked.get()), (Some(false), 1));
-        // From 0 to 2, and 1 at a corner.
+        // The values run from 0 to 2, and 1 is attained at a corner.
         assert_eq!(level(1, 2, 100), None);
         assert_eq!(level(2, 3, 100), None);
-        // Wider than its values: x (2 − x) + 3/4 on [1/2, 3/2] takes three parts.
+        // The bounds are wider than the values: x (2 − x) + 3/4 on [1/2, 3/2] takes three parts.
         let whole = || vec![(Rational::from((1, 2)), Rational::from((3, 2)))];
         let over = |part: &[Ends]| {
             looked.set(looked.get() + 1);

@@ -1,4 +1,4 @@
-//! What the side of 1 on which the margin is over a box says of all motions there.
+//! The verdict on all motions of a box from the side of 1 on which the margin lies.
 
 use super::parts::Ends;
 use crate::error::Error;
@@ -6,8 +6,8 @@ use crate::float::Float;
 use crate::regime::{Regime, Verdict};
 use rug::Rational;
 
-/// The verdict that holds for all ratios [Ω, α, ζ] of these intervals; `is_above_one` tells whether the margin is above 1
-/// over the whole box that they belong to, or below.
+/// The verdict that holds for all ratios [Ω, α, ζ] in these intervals; `is_above_one` tells whether the
+/// margin is above or below 1 over the whole of the box that contains them.
 ///
 /// # Errors
 /// Those of `is_above_one`.
@@ -34,13 +34,13 @@ pub(super) fn by_margin<F: Float>(
     })
 }
 
-/// Whether the frequency and damping ratios come within reach of a cycle of six reversals: 1/Ω less than 1/16
-/// from an odd number, 3 or more, and ζ below 1/128 (`regime::no_stop`).
+/// Whether the frequency and damping ratios come near a cycle of six reversals: 1/Ω within 1/16 of an odd
+/// number ≥ 3, and ζ below 1/128 (`regime::no_stop`).
 fn may_reverse_six_times(omega: &Ends, zeta: &Ends) -> bool {
     let reach = Rational::from((1, 16));
     let (from, to) =
         (Rational::from(omega.1.recip_ref()) - &reach, Rational::from(omega.0.recip_ref()) + reach);
-    // The last odd number that is not above.
+    // The last odd number that is not above `to`.
     let half: Rational = (to - 1u32) / 2u32;
     let last = half.floor() * 2u32 + 1u32;
     zeta.0 < Rational::from((1, 128)) && last >= 3 && last >= from
@@ -76,16 +76,16 @@ mod tests {
                 assert_eq!(at(inverse.clone(), inverse.clone(), r(1, 128) - &tiny), is, "{inverse}");
                 assert!(!at(inverse.clone(), inverse, r(1, 128)));
             }
-            // An interval around it, and those next to it.
+            // The tests cover intervals around the limits and next to them.
             assert!(at(low.clone() - r(1, 2), high.clone() + r(1, 2), r(0, 1)));
             assert!(
                 at(low.clone() - r(1, 2), low.clone(), r(0, 1)) && at(high.clone(), r(odd + 1, 1), r(0, 1))
             );
             assert!(!at(high + &tiny, r(odd + 1, 1), r(0, 1)) && !at(r(odd - 1, 1), low - &tiny, r(0, 1)));
         }
-        // Not the first.
+        // There is no such cycle at the first odd number.
         assert!(!at(r(1, 1), r(1, 1), r(0, 1)) && !at(r(1, 2), r(2, 1), r(0, 1)));
-        // The damping of some of the box is little enough.
+        // Only part of the box has sufficiently little damping.
         assert!(may_reverse_six_times(&(r(1, 3), r(1, 3)), &(r(1, 129), r(1, 2))));
     }
 

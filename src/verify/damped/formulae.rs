@@ -1,11 +1,11 @@
-//! The formulae with damping that are held against the motion: the library's, or another set in their place.
+//! The formulae with damping that are checked: those of the library, or a set of wrong ones in tests.
 
 use crate::float::Float;
 use crate::nonsticking::stability::MultiplierPair;
 use crate::nonsticking::{Border, Cycle, damped};
 use crate::ratios::Ratios;
 
-/// What is answered at one (Ω, α, ζ). Lengths in B, velocities in B ω_d, phases in `[0, 2π)`.
+/// The answers at one (Ω, α, ζ): lengths in B, velocities in B ω_d, phases in `[0, 2π)`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Answers<F> {
     pub(crate) max_displacement: F,
@@ -21,7 +21,7 @@ pub(crate) struct Answers<F> {
     pub(crate) multipliers: MultiplierPair<F>,
 }
 
-/// What is answered at one (Ω, ζ).
+/// The answers at one (Ω, ζ).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Edge<F> {
     /// α_min.
@@ -32,7 +32,7 @@ pub(crate) struct Edge<F> {
     pub(crate) least_displacement: F,
 }
 
-/// Every formula that is checked.
+/// All formulae that are checked.
 pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
     /// The answers at (Ω, α, ζ).
     fn answers(&self, cycle: &Cycle<F>) -> Answers<F> {
@@ -68,7 +68,7 @@ pub(crate) trait Formulae<F: Float>: core::fmt::Debug {
     }
 }
 
-/// The library's own.
+/// The library's own formulae.
 #[derive(Debug)]
 pub(crate) struct Library;
 

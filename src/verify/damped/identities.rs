@@ -1,17 +1,17 @@
-//! What holds of the cycle with damping.
+//! The identities of the cycle with damping.
 
 use super::super::followed::apart;
 use super::super::motion::count;
 use super::{Case, Digits, Identity, points_of_a_half_cycle};
 use crate::float::Float;
 
-/// Sum and product of the multipliers answered for half a cycle.
+/// Sum and product of the half-cycle multipliers among the answers.
 fn half_cycle<F: Float>(c: &Case<'_, F>) -> (F, F) {
     let [(a, b), (p, q)] = c.answers.multipliers.parts();
     (a + p, a * p - b * q)
 }
 
-/// The residual of eq. 21–25 of this number, in units of B.
+/// The residual of the equation with this number among eq. 21–25, in units of B.
 fn matched<F: Float>(c: &Case<'_, F>, number: usize) -> Option<F> {
     let (residuals, _) = c.system.equations(&c.unknowns);
     residuals.get(number).map(|residual| *residual * c.alpha())
@@ -42,7 +42,7 @@ impl<T, const N: usize> ConcatAll<T> for [Vec<T>; N] {
     }
 }
 
-/// By the matching conditions, with the answers put in and solved by Newton's method.
+/// Identities by the matching conditions, with the answers substituted and solved by Newton's method.
 fn by_matching<F: Float>() -> Vec<Identity<F>> {
     identities![
         "21, ζ" All "matching with damping: x₁′(t₂) = 0": |c| matched(c, 0),
@@ -85,7 +85,7 @@ fn by_matching<F: Float>() -> Vec<Identity<F>> {
     ]
 }
 
-/// By the exact motion from rest.
+/// Identities by the exact motion from rest.
 fn by_motion<F: Float>() -> Vec<Identity<F>> {
     identities![
         "44, ζ" All "with damping Δ₀ is that of the exact motion": |c| {
@@ -140,14 +140,14 @@ fn by_motion<F: Float>() -> Vec<Identity<F>> {
             let [(a, b), (p, q)] = c.answers.multipliers.parts();
             let listed = a.hypot(b).or_larger(p.hypot(q));
             let found = c.answers.contraction;
-            // A double root has half of its digits.
+            // A double root keeps half of the digits.
             let off = (found - listed).abs().or_larger((found.square() - m.steady.contraction()).square());
             Some(c.within(off, F::int(1) + F::int(1) / c.omega(), m.doubt))
         },
     ]
 }
 
-/// On the border: by Newton's method, and by the exact motion on either side.
+/// Identities on the border, by Newton's method and by the exact motion on either side.
 fn on_the_border<F: Float>() -> Vec<Identity<F>> {
     identities![
         "62, ζ" All "Newton's method on the damped border: at τ* velocity and acceleration are zero": |c| {
@@ -186,7 +186,7 @@ fn on_the_border<F: Float>() -> Vec<Identity<F>> {
 }
 
 impl<F: Float> super::OnBorder<F> {
-    /// The solution in the lengths of the system.
+    /// The solution in the length unit of the system.
     fn unknowns(&self) -> crate::nonsticking::matching::Unknowns<F> {
         let (u, alpha) = (&self.solved.unknowns, self.edge.min_force_ratio);
         crate::nonsticking::matching::Unknowns {

@@ -1,4 +1,4 @@
-//! Wrong formulae with damping, one at a time: every one of them has to be refused.
+//! Wrong formulae with damping, one at a time: each must be detected.
 
 use super::formulae::{Answers, Edge, Formulae};
 use super::{Library, verify_by};
@@ -25,7 +25,7 @@ fn half(c: C<'_>) -> HalfPeriod<f64> {
     half_period(&c.ratios)
 }
 
-/// α_min by another S.
+/// α_min computed from another S.
 fn border(r: R<'_>, s: f64) -> Edge<f64> {
     let h = half_period(r);
     Edge { min_force_ratio: h.stiffness * s.hypot(h.h), phase: 0.0, least_displacement: s - h.shift }
@@ -46,7 +46,7 @@ fn roots(sum: f64, product: f64) -> MultiplierPair<f64> {
     MultiplierPair::Real(larger, product / larger)
 }
 
-/// Multipliers and contraction by R and a factor of the area.
+/// Multipliers and contraction computed from another R and another area factor.
 fn multipliers(c: C<'_>, r: f64, area: f64) -> Answers<f64> {
     let h = half(c);
     let s = (r - 1.0) / (r + 1.0);
@@ -162,7 +162,7 @@ mutants! {
     };
 }
 
-/// The identities that fail by these formulae.
+/// The identities that fail with these formulae.
 fn failed(formulae: &dyn Formulae<f64>) -> Vec<&'static str> {
     match verify_by::<f64, ()>(formulae, |_| ControlFlow::Continue(())) {
         ControlFlow::Continue(verdicts) => {

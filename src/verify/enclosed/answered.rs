@@ -1,10 +1,10 @@
-//! What the closed forms say of a motion, for the proofs of motions to be held against.
+//! The answers of the closed forms about a motion, for comparison with proved motions.
 
 use crate::float::ball::Ball;
 
-/// What the closed forms say of a motion.
+/// The answers of the closed forms about a motion.
 pub(super) struct Answered<const W: usize> {
-    /// The amplitudes.
+    /// The amplitude of the whole motion.
     pub(super) scale: Ball<W>,
     pub(super) max_displacement: Ball<W>,
     pub(super) displacement_phase: Ball<W>,

@@ -1,4 +1,4 @@
-//! What holds besides the identities for any arithmetic: on the border, and as printed.
+//! Statements in addition to the identities of plain arithmetic: on the border, and as printed.
 
 use super::super::Standing;
 use super::super::terms::Terms;

@@ -1,8 +1,8 @@
-//! The cycle with damping in balls: against the matching conditions, and against motions that are proved to
-//! exist.
+//! The cycle with damping in balls, checked against the matching conditions and against motions that are
+//! proved to exist.
 //!
-//! The matching conditions ([`System`]) know the equation of motion and no closed form. Points: ζ below 1,
-//! there and above.
+//! The matching conditions ([`System`]) use the equation of motion and no closed form. The points have ζ
+//! below, at and above 1.
 
 #[cfg(test)]
 mod mutants;
@@ -25,7 +25,7 @@ use crate::output::Output;
 use crate::verify::damped::{OMEGA, OVER, ZETA};
 use rug::Rational;
 
-/// The points of [`crate::verify`] with damping, with exact ratios.
+/// The damped points of [`crate::verify`], with exact ratios.
 pub(super) fn places() -> Vec<Place> {
     let pairs = OMEGA.iter().flat_map(|omega| ZETA.iter().map(move |zeta| (*omega, *zeta)));
     let of = |(i, ((omega, zeta), over)): (usize, ((i32, i32), &i32))| {
@@ -40,7 +40,7 @@ pub(super) fn places() -> Vec<Place> {
     pairs.zip(OVER.iter().cycle()).enumerate().filter_map(of).collect()
 }
 
-/// What no statement here is about.
+/// The outputs about which there is no statement here.
 const PEAKS: [Output; 4] = [
     Output::TransmittedForce,
     Output::Transmissibility,
@@ -81,7 +81,7 @@ impl<const W: usize> Found<W> {
         found.map_or_else(Ball::entire, |(_, value)| *value)
     }
 
-    /// The amplitudes of all that moves, in units of B.
+    /// The amplitude of the whole motion, in units of B.
     fn scale(&self) -> Ball<W> {
         let half = &self.half;
         let free = Ball::int(1) + half.shift.abs() + half.omega * half.h.abs();
@@ -106,13 +106,13 @@ impl<const W: usize> Found<W> {
         }
     }
 
-    /// The residual of eq. 21–25 of this number, in units of B.
+    /// The residual of the equation with this number among eq. 21–25, in units of B.
     fn matched(&self, number: usize) -> Option<Ball<W>> {
         let (residuals, _) = self.system(self.alpha).equations_by(&self.unknowns(), waves);
         residuals.get(number).map(|residual| *residual * self.alpha)
     }
 
-    /// x/B and x′/(Bω_n) on the border, at the phase since the maximum displacement, by the matching
+    /// x/B and x′/(Bω_n) on the border at the phase after the maximum displacement, by the matching
     /// conditions.
     fn on_border(&self, turn: Ball<W>) -> (Ball<W>, Ball<W>) {
         let (alpha, unknowns) = self.border_unknowns();
@@ -120,7 +120,7 @@ impl<const W: usize> Found<W> {
         (x * alpha, w * alpha)
     }
 
-    /// α_min, and what of the unknowns is known there; the others are zero.
+    /// α_min and the known unknowns at the border; the others are zero.
     fn border_unknowns(&self) -> (Ball<W>, Unknowns<Ball<W>>) {
         let (half, zero) = (&self.half, Ball::int(0));
         let (alpha, least) = (self.get(Output::MinForceRatio), self.get(Output::LeastDisplacement));
@@ -134,13 +134,13 @@ impl<const W: usize> Found<W> {
         (alpha, unknowns)
     }
 
-    /// Δ₀/B at any α, and a.
+    /// Δ₀/B at any α, and the amplitude a = Δ₀/B + G.
     fn displacement_at(&self, alpha: Ball<W>) -> (Ball<W>, Ball<W>) {
         let amplitude = max_displacement(self.half.k, alpha, self.half.stiffness);
         (amplitude - self.half.shift, amplitude)
     }
 
-    /// What the proofs of motions are held against.
+    /// The answers for comparison with proved motions.
     pub(super) fn answered(&self) -> Answered<W> {
         let (half, get) = (&self.half, |output| self.get(output));
         // λ₁ + λ₂ = −(M₁₁ + sM₂₂), λ₁λ₂ = s e^{−2ζT}, s = (R − 1)/(R + 1)
@@ -162,14 +162,14 @@ impl<const W: usize> Found<W> {
     }
 }
 
-/// One statement: left less right side is zero.
+/// One statement: the left side minus the right side is zero.
 pub(super) struct Claim<const W: usize> {
     pub(super) equation: &'static str,
     pub(super) statement: &'static str,
     residual: fn(&Found<W>) -> Option<Ball<W>>,
 }
 
-/// What holds with damping.
+/// The statements with damping.
 pub(super) fn claims<const W: usize>() -> Vec<Claim<W>> {
     let row = |equation, statement, residual| Claim { equation, statement, residual };
     vec![
@@ -181,7 +181,7 @@ pub(super) fn claims<const W: usize>() -> Vec<Claim<W>> {
         row("16, ζ", "with damping the waveform and its velocity are the matched branch", |f| {
             let turn = Ball::pi() / Ball::int(3);
             let (x, w) = f.system(f.alpha).falling_by(&f.unknowns(), turn, waves);
-            // The rising half upside down, with a = Δ₀/B + G.
+            // The rising half is the falling half with the opposite sign, with a = Δ₀/B + G.
             let rising = Rising::new(f.half, f.get(Output::MaxDisplacement) + f.half.shift);
             let at = moment(&f.half, turn / f.half.omega);
             let [velocity, ..] = rising.velocity(&at);
@@ -216,7 +216,7 @@ pub(super) fn claims<const W: usize>() -> Vec<Claim<W>> {
             Some(inertia - f.get(Output::LoopSizeStiffness) * f.half.omega.square())
         }),
         row("65, ζ", "with damping A₁ is stationary at α*", |f| {
-            // d(Δ₀/α²)/dα = 0 is α² = 2 q² a Δ₀.
+            // d(Δ₀/α²)/dα = 0 is equivalent to α² = 2 q² a Δ₀.
             let best = f.get(Output::BestForceRatio);
             let (delta, amplitude) = f.displacement_at(best);
             let two = Ball::int(2);
@@ -230,7 +230,7 @@ pub(super) fn claims<const W: usize>() -> Vec<Claim<W>> {
     ]
 }
 
-/// What is left of every claim at a point; `None` where this width does not find the answers.
+/// The residual of every statement at a point; `None` where this precision does not find the answers.
 pub(super) fn residues<const W: usize>(
     place: &Place,
     alter: impl Fn(Found<W>) -> Found<W>,

@@ -1,4 +1,4 @@
-//! Wrong formulae and wrong answers, one at a time: a ball has to exclude 0.
+//! Wrong formulae and wrong answers, one at a time: some ball must exclude 0.
 
 use super::super::formulae::{Formulae, Library};
 use super::point::{Found, places};
@@ -12,10 +12,10 @@ type B = Ball<W>;
 type G<'a> = &'a Given<B>;
 type U<'a> = &'a Unknowns<B>;
 
-/// The statement that a ball without 0 refutes at some point.
+/// A statement that a ball without 0 refutes at some point.
 fn refuted(formulae: &dyn Formulae<B>, alter: fn(Found<W>) -> Found<W>) -> Option<&'static str> {
     let rows = rows::<W>();
-    // One α at each of some frequencies on both sides of 1 and of the poles.
+    // One α at each of several frequencies on both sides of 1 and of the poles.
     places().iter().step_by(7).filter(|place| place.with_motion).find_map(|place| {
         let found = residues(place, formulae, alter)?;
         let wrong = |(residue, standing): (Option<super::Residue>, Standing)| {
@@ -95,12 +95,12 @@ fn tiny() -> B {
     (0..40).fold(B::int(1), |x, _| x / B::int(10))
 }
 
-/// A number that is a part in 10⁴⁰ too large.
+/// A number increased by one part in 10⁴⁰.
 fn off(x: B) -> B {
     x + x * tiny()
 }
 
-/// What is answered wrongly.
+/// A wrong answer and its name.
 type Wrong = (&'static str, fn(Found<W>) -> Found<W>);
 const WRONG_ANSWERS: [Wrong; 18] = [
     ("K with the other sign", |mut f| {

@@ -21,9 +21,9 @@ pub(super) struct Place {
     pub(super) omega: Known,
     pub(super) alpha: Known,
     pub(super) zeta: Known,
-    /// Whether the motion is proved there: not near the poles.
+    /// Whether the motion is proved there, which excludes the neighbourhood of the poles.
     pub(super) with_motion: bool,
-    /// Whether the motions near the border are.
+    /// Whether the motions near the border are proved.
     pub(super) with_border: bool,
 }
 
@@ -147,7 +147,7 @@ impl<const W: usize> Found<W> {
         })
     }
 
-    /// What the proofs of motions are held against.
+    /// The answers for comparison with proved motions.
     pub(super) fn answered(&self) -> Answered<W> {
         let (point, answers, one) = (&self.point, &self.answers, Ball::int(1));
         let s = multiplier_product(point.given.omega, answers.max_displacement);

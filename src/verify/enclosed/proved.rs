@@ -1,4 +1,4 @@
-//! The closed forms against motions that are proved to exist from the equation of motion alone.
+//! The closed forms compared with motions that are proved to exist from the equation of motion alone.
 
 use super::answered::Answered;
 use super::point::{Found, Place};
@@ -31,7 +31,7 @@ pub(super) const DAMPED: [(&str, &str); 7] = [
     ("62, ζ", "just below the damped border a motion with stops is proved, and one without above"),
 ];
 
-/// What the closed forms say, with damping or without.
+/// The answers of the closed forms, with damping or without.
 fn answered<const W: usize>(place: &Place) -> Option<Answered<W>> {
     if place.is_damped() {
         damped::Found::at(place).map(|found| found.answered())
@@ -53,7 +53,7 @@ pub(super) fn residues(place: &Place, bits: u32) -> Vec<Option<Residue>> {
     Vec::new()
 }
 
-/// One unit where something is not as it should be, and none where it is.
+/// A residual of one unit if the condition fails, and of zero if it holds.
 fn count<const W: usize>(is_right: bool) -> Residue {
     Residue::of(Ball::<W>::int(i32::from(!is_right)), Ball::int(1))
 }
@@ -63,7 +63,7 @@ fn motion(place: &Place, alpha: &Known, bits: u32) -> Option<Steady> {
     steady(&place.omega, alpha, &place.zeta, &one, bits).ok()?.ok()
 }
 
-/// What the answers leave of the motion at the point.
+/// The residuals of the answers for the motion at the point.
 pub(super) fn against<const W: usize>(
     place: &Place,
     bits: u32,
@@ -79,7 +79,7 @@ pub(super) fn against<const W: usize>(
     let border = place.with_border.then(|| beside_the_border(place, found.min_force_ratio)).flatten();
     let (scale, one, two) = (found.scale, Ball::int(1), Ball::int(2));
     let ball = |x: &Enclosure| Ball::<W>::new(Mp::from_rug(&x.mid), Radius::above(Mp::<2>::from_rug(&x.rad)));
-    // The motion begins with a reversal: sin of what is left to t₂, or to t₂ and half a turn.
+    // The motion begins with a reversal: the sine of the remaining phase to t₂, or to t₂ and half a turn.
     let late = (found.displacement_phase - ball(&motion.start.0)).sin();
     // λ₁² + λ₂² = (λ₁ + λ₂)² − 2 λ₁λ₂
     let [(a, b), (p, q)] = motion.multipliers.each_ref().map(|(re, im)| (ball(re), ball(im)));
@@ -99,8 +99,8 @@ pub(super) fn against<const W: usize>(
     ]
 }
 
-/// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), but next to a pole, where the body need not stop below the
-/// border.
+/// The stops of the motions at α_min (1 ∓ 2⁻¹⁶), except next to a pole, where the body need not stop below
+/// the border.
 fn beside_the_border<const W: usize>(place: &Place, least: Ball<W>) -> Option<Residue> {
     let turns = place.omega.middle().recip();
     let nearest = (Rational::from(&turns - 1u32) / 2u32).round() * 2u32 + 1u32;

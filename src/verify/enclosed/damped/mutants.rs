@@ -1,4 +1,4 @@
-//! Wrong answers and wrong formulae with damping, one at a time: a ball has to exclude 0.
+//! Wrong answers and wrong formulae with damping, one at a time: some ball must exclude 0.
 
 use super::super::proved::{DAMPED, against};
 use super::{Found, claims, places, residues};
@@ -11,7 +11,7 @@ const W: usize = 5;
 type B = Ball<W>;
 type F = Found<W>;
 
-/// The statement that a ball without 0 refutes at some point.
+/// A statement that a ball without 0 refutes at some point.
 fn refuted(alter: impl Fn(F) -> F, each: usize) -> Option<&'static str> {
     places().iter().step_by(each).find_map(|place| {
         let claims = claims::<W>();
@@ -27,7 +27,7 @@ fn refuted(alter: impl Fn(F) -> F, each: usize) -> Option<&'static str> {
     })
 }
 
-/// A number that is a part in 10⁴⁰ too large.
+/// A number increased by one part in 10⁴⁰.
 fn off(x: B) -> B {
     x + (0..40).fold(x, |x, _| x / B::int(10))
 }
@@ -46,14 +46,14 @@ fn amplitude(found: &F) -> B {
     found.get(Output::MaxDisplacement) + found.half.shift
 }
 
-/// α_min by another S, with the phase as it is.
+/// α_min computed from another S, with the phase unchanged.
 fn border(found: F, s: B) -> F {
     let half = found.half;
     let found = with(found, Output::MinForceRatio, |_| half.stiffness * s.hypot(half.h));
     with(found, Output::LeastDisplacement, |_| s - half.shift)
 }
 
-/// Each output that has a claim of its own.
+/// All outputs that have a statement of their own.
 const OUTPUTS: [Output; 14] = [
     Output::MinForceRatio,
     Output::TurningPointForceRatio,
