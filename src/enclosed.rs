@@ -1,20 +1,20 @@
-//! Answers with a guarantee: every output as a midpoint and a radius that contain it, rounding included.
+//! Guaranteed answers: every output as a midpoint and a radius that contain it, rounding included.
 //!
 //! [`steady`] proves that a periodic motion with its stops exists (`motion`). [`response`] and [`border()`]
 //! evaluate the closed forms in ball arithmetic (`float::ball`), by the functions that [`crate::Cycle`] and
-//! [`crate::Border`] call. Ratios are taken as they are known ([`Known`]): `0.4` is four tenths, not the
-//! nearest double, and a ratio may be an interval. What is found by iteration elsewhere (the maximum
-//! velocity, the stationary point of the border's condition) is here the only zero of its equation in a ball,
-//! by the interval Newton method (`root`).
+//! [`crate::Border`] call. Ratios are exact rational numbers or intervals ([`Known`]): `0.4` is four tenths,
+//! not the nearest double. Quantities that are found by iteration elsewhere (the maximum velocity, the
+//! stationary point of the border's condition) are enclosed here as the only zero of their equation in a
+//! ball, by the interval Newton method (`root`).
 //!
-//! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. Then
-//! everything is computed again with twice the bits, up to [`MAX_BITS`]; what is not decided there is `None`,
-//! never a guess. With exact ratios each output is as sharp as the bits asked for; with intervals the widths
-//! are those that the intervals cause, and the overestimate of evaluating each formula once.
+//! **Decisions.** A ball may be too wide to tell on which side of the border a force ratio lies. All
+//! quantities are then recomputed with twice the bits, up to [`MAX_BITS`]; a question that remains undecided
+//! there gives `None`, never a guess. With exact ratios, each output is as sharp as the requested bits. With
+//! intervals, the widths are those that the intervals cause, plus the overestimate of evaluating each formula
+//! once.
 //!
-//! **What is rounding-free and what is proved elsewhere.** That the balls contain what the formulae say rests
-//! on MPFR and on the bounds of `float::ball`. That the formulae are those of the oscillator is shown in
-//! `docs/proof.md`.
+//! **What the guarantee rests on.** The balls contain the values of the formulae by virtue of MPFR and the
+//! bounds of `float::ball`. That the formulae are those of the oscillator is shown in `docs/proof.md`.
 //!
 //! | file | content |
 //! |---|---|
@@ -62,17 +62,18 @@ use border::Border;
 use cycle::Cycle;
 use widen::{Answers, Question, sharpest};
 
-/// The most bits that are computed with.
+/// The greatest number of bits used in a computation.
 pub const MAX_BITS: u32 = widen::GREATEST;
 
-/// What the body does, where that is certain.
+/// The regime, where it is certain.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Regime {
-    /// α ≤ 1: it ends at rest.
+    /// α ≤ 1: the body ends at rest.
     Stuck,
-    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. It sticks, but for the force
-    /// ratios of six reversals near a pole ([`crate::nonsticking::SixReversals`]), which are not enclosed.
+    /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the
+    /// force ratios of six reversals near a pole ([`crate::nonsticking::SixReversals`]), which are not
+    /// enclosed.
     BelowBorder,
     /// α > α_min(Ω): two reversals a cycle and no stop.
     NonSticking,
@@ -80,7 +81,7 @@ pub enum Regime {
     Unbounded,
 }
 
-/// Its name, as the command prints it.
+/// Displays the name that the command prints.
 impl core::fmt::Display for Regime {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
@@ -88,7 +89,7 @@ impl core::fmt::Display for Regime {
 }
 
 impl Regime {
-    /// [`Display`](core::fmt::Display) as a static text.
+    /// The name, as [`Display`](core::fmt::Display) prints it.
     #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -101,13 +102,13 @@ impl Regime {
     }
 }
 
-/// The answer at ratios that are known, or known to intervals.
+/// The answers at ratios that are exact or lie in intervals.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct Response {
-    /// What the body does; `None` where that is undecided at these [`bits`](Response::bits).
+    /// The regime; `None` where it is undecided at these [`bits`](Response::bits).
     pub regime: Option<Regime>,
-    /// The bits it was computed with in the end.
+    /// The number of bits of the final computation.
     pub bits: u32,
     values: Vec<(Output, Enclosure)>,
 }
@@ -115,15 +116,15 @@ pub struct Response {
 impl Response {
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
-    /// Those of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may leave [0,
-    /// 2π) by what the ball needs.
+    /// Outputs of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may lie
+    /// outside [0, 2π) by up to the width of its ball.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
         self.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
     }
 }
 
-/// [`response`] with the damping ratio where one output is asked for: what takes long for others is left out.
+/// [`response`] with the damping ratio for a single output, without the expensive parts of the others.
 pub(crate) fn response_for(
     only: Output,
     omega: &Known,
@@ -137,7 +138,7 @@ pub(crate) fn response_for(
 }
 
 /// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
-/// enclosed: to `bits` bits where the ratios are exact. Each of them may be an interval.
+/// enclosed: to `bits` bits where the ratios are exact. Each ratio may be an interval.
 ///
 /// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to
 /// other motions.
@@ -175,18 +176,18 @@ fn valid(bits: u32) -> Result<u32, Error> {
     within(Quantity::Precision, f64::from(bits), least, greatest).map(|_| bits)
 }
 
-/// The closed forms at one Ω, and one α or none.
+/// The data of one computation: Ω, and α if there is one.
 struct At<'a> {
     omega: &'a Known,
     alpha: Option<&'a Known>,
     zeta: &'a Known,
     eta: &'a Known,
-    /// The output that is asked for; all of them without one.
+    /// The requested output; all outputs if there is none.
     only: Option<Output>,
 }
 
 impl<'a> At<'a> {
-    /// The ratios in their domains; α is.
+    /// The data, with ratios in their domains.
     fn new(
         omega: &'a Known,
         alpha: Option<&'a Known>,
@@ -211,7 +212,7 @@ impl<'a> At<'a> {
         })
     }
 
-    /// Whether nothing but Ω and α is asked for.
+    /// Whether there is neither damping nor additional static friction.
     fn is_plain(&self) -> bool {
         *self.zeta.high() == 0 && *self.eta.high() == 1
     }
@@ -249,7 +250,7 @@ impl Question for At<'_> {
                 None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball, wanted)),
                 Some(half) => damped::outputs(&angle, half, ball, wanted),
             };
-            // With more bits each output is found; over intervals some may never be.
+            // For exact ratios, more bits find every output; over intervals some may never be found.
             is_decided = found
                 .as_ref()
                 .is_some_and(|found| !self.is_exact() || found.iter().all(|(_, value)| value.is_some()));

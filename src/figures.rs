@@ -1,4 +1,4 @@
-//! The figures of the paper again, from this library's results, and some it does not have.
+//! The figures of the paper, redrawn from this library's results, and some additional ones.
 //!
 //! | file | figures |
 //! |---|---|
@@ -16,7 +16,7 @@
 //! | `damping` | what viscous damping changes |
 //! | `draw` | a figure as SVG or PNG |
 //!
-//! A figure is data first: [`Figure::write_csv`] writes what [`Figure::svg`] draws.
+//! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
 //!
 //! ```
 //! let border = stickslip::figures::figure("8").unwrap();
@@ -44,7 +44,7 @@ pub use plane::{Plane, Scale};
 
 use std::io::{self, Write};
 
-/// The names of all figures, in order: those of the paper by their numbers.
+/// The names of all figures, in order; those of the paper have their numbers.
 pub const NAMES: [&str; 18] = [
     "1",
     "2",
@@ -66,7 +66,7 @@ pub const NAMES: [&str; 18] = [
     "damping",
 ];
 
-/// The figure of that name, one of [`NAMES`].
+/// The figure with that name, one of [`NAMES`].
 #[must_use]
 pub fn figure(name: &str) -> Option<Figure> {
     Some(match name {
@@ -92,14 +92,14 @@ pub fn figure(name: &str) -> Option<Figure> {
     })
 }
 
-/// A figure: panels side by side, and the words under it.
+/// A figure: panels side by side, and a caption.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Figure {
-    /// One of [`NAMES`], or what the maker of a figure of his own calls it.
+    /// One of [`NAMES`], or a name chosen by the user for a figure of their own.
     pub name: String,
-    /// What is drawn, in a line.
+    /// The content in a line.
     pub title: String,
-    /// What to see in it, with the parameters.
+    /// The observations to make in it, with the parameters.
     pub caption: String,
     /// The panels, row by row.
     #[doc(hidden)]
@@ -110,11 +110,11 @@ pub struct Figure {
 #[derive(Debug, Clone, PartialEq)]
 #[doc(hidden)]
 pub struct Panel {
-    /// What tells it from the other panels; empty for a single one.
+    /// The title that distinguishes it from the other panels; empty for a single one.
     pub title: String,
-    /// The axis to the right.
+    /// The horizontal axis.
     pub x: Axis,
-    /// The axis upwards.
+    /// The vertical axis.
     pub y: Axis,
     /// Values over the plane of the axes, behind the series.
     pub plane: Option<Plane>,
@@ -132,24 +132,24 @@ pub struct Axis {
     pub low: f64,
     /// Value at its end.
     pub high: f64,
-    /// Whether equal lengths are equal ratios.
+    /// Whether the scale is logarithmic.
     pub logarithmic: bool,
 }
 
 impl Axis {
-    /// An axis of equal differences.
+    /// An axis with a linear scale.
     #[must_use]
     pub fn linear(label: &str, low: f64, high: f64) -> Self {
         Self { label: label.to_owned(), low, high, logarithmic: false }
     }
 
-    /// An axis of equal ratios.
+    /// An axis with a logarithmic scale.
     #[must_use]
     pub fn logarithmic(label: &str, low: f64, high: f64) -> Self {
         Self { label: label.to_owned(), low, high, logarithmic: true }
     }
 
-    /// Ω from `low` to `high`.
+    /// An axis of Ω from `low` to `high`.
     pub(crate) fn frequency_ratio(low: f64, high: f64) -> Self {
         Self::linear("frequency ratio Ω = ω_d/ω_n", low, high)
     }
@@ -161,12 +161,12 @@ impl Axis {
 pub struct Series {
     /// The name in the data.
     pub name: String,
-    /// The words in the legend, by default the name; series of the same words share an entry, those without
-    /// words have none.
+    /// The text in the legend, by default the name. Series with the same text share an entry; those without
+    /// text have none.
     pub key: String,
     /// How it is drawn.
     pub style: Style,
-    /// Which of the colours and marks, counted up.
+    /// The index of the colour and the mark.
     pub index: usize,
     /// (x, y); a NaN breaks a line.
     pub points: Vec<(f64, f64)>,
@@ -184,17 +184,17 @@ pub enum Style {
     Dashed,
     /// A dotted line.
     Dotted,
-    /// A full line with a mark at every so many points.
+    /// A full line with a mark at every n-th point.
     Marked(usize),
-    /// Marks alone.
+    /// Marks without a line.
     Marks,
     /// Small dots.
     Dots,
-    /// A thin line with a head at its end, not in the legend.
+    /// A thin line with an arrowhead at its end, not in the legend.
     Arrow,
-    /// The name itself, written at each point, not in the legend.
+    /// The name itself, written at each point; not in the legend.
     Named,
-    /// The name in the legend alone, as a note on the figure.
+    /// The name as a note in the legend, without points.
     Note,
 }
 
@@ -210,7 +210,7 @@ impl Series {
         Self { key: name.clone(), name, style, index, points: points.into_iter().collect() }
     }
 
-    /// The same with other words in the legend.
+    /// The same with another text in the legend.
     #[must_use]
     pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
         Self { key: key.into(), ..self }
@@ -218,9 +218,10 @@ impl Series {
 }
 
 impl Figure {
-    /// The data: columns panel, series, x, y; and of a plane x, y and its value as x, y, value.
+    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value.
     ///
     /// # Errors
+    ///
     /// Those of `out`.
     pub fn write_csv(&self, out: &mut impl Write) -> io::Result<()> {
         writeln!(out, "panel,series,x,y,value")?;
@@ -240,10 +241,11 @@ impl Figure {
         Ok(())
     }
 
-    /// The drawing, as a file of its own without fonts.
+    /// The drawing as an SVG file without embedded fonts.
     ///
     /// # Errors
-    /// Those of the drawing library, none that are known.
+    ///
+    /// Those of the drawing library, none of which are known to occur.
     pub fn svg(&self) -> io::Result<String> {
         draw::svg(self)
     }
@@ -258,7 +260,7 @@ impl Figure {
     }
 }
 
-/// A field of CSV, in quotes where it needs them.
+/// A field of CSV, quoted if necessary.
 fn quoted(text: &str) -> String {
     if text.contains([',', '"', '\n']) {
         format!("\"{}\"", text.replace('"', "\"\""))

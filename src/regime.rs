@@ -1,7 +1,7 @@
 //! The steady behaviour of the body over the plane of Ω and α.
 //!
-//! [`Regime`] classifies it by comparison with the rounded border. [`Verdict`] is undecided where
-//! the arithmetic is.
+//! [`Regime`] classifies a point by comparison with the rounded border. [`Verdict`] says so where the
+//! arithmetic cannot decide.
 
 pub(crate) mod damped;
 mod decision;
@@ -28,19 +28,19 @@ use crate::ratios::Ratios;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Regime {
-    /// α ≤ 1: the force never overcomes friction for good, and the body ends at rest.
+    /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.
     Stuck,
-    /// α > 1 and no motion without a stop: the body stops, for a while, in every cycle.
+    /// α > 1 and no motion without a stop: the body stops for some time in every cycle.
     Sticking,
-    /// The body never stops for longer than an instant: α ≥ α_min(Ω), where it reverses twice a cycle, or α
-    /// within the force ratios of six reversals a cycle beside a pole 1/(2n+1)
+    /// The body never stops for longer than an instant: either α ≥ α_min(Ω), where it reverses twice a cycle,
+    /// or α lies within the force ratios of six reversals a cycle near a pole 1/(2n+1)
     /// ([`crate::nonsticking::SixReversals`]).
     NonSticking,
     /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
     Unbounded,
 }
 
-/// Its name, as the command prints it.
+/// Displays the name that the command prints.
 impl core::fmt::Display for Regime {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
@@ -48,7 +48,7 @@ impl core::fmt::Display for Regime {
 }
 
 impl Regime {
-    /// [`Display`](core::fmt::Display) as a static text.
+    /// The name, as [`Display`](core::fmt::Display) prints it.
     #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -63,7 +63,8 @@ impl Regime {
 
 /// The regime at (Ω, α, ζ), given the border there.
 ///
-/// With a static friction above the kinetic one the border alone decides: other motions depend on the start.
+/// With a static friction above the kinetic one, the border alone decides, since other motions depend on the
+/// start.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.has_higher_static_friction() {
         return regime_by_border(ratios, border);
@@ -112,9 +113,9 @@ pub(crate) fn has_two_reversals<F: Float>(omega: F, alpha: F, least: F) -> bool 
     alpha >= least && omega != F::int(1)
 }
 
-/// The regime at (Ω, α): what the body does, whatever the number of reversals.
+/// The regime at (Ω, α), whatever the number of reversals.
 ///
-/// The borders are those that [`no_stop_force_ratios`] gives, and belong to what slides.
+/// The borders are those of [`no_stop_force_ratios`], and themselves count as non-sticking.
 ///
 /// # Errors
 /// Where a ratio is outside its domain.
@@ -138,7 +139,7 @@ mod tests {
         assert_eq!((regime(0.7, 1.0f64), regime(1.0, 1.3f64)), (Ok(Regime::Stuck), Ok(Regime::Unbounded)));
     }
 
-    /// Stops and velocity zeros a cycle of the exact motion as α grows, at Ω = 0.331 and 0.336.
+    /// Stops and velocity zeros per cycle of the exact motion for increasing α, at Ω = 0.331 and 0.336.
     #[test]
     fn beside_a_pole_there_is_a_second_region_without_stops() {
         for (omega, alpha, expected) in [

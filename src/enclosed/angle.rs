@@ -1,4 +1,4 @@
-//! The angle β = π/2Ω less a multiple of π/2, and K(Ω), in balls.
+//! The angle β = π/2Ω reduced by a multiple of π/2, and K(Ω), in balls.
 
 use super::Known;
 use crate::float::ball::{Ball, Radius};
@@ -8,10 +8,10 @@ use crate::nonsticking::{best_force_ratio, best_loop_size};
 use crate::phase_function::{phase_function_beside_one, phase_function_of_tangent, tangent, turned};
 use rug::{Integer, Rational};
 
-/// What depends on Ω alone.
+/// The quantities that depend on Ω alone.
 pub(crate) struct Angle<const W: usize> {
     pub(crate) omega: Ball<W>,
-    /// Ω as it is known.
+    /// Ω as an exact number or interval.
     pub(crate) known: Known,
     /// q mod 4 of β = q π/2 + w.
     pub(crate) quarter: u8,
@@ -26,13 +26,13 @@ pub(crate) struct Angle<const W: usize> {
 }
 
 impl<const W: usize> Angle<W> {
-    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` is true for any q; that of the middle of Ω makes w small.
-    /// 1 − qΩ is exact.
+    /// β = q π/2 + w with `w = (π/2)(1 − qΩ)/Ω` holds for any q; the q of the middle of Ω makes w small. 1 −
+    /// qΩ is exact.
     pub(crate) fn new(known: &Known) -> Self {
         let omega = known.ball::<W>();
         let q = known.middle().recip().round().into_numer_denom().0;
         let quarter = (q.clone() & Integer::from(3)).to_u8().unwrap_or(0);
-        // Falling in Ω: the ends change places.
+        // 1 − qΩ decreases with Ω: the ends change places.
         let rest = Known::map(known, |x| Rational::from(x * &q) - 1u32).ball::<W>();
         let half_pi = Ball::pi() / Ball::int(2);
         let remainder = half_pi * -rest / omega;
@@ -61,9 +61,8 @@ impl<const W: usize> Angle<W> {
 
 /// `w cot w`.
 ///
-/// Its series is `1 − w²/3 − Σ c_n w^2n`, n ≥ 2, with positive c_n whose sum is 2/3 − cot 1 < 1/40, so that
-/// for |w| ≤ 1 the rest is in
-/// [0, w⁴/40].
+/// Its series is `1 − w²/3 − Σ c_n w^2n`, n ≥ 2, with positive c_n whose sum is 2/3 − cot 1 < 1/40. For |w| ≤
+/// 1 the remaining sum is therefore in [0, w⁴/40].
 fn w_cot_w<const W: usize>(w: Ball<W>) -> Ball<W> {
     let size = Radius::above(w.mid()).plus(w.rad());
     let is_small = size < Radius::power_of_two(-i64::from(Mp::<W>::BITS) / 4);

@@ -14,15 +14,15 @@ pub(crate) struct Border<const W: usize> {
     pub(crate) min_force_ratio: Ball<W>,
     pub(crate) turning_point: Ball<W>,
     pub(crate) least_displacement: Ball<W>,
-    /// τ*; `None` where it is undecided which of the two values of S is the larger.
+    /// τ*; `None` where it is undecided which of the two values of S is larger.
     pub(crate) phase: Option<Ball<W>>,
 }
 
-/// The stationary value of Den Hartog's condition below Ω = 1/2.
+/// The stationary value of Den Hartog's condition for Ω < 1/2.
 struct Inner<const W: usize> {
-    /// S there.
+    /// S at the stationary point.
     value: Ball<W>,
-    /// τ of its formula, in (0, π/2].
+    /// τ in the formula of S, in (0, π/2].
     tau: Ball<W>,
     /// Whether T > 0.
     rises: bool,
@@ -48,7 +48,7 @@ impl<const W: usize> Border<W> {
         if *angle.known.low() >= half
             || angle.remainder.sign() == Some(Ordering::Equal) && angle.quarter & 1 == 0
         {
-            // Proved in the head of `crate::nonsticking::border`; and T = 0.
+            // Proved in the documentation of `crate::nonsticking::border`; here also T = 0.
             return at_turning_point;
         }
         if *angle.known.high() > half {
@@ -67,7 +67,7 @@ impl<const W: usize> Border<W> {
 }
 
 impl<const W: usize> Inner<W> {
-    /// At the only zero η of g on (0, π), where g rises.
+    /// The stationary value at the only zero η of g on (0, π), where g increases.
     fn at(angle: &Angle<W>) -> Option<Self> {
         let (gamma, rises) = lobe_phase(angle)?;
         let omega = angle.omega;

@@ -24,14 +24,14 @@ pub(crate) struct Cycle<const W: usize> {
 }
 
 impl<const W: usize> Cycle<W> {
-    /// The cycle at α certainly above the border, Ω certainly not 1; `None` where the maximum velocity is
-    /// not found at this width.
+    /// The cycle for α certainly above the border and Ω certainly not 1; `None` where the maximum velocity is
+    /// not found at this precision.
     pub(crate) fn at(angle: &Angle<W>, alpha: Ball<W>) -> Option<Self> {
         let (k, q, omega) = (angle.phase_function, angle.one_minus_square, angle.omega);
         let max_displacement = max_displacement(k, alpha, q);
         let sine = sin_displacement_phase(max_displacement, alpha, q);
         let cosine = cos_displacement_phase(k, alpha);
-        // In (0, π) below the natural frequency, in (π, 2π) above.
+        // The phase is in (0, π) below the natural frequency and in (π, 2π) above.
         let is_below_one = *angle.known.high() < 1;
         let displacement_phase =
             if is_below_one { sine.atan2(cosine) } else { Ball::pi() + (-sine).atan2(-cosine) };
@@ -96,8 +96,8 @@ fn bend<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> Ball<
     forcing * psi.sin() - omega.square() * velocity(angle, delta, psi).0
 }
 
-/// The centred time of the maximum velocity: the only zero of v′ in a ball, which lies where the head of
-/// `crate::nonsticking::velocity` proves that there is one zero and that it is the maximum velocity.
+/// The centred time of the maximum velocity: the only zero of v′ in a ball. The ball lies where
+/// `crate::nonsticking::velocity` proves that v′ has one zero, and that the zero is the maximum velocity.
 fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>) -> Option<Ball<W>> {
     let p = PhaseFunction::of_valid(angle.omega.mid());
     let start = fastest(&HalfCycle::new(&p, delta.mid()), p.value(), alpha.mid()).psi;
@@ -105,12 +105,12 @@ fn fastest_psi<const W: usize>(angle: &Angle<W>, alpha: Ball<W>, delta: Ball<W>)
     is_in_bracket(angle, delta, psi).then_some(psi)
 }
 
-/// Whether ψ is certainly where there is one zero of v′ only.
+/// Whether ψ is certainly in the interval in which v′ has a single zero.
 fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>) -> bool {
     let quarter = Ball::pi() / Ball::int(2);
     let half = rug::Rational::from((1, 2));
     if *angle.known.low() >= half {
-        // |ψ| < π/2, and within the half cycle.
+        // |ψ| < π/2, and ψ within the half cycle.
         let beta = quarter / angle.omega;
         let bound = if *angle.known.low() > 1 { beta } else { quarter };
         return psi.abs().is_below(&bound);
@@ -130,7 +130,7 @@ fn is_in_bracket<const W: usize>(angle: &Angle<W>, delta: Ball<W>, psi: Ball<W>)
 /// max |λ| of the half cycle.
 ///
 /// Where it is not certain whether the multipliers are real or complex, both forms are continuous at the
-/// double root gσ = 1, and the larger one of each pair of possibilities is in the ball of both.
+/// double root gσ = 1. The hull of both forms then contains the larger modulus.
 fn contraction<const W: usize>(angle: &Angle<W>, delta: Ball<W>) -> Ball<W> {
     let (one, two) = (Ball::<W>::int(1), Ball::int(2));
     let (s, c) = angle.sin_cos;
@@ -158,7 +158,7 @@ mod tests {
     use crate::float::mp::Mp;
     use rug::Rational;
 
-    /// From Ω = 1/2 on |ψ| is below π/2 and β.
+    /// For Ω ≥ 1/2, |ψ| is below π/2 and β.
     #[test]
     fn the_bracket_of_the_maximum_velocity_ends_on_both_sides() {
         let at = |p: i32, q: i32, delta: f64, psi: f64| {

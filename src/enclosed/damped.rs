@@ -1,8 +1,8 @@
 //! The closed forms with damping, or with static friction above the kinetic one, in balls.
 //!
-//! The half period ([`HalfPeriod`]) is formed from its definition, at as many bits as its cancellations take;
-//! everything after it is the formulae of `crate::nonsticking::damped`. The maximum velocity, acceleration
-//! and force of the half cycle are found by leaving out parts of it (`greatest`), for any Ω and ζ.
+//! The half period ([`HalfPeriod`]) is computed from its definition, with as many bits as its cancellations
+//! cost; all further steps are the formulae of `crate::nonsticking::damped`. The maximum velocity,
+//! acceleration and force of the half cycle are found by branch and bound (`greatest`), for any Ω and ζ.
 
 mod border;
 
@@ -50,21 +50,21 @@ pub(crate) fn waves<const W: usize>(free: &Free<Ball<W>>, t: Ball<W>) -> Waves<B
     }
 }
 
-/// Free vibration with ζ; without damping by exact numbers.
+/// Free vibration with damping ratio ζ; without damping by exact numbers.
 pub(super) fn free<const W: usize>(zeta: Ball<W>) -> Free<Ball<W>> {
     let one = Ball::int(1);
     let is_undamped = zeta.sign() == Some(Ordering::Equal);
     if is_undamped { Free { zeta, square: one, frequency: one } } else { Free::new(zeta) }
 }
 
-/// The half cycle at a time.
+/// The state of the half cycle at a time.
 pub(crate) fn moment<const W: usize>(half: &HalfPeriod<Ball<W>>, tau: Ball<W>) -> Moment<Ball<W>> {
     let waves = waves(&half.free, tau);
     let free = half.free.after(waves, Ball::int(1) + half.shift, half.omega * half.h);
     Moment { tau, drive: (half.omega * tau).sin_cos(), waves, free }
 }
 
-/// The half period, by its definition.
+/// The half period by its definition.
 pub(crate) fn half_period<const W: usize>(
     angle: &Angle<W>,
     zeta: &Known,
@@ -95,7 +95,7 @@ pub(crate) fn half_period<const W: usize>(
         cosine,
         sine,
         static_excess: Ball::int(0),
-        // A ball tells how much of both parts is lost.
+        // The ball itself shows the cancellation in both parts.
         is_resonant: false,
     };
     half.with_static_friction(eta.ball())
@@ -106,11 +106,11 @@ pub(crate) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W
     (border::border(half), best(half))
 }
 
-/// Outputs of a cycle by name, where they are found.
+/// Outputs of a cycle by name; `None` where an output is not found.
 pub(crate) type Outputs<const W: usize> = Vec<(Output, Option<Ball<W>>)>;
 
-/// The outputs of the cycle at α certainly above the border, of those that take a search the wanted ones;
-/// `None` where the maximum velocity is not found.
+/// The outputs of the cycle for α certainly above the border. Those that take a search are computed only if
+/// requested. `None` where the maximum velocity is not found.
 pub(crate) fn outputs<const W: usize>(
     angle: &Angle<W>,
     half: HalfPeriod<Ball<W>>,
@@ -143,7 +143,7 @@ pub(crate) fn outputs<const W: usize>(
     if [Output::MaxVelocity, Output::VelocityPhase, Output::Deviation].into_iter().any(&wanted) {
         found.extend(at_greatest_velocity(&rising, displacement_phase)?);
     }
-    // What is left of the half cycle is in the ball of its end.
+    // The ball of the half cycle's end contains the remainder of the half cycle.
     let whole = [(Mp::ZERO, end.lower())];
     let of = |jet: &dyn Fn(&Moment<Ball<W>>) -> Jet<Ball<W>>| {
         greatest_size(&whole, &[Ball::int(0), end], |tau| jet(&moment(&half, tau)))
@@ -177,7 +177,7 @@ fn at_greatest_velocity<const W: usize>(
     })?;
     let phase = fastest.at.map(|tau| reduced(displacement_phase - Ball::pi() + omega * tau));
     let deviation = fastest.at.map(|tau| {
-        // By the mean value theorem: x changes by the velocity.
+        // By the mean value theorem, x changes by the velocity times the time.
         let middle = Ball::exact(tau.mid());
         displacement(rising, &moment(&half, middle))
             + rising.velocity(&moment(&half, tau))[0] * (tau - middle)
@@ -208,7 +208,7 @@ fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
     }
 }
 
-/// What the body does, where the balls do not overlap.
+/// The regime, where the balls do not overlap.
 pub(super) fn regime<const W: usize>(
     omega: &Known,
     (zeta, eta): (&Known, &Known),
@@ -224,7 +224,7 @@ pub(super) fn regime<const W: usize>(
     if *zeta.low() > 0 || *omega.low() > 1 || *omega.high() < 1 {
         return Some(Regime::NonSticking);
     }
-    // At resonance without damping a body that is never released stays at rest.
+    // At resonance without damping, a body that is never released stays at rest.
     let is_released = eta.ball::<W>().is_below(alpha);
     (omega.is_exact() && *zeta.high() == 0 && is_released).then_some(Regime::Unbounded)
 }
@@ -233,7 +233,7 @@ pub(super) fn regime<const W: usize>(
 /// damping; `None` where they are not found.
 ///
 /// As in `crate::nonsticking::peaks`: |x″| is greatest on arrival, or within a fast period of an end or of
-/// where the slow wave is greatest; and y′ has one zero.
+/// the maximum of the slow wave; and y′ has one zero.
 pub(super) fn undamped_peaks<const W: usize>(
     angle: &Angle<W>,
     delta: Ball<W>,
@@ -258,11 +258,11 @@ pub(super) fn undamped_peaks<const W: usize>(
         if (rate(middle) > 0.0) == is_first { low = middle } else { high = middle }
     }
     let start = Mp::of_f64(f64::midpoint(low, high));
-    // K = 0: y′ is zero at the ends, and nowhere between.
+    // K = 0: y′ is zero at the ends, and nowhere between them.
     let at_end =
         (angle.phase_function.sign() == Some(Ordering::Equal)).then(|| absolute(half.period).value.abs());
     let turn = only_zero(start, |tau| absolute(tau).slope, |tau| absolute(tau).second);
-    // An extremum, so that its place hardly changes it.
+    // At an extremum an error of the time hardly changes the value.
     let farthest = turn.filter(|tau| tau.is_positive() && tau.is_below(&half.period)).map(|tau| {
         let middle = Ball::exact(tau.mid());
         (absolute(middle).value + absolute(tau).slope * (tau - middle)).abs()
@@ -278,7 +278,7 @@ pub(super) fn undamped_peaks<const W: usize>(
 fn acceleration<const W: usize>(rising: &Rising<Ball<W>>) -> Option<Ball<W>> {
     let half = &rising.half;
     let (end, turn) = (half.period.lower(), (Ball::<W>::pi() * Ball::int(2)).upper());
-    // a Ω² cos Ωτ + H Ω² sin Ωτ, of which the ends are of opposite sign.
+    // a Ω² cos Ωτ + H Ω² sin Ωτ, whose values at the ends have opposite signs.
     let crest = (half.h.atan2(rising.amplitude) / half.omega).mid();
     let crest = if crest < Mp::ZERO { crest + half.period.mid() } else { crest };
     let windows = [(Mp::ZERO, turn), (crest - turn, crest + turn), (end - turn, end)];

@@ -1,12 +1,12 @@
-//! An enclosure of an output, at whatever precision it was found.
+//! An enclosure of an output, at the precision at which it was found.
 
 use crate::float::ball::{Ball, Written, written};
 use core::fmt;
 use rug::{Float, float::Round};
 
-/// All numbers within a radius of a midpoint, and the output is one of them.
+/// All numbers within a radius of a midpoint, one of which is the output.
 ///
-/// Printed as digits that are certain to within one in the last place, then ± and the radius.
+/// It prints the digits that are certain to within one unit in the last place, then ± and the radius.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 #[must_use]
@@ -18,32 +18,32 @@ pub struct Enclosure {
 }
 
 impl Default for Enclosure {
-    /// Nothing is known: an infinite radius.
+    /// No information: an infinite radius.
     fn default() -> Self {
         Self { mid: Float::new(64), rad: Float::with_val(64, rug::float::Special::Infinity) }
     }
 }
 
 impl Enclosure {
-    /// The numbers of a ball; `None` of the whole line.
+    /// The numbers of a ball; `None` for the whole line.
     pub(super) fn of<const W: usize>(ball: &Ball<W>) -> Option<Self> {
         let (mid, rad) = (ball.mid().to_rug(), ball.rad().value::<1>().to_rug());
         (!ball.is_entire() && rad.is_finite()).then_some(Self { mid, rad })
     }
 
-    /// The same with a midpoint of `bits` bits, and a radius that has its rounding.
+    /// The same with a midpoint of `bits` bits, and a radius that includes its rounding.
     pub(super) fn rounded(&self, bits: u32) -> Self {
         let mid = Float::with_val(bits, &self.mid);
         let moved = Float::with_val_round(64, &mid - &self.mid, Round::AwayZero).0.abs();
         let rad = Float::with_val_round(64, &self.rad + &moved, Round::Up).0;
-        // Not sharper than the bits: with more that were needed for a decision, the rest of the digits would
-        // be all nines or zeros.
+        // The radius is not smaller than the bits imply: if a decision needed more bits, all further digits
+        // would be nines or zeros.
         let least = Float::with_val_round(64, &mid >> (bits + 2), Round::AwayZero).0.abs();
         let rad = if rad.is_zero() { rad } else { rad.max(&least) };
         Self { mid, rad }
     }
 
-    /// Whether a number of any precision is in it.
+    /// Whether the enclosure contains a number of any precision.
     #[must_use]
     pub fn contains(&self, x: &Float) -> bool {
         let (Some(mid), Some(rad), Some(x)) =
@@ -54,7 +54,7 @@ impl Enclosure {
         (x - mid).abs() <= rad
     }
 
-    /// Midpoint and radius in decimal, with two digits more than are certain: what JSON has.
+    /// Midpoint and radius in decimal, with two digits more than are certain, as in the JSON output.
     #[must_use]
     pub fn decimal(&self) -> (String, String) {
         let Written { mid, rad } = self.written(2);

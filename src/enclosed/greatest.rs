@@ -1,5 +1,5 @@
-//! The greatest value of a smooth function on an interval: parts that cannot hold it are left out, until each
-//! that is left has one stationary point, proved and enclosed.
+//! The greatest value of a smooth function on an interval, by branch and bound: parts that cannot contain it
+//! are discarded, until each remaining part has one stationary point, proved and enclosed.
 
 use super::root::only_zero;
 use crate::float::Field;
@@ -8,17 +8,17 @@ use crate::float::mp::Mp;
 use crate::greatest::Jet;
 use core::cmp::Ordering;
 
-/// Parts that are looked at before it is given up.
+/// The greatest number of parts before the search gives up.
 const MOST: usize = 1500;
 
 /// A greatest value.
 pub(super) struct Greatest<const W: usize> {
     pub(super) value: Ball<W>,
-    /// Where it is; `None` where there are several places that may have it.
+    /// Its place; `None` where several places may have it.
     pub(super) at: Option<Ball<W>>,
 }
 
-/// The greatest value of f on an interval where it is zero at the ends, and greater between.
+/// The greatest value of f on an interval at whose ends f is zero, and inside which f is positive somewhere.
 pub(super) fn greatest<const W: usize>(
     range: (Mp<W>, Mp<W>),
     f: impl Fn(Ball<W>) -> Jet<Ball<W>>,
@@ -26,8 +26,8 @@ pub(super) fn greatest<const W: usize>(
     search(&[(range, false)], &[], |t, _| f(t))
 }
 
-/// The greatest |f| over intervals with what is between them left out, where it is known to be in one of
-/// them: at a stationary point, or at one of the `ends`.
+/// The greatest |f| over intervals. The gaps between them are skipped because the maximum is known to lie in
+/// one of the intervals, at a stationary point, or at one of the `ends`.
 pub(super) fn greatest_size<const W: usize>(
     ranges: &[(Mp<W>, Mp<W>)],
     ends: &[Ball<W>],
@@ -42,7 +42,7 @@ pub(super) fn greatest_size<const W: usize>(
     search(&both, ends, signed).map(|found| found.value)
 }
 
-/// The greatest value over parts, each with or without the sign changed.
+/// The greatest value over several parts, each with or without a change of sign.
 fn search<const W: usize>(
     parts: &[((Mp<W>, Mp<W>), bool)],
     ends: &[Ball<W>],
@@ -54,7 +54,7 @@ fn search<const W: usize>(
     for (value, _) in &found {
         best = reached(best, value.lower());
     }
-    // Values that are reached, to leave out what is certainly smaller.
+    // Attained values, to discard parts that are certainly smaller.
     for ((low, high), sign) in parts {
         for i in 1..48 {
             let t = Ball::exact(*low + (*high - *low) * Mp::of_int(i) / Mp::of_int(48));
@@ -71,14 +71,14 @@ fn search<const W: usize>(
         let part = Ball::between(low, high);
         let (middle, over) = (Ball::exact(part.mid()), f(part, sign));
         let (at_middle, step) = (f(middle, sign), part - middle);
-        // By the mean value theorem, and by Taylor's.
+        // Bounds by the mean value theorem and by Taylor's.
         let straight = (at_middle.value + over.slope * step).upper();
         let bent = at_middle.value + at_middle.slope * step + over.second * step.square() / Ball::int(2);
         if straight < best || bent.upper() < best {
             continue;
         }
         match over.second.sign() {
-            // Convex: greatest at an end.
+            // Convex: the value is greatest at an end.
             Some(Ordering::Greater) => continue,
             Some(Ordering::Less) => {
                 let zero = only_zero(part.mid(), |t| f(t, sign).slope, |t| f(t, sign).second);
@@ -86,7 +86,8 @@ fn search<const W: usize>(
                     && zero.upper() >= low
                     && zero.lower() <= high
                 {
-                    // Concave: greatest there, or at the end that is in the same ball.
+                    // Concave: the value is greatest at the zero of the slope, or at an end that lies in the
+                    // same ball.
                     let zero = if zero.lower() < low { zero.hull(&Ball::exact(low)) } else { zero };
                     let zero = if zero.upper() > high { zero.hull(&Ball::exact(high)) } else { zero };
                     let step = zero - Ball::exact(zero.mid());
@@ -99,7 +100,8 @@ fn search<const W: usize>(
             _ => {}
         }
         if over.slope.sign().is_some_and(|sign| sign != Ordering::Equal) {
-            // Greater at an end, which belongs to a neighbour, or is an end of all.
+            // The value is greater at an end, which belongs to a neighbour or is an end of the whole
+            // interval.
             continue;
         }
         let middle = (low + high).scale2(-1);
@@ -112,7 +114,7 @@ fn search<const W: usize>(
     found.retain(|(value, _)| value.upper() >= best);
     let (first, others) = found.split_first()?;
     let value = others.iter().fold(first.0, |value, other| value.larger(&other.0));
-    // One place, or balls that overlap.
+    // There is one place if all balls overlap.
     let is_one = others.iter().all(|other| other.1.intersection(&first.1).is_some());
     let at = is_one.then(|| others.iter().fold(first.1, |at, other| at.hull(&other.1)));
     Some(Greatest { value, at })

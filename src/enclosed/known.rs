@@ -1,4 +1,4 @@
-//! A ratio as it is known: a rational number, or all numbers between two.
+//! A ratio that is a rational number or lies between two of them.
 
 use crate::error::{Error, Number, Quantity, written};
 use crate::float::ball::{Ball, Radius};
@@ -8,9 +8,9 @@ use crate::ratios::{positive, within};
 use core::str::FromStr;
 use rug::{Integer, Rational, ops::Pow};
 
-/// What is known of a ratio: its exact value, or that it lies between two numbers.
+/// The knowledge of a ratio: its exact value, or that it lies between two numbers.
 ///
-/// Read from text it is exactly what is written: `0.4` is four tenths, `1/3` is a third.
+/// Text is read exactly as written: `0.4` is four tenths, `1/3` is a third.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use]
 pub struct Known {
@@ -18,7 +18,7 @@ pub struct Known {
     high: Rational,
 }
 
-/// Decimal digits and exponents of more than this are refused.
+/// The greatest length of a decimal number, and the greatest exponent.
 const LONGEST: usize = 20_000;
 
 impl Known {
@@ -33,7 +33,7 @@ impl Known {
         Ok(Self { low: number.clone(), high: number })
     }
 
-    /// All numbers from one to another that is not below it.
+    /// All numbers between two ends, of which the second is not below the first.
     pub(crate) fn of_ends(low: Rational, high: Rational) -> Self {
         Self { low, high }
     }
@@ -43,7 +43,7 @@ impl Known {
         Self { low: x.clone(), high: x }
     }
 
-    /// Anything from the low end of one to the high end of the other.
+    /// All numbers from the low end of one to the high end of the other.
     ///
     /// # Errors
     /// [`Error::EmptyInterval`] where the ends are in the wrong order.
@@ -56,7 +56,7 @@ impl Known {
         }
     }
 
-    /// Whether it is one number.
+    /// Whether this is a single number.
     #[must_use]
     pub(crate) fn is_exact(&self) -> bool {
         self.low == self.high
@@ -75,12 +75,12 @@ impl Known {
         Rational::from(&self.low + &self.high) / 2u32
     }
 
-    /// The same numbers through a function that does not fall.
+    /// The image of the numbers under a nondecreasing function.
     pub(crate) fn map(&self, f: impl Fn(&Rational) -> Rational) -> Self {
         Self { low: f(&self.low), high: f(&self.high) }
     }
 
-    /// The ratio in its domain: of [`crate::Ratios`].
+    /// The ratio, if it lies in its domain of [`crate::Ratios`].
     pub(crate) fn within(&self, quantity: Quantity, is_bounded_below: bool) -> Result<&Self, Error> {
         let greatest = Mp::<2>::exp2i(<f64 as Float>::RATIO_EXPONENT);
         let least = Mp::int(1) / greatest;
@@ -91,7 +91,7 @@ impl Known {
         Ok(self)
     }
 
-    /// A ball with these numbers.
+    /// A ball that contains these numbers.
     pub(crate) fn ball<const W: usize>(&self) -> Ball<W> {
         let end = |x: &Rational| {
             let mid = Mp::from_rational(x);
@@ -110,7 +110,7 @@ impl Known {
 impl FromStr for Known {
     type Err = ParseError;
 
-    /// A decimal number, as `f64` reads it, or two integers with `/` between them: exactly what is written.
+    /// Reads a decimal number as `f64` does, or two integers with `/` between them, exactly as written.
     fn from_str(text: &str) -> Result<Self, ParseError> {
         let error = || ParseError { text: text.chars().take(80).collect() };
         let number = match text.split_once('/') {
@@ -132,9 +132,9 @@ impl FromStr for Known {
     }
 }
 
-/// The number that is written; `None` of what is none, infinite, or too long to be a ratio.
+/// The decimal number as written; `None` for text that is no number, infinite, or too long to be a ratio.
 fn decimal(text: &str) -> Option<Rational> {
-    // What `f64` reads is what a number is.
+    // The grammar is that of `f64`.
     text.parse::<f64>().ok().filter(|_| text.len() <= LONGEST)?;
     let (digits, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let exponent: i32 = exponent.parse().ok().filter(|e: &i32| e.unsigned_abs() as usize <= LONGEST)?;

@@ -1,21 +1,21 @@
-//! The exact motion in balls: a periodic motion that is proved to exist.
+//! The exact motion in balls: a proof that a periodic motion exists.
 //!
-//! A symmetric motion is known from half a cycle, any other from a whole one: slides one after the other,
-//! each from rest to rest, with stops between some of them. What it starts from is two numbers where the body
-//! never stops (phase and place of a reversal) and one where it does (the place of a stop; the phase of the
-//! release follows). The map of the motion less the start, mirrored after half a cycle, is a function F of
-//! those, and a zero of F is a periodic motion.
+//! A symmetric motion is determined by half a cycle, any other by a whole one: successive slides, each from
+//! rest to rest, with stops between some of them. Its start is given by two numbers if the body never stops
+//! (phase and place of a reversal), and by one if it does (the place of a stop, from which the phase of the
+//! release follows). The map of the motion, mirrored after half a cycle, minus the start is a function F of
+//! these numbers, and a zero of F is a periodic motion.
 //!
-//! **Existence and uniqueness.** With a box X around an approximate start m, and the derivatives of F over
-//! all of X in balls, the interval Newton operator `N = m − F′(X)⁻¹ F(m)` is computed. N inside X proves that
-//! F has exactly one zero in X, and that it is in N (Neumaier, *Interval Methods for Systems of Equations*,
-//! 1990, theorem 5.1.7). So *this periodic motion exists and is the only one of its kind in the box*.
+//! **Existence and uniqueness.** For a box X around an approximate start m, and the derivatives of F over all
+//! of X in balls, the interval Newton operator is `N = m − F′(X)⁻¹ F(m)`. If N lies inside X, F has exactly
+//! one zero in X, and the zero is in N (Neumaier, *Interval Methods for Systems of Equations*, 1990, theorem
+//! 5.1.7). Then *this periodic motion exists and is the only one of its kind in the box*.
 //!
-//! **That the map is the motion's** is shown over all of X as well (`certificate`): the velocity keeps its
-//! sign throughout each slide, its zero is the only one there, the force stays below the friction bound
-//! throughout each stop and passes it at the release, and exceeds it at each reversal. What is only touched,
-//! a grazing or a stop of no length, cannot be shown in balls: then nothing is claimed, and [`Unproved`]
-//! names the event.
+//! **The map is that of the motion.** This is proved over all of X as well (`certificate`). The velocity
+//! keeps its sign throughout each slide, and its zero is the only one there. The force stays below the
+//! friction bound throughout each stop and passes it at the release, and it exceeds the bound at each
+//! reversal. A grazing zero or a stop of zero length cannot be proved in balls: then there is no claim, and
+//! [`Unproved`] names the event.
 //!
 //! | file | content |
 //! |---|---|

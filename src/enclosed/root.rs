@@ -1,15 +1,15 @@
-//! One zero of a function in a ball, and a proof that there is one: the interval Newton method.
+//! A zero of a function in a ball, with a proof of existence and uniqueness: the interval Newton method.
 //!
 //! Let f be differentiable on a ball X around m. If the ball `N = m − f(m)/f′(X)` lies inside X, then f has
 //! exactly one zero in X, and it lies in N (Moore, Kearfott and Cloud, *Introduction to Interval Analysis*,
-//! SIAM 2009, theorem 8.4; in one dimension by the mean value theorem). f may itself depend on numbers that
-//! are known to balls: then it holds for each of them.
+//! SIAM 2009, theorem 8.4; in one dimension by the mean value theorem). If f depends on parameters given by
+//! balls, this holds for all their values.
 
 use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 
-/// The only zero of `f` near `start`, enclosed, and the ball in which it is the only one; `None` where that
-/// is not shown.
+/// The only zero of `f` near `start`, enclosed, and the ball in which it is the only one; `None` where this
+/// is not proved.
 pub(super) fn only_zero<const W: usize>(
     start: Mp<W>,
     f: impl Fn(Ball<W>) -> Ball<W>,
@@ -17,7 +17,7 @@ pub(super) fn only_zero<const W: usize>(
 ) -> Option<Ball<W>> {
     let mut start = Ball::exact(start);
     let (mut at_start, mut step) = (f(start), Ball::entire());
-    // Newton's method on midpoints, until the step is no longer than what the ball of f leaves open.
+    // Newton's method on midpoints, until the step is no longer than the uncertainty of f.
     for _ in 0..8 {
         step = at_start / slope(start);
         if Radius::above(step.mid()) <= step.rad().scaled(2) {
@@ -26,12 +26,12 @@ pub(super) fn only_zero<const W: usize>(
         start = Ball::exact(start.mid() - step.mid());
         at_start = f(start);
     }
-    // Room for the change of the slope.
+    // A margin for the change of the slope.
     let mut reach = Radius::above(step.mid()).plus(step.rad());
     for _ in 0..6 {
         reach = reach.scaled(2);
         if reach.is_zero() || reach.is_infinite() {
-            // A zero that is hit exactly: any ball around it will do.
+            // The zero is hit exactly, and any ball around it will do.
             reach = Radius::power_of_two(-i64::from(Mp::<W>::BITS));
         }
         let around = Ball::new(start.mid(), reach);

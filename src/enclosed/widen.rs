@@ -1,4 +1,4 @@
-//! More bits until the answers are sharp, or there are no more.
+//! The precision is increased until the answers are sharp or the limit is reached.
 
 use super::{Enclosure, Regime};
 use crate::error::{Error, written};
@@ -6,21 +6,21 @@ use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::output::Output;
 
-/// The most bits.
+/// The greatest number of bits.
 pub(super) const GREATEST: u32 = 8256;
 
-/// What can be asked at any width.
+/// A question that can be answered at any precision.
 pub(super) trait Question {
     fn at_width<const W: usize>(&self) -> Answers;
 }
 
-/// The answers at one width.
+/// The answers at one precision.
 #[derive(Debug, Clone)]
 pub(super) struct Answers {
     pub(super) regime: Option<Regime>,
     pub(super) values: Vec<(Output, Enclosure)>,
     pub(super) bits: u32,
-    /// Bits that are certain of the output of which the fewest are.
+    /// The number of certain bits of the least certain output.
     sharpness: i64,
     is_exact: bool,
     is_decided: bool,
@@ -40,7 +40,7 @@ impl Answers {
         Self { regime, values, bits, sharpness, is_exact, is_decided }
     }
 
-    /// Rounded to the bits that were asked for, where it is that sharp.
+    /// The answers rounded to the requested bits, where they are that sharp.
     fn rounded(mut self, bits: u32) -> Self {
         for (_, value) in &mut self.values {
             *value = value.rounded(bits);
@@ -49,8 +49,8 @@ impl Answers {
     }
 }
 
-/// Bits of a ball that its radius leaves: of an exact number, and of one that is tiny itself, as many as
-/// there are.
+/// The number of bits of a ball that its radius leaves certain; all of them for an exact number and for one
+/// that is itself tiny.
 fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
     let all = i64::from(Mp::<W>::BITS);
     let size = Radius::below(ball.mid());
@@ -65,16 +65,17 @@ fn certain_bits<const W: usize>(ball: &Ball<W>) -> i64 {
     }
 }
 
-/// The answers with the bits asked for, and more bits where they are undecided or not sharp enough.
+/// The answers at the requested bits, recomputed with more bits where they are undecided or not sharp enough.
 pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, Error> {
     let mut last: Option<Answers> = None;
     macro_rules! at {
         ($($width:literal)*) => {$(
             if Mp::<$width>::BITS >= bits + 64 {
                 let found = question.at_width::<$width>();
-                // Two bits more than asked for, so that rounding to those leaves one unit in the last place.
+                // Two bits more than requested, so that the final rounding leaves one unit in the last place.
                 let is_sharp = found.sharpness >= i64::from(bits) + 2;
-                // With intervals for ratios, more bits do not help beyond their own width.
+                // With intervals for the ratios, further bits cannot reduce the width that the intervals
+                // cause.
                 let is_final = !found.is_exact && last.as_ref().is_some_and(|l| found.sharpness <= l.sharpness);
                 if found.is_decided && is_sharp || is_final {
                     return Ok(found.rounded(bits));
@@ -84,7 +85,7 @@ pub(super) fn sharpest(question: &impl Question, bits: u32) -> Result<Answers, E
         )*};
     }
     at!(2 5 17 65 129);
-    // `valid` has seen to it that there is a width.
+    // `valid` has made sure that there is such a precision.
     let nothing = Error::OutOfRange {
         quantity: crate::Quantity::Precision,
         value: written(f64::from(bits)),
@@ -104,11 +105,11 @@ mod tests {
     fn the_bits_that_the_radius_leaves_are_certain() {
         let all = i64::from(Mp::<2>::BITS);
         let bits = |mid: f64, e: i64| certain_bits(&Ball::<2>::new(Mp::of_f64(mid), Radius::power_of_two(e)));
-        // 1 and 2⁻ᵉ are both the least of their binade.
+        // 1 and 2⁻ᵉ are each the least number of their binade.
         assert_eq!([0, -1, -20, -100].map(|e| bits(1.0, e)), [0, 1, 20, 100]);
         assert_eq!([bits(-1.75, -20), bits(3.0, -20), bits(0.25, -20)], [20, 21, 18]);
         assert_eq!((bits(1.0, 5), bits(1.0, -all - 9)), (0, all));
-        // Of zero as many as there are, or none.
+        // A ball around zero has all bits or none.
         assert_eq!([-all - 1, -all, 0].map(|e| bits(0.0, e)), [all, 0, 0]);
         let exact = |x: f64| certain_bits(&Ball::<2>::exact(Mp::of_f64(x)));
         assert_eq!((exact(0.0), exact(0.1), certain_bits(&Ball::<2>::entire())), (all, all, 0));

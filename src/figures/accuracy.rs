@@ -1,4 +1,4 @@
-//! What the formula as written loses beside Ω = 1.
+//! The digits lost near Ω = 1 by the formulae as written.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::Border;
@@ -42,19 +42,19 @@ pub(super) fn beside_one() -> Figure {
     }
 }
 
-/// Distances from 1 in equal ratios.
+/// Distances from 1 in geometric progression.
 fn distances() -> impl Iterator<Item = f64> + Clone {
     evenly(-15.4, -0.5, 120).map(|exponent| 10f64.powf(exponent)).filter(|delta| 1.0 + delta > 1.0)
 }
 
-/// The error to draw: against the exact value where it is known, else against ours.
+/// The error to draw: relative to the exact value where it is known, otherwise relative to the library's.
 fn error(against_exact: f64, ours: f64, value: f64) -> f64 {
     let error =
         if against_exact.is_nan() && !value.is_nan() { (value / ours - 1.0).abs() } else { against_exact };
     if error.is_nan() { 1.0 } else { error.clamp(1e-17, 1.0) }
 }
 
-/// Eq. 44 as it stands in the paper.
+/// Eq. 44 as written in the paper.
 fn naive_displacement(omega: f64) -> f64 {
     let pi_1 = std::f64::consts::PI / omega;
     let amplitude = ALPHA / (1.0 - omega * omega);
@@ -62,7 +62,7 @@ fn naive_displacement(omega: f64) -> f64 {
     (amplitude * amplitude - lag * lag).sqrt()
 }
 
-/// Eq. 61 as it stands in the paper.
+/// Eq. 61 as written in the paper.
 fn naive_border(omega: f64) -> f64 {
     let pi_1 = std::f64::consts::PI / omega;
     let (factor, lag) = (1.0 / (omega * omega) - 1.0, omega * pi_1.sin() / (1.0 + pi_1.cos()));
@@ -77,7 +77,7 @@ fn border(omega: f64) -> f64 {
     crate::PhaseFunction::new(omega).map_or(f64::NAN, |p| Border::turning_point_at(&p))
 }
 
-/// The relative error of a value, against 256 bits.
+/// The relative error of a value, by 256 bits.
 #[cfg(feature = "mp")]
 fn exact_displacement(omega: f64, value: f64) -> f64 {
     use crate::Float;
@@ -87,7 +87,7 @@ fn exact_displacement(omega: f64, value: f64) -> f64 {
     cycle.map_or(f64::NAN, |c| (wide(value) / c.max_displacement - wide(1.0)).to_f64().abs())
 }
 
-/// The relative error of a value, against 256 bits.
+/// The relative error of a value, by 256 bits.
 #[cfg(feature = "mp")]
 fn exact_border(omega: f64, value: f64) -> f64 {
     use crate::Float;
@@ -97,13 +97,13 @@ fn exact_border(omega: f64, value: f64) -> f64 {
     p.map_or(f64::NAN, |p| (wide(value) / Border::turning_point_at(&p) - wide(1.0)).to_f64().abs())
 }
 
-/// Not known without multiple precision.
+/// Unknown without multiple precision.
 #[cfg(not(feature = "mp"))]
 fn exact_displacement(_: f64, _: f64) -> f64 {
     f64::NAN
 }
 
-/// Not known without multiple precision.
+/// Unknown without multiple precision.
 #[cfg(not(feature = "mp"))]
 fn exact_border(_: f64, _: f64) -> f64 {
     f64::NAN

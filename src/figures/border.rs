@@ -1,4 +1,4 @@
-//! Figure 8: the least force ratio that keeps the body from sticking.
+//! Figure 8: the minimum force ratio without sticking.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::exact::{LongRun, State};

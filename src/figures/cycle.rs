@@ -37,7 +37,7 @@ pub(super) fn in_phase_plane() -> Figure {
         word("t₃", -d1 - 0.35, -v0 - 0.3),
         word("t₄", -d0 - 0.4, -0.3),
     ]);
-    // The way round, between the instants.
+    // Arrows between the four instants show the direction.
     let quarter = path.len() / 4;
     let way = |i: usize| path.get(i..i + 4).map(|piece| Series::new("", Style::Arrow, 2, piece.to_vec()));
     let ways: Vec<_> = (0..4).filter_map(|i| way(i * quarter + quarter / 3)).collect();

@@ -1,4 +1,4 @@
-//! What viscous damping changes: the response curve, the border, and how long the body rests.
+//! The effect of viscous damping on the response curve, the border, and the time at rest.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::exact::{LongRun, State, SteadyState};
@@ -7,10 +7,10 @@ use crate::{Border, Ratios};
 /// The damping ratios.
 const ZETA: [f64; 4] = [0.0, 0.01, 0.05, 0.2];
 
-/// The force ratio of the outer panels.
+/// The force ratio of the first and last panels.
 const ALPHA: f64 = 2.5;
 
-/// Amplitude, border and rest over Ω, for four damping ratios.
+/// Amplitude, border and time at rest over Ω, for four damping ratios.
 pub(super) fn four_ratios() -> Figure {
     let amplitude = |steady: &SteadyState<f64>| steady.max_displacement.value / ALPHA;
     Figure {
@@ -60,7 +60,7 @@ fn border(zeta: f64) -> Vec<(f64, f64)> {
     shown(evenly(0.150_1, 1.999_7, 1400), 300.0, least)
 }
 
-/// A number of the steady state from rest over Ω.
+/// A property of the steady state from rest, over Ω.
 fn curve(
     zeta: f64,
     (from, to): (f64, f64),
@@ -75,7 +75,7 @@ fn curve(
     shown(evenly(from + 1e-4, to - 1e-4, 400), most, at)
 }
 
-/// The points, with a gap where they leave the axis.
+/// The points, with a gap where they exceed the axis.
 fn shown(omegas: impl Iterator<Item = f64>, most: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
     let point = |omega: f64| {
         let value = of(omega);

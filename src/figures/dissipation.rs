@@ -3,7 +3,7 @@
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use crate::{Cycle, Ratios, Response};
 
-/// The answer at Ω, for what depends on Ω alone.
+/// The answers at Ω that depend on Ω alone.
 fn at(omega: f64) -> Option<Response<f64>> {
     Ratios::new(omega, 1.0).map(Response::new).ok()
 }
@@ -16,7 +16,7 @@ fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item
     })
 }
 
-/// A value where that optimum sticks, so that the border is the best: NaN elsewhere.
+/// A value where that optimum would stick, so that the border is the best choice; NaN elsewhere.
 fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
         let answer = at(omega).filter(|a| !a.best_is_reached());

@@ -1,7 +1,7 @@
 //! A figure as SVG.
 //!
-//! The drawing library counts in whole pixels. The drawing is made in quarters of one and shown at its true
-//! size, so that curves are smooth. Text is left to the viewer's own sans-serif.
+//! The drawing library counts in whole pixels. The drawing is therefore made in quarter pixels and scaled
+//! down, so that curves are smooth. Text uses the viewer's own sans-serif font.
 
 mod frame;
 mod legend;
@@ -25,13 +25,13 @@ use plotters::style::{BLACK, FontTransform, IntoFont, TextStyle, WHITE};
 pub(super) use png::png;
 use std::io;
 
-/// Units of the drawing in a pixel.
+/// The number of drawing units in a pixel.
 const UNITS: i32 = 4;
 
-/// Where things are drawn.
+/// The area for drawing.
 pub(super) type Canvas<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
-/// What drawing comes to.
+/// The result of drawing.
 pub(super) type Drawn = Result<(), DrawingAreaErrorKind<io::Error>>;
 
 /// The drawing of a figure.
@@ -60,11 +60,11 @@ fn paint(figure: &Figure, layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
     canvas.present()
 }
 
-/// Room to the left of a plot, above and below it, in pixels.
+/// Margins in pixels: left of a plot, above it and below it.
 const LEFT: i32 = 76;
 const TOP: i32 = 66;
 const BELOW: i32 = 62;
-/// Room to the right of the legend.
+/// Margin to the right of the legend.
 const RIGHT: i32 = 24;
 
 /// Sizes in pixels.
@@ -101,7 +101,7 @@ impl Layout {
         (LEFT + self.panels_width() - 44 + self.legend + RIGHT, TOP - 30 + rows * self.step().1 + 6)
     }
 
-    /// The height that the panels take, from the top of the first.
+    /// The height of all panels, from the top of the first.
     pub(super) fn plots_height(&self) -> i32 {
         self.size().1 - TOP - BELOW
     }
@@ -113,7 +113,7 @@ impl Layout {
     }
 }
 
-/// Which point of a text is given.
+/// The point of a text at the given place.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Anchor {
     /// The middle of its upper edge.
@@ -124,13 +124,13 @@ pub(super) enum Anchor {
     Right,
     /// Its middle.
     Middle,
-    /// The middle of its lower edge, written upwards.
+    /// The middle of its lower edge; the text runs upwards.
     Upwards,
 }
 
-/// Text of a size at a place, both in pixels.
+/// Writes text of the given size at a place, both in pixels.
 pub(super) fn write(canvas: &Canvas<'_>, text: &str, (x, y): (i32, i32), size: i32, anchor: Anchor) -> Drawn {
-    // The backend takes 1/1.24 of the size that it is given.
+    // The backend scales the given size by 1/1.24.
     let font = ("sans-serif", f64::from(size * UNITS) * 1.24).into_font();
     let (font, pos) = match anchor {
         Anchor::Above => (font, Pos::new(HPos::Center, VPos::Top)),

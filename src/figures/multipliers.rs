@@ -1,4 +1,4 @@
-//! How fast a disturbance dies out.
+//! The rate at which a disturbance decays.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use crate::nonsticking::stability::Multipliers;
@@ -55,7 +55,7 @@ pub(super) fn of_the_cycle() -> Figure {
 /// One of two multipliers, each as (re, im).
 type Part = fn([(f64, f64); 2]) -> (f64, f64);
 
-/// Ω of the marks.
+/// The frequency ratio of the marks.
 const MARKED: f64 = 1.5;
 
 /// Ω from 0.2 to 2.

@@ -3,7 +3,7 @@
 use super::portrait::{samples, settled};
 use super::{Axis, Figure, Panel, Series, Style};
 
-/// The oscillator of eq. 1, and the friction force against the velocity with points of a motion that sticks.
+/// The oscillator of eq. 1, and the friction force over the velocity with points of a motion that sticks.
 pub(super) fn with_friction() -> Figure {
     Figure {
         name: "1".to_owned(),
@@ -16,7 +16,7 @@ pub(super) fn with_friction() -> Figure {
     }
 }
 
-/// A mass on a spring, in lengths of its own: both axes have one scale.
+/// A sketch of a mass on a spring, with the same scale on both axes.
 fn sketch() -> Panel {
     let line = |style, points: Vec<(f64, f64)>| Series::new("", style, 0, points);
     let arrow = |from: (f64, f64), to: (f64, f64)| line(Style::Arrow, vec![from, to]);

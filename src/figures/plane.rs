@@ -3,22 +3,22 @@
 /// Values at the points of a grid.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
-    /// What the values are.
+    /// The quantity shown.
     pub label: String,
     /// The abscissae, ascending.
     pub x: Vec<f64>,
     /// The ordinates, ascending.
     pub y: Vec<f64>,
-    /// The values, row by row: all x at the first y, then at the second; NaN for none.
+    /// The values, row by row: all x at the first y, then at the second; NaN where there is none.
     pub values: Vec<f64>,
-    /// What colours mean.
+    /// The meaning of the colours.
     pub scale: Scale,
 }
 
-/// What the colours of a plane mean.
+/// The meaning of the colours of a plane.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Scale {
-    /// The value is the place of a name in this list.
+    /// The value is an index into this list of names.
     Names(Vec<String>),
     /// From dark to light as the value goes from the first number to the second.
     Shades {
@@ -26,7 +26,7 @@ pub enum Scale {
         low: f64,
         /// The value of the lightest.
         high: f64,
-        /// Whether equal steps are equal ratios.
+        /// Whether the scale is logarithmic.
         logarithmic: bool,
     },
 }
@@ -38,7 +38,7 @@ impl Plane {
         places.zip(&self.values).filter(|(_, value)| !value.is_nan()).map(|((x, y), &value)| (x, y, value))
     }
 
-    /// The shades that the values need: over orders of magnitude where they span more than two.
+    /// The shades for these values: logarithmic where they span more than two orders of magnitude.
     #[must_use]
     pub fn shades(values: &[f64]) -> Scale {
         let finite = || values.iter().copied().filter(|v| v.is_finite());

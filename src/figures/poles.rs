@@ -1,4 +1,4 @@
-//! Beside the poles 1/3 and 1/5: where the body never stops.
+//! The neighbourhood of the poles 1/3 and 1/5, where the body never stops.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::exact::{LongRun, State};
@@ -19,7 +19,7 @@ pub(super) fn beside() -> Figure {
 }
 
 fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
-    // In steps that never meet the pole.
+    // The steps never meet the pole.
     let omegas = || evenly(from, to, 1201);
     let border = omegas().filter_map(|omega| Border::new(omega).ok().map(|b| (omega, b.min_force_ratio)));
     let edges: Vec<(f64, (f64, f64))> = omegas()
@@ -27,7 +27,7 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
         .collect();
     let least = edges.iter().map(|&(omega, (low, _))| (omega, low));
     let greatest = edges.iter().map(|&(omega, (_, high))| (omega, high));
-    // Around the region once, from the pole's left side to its right; what is above the axis breaks the line.
+    // Once around the region, from the left of the pole to its right; points above the axis break the line.
     let around = greatest.rev().chain(least).chain(edges.last().map(|&(omega, (_, high))| (omega, high)));
     let shown = |(omega, alpha): (f64, f64)| (omega, if alpha < high { alpha } else { f64::NAN });
     let lattice = evenly(from, to, 43).flat_map(|omega| {
@@ -51,7 +51,7 @@ fn panel(pole: f64, (from, to): (f64, f64), (low, high): (f64, f64)) -> Panel {
     }
 }
 
-/// Velocity zeros a cycle of the exact motion from rest, where it has no stop.
+/// The number of velocity zeros per cycle of the exact motion from rest, if it has no stop.
 fn reversals(omega: f64, alpha: f64) -> Option<u32> {
     let limit =
         Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())).ok()?;

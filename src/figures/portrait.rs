@@ -4,7 +4,7 @@ use super::{Axis, Figure, Panel, Series, Style};
 use crate::exact::{Instant, Kind, LongRun, State, SteadyState, Trajectory};
 use crate::{Cycle, Ratios};
 
-/// A motion without stops, with the points of figure 2, and one that sticks, each with its way there from
+/// A motion without stops, with the points of figure 2, and one that sticks, each with its transient from
 /// rest.
 pub(super) fn two_motions() -> Figure {
     let mut smooth = portrait("without stops: Ω = 0.7, α = 2", 0.7, 2.0, 6, (5.0, 5.0));
@@ -62,7 +62,7 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
     panel
 }
 
-/// The steady state that the motion from rest comes to.
+/// The steady state that the motion from rest reaches.
 pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
     let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default())).ok()?;
     limit.steady_state().map(SteadyState::state)

@@ -1,4 +1,4 @@
-//! Figures 4 to 7: how far, when, and how fast.
+//! Figures 4 to 7: maximum displacement, phases and maximum velocity.
 
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use crate::exact::{LongRun, State, SteadyState};
@@ -15,7 +15,7 @@ fn marked_frequency_ratios() -> impl Iterator<Item = f64> + Clone {
     evenly(0.1325, 1.9825, 38)
 }
 
-/// A value of the exact steady state, from rest; NaN where there is none.
+/// A value of the exact steady state from rest; NaN where there is none.
 fn exact(omega: f64, alpha: f64, value: fn(&SteadyState<f64>) -> f64) -> f64 {
     let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
     limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value)
@@ -34,13 +34,13 @@ fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
         // The phases jump at Ω = 1.
         let below = points.iter().take_while(|(omega, _)| *omega < 1.0).count();
         points.insert(below, (1.0, f64::NAN));
-        // The marks of two curves that lie on each other must not.
+        // Offset so that the marks of coinciding curves do not coincide.
         Series::new(name, Style::Marked(26 + index), index, points)
     };
     inverse_force_ratios(6).map(curve).collect()
 }
 
-/// A line of the exact motion and marks of the closed form for each 1/α; in the legend each line, and the
+/// For each 1/α, a line of the exact motion and marks of the closed form. The legend has each line, and the
 /// marks once.
 fn lines_and_marks(
     of_motion: fn(&SteadyState<f64>) -> f64,
@@ -94,7 +94,7 @@ pub(super) fn phases() -> Figure {
     }
 }
 
-/// A phase near 2π as the negative one that it continues.
+/// A phase near 2π as the negative one of which it is the continuation.
 fn signed(phase: f64) -> f64 {
     if phase > 1.5 * std::f64::consts::PI { phase - std::f64::consts::TAU } else { phase }
 }

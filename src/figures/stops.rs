@@ -1,11 +1,11 @@
-//! The plane of Ω and α by stops per cycle.
+//! A map of the number of stops per cycle over Ω and α.
 
 use super::{Axis, Figure, Panel, Plane, Scale, Series, Style, evenly};
 use crate::exact::{LongRun, State};
 use crate::{Border, Ratios};
 
-/// Names of the numbers of stops, from light to dark: as in every picture of ours, the lightest colour is for
-/// what does not stop, and the darkest for rest.
+/// Names of the numbers of stops, from light to dark: as in all figures, the lightest colour means no stop,
+/// and the darkest means rest.
 const NAMES: [&str; 6] =
     ["no stop", "1 or 2 stops", "3 or 4 stops", "5 or 6 stops", "7 stops or more", "at rest"];
 
@@ -34,7 +34,7 @@ pub(super) fn per_cycle() -> Figure {
     }
 }
 
-/// The place in the list of names; NaN where the motion did not settle.
+/// The index in the list of names; NaN where the motion did not settle.
 fn class(omega: f64, alpha: f64) -> f64 {
     match Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default())) {
         Ok(LongRun::Rest(_)) => 5.0,

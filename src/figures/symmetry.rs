@@ -4,10 +4,10 @@ use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::Ratios;
 use crate::exact::{ErrorMeasures, LongRun, State, errors_after};
 
-/// Cycles from rest after which the motion is measured; the paper does not say.
+/// The number of cycles from rest before the motion is measured; the paper does not state it.
 const CYCLES: u32 = 20;
 
-/// Errors 1–4, of 1/α = 0.3, 0.4, 0.5, after a time from rest and settled.
+/// Errors 1–4 for 1/α = 0.3, 0.4 and 0.5, some cycles after rest and in the steady state.
 pub(super) fn errors() -> Figure {
     let measures: [(&str, Measure); 4] = [
         ("error 1, of the extreme displacements", |e| e.error_1),
@@ -62,7 +62,7 @@ struct Pair {
     settled: Option<ErrorMeasures<f64>>,
 }
 
-/// The measures at one α, for Ω from 0.6 to 2, Ω = 1 left out: there the amplitude grows for ever.
+/// The measures at one α for Ω from 0.6 to 2, without Ω = 1, where the amplitude grows without bound.
 fn along(alpha: f64) -> Vec<Pair> {
     evenly(0.6025, 1.9975, 280)
         .map(|omega| {

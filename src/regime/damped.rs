@@ -1,4 +1,4 @@
-//! The regime below the border with damping: six reversals without a stop, or a stop in every cycle; and the
+//! The regime below the border with damping: six reversals without a stop, or a stop in every cycle. Also the
 //! verdict of a machine, whose ratios carry rounding.
 
 use super::{Regime, Verdict};
@@ -8,7 +8,8 @@ use crate::nonsticking::Border;
 use crate::nonsticking::six_reversals::{EDGE_ERROR, Within, damped};
 use crate::ratios::Ratios;
 
-/// Whether the body reverses six times a cycle at ratios below the border; some where α is next to an edge.
+/// Whether the body reverses six times a cycle at ratios below the border; undecided where α is next to an
+/// edge.
 pub(crate) fn within<F: Float>(ratios: Ratios<F>) -> Within {
     within_edges(edges(&ratios), ratios.alpha())
 }
@@ -30,17 +31,16 @@ fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
     }
 }
 
-/// The same by the edges as rounded, which belong to what slides.
+/// The same by the rounded edges, which themselves count as non-sticking.
 pub(crate) fn reverses_six_times<F: Float>(ratios: Ratios<F>) -> bool {
     edges(&ratios).is_some_and(|(low, high)| low <= ratios.alpha() && ratios.alpha() <= high)
 }
 
 /// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
 /// four of ζ. `error` is the border's own relative error bound.
-///
-/// Over so small a box the border is monotone in Ω and ζ except next to an equally narrow peak, and its
-/// values at the ends, in the middle and between give its range. If they differ by more than an eighth, such
-/// a peak may be inside, and the verdict is undecided. This is a check, not a proof.
+/// Over so small a box, the border is monotone in Ω and ζ except near an equally narrow peak. Its range is
+/// taken from its values at the ends, in the middle and between. If they differ by more than an eighth, such
+/// a peak may lie inside, and the verdict is undecided. This is a check, not a proof.
 ///
 /// # Errors
 /// Where a ratio leaves its domain.
@@ -63,7 +63,7 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
     let middle = Border::of(&ratios).min_force_ratio;
     let (least, greatest) = borders.fold((middle, middle), range);
     let is_wide = (greatest - least) * F::int(8) > greatest;
-    // Such a peak is a maximum: an α far below all other values is below it, too.
+    // Such a peak is a maximum: an α far below all other values is below the peak, too.
     let below = if is_wide { least / F::int(2) } else { least * (one - error) };
     let is_below = strongest < below;
     if weakest <= one {
@@ -103,7 +103,7 @@ mod tests {
 
     #[test]
     fn an_edge_is_as_wide_as_its_error() {
-        // 64 units in the last place, which are exact at powers of two.
+        // The limits are 64 units in the last place, which are exact at powers of two.
         let error = 64.0 * f64::EPSILON;
         let at = |alpha: f64| within_edges(Some((4.0, 16.0)), alpha);
         for (alpha, inside) in [(4.0 * (1.0 + error), 1), (16.0 * (1.0 - error), -1)] {
@@ -119,7 +119,7 @@ mod tests {
             (Within::Some, Within::Some, Within::All, Within::None)
         );
         assert_eq!(within_edges(None, 8.0), Within::None);
-        // As rounded, both edges belong to what slides.
+        // The rounded edges themselves count as non-sticking.
         let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
         let slides = |alpha| reverses_six_times(ratios(0.331, alpha, 1e-3));
         assert!(slides(low) && slides(high) && slides(60.0));
@@ -139,7 +139,7 @@ mod tests {
         ] {
             assert_eq!(at(0.7, least * (1.0 + units * f64::EPSILON)), verdict, "{units}");
         }
-        // Two units in the last place of α around 1.
+        // The limits are two units in the last place of α around 1.
         let stuck = Verdict::Undecided(Regime::Stuck, Regime::Sticking);
         for (alpha, verdict) in [
             (1.0 - 2.0 * f64::EPSILON, Verdict::AtRest),
@@ -156,8 +156,8 @@ mod tests {
         assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(six), due);
     }
 
-    /// Over the rounding of single precision, the border beside the pole at 1/3 by double precision: from an
-    /// eighth of its greatest value on there may be a peak between.
+    /// The border near the pole at 1/3 in double precision, over the rounding of single precision. Where its
+    /// values differ by more than an eighth of the greatest, there may be a peak between them.
     #[test]
     fn a_border_that_changes_by_an_eighth_may_have_a_peak() {
         let (unit, zeta) = (f64::from(f32::EPSILON), 1e-9f32);
@@ -165,7 +165,7 @@ mod tests {
         let mut omega = (1.0f32 / 3.0) * (1.0 + 2e-6);
         while omega < (1.0f32 / 3.0) * (1.0 + 6e-6) {
             let border = |off: f64| {
-                // Ω as single precision has it.
+                // Ω rounded to single precision.
                 let omega = omega * (1.0 + off * unit) as f32;
                 Border::with_damping(f64::from(omega), f64::from(zeta)).unwrap().min_force_ratio
             };
@@ -192,8 +192,7 @@ mod tests {
         assert!(near > 0 && beyond > 0, "{near} {beyond}");
     }
 
-    /// Below the border beside a pole the motion reverses six times with a little damping, and stops with
-    /// more.
+    /// Below the border near a pole, the motion reverses six times with a little damping and stops with more.
     #[test]
     fn a_little_damping_leaves_six_reversals() {
         for (zeta, zeros) in [(1e-5, Some(6)), (1e-3, Some(6)), (0.01, None)] {

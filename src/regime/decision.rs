@@ -1,4 +1,4 @@
-//! The decision of which regime a point of the plane of Ω and α is in, and its certainty.
+//! The decision on the regime of a point of the plane of Ω and α, with its certainty.
 
 use super::{Family, Regime, Verdict, damped, regime_by_border};
 use crate::error::{Error, Quantity, written};
@@ -13,22 +13,22 @@ use crate::ratios::Ratios;
 impl<F: Float> Verdict<F> {
     /// Relative error bound of the computed border, in units of [`Float::epsilon`].
     ///
-    /// The greatest error found against the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
-    /// from 1e-3 to 1e3 with those beside 1 and 1/n down to neighbouring floats. It does not grow at the
+    /// The greatest error compared with the same condition at 60 digits is 3.1, over 10⁴ frequency ratios
+    /// from 1e-3 to 1e3, including those near 1 and 1/n down to neighbouring floats. It does not grow at the
     /// poles, because π/2Ω is reduced exactly.
     #[doc(hidden)]
     pub const BORDER_ERROR: i32 = 8;
 
-    /// The same with damping, where the sum of three terms takes the place of one. The greatest error found
-    /// against the same condition at 256 bits is 8.
+    /// The same with damping, where a sum of three terms replaces one. The greatest error compared with the
+    /// same condition at 256 bits is 8.
     #[doc(hidden)]
     pub const DAMPED_BORDER_ERROR: i32 = 16;
 
     /// The verdict at exact ratios.
     ///
-    /// Where Ω is a power of two, 1/(2n) without rounding, the border 1/Ω² − 1 is exact, and so is the
-    /// verdict. A float that is 1/(2n) to within its rounding only has one limit, the symmetric cycle, though
-    /// it takes 10¹⁵ cycles and more to come close to it.
+    /// Where Ω = 1/(2n) is a power of two, the border 1/Ω² − 1 is exact, and so is the verdict. Any other
+    /// float is 1/(2n) only to within rounding and has a single limit, the symmetric cycle, though the motion
+    /// takes 10¹⁵ cycles and more to approach it.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.has_higher_static_friction() {
             return Self::with_static_friction(ratios);
@@ -47,7 +47,7 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// The verdict with damping: no family and no unbounded motion, and undecided within
+    /// The verdict with damping: there is no family and no unbounded motion. It is undecided within
     /// [`Verdict::DAMPED_BORDER_ERROR`] of the border and next to the edges of six reversals.
     fn damped(ratios: Ratios<F>) -> Self {
         let (alpha, one) = (ratios.alpha(), F::int(1));
@@ -89,10 +89,10 @@ impl<F: Float> Verdict<F> {
     /// The verdict on a machine in physical units, whose ratios carry the rounding of two divisions and a
     /// square root.
     ///
-    /// Ω = 1/(2n) and Ω = 1 are lines in the plane, on which no such ratio is known to lie: beside them the
-    /// verdict is [`Verdict::NonSticking`] or undecided, never [`Verdict::Degenerate`] or
-    /// [`Verdict::Unbounded`]. With a damper the range of the border over the rounding is evaluated at
-    /// fifteen points, which is no proof; where it changes by more than an eighth the verdict is undecided.
+    /// Ω = 1/(2n) and Ω = 1 are lines in the plane, and no rounded ratio is known to lie on them. Near them
+    /// the verdict is [`Verdict::NonSticking`] or undecided, never [`Verdict::Degenerate`] or
+    /// [`Verdict::Unbounded`]. With a damper, the range of the border over the rounding is evaluated at
+    /// fifteen points, which is no proof; where it changes by more than an eighth, the verdict is undecided.
     ///
     /// # Errors
     /// Where a ratio leaves the domain of [`Ratios`] or of the border; [`Error::StaticFriction`] for a
@@ -103,14 +103,13 @@ impl<F: Float> Verdict<F> {
             let error = F::int(Self::DAMPED_BORDER_ERROR) * F::epsilon();
             return damped::verdict_around(ratios, error);
         }
-        // 1.25 and 1 times ε at most, and the rounding of the ends themselves.
+        // The ratios have errors of at most 1.25 ε and 1 ε, and the ends are themselves rounded.
         let around = |x: F| (x - F::int(2) * F::epsilon() * x, x + F::int(2) * F::epsilon() * x);
         Self::over(around(ratios.omega()), around(ratios.alpha()))
     }
 
-    /// The verdict on ratios without damping known to lie in the intervals `omega` and `alpha`, each (low,
-    /// high): the verdict holds for all. With damping it takes balls
-    /// ([`crate::uncertainty::RatioBox::verdict`]).
+    /// The verdict that holds for all ratios without damping in the intervals `omega` and `alpha`, each (low,
+    /// high). With damping it requires ball arithmetic ([`crate::uncertainty::RatioBox::verdict`]).
     ///
     /// # Errors
     /// Where an interval is empty or leaves the domain of [`Ratios`].
@@ -131,8 +130,8 @@ impl<F: Float> Verdict<F> {
 
 /// The verdict at Ω = 1/(2n).
 ///
-/// Ω is a power of two there, 1/Ω² exact, and 1/Ω² − 1 is rounded once: no α lies between it and its rounded
-/// value, except that the rounded one itself may be larger.
+/// There Ω is a power of two, 1/Ω² is exact, and 1/Ω² − 1 is rounded once. No α lies between it and its
+/// rounded value, except that the rounded value itself may be larger.
 fn degenerate<F: Float>(ratios: Ratios<F>) -> Verdict<F> {
     let (one, alpha) = (F::int(1), ratios.alpha());
     let least = one / ratios.omega().square() - one;

@@ -7,16 +7,16 @@ use crate::nonsticking::six_reversals::{self, damped};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// All force ratios at one Ω with which the body never stops, its motion reversing twice or six times a
-/// cycle: see [`no_stop_force_ratios`].
+/// All force ratios at one Ω for which the body never stops and reverses twice or six times a cycle: see
+/// [`no_stop_force_ratios`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 #[must_use]
 pub struct NoStop<F> {
-    /// The minimum and the maximum force ratio of the six-reversal cycle, where there is one.
+    /// The minimum and the maximum force ratio of the six-reversal cycle, if there is one.
     pub six_reversals: Option<(F, F)>,
-    /// The border of the two-reversal cycle: from it on the body never stops.
+    /// The border of the two-reversal cycle: at this force ratio and above, the body never stops.
     pub border: F,
 }
 
@@ -34,23 +34,23 @@ impl<F: Float> NoStop<F> {
         }
     }
 
-    /// The intervals (least, greatest) by increasing force ratio, their ends included; the last has no
-    /// greatest.
+    /// The intervals (least, greatest) by increasing force ratio, with their ends included; the last has no
+    /// greatest value.
     pub fn intervals(&self) -> impl Iterator<Item = (F, Option<F>)> {
         let below = self.six_reversals.map(|(low, high)| (low, Some(high)));
         below.into_iter().chain([(self.border, None)])
     }
 }
 
-/// The force ratios with which a body of the damping ratio ζ never stops at Ω, as intervals with their ends.
+/// The force ratios for which a body of the damping ratio ζ never stops at Ω, as intervals with their ends.
 ///
-/// From the border of the two-reversal cycle on, and beside the poles 1/(2n+1) in an interval below it, of
-/// six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping the motion from the
-/// border on is unbounded, and does not stop either. A little damping preserves some of the intervals below
-/// the border; from ζ = 0.0215/(2n+1) on there is none.
+/// They begin at the border of the two-reversal cycle. Near the poles 1/(2n+1) there is also an interval
+/// below it, of six reversals a cycle ([`crate::nonsticking::SixReversals`]). At Ω = 1 without damping, the
+/// motion at and above the border is unbounded and does not stop either. A little damping preserves some of
+/// the intervals below the border; from ζ = 0.0215/(2n+1) on there is none.
 ///
-/// **Proved**: in these intervals no motion stops in the long run. ****Searched**: the body stops at all
-/// other α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
+/// **Proved:** in these intervals no motion stops in the long run. **Searched:** the body stops at all other
+/// α > 1; no motion of ten reversals or more without a stop was found, nor one of six elsewhere
 /// (`docs/theory/six-reversals.md`).
 ///
 /// ```
@@ -67,7 +67,7 @@ impl<F: Float> NoStop<F> {
 /// ```
 ///
 /// The accuracy is that of [`Border::min_force_ratio`], and 40 ulp for six reversals; without damping the
-/// type's guard bits are used.
+/// computation uses the type's guard bits.
 ///
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
@@ -101,7 +101,8 @@ fn without_damping<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
     F::guarded(Task(omega))
 }
 
-/// The force ratios without a stop at the Ω and the ζ of ratios whose static friction is the kinetic one.
+/// The force ratios without a stop at the Ω and ζ of these ratios, for a static friction equal to the kinetic
+/// one.
 pub(crate) fn no_stop_of<F: Float>(ratios: &Ratios<F>) -> Result<NoStop<F>, Error> {
     no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
 }

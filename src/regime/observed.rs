@@ -12,12 +12,12 @@ use crate::ratios::Ratios;
 pub struct Observed {
     /// The regime.
     pub regime: Regime,
-    /// Stops in a cycle, where there is a cycle.
+    /// The number of stops in a cycle, if there is a cycle.
     pub sticks: Option<u32>,
-    /// Reversals in a cycle, where there is a cycle without a stop.
+    /// The number of reversals in a cycle, if there is a cycle without a stop.
     pub reversals: Option<u32>,
-    /// Whether the borders decided: stops, or their absence, are too small for the arithmetic, or the motion
-    /// has not settled.
+    /// Whether the borders decided, because stops or clearances are too small for the arithmetic, or because
+    /// the motion has not settled.
     pub by_border: bool,
 }
 
@@ -25,13 +25,13 @@ pub struct Observed {
 ///
 /// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A
 /// stop, or the clearance of a velocity that nearly vanishes, may be smaller than that, within about 1e-10 of
-/// a border beside a pole and a few units in the last place elsewhere. There the borders decide, which are
-/// accurate to 8 and 64 units in the last place; a rounded border itself counts as sliding. The borders also
-/// decide where the motion has not settled, because the regime is that of its limit. So this function and
-/// [`crate::regime()`] agree.
+/// a border near a pole and a few units in the last place elsewhere. There the borders decide, which are
+/// accurate to 8 and 64 units in the last place; a rounded border itself counts as non-sticking. The borders
+/// also decide where the motion has not settled, because the regime is that of its limit. This function and
+/// [`crate::regime()`] therefore agree.
 ///
-/// With a static friction above the kinetic one the regime is that of this long run, and no border decides:
-/// others can exist beside it.
+/// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
+/// since other motions may coexist.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
@@ -57,8 +57,8 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
         by_border,
     };
     if ratios.has_higher_static_friction() {
-        // There can be motions with stops above the border, and others below it: only the motion itself
-        // decides.
+        // There can be motions with stops above the border, and motions without below it: only the motion
+        // itself decides.
         return of(seen, sticks, false);
     }
     let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
@@ -82,8 +82,8 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
         let gap = (alpha - edge).abs();
         gap <= rounding || gap * share <= known
     };
-    // A velocity that nearly vanishes inside of a slide clears zero by |α − α_min| sin τ*; the force left
-    // over at a reversal grows as α Ω².
+    // A velocity that nearly vanishes inside a slide clears zero by |α − α_min| sin τ*; the excess force at a
+    // reversal grows as α Ω².
     let touching =
         if border.touching_phase == F::int(0) { at_turn } else { border.touching_phase.sin().abs() };
     if close(border.min_force_ratio, touching) {
@@ -99,7 +99,8 @@ mod tests {
     use crate::exact::{LongRun, State};
     use crate::{Border, Ratios};
 
-    /// Hidden is what is nearer than 64 units in the last place of α, or nearer than sixteen times the distance
+    /// A difference is hidden if it is below 64 units in the last place of α, or below sixteen times the
+    /// distance divided by the clearance rate: sin τ* inside a slide, Ω²/(1 + Ω²) at a reversal.
     /// over what clears zero: sin τ* inside of a slide, Ω²/(1 + Ω²) at a reversal.
     #[test]
     fn what_is_smaller_than_the_motion_is_known_is_hidden() {
@@ -122,7 +123,7 @@ mod tests {
                     );
                 }
             }
-            // The edges of six reversals are at reversals.
+            // The edges of six reversals are decided at reversals.
             let border = Border::new(0.331).unwrap();
             let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
             let share = 0.331f64.powi(2) / (1.0 + 0.331f64.powi(2));

@@ -11,23 +11,23 @@ use crate::ratios::Ratios;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Stops {
-    /// Stops that last: intervals at rest.
+    /// The number of stops of finite duration.
     pub sticks: u32,
-    /// Instants at which the velocity comes to zero: the beginnings of stops, and reversals without one. 2
-    /// where it does not stick.
+    /// The number of instants at which the velocity becomes zero: the beginnings of stops, and reversals
+    /// without a stop. It is 2 where the body does not stick.
     pub velocity_zeros: u32,
 }
 
-/// The stops per cycle of the motion at (Ω, α) in the long run; `None` where there is no cycle: at rest
-/// (α ≤ 1), and at Ω = 1 above the border.
+/// The stops per cycle of the steady motion at (Ω, α); `None` where there is no cycle: at rest (α ≤ 1), and
+/// at Ω = 1 above the border.
 ///
-/// Of a family (Ω = 1/(2n)), those of the member that a start from rest leads to; they are the same for all
-/// members but for those at its edge. Next to a border, a stop shorter than the accuracy of the motion is an
-/// error, not a count ([`observed()`]).
+/// For a family (Ω = 1/(2n)), these are the stops of the member that a start from rest leads to. They are the
+/// same for all members except those at its edge. Next to a border, a stop shorter than the accuracy of the
+/// motion is an error, not a count ([`observed()`]).
 ///
-/// With a static friction above the kinetic one the motion can depend on the start: this is an error.
+/// With a static friction above the kinetic one, the motion can depend on the start; this is an error.
 ///
-/// There may be no stop although α is below the border, beside a pole 1/(2n+1): then there are six velocity
+/// Near a pole 1/(2n+1) there may be no stop although α is below the border: then there are six velocity
 /// zeros ([`crate::Verdict::SixReversals`]).
 ///
 /// ```
@@ -43,8 +43,8 @@ pub struct Stops {
 ///
 /// # Errors
 /// [`Error::Undecided`] where a stop, or the clearance without one, is below the accuracy of the motion;
-/// [`Error::StaticFriction`] where η > 1, [`Error::NotSettled`] where the motion creeps for longer than
-/// [`crate::exact::DEFAULT_BUDGET`] periods, and as for [`crate::exact::Trajectory::new`].
+/// [`Error::StaticFriction`] where η > 1; [`Error::NotSettled`] where the motion creeps for longer than
+/// [`crate::exact::DEFAULT_BUDGET`] periods; and as for [`crate::exact::Trajectory::new`].
 pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Error> {
     let limit = LongRun::from_start(ratios.with_one_friction()?, State::default())?;
     if limit.steady_state().is_some() && observed(ratios, &limit).by_border {

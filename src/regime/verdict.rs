@@ -1,4 +1,4 @@
-//! The verdict on a point of the plane.
+//! The verdict on the regime at a point of the plane.
 
 use super::Regime;
 use crate::float::Float;
@@ -8,11 +8,11 @@ use crate::ratios::Ratios;
 /// The steady behaviour of the body, as far as the arithmetic can decide.
 ///
 /// **Undecided.** The border is known to 8 units in the last place, its error bound
-/// ([`Verdict::BORDER_ERROR`]); if α is closer to the border, the verdict is [`Verdict::Undecided`], and a
-/// wider number type decides. Ω and α are taken as exact by [`Verdict::new`]. [`Verdict::of`] and
+/// ([`Verdict::BORDER_ERROR`]). If α is closer to the border, the verdict is [`Verdict::Undecided`], and a
+/// wider number type decides. [`Verdict::new`] takes Ω and α as exact. [`Verdict::of`] and
 /// [`crate::uncertainty::RatioBox`] take them as intervals: their verdict holds for every Ω and α in these,
 /// over which the range of the border is known. Near a pole 1/(2n+1) that matters more than rounding: an
-/// error of 1e-16 in Ω at a distance of 1e-10 from the pole is one of 1e-6 in the border.
+/// error of 1e-16 in Ω at a distance of 1e-10 from the pole is an error of 1e-6 in the border.
 ///
 /// ```
 /// use stickslip::uncertainty::{Interval, RatioBox};
@@ -21,7 +21,7 @@ use crate::ratios::Ratios;
 /// // On the border itself f64 cannot decide.
 /// let border: f64 = Border::new(0.4)?.min_force_ratio;
 /// assert_eq!(Verdict::new(Ratios::new(0.4, border)?), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
-/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided, twice the force is not.
+/// // Friction known to ±20 %: α between 6/1.2 and 6/0.8 is undecided; with twice the force it is decided.
 /// let verdict = |low, high| RatioBox::new(Interval::exactly(0.4), Interval::between(low, high)?)?.verdict();
 /// assert_eq!(verdict(6.0 / 1.2, 6.0 / 0.8)?.regime(), None);
 /// assert_eq!(verdict(12.0 / 1.2, 12.0 / 0.8)?, Verdict::NonSticking);
@@ -33,28 +33,29 @@ use crate::ratios::Ratios;
 #[non_exhaustive]
 #[must_use]
 pub enum Verdict<F> {
-    /// α ≤ 1: it ends at rest.
+    /// α ≤ 1: the body ends at rest.
     AtRest,
-    /// α > 1, below the border of the two-reversal cycle and not within the force ratios of six reversals:
-    /// the body stops for a while in every cycle. That there is no motion without a stop of more reversals is
+    /// α > 1, below the border of the two-reversal cycle and outside the force ratios of six reversals: the
+    /// body stops for some time in every cycle. That no motion with more reversals avoids a stop was
     /// searched, not proved.
     Sticking,
-    /// α ≥ α_min(Ω): it never stops for longer than an instant, reverses twice a cycle, and settles on one
-    /// symmetric cycle.
+    /// α ≥ α_min(Ω): the body never stops for longer than an instant, reverses twice a cycle, and settles on
+    /// one symmetric cycle.
     NonSticking,
-    /// Beside a pole 1/(2n+1), below the border: it never stops, reverses six times a cycle, and settles on
-    /// one symmetric cycle ([`crate::nonsticking::SixReversals`]).
+    /// Near a pole 1/(2n+1), below the border: the body never stops, reverses six times a cycle, and settles
+    /// on one symmetric cycle ([`crate::nonsticking::SixReversals`]).
     SixReversals,
-    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly, where it settles on a member of a family of cycles that depends on
+    /// α ≥ α_min(Ω) at Ω = 1/(2n) exactly: the body settles on a member of a family of cycles that depends on
     /// the start.
     Degenerate(Family<F>),
-    /// Ω = 1 and α > 4/π: it never stops, and its displacement grows without bound.
+    /// Ω = 1 and α > 4/π: the body never stops, and its displacement grows without bound.
     Unbounded,
-    /// The static friction is above the kinetic one, and α > 1: the motion in the long run can depend on the
-    /// start. The regime is what the border alone guarantees, as for [`crate::Response::new`]: non-sticking,
-    /// that a cycle without a stop exists and is stable; sticking, that there is none of two reversals.
+    /// The static friction is above the kinetic one, and α > 1: the steady motion can depend on the start.
+    /// The regime is that guaranteed by the border alone, as for [`crate::Response::new`]. Non-sticking means
+    /// that a cycle without a stop exists and is stable; sticking means that there is none of two reversals.
     DependsOnStart(Regime),
-    /// One of these two, closer to the border between them than the arithmetic or the input can tell.
+    /// One of these two regimes: the point is closer to the border between them than the arithmetic or the
+    /// input can resolve.
     Undecided(Regime, Regime),
 }
 
@@ -72,8 +73,8 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// Whether the body sticks at every point that the verdict covers, ending at rest or stopping in every
-    /// cycle, or at none. `None` if the points differ, or if it is undecided.
+    /// Whether the body sticks (ends at rest, or stops in every cycle) at every point that the verdict
+    /// covers, or at none. `None` if the points differ, or if the verdict is undecided.
     #[must_use]
     pub const fn sticks(&self) -> Option<bool> {
         match self {
@@ -102,7 +103,7 @@ impl<F: Float> Verdict<F> {
     }
 }
 
-/// A name of a few words.
+/// Displays a name of a few words.
 impl<F: Float> core::fmt::Display for Verdict<F> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
@@ -112,9 +113,9 @@ impl<F: Float> core::fmt::Display for Verdict<F> {
 /// The non-sticking cycles at Ω = 1/(2n): one for each shift c of the middle of the motion.
 ///
 /// There a half cycle is a whole number of natural periods. A falling half from x = A + c, A = α/(1 − Ω²), is
-/// `x = A cos τ + 1 + (c − 1) cos(τ/Ω)`, which reaches −A + c after τ = π whatever c; the rising half is its
-/// mirror image with −c. The body slides throughout where `A sin τ > (1 − c) sin(τ/Ω)/Ω` on (0, π), and
-/// `|sin(τ/Ω)/sin τ| ≤ 1/Ω` with equality at the ends, so that the family is complete:
+/// `x = A cos τ + 1 + (c − 1) cos(τ/Ω)`, which reaches −A + c after τ = π for any c; the rising half is its
+/// mirror image with −c. The body slides throughout where `A sin τ > (1 − c) sin(τ/Ω)/Ω` on (0, π). Since
+/// `|sin(τ/Ω)/sin τ| ≤ 1/Ω` with equality at the ends, the family is complete:
 ///
 /// ```text
 /// extrema ±α/(1 − Ω²) + c,   |c| ≤ αΩ²/(1 − Ω²) − 1 = α/α_min − 1.
@@ -159,8 +160,8 @@ mod tests {
             let ratios = Ratios::new(omega, alpha).unwrap();
             let family = Family::at(ratios, 1.0 / (omega * omega) - 1.0);
             let (a, c) = (family.max_displacement, family.max_shift);
-            // The velocity of the falling half, against the sliding that it needs, over the half cycle and
-            // both shifts.
+            // The velocity of the falling half must have the sign of sliding over the half cycle, for both
+            // shifts.
             let slides = |shift: f64| {
                 (1..20_000).all(|i| {
                     let tau = std::f64::consts::PI * f64::from(i) / 20_000.0;

@@ -1,10 +1,9 @@
 //! The border with damping, or with static friction above the kinetic one, in balls.
 //!
-//! What is proved of the condition's function ρ(τ) in the head of `crate::nonsticking::damped::border` is
-//! used here: it has at most one maximum between two zeros of p, which are known, and none elsewhere. Where
-//! ρ′ is certainly positive at the one and negative at the other the maximum is enclosed; pairs of zeros are
-//! gone through from both ends of the half cycle inwards, until no value between is certainly as large as one
-//! that was found.
+//! The documentation of `crate::nonsticking::damped::border` proves that ρ(τ), the function of the condition,
+//! has at most one maximum between two zeros of p, which are known, and none elsewhere. Where ρ′ is certainly
+//! positive at one of them and negative at the other, the maximum is enclosed. Pairs of zeros are examined
+//! from both ends of the half cycle inwards, until no value between them can reach the greatest one found.
 
 use super::super::border::Border;
 use super::super::root::only_zero;
@@ -17,10 +16,10 @@ use crate::nonsticking::damped::half_period::HalfPeriod;
 use core::cmp::Ordering;
 use rug::Integer;
 
-/// Zeros of p that are gone through.
+/// The greatest number of zeros of p that are examined.
 const MOST: i32 = 2000;
 
-/// A maximum of ρ, and where it is.
+/// A maximum of ρ and its time.
 type Touch<const W: usize> = (Ball<W>, Ball<W>);
 
 /// The border at this half period.
@@ -36,7 +35,7 @@ pub(super) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Border<W> {
     let found = touches(half, at_turning_point);
     let Some(found) = found else { return of(Ball::entire(), None) };
     let s = found.iter().fold(at_turning_point, |s, (value, _)| s.larger(value));
-    // The only one that may be the largest.
+    // This is the only maximum that may be the largest.
     let mut phases: Vec<Ball<W>> = found
         .iter()
         .filter(|(value, _)| !value.is_below(&s))
@@ -50,7 +49,7 @@ pub(super) fn border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Border<W> {
 /// All maxima of ρ that may exceed `least`; `None` where they are undecided.
 fn touches<const W: usize>(half: &HalfPeriod<Ball<W>>, least: Ball<W>) -> Option<Vec<Touch<W>>> {
     let d = half.free.frequency;
-    // Above ζ = 1, and from Ω = d/2 on, the turning point suffices.
+    // Above ζ = 1, and for Ω ≥ d/2, the turning point suffices.
     match half.free.square.sign()? {
         Ordering::Less | Ordering::Equal => return Some(Vec::new()),
         Ordering::Greater if (half.omega * Ball::int(2) - d).sign()? != Ordering::Less => {
@@ -97,7 +96,7 @@ fn first_zero<const W: usize>(half: &HalfPeriod<Ball<W>>) -> Option<Ball<W>> {
     angle.is_positive().then(|| angle / d)
 }
 
-/// How many zeros follow the first one before T.
+/// The number of zeros between the first one and T.
 fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Option<i32> {
     let steps = (half.period - first) * half.free.frequency / Ball::pi();
     if steps.is_negative() {
@@ -108,8 +107,8 @@ fn last_zero<const W: usize>(half: &HalfPeriod<Ball<W>>, first: Ball<W>) -> Opti
     (low == high).then(|| low.to_i32()).flatten()
 }
 
-/// Whether ρ may exceed `best` from the time `low` to `high`: as in the search of plain numbers, by the
-/// energy of free vibration.
+/// Whether ρ may exceed `best` between the times `low` and `high`. As in the search with plain numbers, the
+/// bound is the energy of free vibration.
 fn may_exceed<const W: usize>(
     half: &HalfPeriod<Ball<W>>,
     low: Ball<W>,
@@ -120,12 +119,11 @@ fn may_exceed<const W: usize>(
     let driven = (b * start.drive.1).larger(&(b * end.drive.1));
     let (first, last) = (start.drive.0, end.drive.0);
     let sine = if first.lower() < last.lower() { first } else { last };
-    // b cos Ωτ is monotone and sin Ωτ has no minimum within.
+    // b cos Ωτ is monotone, and sin Ωτ has no minimum inside.
     !(driven + start.free.velocity_bound()).is_below(&(best * half.omega * sine))
 }
 
-/// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` where that is
-/// undecided.
+/// The maximum of ρ between two neighbouring zeros of p, if there is one; the outer `None` means undecided.
 #[allow(clippy::option_option, reason = "undecided is not none")]
 fn maximum_between<const W: usize>(
     half: &HalfPeriod<Ball<W>>,
@@ -140,7 +138,7 @@ fn maximum_between<const W: usize>(
     if !(rises.is_positive() && falls.is_negative()) {
         return None;
     }
-    // Near enough for Newton's method.
+    // Bisection until Newton's method can start.
     let (mut left, mut right) = (low.mid(), high.mid());
     for _ in 0..12 {
         let middle = (left + right).scale2(-1);
@@ -154,7 +152,7 @@ fn maximum_between<const W: usize>(
     if !(low.is_below(&tau) && tau.is_below(&high)) {
         return None;
     }
-    // ρ = [b cos Ωτ − h′]/(Ω sin Ωτ), which is stationary there.
+    // ρ = [b cos Ωτ − h′]/(Ω sin Ωτ), which is stationary at the maximum.
     let value = |tau: Ball<W>| {
         let at = moment(half, tau);
         (half.omega * half.h * at.drive.1 - at.free.v) / (half.omega * at.drive.0)

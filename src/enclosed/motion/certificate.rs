@@ -1,15 +1,14 @@
-//! That no event was passed: signs over whole intervals, by halving them until a ball shows it.
+//! Certificates that no event was missed: signs over whole intervals, by bisection until a ball proves them.
 
 use super::slide::{Machine, Slide};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 
-/// Intervals that are looked at before a sign is given up.
+/// The greatest number of intervals before a sign is given up.
 const MOST: usize = 4000;
 
-/// Whether something certain holds for every part of [low, high], where it is asked of one interval after the
-/// other.
+/// Whether `holds` is true for every part of [low, high]; the intervals are tried in order.
 fn throughout<const W: usize>(low: Mp<W>, high: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> bool {
     let mut left = vec![(low, high)];
     for _ in 0..MOST {
@@ -27,17 +26,18 @@ fn throughout<const W: usize>(low: Mp<W>, high: Mp<W>, holds: impl Fn(Ball<W>) -
     left.is_empty()
 }
 
-/// The longest of [edge, edge + reach · 2⁻ⁿ] for which `holds`, as its other end.
+/// The other end of the longest interval [edge, edge + reach · 2⁻ⁿ] for which `holds`.
 fn stretch<const W: usize>(edge: Mp<W>, reach: Mp<W>, holds: impl Fn(Ball<W>) -> bool) -> Option<Mp<W>> {
     (2..40).map(|n| edge + reach.scale2(-n)).find(|&other| {
         holds(if other > edge { Ball::between(edge, other) } else { Ball::between(other, edge) })
     })
 }
 
-/// Whether the velocity of the slide has the slide's sign from its start to its end, and no other zero there.
+/// Whether the velocity has the slide's sign from start to end, and no zero in between.
 ///
-/// At the start the acceleration has that sign, or its rate where the acceleration is zero at a release with
-/// η = 1; at the end the acceleration has the other one; between, the velocity has it itself.
+/// At the start the acceleration has that sign, or its rate has it where the acceleration is zero at a
+/// release with η = 1. At the end the acceleration has the opposite sign. Between these, the velocity itself
+/// has the sign.
 pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> bool {
     let (zero, low, high) = (Mp::ZERO, duration.lower(), duration.upper());
     let is_released = slide.start.sign() == Some(core::cmp::Ordering::Equal);
@@ -54,7 +54,8 @@ pub(super) fn is_one_slide<const W: usize>(slide: &Slide<W>, duration: &Ball<W>)
     throughout(first, last, |phi| slide.speed_over(phi).is_positive())
 }
 
-/// Whether a body at rest at `place` stays from one phase to the release in the direction `sign` at another.
+/// Whether a body at rest at `place` stays there from one phase until the release in the direction `sign` at
+/// another.
 pub(super) fn is_one_stop<const W: usize>(
     machine: &Machine<W>,
     place: Ball<W>,
@@ -72,8 +73,8 @@ pub(super) fn is_one_stop<const W: usize>(
     throughout(from.lower(), last, |phase| machine.force(phase, place).abs().is_below(&machine.eta))
 }
 
-/// Whether the body slides back at once in the direction `sign`: the force exceeds the static friction that
-/// way.
+/// Whether the body slides back immediately in the direction `sign`: the force exceeds the static friction in
+/// that direction.
 pub(super) fn reverses<const W: usize>(
     machine: &Machine<W>,
     place: Ball<W>,

@@ -1,5 +1,4 @@
-//! The map of the motion: from a reversal, or from a release, to the next one that is the same, or its mirror
-//! image.
+//! The map of the motion: from a reversal or a release to its next repetition or mirror image.
 
 use super::certificate::{is_one_slide, is_one_stop, reverses};
 use super::outline::Outline;
@@ -9,7 +8,7 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 
-/// Where the motion starts. With stops the place alone decides, and the phase is that of the release.
+/// The start of the motion. With stops the place alone determines it, and the phase is that of the release.
 #[derive(Clone, Copy)]
 pub(super) struct Start<const W: usize> {
     pub(super) phase: Ball<W>,
@@ -24,13 +23,13 @@ pub(super) struct Step<const W: usize> {
     pub(super) release: Option<Ball<W>>,
 }
 
-/// The part of a motion that repeats, followed.
+/// The computed part of a motion that repeats.
 pub(super) struct Followed<const W: usize> {
     pub(super) start: Start<W>,
     pub(super) steps: Vec<Step<W>>,
-    /// Phase and place at the end, less the half turns, and mirrored after an odd number of them.
+    /// Phase and place at the end, with the half turns subtracted, and mirrored after an odd number of them.
     pub(super) end: Start<W>,
-    /// The derivatives of phase and place at the end (not mirrored) by those at the start.
+    /// The derivatives of phase and place at the end (not mirrored) with respect to those at the start.
     pub(super) derivatives: [[Ball<W>; 2]; 2],
 }
 
@@ -41,12 +40,12 @@ pub(super) struct Map<'a, const W: usize> {
 }
 
 impl<const W: usize> Map<'_, W> {
-    /// The phase of the drive that the map takes.
+    /// The phase of the drive that the map spans.
     pub(super) fn span(&self) -> Ball<W> {
         Ball::pi() * Ball::int(i32::try_from(self.outline.half_turns).unwrap_or(i32::MAX))
     }
 
-    /// −1 where the motion repeats upside down, else 1.
+    /// −1 where the motion repeats with the opposite sign, else 1.
     pub(super) fn image(&self) -> Ball<W> {
         Ball::int(self.outline.image())
     }
@@ -57,7 +56,7 @@ impl<const W: usize> Map<'_, W> {
         release.ok_or_else(|| undecided(Event::Release, from))
     }
 
-    /// The start with its phase, where the place alone is free.
+    /// The start with its phase, if only the place is free.
     pub(super) fn start(&self, start: Start<W>) -> Result<Start<W>, Unproved> {
         match self.outline.parts.first() {
             Some(first) if self.outline.stops => {
@@ -68,12 +67,13 @@ impl<const W: usize> Map<'_, W> {
         }
     }
 
-    /// Follows the motion from a start.
+    /// Computes the motion from a start.
     pub(super) fn follow(&self, start: Start<W>) -> Result<Followed<W>, Unproved> {
         let start = self.start(start)?;
         let (zero, one) = (Ball::int(0), Ball::int(1));
         let Start { mut phase, mut place } = start;
-        // Derivatives of phase and place by those of the start; with a stop the phase follows the place.
+        // Derivatives of phase and place with respect to the start; with a stop the phase depends on the
+        // place.
         let mut derivatives = if self.outline.stops {
             [[zero, self.by_place(phase)], [zero, one]]
         } else {
@@ -113,11 +113,11 @@ impl<const W: usize> Map<'_, W> {
 }
 
 impl<const W: usize> Followed<W> {
-    /// Whether the motion of every start in the ball is this one: no event is passed, none is left out.
+    /// Whether every start in the ball has this motion: no event is missed, and none is added.
     pub(super) fn is_the_motion(&self, map: &Map<'_, W>) -> Result<(), Unproved> {
         let outline = map.outline;
         let Some(first) = outline.parts.first() else { return Err(Unproved::NotPeriodic) };
-        // After the last slide comes the image of the first one.
+        // The slide after the last one is the image of the first.
         let next_signs =
             outline.parts.iter().skip(1).map(|part| part.sign).chain([outline.image() * first.sign]);
         for (Step { slide, end, release }, sign) in self.steps.iter().zip(next_signs) {
@@ -140,7 +140,7 @@ impl<const W: usize> Followed<W> {
     }
 }
 
-/// What cannot be told at a phase in balls of this width.
+/// The error for an event at a phase that balls of this precision cannot decide.
 fn undecided<const W: usize>(event: Event, phase: Ball<W>) -> Unproved {
     let phase = phase.mid().to_f64().rem_euclid(core::f64::consts::TAU);
     Unproved::Undecided { event, phase, bits: Mp::<W>::BITS }

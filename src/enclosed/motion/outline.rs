@@ -1,18 +1,18 @@
-//! The order of events of a steady motion, and roughly when they are: found at f64, proved by nothing here.
+//! The order of events of a steady motion and their approximate times, computed at f64 without proof.
 
 use super::unproved::{Event, Unproved};
 use crate::error::Error;
 use crate::exact::{End, Kind, LongRun, Segment, State, SteadyState, Trajectory};
 use crate::ratios::Ratios;
 
-/// One slide, and what follows it.
+/// One slide and the event that follows it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
     /// The sign of its velocity.
     pub(super) sign: i32,
-    /// Its natural duration.
+    /// Its duration in natural time.
     pub(super) duration: f64,
-    /// The phase of the release from the stop that follows; `None` where it reverses at once.
+    /// The phase of the release from the stop that follows; `None` where the body reverses immediately.
     pub(super) release: Option<f64>,
 }
 
@@ -24,28 +24,29 @@ pub(super) struct Outline {
     /// Place at the start.
     pub(super) place: f64,
     pub(super) stops: bool,
-    /// After so many half turns of the drive the motion repeats, upside down where that is odd.
+    /// The number of half turns of the drive after which the motion repeats, with the opposite sign if odd.
     pub(super) half_turns: u32,
     pub(super) parts: Vec<Part>,
 }
 
 impl Outline {
-    /// −1 where the motion repeats upside down, else 1.
+    /// −1 where the motion repeats with the opposite sign, else 1.
     pub(super) const fn image(&self) -> i32 {
         if self.half_turns % 2 == 1 { -1 } else { 1 }
     }
 }
 
-/// Slides in the part that repeats, at most.
+/// The greatest number of slides in the part that repeats.
 const MOST: usize = 512;
 
-/// How far the motion found at f64 may be from one that repeats: it only has to be recognised.
+/// Tolerance for recognising a repetition at f64; it plays no part in the proof.
 const RECOGNISED: f64 = 1e-6;
 
 /// The part of the steady motion from rest that repeats.
 ///
 /// # Errors
-/// As of [`LongRun::from_start`]. Within, why there is no such motion.
+///
+/// As for [`LongRun::from_start`]. The inner error says why there is no such motion.
 pub(super) fn outline(ratios: Ratios<f64>) -> Result<Result<Outline, Unproved>, Error> {
     Ok(match LongRun::from_start(ratios, State::default())? {
         LongRun::Periodic(steady) => of_steady(ratios, &steady),
@@ -61,7 +62,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
     let stops = steady.sticks_per_cycle > 0;
     let phases = Trajectory::new(ratios, steady.state()).map_err(|_| Unproved::NotPeriodic)?;
     let mut phases = phases.map_while(Result::ok);
-    // The first slide that begins at rest: after a stop, where there are any.
+    // The first slide that begins at rest; after a stop, if there are any.
     let mut last = phases.next().ok_or(Unproved::NotPeriodic)?;
     let first = loop {
         let next = phases.next().ok_or(Unproved::NotPeriodic)?;
@@ -99,7 +100,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
     Err(Unproved::TooManySlides)
 }
 
-/// A slide as a part; not of one that grazes.
+/// A slide as a part; an error for one that grazes.
 fn part(phase: &Segment<f64>, omega: f64) -> Result<Part, Unproved> {
     let sign = match phase.kind {
         Kind::SlideForward => 1,

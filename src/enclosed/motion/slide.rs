@@ -22,7 +22,7 @@ pub(super) struct Machine<const W: usize> {
     pub(super) omega: Ball<W>,
     pub(super) alpha: Ball<W>,
     pub(super) zeta: Ball<W>,
-    /// Static friction over the kinetic one, η.
+    /// The ratio η of static to kinetic friction.
     pub(super) eta: Ball<W>,
     free: Free<Ball<W>>,
     /// (P, Q).
@@ -37,20 +37,20 @@ impl<const W: usize> Machine<W> {
         Self { omega, alpha, zeta, eta, free: free(zeta), forced: (scale * detuning, -(scale * damper)) }
     }
 
-    /// The force that friction has to hold, α sin θ − x.
+    /// The force that friction must balance, α sin θ − x.
     pub(super) fn force(&self, phase: Ball<W>, place: Ball<W>) -> Ball<W> {
         self.alpha * phase.sin() - place
     }
 
-    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, the
-    /// force growing.
+    /// The phase near `guess` at which a body at rest is released in the direction σ: α sin θ = x + ση, with
+    /// increasing force.
     pub(super) fn release(&self, guess: Mp<W>, place: Ball<W>, sign: Ball<W>) -> Option<Ball<W>> {
         let bound = sign * self.eta;
         only_zero(guess, |phase| self.force(phase, place) - bound, |phase| self.alpha * phase.cos())
     }
 }
 
-/// Displacement, velocity, acceleration and its rate, in natural time.
+/// Displacement, velocity, acceleration and rate of acceleration, in natural time.
 #[derive(Clone, Copy)]
 pub(super) struct Motion<const W: usize> {
     pub(super) x: Ball<W>,
@@ -71,10 +71,10 @@ pub(super) struct Slide<const W: usize> {
     free: (Ball<W>, Ball<W>),
 }
 
-/// The end of a slide, and its derivatives by phase and place of the start.
+/// The end of a slide, and its derivatives with respect to phase and place of the start.
 #[derive(Clone, Copy)]
 pub(super) struct End<const W: usize> {
-    /// Natural duration.
+    /// Duration in natural time.
     pub(super) duration: Ball<W>,
     pub(super) phase: Ball<W>,
     pub(super) place: Ball<W>,
@@ -83,8 +83,8 @@ pub(super) struct End<const W: usize> {
 }
 
 impl<const W: usize> Slide<W> {
-    /// The slide in the direction σ = ±1 from a phase and a place; `released` says that the force is just at
-    /// the static friction.
+    /// The slide in the direction σ = ±1 from a phase and a place; `released` means that the force equals the
+    /// static friction.
     pub(super) fn new(
         machine: Machine<W>,
         sign: i32,
@@ -112,7 +112,7 @@ impl<const W: usize> Slide<W> {
         Motion { x, w, acceleration, jerk }
     }
 
-    /// The velocity in the direction of the slide over an interval of time: by the mean value theorem from
+    /// The velocity in the direction of the slide over an interval of time, by the mean value theorem about
     /// its middle.
     pub(super) fn speed_over(&self, phi: Ball<W>) -> Ball<W> {
         let middle = Ball::exact(phi.mid());
@@ -124,10 +124,11 @@ impl<const W: usize> Slide<W> {
         let duration = only_zero(guess, |phi| self.at(phi).w, |phi| self.at(phi).acceleration)?;
         let Machine { omega, zeta, free, .. } = self.machine;
         let (at, Waves { cosine, sine: s }) = (self.at(duration), waves(&free, duration));
-        // What is left of a unit of velocity, as place s and velocity s′; and of a unit of place, c.
+        // The responses after this time: to a unit of velocity, place s and velocity s′; to a unit of place,
+        // c.
         let (change, c) = (cosine - zeta * s, cosine + zeta * s);
-        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time: the motion from a later phase is the same motion later, less
-        // what its own start leaves.
+        // ∂w/∂θ₀ and ∂w/∂x₀ at a fixed time. A later phase gives the same motion later, minus the
+        // contribution of its own start.
         let (by_phase, by_place) = ((at.acceleration - self.start * change) / omega, -s);
         let (later_by_phase, later_by_place) = (-(by_phase / at.acceleration), -(by_place / at.acceleration));
         let derivatives =

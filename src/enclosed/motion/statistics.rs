@@ -1,4 +1,4 @@
-//! What a proved cycle is described by: its maximum speed and its multipliers.
+//! Properties of a proved cycle: its maximum speed and its multipliers.
 
 use super::super::root::only_zero;
 use super::map::Map;
@@ -8,11 +8,11 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use core::cmp::Ordering;
 
-/// The maximum speed of a slide: at a zero of the acceleration that is shown to be alone in its interval, all
-/// others being slower.
+/// The maximum speed of a slide: at a zero of the acceleration that is proved to be the only one in its
+/// interval, while all other intervals are slower.
 pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> Option<Ball<W>> {
     let (mut best, mut found) = (Mp::<W>::ZERO, None::<Ball<W>>);
-    // A speed that is reached, to leave out what is certainly slower.
+    // Attained speeds, to discard intervals that are certainly slower.
     for i in 1..64 {
         let speed = slide.sign * slide.at(Ball::exact(duration.mid() * Mp::of_int(i).scale2(-6))).w;
         if speed.lower() > best {
@@ -41,7 +41,7 @@ pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> O
             }
         }
         if at.acceleration.sign().is_some() {
-            // Faster at an end, which belongs to a neighbour, or to rest.
+            // The speed is greater at an end, which belongs to a neighbour, or the body is at rest there.
             continue;
         }
         let middle = (low + high).scale2(-1);
@@ -51,8 +51,8 @@ pub(super) fn fastest<const W: usize>(slide: &Slide<W>, duration: &Ball<W>) -> O
     None
 }
 
-/// The multipliers of a cycle: those of the map with its image, squared where a cycle is twice what the map
-/// takes.
+/// The multipliers of a cycle: those of the map with its image, squared if a cycle is two applications of the
+/// map.
 pub(super) fn multipliers<const W: usize>(
     map: &Map<'_, W>,
     derivatives: &[[Ball<W>; 2]; 2],
@@ -79,7 +79,7 @@ pub(super) fn multipliers<const W: usize>(
             let (plus, minus) = (real((trace + root) / two), real((trace - root) / two));
             if plus.0.abs().is_below(&minus.0.abs()) { [minus, plus] } else { [plus, minus] }
         }
-        // Near a double root: both within its reach of the middle.
+        // Near a double root, both multipliers lie within this radius of the mean.
         None => {
             let reach = discriminant.abs().upper().sqrt();
             let around = Ball::between(-reach, reach) / two;

@@ -1,4 +1,4 @@
-//! A steady motion, proved: the box in which it is the only one, its extrema, its stops, its multipliers.
+//! A proved steady motion: its box of uniqueness, extrema, stops and multipliers.
 
 use super::super::{Enclosure, Known, valid};
 use super::map::{Followed, Map, Start};
@@ -12,7 +12,7 @@ use crate::float::ball::{Ball, Radius};
 use crate::float::mp::Mp;
 use crate::ratios::Ratios;
 
-/// A periodic motion that exists, with all that is asked of it enclosed.
+/// A periodic motion that exists, with all its properties enclosed.
 ///
 /// Displacements in units of B = r_y/k, velocities in B ω_d, phases ω_d t in rad.
 #[derive(Debug, Clone)]
@@ -27,31 +27,31 @@ pub struct Steady {
     pub max_velocity: Enclosure,
     /// Minimum velocity x′/(Bω_d).
     pub min_velocity: Enclosure,
-    /// Whether each half of a cycle is the other turned upside down.
+    /// Whether each half of a cycle is the other with the opposite sign.
     #[cfg_attr(feature = "serde", serde(rename = "symmetric"))]
     pub is_symmetric: bool,
-    /// Turns of the drive in a cycle.
+    /// The number of turns of the drive in a cycle.
     pub turns_per_cycle: u32,
-    /// The part of a cycle that the body is at rest.
+    /// The fraction of a cycle during which the body is at rest.
     pub stick_fraction: Enclosure,
-    /// Stops in a cycle.
+    /// The number of stops in a cycle.
     pub sticks_per_cycle: u32,
-    /// Velocity zeros in a cycle; a stop counts once.
+    /// The number of velocity zeros in a cycle; a stop counts once.
     pub velocity_zeros_per_cycle: u32,
     /// The multipliers of a cycle, each (re, im); 0 where the body stops.
     pub multipliers: [(Enclosure, Enclosure); 2],
-    /// Phase and place of a release, or of a reversal where the body never stops: in these two enclosures
-    /// there is one such motion.
+    /// Phase and place of a release, or of a reversal if the body never stops: these two enclosures contain
+    /// exactly one such motion.
     pub start: (Enclosure, Enclosure),
-    /// The box in which it is the only such motion: half widths of phase and place; of place alone where the
-    /// body stops.
+    /// The box in which it is the only such motion: half widths of phase and place; only of place if the body
+    /// stops.
     pub only_within: (Option<Enclosure>, Enclosure),
-    /// The bits that it was computed with.
+    /// The number of bits used.
     pub bits: u32,
 }
 
-/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, η = r_s/r_y being static friction
-/// over the kinetic one; or why it is not proved.
+/// The steady motion from rest at (Ω, α, ζ, η), enclosed to `bits` bits, where η = r_s/r_y is the ratio of
+/// static to kinetic friction; or the reason why it is not proved.
 ///
 /// With η > 1 other starts may lead to other motions.
 ///
@@ -98,10 +98,10 @@ pub fn steady(
     Ok(last.unwrap_or(Err(Unproved::NotAlone { bits })))
 }
 
-/// The last of the widths tried, in words of 64 bits.
+/// The greatest precision tried, in words of 64 bits.
 const WIDEST: usize = 65;
 
-/// What is found at one width.
+/// The result at one precision.
 struct Found<const W: usize> {
     half_turns: u32,
     /// Minimum and maximum.
@@ -153,7 +153,7 @@ impl<const W: usize> Found<W> {
     }
 }
 
-/// The start that the map takes to its image, and the proof.
+/// The start that the map takes to its image, with the proof.
 fn proved<const W: usize>(map: &Map<'_, W>) -> Result<Found<W>, Unproved> {
     let outline = map.outline;
     let mut middle = (Mp::of_f64(outline.phase), Mp::of_f64(outline.place));
@@ -175,9 +175,9 @@ fn proved<const W: usize>(map: &Map<'_, W>) -> Result<Found<W>, Unproved> {
     let least = Radius::power_of_two(8 - i64::from(Mp::<W>::BITS));
     let size = |x: Ball<W>| Radius::above(x.mid()).plus(x.rad()).plus(least);
     let at = map.follow(start(middle))?;
-    // A small box for the motion, then a large one in which it is the only one.
+    // First a small box for the motion, then a large one for uniqueness.
     let smallest = (size(by_phase), size(by_place));
-    // The reason why the certificate fails says more than that a box is too small or too large.
+    // If the certificate fails, its reason is more informative than the size of a box.
     let mut why = alone_is_not_shown::<W>();
     let found = (1..8).find_map(|n| match only_in(map, &at, (smallest.0.scaled(n), smallest.1.scaled(n))) {
         Ok(found) => Some(found),
@@ -195,12 +195,12 @@ fn proved<const W: usize>(map: &Map<'_, W>) -> Result<Found<W>, Unproved> {
     described(map, &followed, ((!outline.stops).then_some(reach.0), reach.1))
 }
 
-/// That the motion is the only one around is not shown at this width.
+/// The reason that uniqueness is not proved at this precision.
 const fn alone_is_not_shown<const W: usize>() -> Unproved {
     Unproved::NotAlone { bits: Mp::<W>::BITS }
 }
 
-/// Where the zero is that is the only one in the box of these half widths around the start of `at`.
+/// The zero, if it is the only one in the box of these half widths around the start of `at`.
 fn only_in<const W: usize>(
     map: &Map<'_, W>,
     at: &Followed<W>,
@@ -223,7 +223,7 @@ fn only_in<const W: usize>(
     Ok(found)
 }
 
-/// Newton's step: what start less image of the end is at `at`, over the derivatives of `over`.
+/// Newton's step: the start minus the image of the end at `at`, divided by the derivatives of `over`.
 fn newton<const W: usize>(
     map: &Map<'_, W>,
     at: &Followed<W>,
@@ -235,7 +235,7 @@ fn newton<const W: usize>(
     let [[a, b], [c, d]] = over.derivatives;
     let (c, d) = (-(map.image() * c), one - map.image() * d);
     let (by_phase, by_place) = if map.outline.stops {
-        // From a stop the place alone decides.
+        // With a stop, the place alone determines the motion.
         (Ball::int(0), g / d)
     } else {
         let a = a - one;
@@ -248,7 +248,7 @@ fn newton<const W: usize>(
     Ok((by_phase, by_place))
 }
 
-/// What the motion is like.
+/// The properties of the motion.
 fn described<const W: usize>(
     map: &Map<'_, W>,
     followed: &Followed<W>,
@@ -273,7 +273,7 @@ fn described<const W: usize>(
     }
     let mut zeros = u32::try_from(followed.steps.len()).map_err(|_| Unproved::TooManySlides)?;
     if map.outline.image() < 0 {
-        // The other half is the same upside down.
+        // The other half of the cycle has the opposite sign.
         let symmetric = |(low, high): (Ball<W>, Ball<W>)| {
             let greatest = high.larger(&-low);
             (-greatest, greatest)

@@ -1,8 +1,8 @@
-//! Why a motion is not proved.
+//! Reasons why a motion is not proved.
 
 use core::fmt::{self, Display, Formatter};
 
-/// What cannot be told of one event of a motion.
+/// The property of one event that is undecided.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -10,42 +10,41 @@ use core::fmt::{self, Display, Formatter};
 pub enum Event {
     /// Whether the velocity keeps its sign throughout the slide that begins there.
     Slide,
-    /// When the slide that begins there ends.
+    /// The time at which the slide that begins there ends.
     End,
-    /// Whether the body slides back at once, or stops.
+    /// Whether the body slides back immediately or stops.
     Reversal,
     /// Whether the force stays below the static friction throughout the stop that begins there.
     Stop,
-    /// When the stop before it is over.
+    /// The time at which the preceding stop ends.
     Release,
 }
 
-/// Why a motion is not proved.
+/// The reason why a motion is not proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum Unproved {
     /// The motion from rest does not become periodic: it comes to rest, grows without bound, is irregular, or
-    /// has not settled in the periods followed.
+    /// has not settled within the periods computed.
     NotPeriodic,
-    /// It is one of a family of periodic motions.
+    /// The motion is one of a family of periodic motions.
     Family,
-    /// It has more than 512 slides in the part that repeats.
+    /// The part that repeats has more than 512 slides.
     TooManySlides,
-    /// It touches, or nearly touches, what decides on its order of events.
+    /// The motion touches, or nearly touches, a limit that decides its order of events.
     Undecided {
         /// The event.
         event: Event,
-        /// The phase ω_d t of the drive there, in rad.
+        /// The phase ω_d t of the event, in rad.
         phase: f64,
-        /// The bits computed with.
+        /// The number of bits used.
         bits: u32,
     },
-    /// Balls of so many bits are too wide to show that it is the only one around, as where a multiplier is
-    /// nearly 1.
+    /// Balls of this precision are too wide to prove uniqueness, for example where a multiplier is nearly 1.
     NotAlone {
-        /// The bits computed with.
+        /// The number of bits used.
         bits: u32,
     },
 }

@@ -1,4 +1,4 @@
-//! One pair of axes and what is drawn in them.
+//! One pair of axes and its contents.
 
 use super::line::{arrow, stroke, whole};
 use super::ticks::ticks;
@@ -17,7 +17,7 @@ pub(super) struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The panel whose plot has its upper left corner and its size at the given pixels.
+    /// The panel with a plot of this size at this upper left corner, both in pixels.
     pub(super) fn new(panel: &'a Panel, (x, y): (i32, i32), (width, height): (i32, i32)) -> Self {
         let [left, top, width, height] = [x, y, width, height].map(|pixels| f64::from(pixels * UNITS));
         Self { panel, left, top, width, height }
@@ -67,7 +67,7 @@ impl<'a> Frame<'a> {
         write(canvas, &self.panel.title, (middle, top - 22), 14, Anchor::Above)
     }
 
-    /// Where a point of the plot lies, in units of the drawing.
+    /// The place of a point of the plot, in units of the drawing.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
         let (x, y) = (share(&self.panel.x, x), share(&self.panel.y, y));
         (self.left + self.width * x, self.top + self.height * (1.0 - y))
@@ -160,7 +160,7 @@ impl<'a> Frame<'a> {
         (enter <= leave).then(|| (at(enter), at(leave)))
     }
 
-    /// Rows of rectangles, neighbours of one colour in one.
+    /// Draws the plane as rows of rectangles; neighbours of the same colour are merged.
     fn plane(&self, plane: &Plane, canvas: &Canvas<'_>) -> Drawn {
         let x: Vec<f64> = plane.x.iter().map(|&x| self.place((x, self.panel.y.low)).0).collect();
         let y: Vec<f64> = plane.y.iter().map(|&y| self.place((self.panel.x.low, y)).1).collect();
@@ -174,7 +174,8 @@ impl<'a> Frame<'a> {
                     right = next;
                 }
                 if let Some(step) = step {
-                    // Rows and cells overlap, or the paper shows between them; the next covers the rest.
+                    // Rows and cells overlap, because otherwise the background would show between them; the
+                    // next one covers the rest.
                     let (lap, top) = (f64::from(UNITS), low.min(high));
                     let corner = ((right + lap).min(self.left + self.width), low.max(high));
                     let corners = [whole((left, (top - lap).max(self.top))), whole(corner)];
@@ -195,7 +196,7 @@ fn share(axis: &Axis, value: f64) -> f64 {
     }
 }
 
-/// The cell about each place: half way to its neighbours, within the frame.
+/// The cell around each place: half way to its neighbours, within the frame.
 fn cells(places: &[f64], (low, high): (f64, f64)) -> Vec<(f64, f64)> {
     let before = std::iter::once(None).chain(places.iter().copied().map(Some));
     let after = places.iter().copied().skip(1).map(Some).chain([None]);

@@ -1,4 +1,4 @@
-//! What lines, marks and colours mean, beside the panels so that nothing is covered.
+//! The legend of lines, marks and colours, beside the panels so that it covers nothing.
 
 use super::line::stroke;
 use super::shade::{STEPS, shade};
@@ -11,7 +11,7 @@ use plotters::style::Color;
 /// Pixels between two entries.
 const LINE: i32 = 22;
 
-/// The legend from an upper left corner down, in pixels.
+/// Draws the legend downwards from an upper left corner, in pixels.
 pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, canvas: &Canvas<'_>) -> Drawn {
     let mut y = top;
     for series in entries(figure) {
@@ -33,7 +33,7 @@ pub(super) fn draw(figure: &Figure, (left, top): (i32, i32), layout: &Layout, ca
     Ok(())
 }
 
-/// The width that the legend takes, in pixels; seven for a letter.
+/// The width of the legend in pixels, at seven per letter.
 pub(super) fn width(figure: &Figure) -> i32 {
     let letters = |text: &str| i32::try_from(text.chars().count()).unwrap_or(i32::MAX / 16);
     let series = entries(figure).into_iter().map(|series| 42 + 7 * letters(&series.key));
@@ -47,8 +47,7 @@ pub(super) fn width(figure: &Figure) -> i32 {
     series.chain(planes).max().unwrap_or(0)
 }
 
-/// The series to be told apart, each key once. What is named where it stands, or has no key, is not among
-/// them.
+/// The series in the legend, each key once. Series that are named at their points or have no key are omitted.
 fn entries(figure: &Figure) -> Vec<&Series> {
     let mut shown: Vec<&Series> = Vec::new();
     for series in figure.panels.iter().flat_map(|panel| &panel.series) {
@@ -60,7 +59,7 @@ fn entries(figure: &Figure) -> Vec<&Series> {
     shown
 }
 
-/// The planes to be explained, those of one meaning once.
+/// The planes in the legend, each label once.
 fn keys(figure: &Figure) -> Vec<&Plane> {
     let mut keys: Vec<&Plane> = Vec::new();
     for plane in figure.panels.iter().filter_map(|panel| panel.plane.as_ref()) {
@@ -96,7 +95,7 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
     write(canvas, &series.key, (left + 42, y), 13, Anchor::Left)
 }
 
-/// A square for each name that occurs.
+/// Draws a square for each name that occurs.
 fn named(
     plane: &Plane,
     names: &[String],
@@ -116,13 +115,13 @@ fn named(
     Ok(y)
 }
 
-/// The shades from the lowest value, below, to the highest.
+/// Draws the shades from the lowest value at the bottom to the highest.
 fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) -> Drawn {
     let steps = STEPS as i32;
     for step in 0..steps {
         let y = |step: i32| (top + height) * UNITS - height * UNITS * step / steps;
         let colour = shade(f64::from(step) / f64::from(steps - 1));
-        // Steps overlap, or the paper shows between them.
+        // Steps overlap, because otherwise the background would show between them.
         let lap = if step + 1 < steps { UNITS } else { 0 };
         let corners = [(left * UNITS, y(step + 1) - lap), ((left + 20) * UNITS, y(step))];
         canvas.draw(&Rectangle::new(corners, colour.filled()))?;
@@ -139,7 +138,7 @@ fn ramp(axis: &Axis, (left, top): (i32, i32), height: i32, canvas: &Canvas<'_>) 
     Ok(())
 }
 
-/// What can go wrong in drawing.
+/// Errors of drawing.
 type Error = plotters::drawing::DrawingAreaErrorKind<std::io::Error>;
 
 #[cfg(test)]
@@ -147,7 +146,7 @@ mod tests {
     use super::keys;
     use crate::figures::{Axis, Figure, Panel, Plane, Scale};
 
-    /// A panel whose plane has this label, over shades up to `high`.
+    /// A panel with a plane of this label and shades up to `high`.
     fn panel(label: &str, high: f64) -> Panel {
         let plane = Plane {
             label: label.to_owned(),
@@ -160,7 +159,7 @@ mod tests {
         Panel { title: String::new(), x: axis("x"), y: axis("y"), plane: Some(plane), series: Vec::new() }
     }
 
-    /// The heights at which the drawing has a text.
+    /// The heights at which a text occurs in the drawing.
     fn heights(drawing: &str, text: &str) -> Vec<i32> {
         let elements = drawing.split("<text ").skip(1);
         let with_it =
@@ -181,7 +180,7 @@ mod tests {
         let drawing = figure.svg().unwrap();
         let (warm, cold) = (heights(&drawing, "warm"), heights(&drawing, "cold"));
         assert!(warm.len() == 1 && cold.len() == 2, "{warm:?} {cold:?}");
-        // Each has its shades, of 60 pixels at least, between it and the next.
+        // At least 60 pixels of shades lie between each key and the next.
         assert!(cold[0] > warm[0] + 600 && cold[1] > cold[0] + 600, "{warm:?} {cold:?}");
     }
 }

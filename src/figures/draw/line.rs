@@ -5,7 +5,7 @@ use crate::figures::Style;
 use plotters::element::{PathElement, Polygon};
 use plotters::style::{Color, RGBColor};
 
-/// A line in its style.
+/// Draws a line in its style.
 pub(super) fn stroke(canvas: &Canvas<'_>, line: Vec<(i32, i32)>, style: Style, colour: RGBColor) -> Drawn {
     let width = if style == Style::Thick { 3 * UNITS } else { 3 * UNITS / 2 };
     let pen = colour.stroke_width(width.unsigned_abs());
@@ -48,7 +48,7 @@ fn dashes(line: &[(i32, i32)], dash: f64, gap: f64) -> Vec<Vec<(i32, i32)>> {
             }
             left -= next - along;
             along = next;
-            // Rounding may leave too little to move on by.
+            // Rounding may leave a remainder too small to advance.
             if left < 1e-6 {
                 pieces.push(std::mem::take(&mut piece));
                 on = !on;
@@ -61,7 +61,7 @@ fn dashes(line: &[(i32, i32)], dash: f64, gap: f64) -> Vec<Vec<(i32, i32)>> {
     pieces
 }
 
-/// A thin line with a head at its end.
+/// Draws a thin line with an arrowhead at its end.
 pub(super) fn arrow(canvas: &Canvas<'_>, places: &[(f64, f64)], colour: RGBColor) -> Drawn {
     let pen = colour.stroke_width(UNITS.unsigned_abs());
     canvas.draw(&PathElement::new(places.iter().copied().map(whole).collect::<Vec<_>>(), pen))?;
@@ -73,7 +73,7 @@ pub(super) fn arrow(canvas: &Canvas<'_>, places: &[(f64, f64)], colour: RGBColor
     canvas.draw(&Polygon::new(vec![whole((*x, *y)), corner(4.5), corner(-4.5)], colour.filled()))
 }
 
-/// The nearest point of whole units.
+/// The nearest point in whole units.
 pub(super) fn whole((x, y): (f64, f64)) -> (i32, i32) {
     (x.round() as i32, y.round() as i32)
 }

@@ -1,10 +1,10 @@
-//! Colours and marks, told apart by colour-blind eyes and in print.
+//! Colours and marks that can be distinguished with colour blindness and in print.
 
 use super::{Canvas, Drawn, UNITS};
 use plotters::element::{Circle, PathElement, Polygon, Rectangle};
 use plotters::style::{Color, RGBColor};
 
-/// The palette of Okabe and Ito, less its yellow: seven colours that differ in lightness, too.
+/// The palette of Okabe and Ito without its yellow: seven colours that also differ in lightness.
 const COLOURS: [RGBColor; 7] = [
     RGBColor(0, 0, 0),
     RGBColor(230, 159, 0),
@@ -20,7 +20,7 @@ pub(super) fn colour(index: usize) -> RGBColor {
     COLOURS.get(index % COLOURS.len()).copied().unwrap_or_default()
 }
 
-/// The mark of the series `index` at a place in units of the drawing.
+/// Draws the mark of the series `index` at a place in units of the drawing.
 pub(super) fn draw(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Drawn {
     let style = colour(index).filled();
     let r = 7 * UNITS / 2;
@@ -43,7 +43,7 @@ pub(super) fn draw(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Dra
     }
 }
 
-/// A small dot.
+/// Draws a small dot.
 pub(super) fn dot(canvas: &Canvas<'_>, index: usize, place: (i32, i32)) -> Drawn {
     canvas.draw(&Circle::new(place, 3 * UNITS / 2, colour(index).filled()))
 }

@@ -1,11 +1,11 @@
-//! A drawing in pixels, with a font of its own.
+//! Rasterises a drawing, with an embedded font.
 
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Options, Tree};
 use std::io;
 use std::sync::Arc;
 
-/// The pixels of a drawing, `width` to a row, as PNG.
+/// The drawing as PNG, `width` pixels wide.
 pub(in crate::figures) fn png(svg: &str, width: u32) -> io::Result<Vec<u8>> {
     let mut options = Options::default();
     let fonts = Arc::make_mut(&mut options.fontdb);

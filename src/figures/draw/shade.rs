@@ -1,4 +1,4 @@
-//! The colours of values over a plane: from dark to light, so that they keep their order in print.
+//! The colours of values over a plane: from dark to light, so that their order survives in print.
 
 use crate::figures::Scale;
 use plotters::style::RGBColor;
@@ -16,10 +16,10 @@ const SHADES: [(u8, u8, u8); 9] = [
     (253, 231, 37),
 ];
 
-/// Steps that shades are drawn in, so that neighbours share a rectangle.
+/// The number of steps in which shades are drawn, so that neighbours can share a rectangle.
 pub(super) const STEPS: u32 = 48;
 
-/// The shade at a place from 0, dark, to 1, light.
+/// The shade at a position from 0 (dark) to 1 (light).
 pub(super) fn shade(place: f64) -> RGBColor {
     let along = place.clamp(0.0, 1.0) * (SHADES.len() - 1) as f64;
     let below = along.floor();
@@ -30,7 +30,7 @@ pub(super) fn shade(place: f64) -> RGBColor {
 }
 
 impl Scale {
-    /// The step of a value, `None` where there is nothing to draw.
+    /// The step of a value; `None` where there is nothing to draw.
     pub(super) fn step(&self, value: f64) -> Option<u32> {
         if value.is_nan() {
             return None;
@@ -48,7 +48,7 @@ impl Scale {
         })
     }
 
-    /// The colour of a step. The names go from light to dark.
+    /// The colour of a step. Names run from light to dark.
     pub(super) fn colour(&self, step: u32) -> RGBColor {
         match self {
             Self::Names(names) => shade(1.0 - f64::from(step) / (names.len().max(2) - 1) as f64),

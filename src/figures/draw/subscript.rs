@@ -1,6 +1,6 @@
-//! Indices below the line: what stands as ω_d, r_y or α_min in the text.
+//! Subscripts: indices written as ω_d, r_y or α_min in the text.
 
-/// The drawing with the indices in its texts set.
+/// The drawing with subscripts set in its texts.
 pub(super) fn set(svg: &str) -> String {
     let mut texts = svg.split("<text");
     let mut drawing = texts.next().unwrap_or_default().to_owned();
@@ -18,7 +18,7 @@ pub(super) fn set(svg: &str) -> String {
     drawing
 }
 
-/// A text with the indices after single letters in smaller type below the line.
+/// A text whose indices after single letters are set smaller and below the line.
 fn lowered(text: &str) -> String {
     let mut parts = text.split('_');
     let mut before = parts.next().unwrap_or_default();
@@ -29,7 +29,7 @@ fn lowered(text: &str) -> String {
         if is_symbol(before) && !index.is_empty() {
             whole.push_str(&format!("<tspan dy=\"0.3em\" font-size=\"0.72em\">{index}</tspan>"));
             if !rest.trim().is_empty() {
-                // Up again by the same length in its own larger type. Viewers drop a space at the start.
+                // Move up again by the same length in the larger type. Viewers drop a space at the start.
                 let (gap, rest) = match rest.strip_prefix(' ') {
                     Some(rest) => (" dx=\"0.32em\"", rest),
                     None => ("", rest),
@@ -45,7 +45,7 @@ fn lowered(text: &str) -> String {
     whole
 }
 
-/// Whether a text ends in a single letter: of Greek, or of Latin with no other before it.
+/// Whether a text ends in a single letter: Greek, or Latin and not preceded by another Latin letter.
 fn is_symbol(text: &str) -> bool {
     let mut backwards = text.chars().rev();
     match (backwards.next(), backwards.next()) {

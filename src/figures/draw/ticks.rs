@@ -1,4 +1,4 @@
-//! Where an axis has its ticks, and what is written there.
+//! The ticks of an axis and their labels.
 
 use crate::figures::Axis;
 
@@ -9,11 +9,11 @@ pub(super) fn ticks(axis: &Axis) -> Vec<(f64, String)> {
         return round_steps(low, high);
     }
     let powers = powers_of_ten(low, high);
-    // One or two ticks would not show what the axis is.
+    // One or two ticks would not show the scale.
     if powers.len() > 2 { powers } else { one_two_five(low, high) }
 }
 
-/// 1, 2 and 5 times each power of ten; even steps where that is still not enough.
+/// 1, 2 and 5 times each power of ten; a linear scale where these are still too few.
 fn one_two_five(low: f64, high: f64) -> Vec<(f64, String)> {
     let (first, last) = (low.log10().floor() as i32, high.log10().ceil() as i32);
     let tick = |e: i32| {
@@ -40,7 +40,7 @@ fn powers_of_ten(low: f64, high: f64) -> Vec<(f64, String)> {
     (from..=last).step_by(step.unsigned_abs() as usize).map(|e| (10f64.powi(e), power(e))).collect()
 }
 
-/// 10 to the power, in figures that need no markup.
+/// A power of ten in characters that need no markup.
 fn power(exponent: i32) -> String {
     match exponent {
         -2 => "0.01".to_owned(),
@@ -96,7 +96,7 @@ mod tests {
         assert_eq!(texts(&Axis::logarithmic("", 0.05, 2.0)), ["0.05", "0.1", "0.2", "0.5", "1", "2"]);
         assert_eq!(texts(&Axis::logarithmic("", 30.0, 400.0)), ["50", "100", "200"]);
         assert_eq!(texts(&Axis::logarithmic("", 1.1, 1.9)), ["1.2", "1.4", "1.6", "1.8"]);
-        // From above down, as a key has it whose light end is the lower one.
+        // An axis that runs downwards, as in a key whose light end is the lower one.
         assert_eq!(texts(&Axis::linear("", 1.0, 0.0)), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]);
         for high in [0.7, 1.3, 4.0, 9.9, 16.0, 30.0, 123.0] {
             assert!((4..=10).contains(&ticks(&Axis::linear("", 0.0, high)).len()), "{high}");

@@ -28,7 +28,7 @@ fn one_over_2n_is_decided_to_the_last_float() {
         assert_eq!(verdict(omega, least.next_down()), Verdict::Sticking);
         assert_eq!(verdict(omega, 0.5), Verdict::AtRest);
     }
-    // Beside it, too, there is one limit only.
+    // Near 1/(2n), too, there is a single limit.
     for omega in [0.5 * (1.0 - 1e-14), 0.5f64.next_down(), 0.5f64.next_up(), 1.0 / 6.0] {
         assert_eq!(verdict(omega, 1.5 / (omega * omega)), Verdict::NonSticking, "{omega}");
     }
@@ -42,7 +42,7 @@ fn undecided_within_the_error_bound_only() {
             assert_eq!(verdict(omega, least * (1.0 + over * f64::EPSILON)), EITHER, "{omega}");
         }
         assert_eq!(verdict(omega, least * (1.0 + 1e-14)), Verdict::NonSticking, "{omega}");
-        // At the float beside the pole the gap between six reversals and the border is below rounding.
+        // At the float next to the pole, the gap between six reversals and the border is below rounding.
         let below = if omega == 1.0 / 3.0 { EITHER } else { Verdict::Sticking };
         assert_eq!(verdict(omega, least * (1.0 - 1e-14)), below, "{omega}");
     }
@@ -102,7 +102,7 @@ fn the_error_bound_holds_at_single_precision() {
 #[test]
 fn intervals_say_what_holds_for_all() {
     let within = |omega, alpha| Verdict::<f64>::within(omega, alpha).unwrap();
-    // The border dips to 1.20999 between 0.8 and 0.9, whose ends are at 1.2234 and 1.2184.
+    // The border has a minimum of 1.20999 between 0.8 and 0.9; its values there are 1.2234 and 1.2184.
     assert_eq!(within((0.8, 0.9), (1.205, 1.2099)), Verdict::Sticking);
     assert_eq!(within((0.8, 0.9), (1.215, 1.216)), EITHER);
     assert_eq!(within((0.8, 0.9), (1.23, 1.3)), Verdict::NonSticking);
@@ -121,7 +121,7 @@ fn a_machine_at_resonance_is_not_known_to_be_exactly_there() {
     let at = |p0: f64| Verdict::of(&body, &Drive::force(p0, 1.0).unwrap()).unwrap();
     assert_eq!(at(2.0), Verdict::Undecided(Regime::NonSticking, Regime::Unbounded));
     assert_eq!(at(1.2), Verdict::Sticking);
-    // A third as written is next to a pole, where the border is undetermined.
+    // 1/3 as rounded is next to a pole, and the border is undetermined.
     let drive = Drive::force(1e16, 1.0 / 3.0).unwrap();
     assert_eq!(Verdict::of(&body, &drive).unwrap(), EITHER);
     assert!(Verdict::new(drive.ratios(&body).unwrap()).regime().is_some());
@@ -150,7 +150,7 @@ fn with_damping_the_error_bound_is_16_units() {
     assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(|alpha| at(0.331, alpha, 1e-3)), due);
 }
 
-/// Within the error of its own border nothing is known, elsewhere the border is, for every start.
+/// Within the error of the border nothing is known; elsewhere the border is known, for every start.
 #[test]
 fn with_static_friction_only_the_border_is_known() {
     for (omega, zeta, units) in [(0.7, 0.0, 8.0), (0.7, 0.1, 16.0), (1.0, 0.0, 8.0), (1.0, 0.1, 16.0)] {
