@@ -13,17 +13,19 @@
 //! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
-//! All of them allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. Force,
-//! friction, displacement, velocity and the friction that dissipates most then have proofs of uniqueness of
-//! their own; the bands and the stiffness that dissipates most are **searched** (`damped`).
+//! All functions allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. With
+//! damping, the force, the friction, the displacement, the velocity and the friction that dissipates most
+//! have their own proofs of uniqueness; the bands and the stiffness that dissipates most are **searched**
+//! (`damped`).
 //!
-//! Every other answer is proved, beside its function, to be the only one or the best of all; none is found by
-//! sampling. With sticking allowed it is the best to within a tolerance, provided that each exact motion is
-//! as close to its limit as estimated. An answer put back into the forward functions ([`crate::Cycle`],
-//! [`crate::Border`]) reproduces the target to rounding. “Sliding” is the motion of the closed forms, two
-//! reversals a cycle and no stop; below its border the body stops, or near a pole reverses six times
-//! ([`crate::nonsticking::SixReversals`]): answers that include such motions are searched there, not proved.
-//! On the border of sticking there is no safety margin, which real friction needs: see [`crate::Output::Margin`].
+//! Every other answer is proved, in the documentation of its function, to be the only one or the best of all;
+//! none is found by sampling. With sticking allowed it is the best to within a tolerance, provided that each
+//! exact motion is as close to its limit as estimated. If an answer is substituted into the forward functions
+//! ([`crate::Cycle`], [`crate::Border`]), it reproduces the target to rounding. “Sliding” means the motion of
+//! the closed forms, with two reversals a cycle and no stop. Below its border the body stops, or near a pole
+//! reverses six times ([`crate::nonsticking::SixReversals`]): answers that include such motions are searched
+//! there, not proved. On the border of sticking there is no safety margin, which real friction needs: see
+//! [`crate::Output::Margin`].
 
 mod band;
 mod bands;

@@ -1,6 +1,6 @@
-//! A band of frequency in which the body slides, and what ends it.
+//! Bands of frequency in which the body slides, and the kinds of their ends.
 
-/// What ends a band.
+/// The kind of an end of a band.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -11,8 +11,8 @@ pub enum Edge {
     Range,
 }
 
-/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks; its ends
-/// belong to it.
+/// An interval of frequency ratios, or of angular frequencies, in which the body never sticks, with its ends
+/// included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -22,12 +22,12 @@ pub struct Band<F> {
     pub low: F,
     /// Upper end.
     pub high: F,
-    /// What bounds the lower end.
+    /// The kind of the lower end.
     pub low_edge: Edge,
-    /// What bounds the upper end.
+    /// The kind of the upper end.
     pub high_edge: Edge,
-    /// The number n of the lobe of the border, between the poles 1/(2n+3) and 1/(2n+1), that the band is in;
-    /// with a damper that its lower end would be in without one. Only lobe 0 can contain Ω = 1, where the
-    /// body never sticks but its motion grows without bound.
+    /// The number n of the border's lobe that contains the band, between the poles 1/(2n+3) and 1/(2n+1).
+    /// With a damper it is the lobe that would contain its lower end without one. Only lobe 0 can contain Ω =
+    /// 1, where the body never sticks but its motion grows without bound.
     pub lobe: u16,
 }

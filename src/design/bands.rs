@@ -1,12 +1,12 @@
 //! The bands of frequency in which a given force keeps the body sliding.
 //!
-//! Sliding is the motion that reverses twice a cycle and does not stop; a body that reverses more often
-//! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside of the bands.
-//! `α_min(Ω) ≤ α` is one interval in each lobe of the border at most, because there α_min falls to one
-//! minimum and rises from it, both strictly (`src/nonsticking/border/lobe.rs`). And it is empty in every lobe
-//! n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens √(1+α)/2 + 1 bands at most. So one
-//! search in each of those lobes finds all bands: nothing is sampled, and nothing between two frequencies is
-//! missed. With a damper there is no such proof, and they are searched (`damped`).
+//! Sliding is the motion that reverses twice a cycle and does not stop. A body that reverses more often
+//! without stopping, which happens near the poles ([`super::bands_without_stop`]), is outside the bands. In
+//! each lobe of the border, `α_min(Ω) ≤ α` holds on at most one interval, because α_min decreases strictly to
+//! one minimum and then increases strictly (`src/nonsticking/border/lobe.rs`). The interval is empty in every
+//! lobe n with (2n+1)² − 1 ≥ α, because α_min ≥ 1/Ω² − 1: a force ratio α opens at most √(1+α)/2 + 1 bands.
+//! One search in each of those lobes therefore finds all bands without sampling. With a damper there is no
+//! such proof, and the bands are searched (`damped`).
 
 use super::band::{Band, Edge};
 use super::damped::{Damper, Search};
@@ -30,10 +30,10 @@ pub struct Bands<F> {
     frequency: Option<Frequency<F>>,
 }
 
-/// Where bands come from.
+/// The method that finds the bands.
 #[derive(Debug, Clone)]
 enum Source<F> {
-    /// Each lobe from the next one to the last.
+    /// The lobes that remain, from the next to the last.
     Lobes(Option<Lobe>, Lobe),
     /// A search, with a damper.
     Searched(Box<Search<F>>),
@@ -49,15 +49,15 @@ struct Frequency<F> {
 
 /// All bands of Ω in `[low, high]` in which the force ratio α keeps the body sliding: `α_min(Ω) ≤ α`.
 ///
-/// The list is complete, and each band is in it once (see the head of this module). At each end the computed
-/// border is at most α, and a float or two outside it is above α, so that [`crate::Response`] agrees with the
-/// band. A band narrower than two floats next to an end of the range may be missing. Bands in lobes beyond
-/// the resolution of the type near a pole are known only to rounding.
+/// The list is complete, and contains each band once (see the module's documentation). At each end the
+/// computed border is at most α, and a float or two outside it is above α, so that [`crate::Response`] agrees
+/// with the band. A band narrower than two floats next to an end of the range may be missing. Bands in lobes
+/// beyond the resolution of the type near a pole are known only to rounding.
 ///
-/// **With a damping ratio ζ > 0**, the same at every frequency, they are searched, not proved: the border is
-/// evaluated on a mesh that is fine near its peaks, each of its extrema next to α is located, and the ends
-/// are exact. A band or a gap far narrower than any known structure of the border may be missed. That there
-/// is none below Ω = 1/√(1 + α) is proved (`src/design/damped.rs`).
+/// **With a damping ratio ζ > 0**, the same at every frequency, the bands are searched, not proved. The
+/// border is evaluated on a mesh that is fine near its peaks, each of its extrema near α is located, and the
+/// ends are exact. A band or a gap far narrower than any known structure of the border may be missed. There
+/// is provably none below Ω = 1/√(1 + α) (`src/design/damped.rs`).
 ///
 /// ```
 /// use stickslip::design::{Edge, bands};
@@ -88,13 +88,13 @@ pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Ba
     Ok(Bands { alpha, low, high, source, frequency: None })
 }
 
-/// Without damping: lobe by lobe.
+/// The bands without damping, lobe by lobe.
 fn bands_by_lobes<F: Float>(alpha: F, low: F, high: F) -> Result<Bands<F>, Error> {
     let lowest = Lobe::new(u16::MAX).low_pole();
-    // Below the last lobe there is no band for an α below 1/Ω² − 1 at its pole.
+    // Below the last lobe, there is no band for an α below 1/Ω² − 1 at its pole.
     let is_beyond = low < lowest && alpha < F::int(1) / lowest.square() - F::int(1);
     let (first, last) = ordered_lobes(if is_beyond { lowest.or_larger(low) } else { low }, high)?;
-    // The casts of a float to an integer saturate.
+    // The conversion of a float to an integer saturates.
     let reachable = ((1.0 + alpha.to_f64()).sqrt() / 2.0) as u16;
     let next = first.min(Lobe::new(reachable)).max(last);
     Ok(Bands { alpha, low, high, source: Source::Lobes(Some(next), last), frequency: None })
@@ -159,7 +159,7 @@ impl<F: Float> Bands<F> {
 
 /// The band of `lobe` within `[low, high]`, if there is one.
 pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Band<F>>, Error> {
-    // Not negative where the body slides.
+    // The excess is not negative where the body slides.
     let excess = |omega: F| alpha - Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio;
     let slides = |omega: F| excess(omega) >= F::int(0);
     let from = low.or_larger(lobe.low_pole());

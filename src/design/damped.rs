@@ -1,17 +1,19 @@
-//! Inverse problems over a range of frequency with a damper: what is proved, and what is searched.
+//! Inverse problems over a range of frequency with a damper: proved and searched statements.
 //!
-//! Without damping each lobe of the border has one minimum, so that nothing between two frequencies is missed
-//! (`bands`, `tuning`). No such proof is known with damping, where the border has finite peaks for poles.
+//! Without damping each lobe of the border has one minimum, so that no band between two frequencies is missed
+//! (`bands`, `tuning`). No such proof is known with damping, where the poles of the border become finite
+//! peaks.
 //!
-//! **Proved**: `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). For
-//! `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (from ζ = 1 on the
-//! sine is a hyperbolic one), hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band the computed border
-//! changes sides between two numbers next to each other.
+//! **Proved:** `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). The reason is `G + 2ζΩH =
+//! [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (a hyperbolic sine for ζ ≥ 1);
+//! hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band, the computed border changes sides between two
+//! adjacent numbers.
 //!
-//! **Searched**: what lies between. The border is looked at on a mesh, 32 times while the free vibration
-//! makes half a turn more in half a period of the drive, and closer towards its peaks at dT/π = 3, 5, …, down
-//! to a quarter of their width ζT/π; above Ω = 1, where it has no peaks, at steps of 3 %. Wherever a point of
-//! the mesh is next to an extremum on the wrong side of α the extremum itself is looked for.
+//! **Searched:** all else. The border is evaluated on a mesh: 32 points for each additional half turn of the
+//! free vibration in half a period of the drive. The mesh is finer towards the border's peaks at dT/π = 3, 5,
+//! …, down to a quarter of their width ζT/π. Above Ω = 1, where there are no peaks, the steps are 3 %.
+//! Wherever a point of the mesh is next to an extremum on the wrong side of α, the extremum itself is
+//! located.
 
 mod tuning;
 
@@ -23,7 +25,7 @@ use crate::root;
 use std::collections::VecDeque;
 pub(super) use tuning::best_frequency_ratio;
 
-/// What of the damper stays the same while the frequency ratio changes.
+/// The property of the damper that is constant while the frequency ratio changes.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Damper<F> {
     /// ζ: the frequency of the drive changes.
@@ -50,7 +52,7 @@ impl<F: Float> Damper<F> {
         if square <= F::int(0) || d <= two * omega {
             return geometric;
         }
-        // Half turns of the free vibration in half a period of the drive.
+        // The number of half turns of the free vibration in half a period of the drive.
         let turns = d / omega;
         let peak = three.or_larger(two * ((turns - one) / two).round() + one);
         let width = (zeta / omega).or_larger(F::int(64) * F::epsilon() * turns);
@@ -60,7 +62,7 @@ impl<F: Float> Damper<F> {
     }
 }
 
-/// A point of the mesh: Ω, and α less the border there, not negative where the body slides.
+/// A point of the mesh: Ω, and α minus the border there, which is not negative where the body slides.
 #[derive(Debug, Clone, Copy)]
 struct Node<F> {
     omega: F,
@@ -72,14 +74,14 @@ struct Node<F> {
 pub(super) struct Search<F> {
     alpha: F,
     damper: Damper<F>,
-    /// Where the range that was asked about begins and ends.
+    /// The ends of the requested range.
     range: (F, F),
     next: Option<F>,
-    /// The last point that was passed on, and the one that waits for its neighbour.
+    /// The last point that was returned, and the one that waits for its neighbour.
     last: Option<Node<F>>,
     waiting: Option<Node<F>>,
     ready: VecDeque<Node<F>>,
-    /// The last point of the band before.
+    /// The last point of the previous band.
     before: Option<Node<F>>,
     least: Option<F>,
 }
@@ -102,7 +104,7 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// The least border that was met.
+    /// The least value of the border so far.
     pub(super) const fn least(&self) -> Option<F> {
         self.least
     }
@@ -111,7 +113,7 @@ impl<F: Float> Search<F> {
         self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio
     }
 
-    /// The next point, with the extrema between points where one may be on the other side of α.
+    /// The next point; it includes extrema between points, where these may be on the other side of α.
     fn node(&mut self) -> Option<Node<F>> {
         loop {
             if let Some(node) = self.ready.pop_front() {
@@ -135,8 +137,8 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// Given three points on one side of α with the middle one nearest to it: the extremum between them, if
-    /// that is on the other side of α.
+    /// The extremum between three points on one side of α, of which the middle one is nearest to it, if the
+    /// extremum is on the other side of α.
     fn hidden(&self, first: Node<F>, middle: Node<F>, last: Node<F>) -> Option<Node<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;
@@ -183,14 +185,14 @@ impl<F: Float> Iterator for Search<F> {
     }
 }
 
-/// A band, in the lobe of the border without damping that its lower end is in.
+/// A band, with the lobe of the undamped border that contains its lower end.
 fn band<F: Float>(low: F, high: F, low_edge: Edge, high_edge: Edge) -> Band<F> {
     let lobe = Lobe::containing(low).unwrap_or(Lobe::new(u16::MAX));
     Band { low, high, low_edge, high_edge, lobe: lobe.index() }
 }
 
-/// The place of the greatest value between two, by golden sections: of a function with one maximum there, to
-/// half of the digits. Ends at the first value that is `enough`.
+/// The place of the greatest value between two, by golden-section search, to half of the digits; the function
+/// has one maximum there. The search ends at the first value that is `enough`.
 pub(super) fn highest<F: Float>(low: F, high: F, f: impl Fn(F) -> F, enough: impl Fn(F) -> bool) -> F {
     let two = F::int(2);
     let part = (F::int(5).sqrt() - F::int(1)) / two;

@@ -6,10 +6,10 @@
 //! A₁ = 8 √(z − K² z²)/|1 − Ω²|,
 //! ```
 //!
-//! the root of a parabola in z: A₁ rises with α up to α* = √2 |K| (eq. 65) and falls from there on. The
-//! cycles that do not stick are those with α ≥ α_min(Ω). So the best of them is α* if α* ≥ α_min. Otherwise
-//! A₁ falls on all of α ≥ α_min, and the best is the border itself. In both cases it is the larger of the
-//! two.
+//! the square root of a parabola in z: A₁ increases with α up to α* = √2 |K| (eq. 65) and decreases beyond.
+//! The cycles that do not stick are those with α ≥ α_min(Ω). The best of them is therefore α* if α* ≥ α_min.
+//! Otherwise A₁ decreases for all α ≥ α_min, and the best is the border itself. In both cases it is the
+//! larger of the two.
 
 use super::force::ratios_of;
 use super::optimum::{Optimum, OptimumKind};
@@ -20,12 +20,12 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, of those that
-/// do not stick: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where the
-/// loop of friction alone counts.
+/// The force ratio without sticking that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥
+/// 0: `max(√2 |K|, α_min)`, with damping `max(√(2Q(Q + qG)), α_min)`, Q = hypot(K, qG), where only the loop
+/// of friction counts.
 ///
-/// For Ω ≥ 1/2 and ζ = 0 the optimum is inside where `Ω|T| ≥ 1`. The optimum is continuous in Ω: where the
-/// two meet, rounding may select either. Accuracy at f64 for ζ = 0: 8 ulp.
+/// For Ω ≥ 1/2 and ζ = 0 the optimum is in the interior where `Ω|T| ≥ 1`. It is continuous in Ω: where the
+/// two candidates meet, rounding may select either. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
 /// [`Error::AtResonance`] at Ω = 1 for ζ = 0, where the loop grows without bound, and where Ω or ζ is outside
@@ -59,9 +59,9 @@ fn optimum_without_damping<F: Float>(omega: F) -> Result<Optimum<F>, Error> {
 
 /// The same at Ω and ζ > 0.
 ///
-/// With y = √(α² − K²) `A₁ = 8(y − qG)/(q(y² + K²))`, whose derivative has the sign of `K² + 2qGy − y²`: one
-/// change of sign for y > 0, at `y = qG + Q`, Q = hypot(K, qG). So A₁ rises up to there and falls from there
-/// on, as without damping.
+/// With y = √(α² − K²), `A₁ = 8(y − qG)/(q(y² + K²))`. Its derivative has the sign of `K² + 2qGy − y²`, which
+/// changes once for y > 0, at `y = qG + Q`, Q = hypot(K, qG). A₁ therefore increases up to there and
+/// decreases beyond, as without damping.
 fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     let half = damped::half_period(ratios);
     let (border, (force_ratio, loop_size)) = (damped::border(&half), damped::best(&half));
@@ -76,15 +76,15 @@ fn optimum_with_damping<F: Float>(ratios: &Ratios<F>) -> Optimum<F> {
     }
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle, of those with which the body does not
-/// stick.
+/// The friction bound with which `drive` dissipates most in a cycle without sticking.
 ///
 /// Mass, stiffness and damping are those of `body`; its own friction bound plays no part.
 /// [`most_dissipating_force_ratio`] in physical units: r_y = p₀/α. With a damper only the energy dissipated
 /// by friction counts, not the work of the damper ([`crate::Cycle::damper_work`]).
 ///
 /// # Errors
-/// As there (but at Ω = 1 there is an answer with damping), and where r_y or the energy over- or underflows.
+/// As there (except that with damping there is an answer at Ω = 1), and where r_y or the energy overflows or
+/// underflows.
 pub fn most_dissipating_friction<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -132,7 +132,7 @@ mod tests {
     #[test]
     fn which_one_it_is() {
         let optimum = |omega| most_dissipating_force_ratio::<f64>(omega, 0.0).unwrap().kind;
-        // Ω|T| ≥ 1 at 1.5, not at 0.6, and K = 0 at 0.5.
+        // Ω|T| ≥ 1 at Ω = 1.5 and not at 0.6; K = 0 at 0.5.
         assert_eq!(optimum(1.5), OptimumKind::Interior);
         assert_eq!(optimum(0.6), OptimumKind::Border);
         assert_eq!(optimum(0.5), OptimumKind::Border);

@@ -6,20 +6,21 @@ use crate::nonsticking::Border;
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, positive};
 
-/// The minimum amplitude of an excitation that keeps `body` sliding at the angular frequency ω_d: that with
+/// The minimum amplitude of an excitation that keeps `body` sliding at the angular frequency ω_d, for which
 /// `p₀ = r_y α_min(Ω)`.
 ///
-/// In the unit of the amplitude, such as that of a force or of an acceleration. α_min is the exact border:
-/// the body slides from this amplitude on, and sticks just below it. With a static friction above the kinetic
-/// one it keeps a body sliding that already slides; one that begins at rest may settle on another motion. At
-/// Ω = 1 without damping the motion grows without bound from there on.
+/// The result is in the unit of the amplitude, such as that of a force or of an acceleration. α_min is the
+/// exact border: the body slides at this amplitude and above, and sticks just below it. With a static
+/// friction above the kinetic one, it keeps a body sliding that already slides; one that starts at rest may
+/// settle on another motion. At Ω = 1 without damping, the motion grows without bound at this amplitude and
+/// above.
 ///
-/// Relative accuracy at f64: that of the border, 8 ulp, and what ω_d/ω_n loses by rounding, times the
-/// elasticity `(Ω/α_min) dα_min/dΩ`.
+/// Relative accuracy at f64: that of the border, 8 ulp, plus the rounding of ω_d/ω_n times the elasticity
+/// `(Ω/α_min) dα_min/dΩ`.
 ///
 /// # Errors
 /// Where ω_d is not finite or not > 0, Ω leaves the domain of [`crate::Ratios`], or the force or the
-/// amplitude over- or underflows.
+/// amplitude overflows or underflows.
 pub fn min_amplitude<F: Float>(
     body: &Oscillator<F>,
     excitation: Excitation,
@@ -36,7 +37,7 @@ pub(super) fn border_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) ->
     Ok(Border::of(&Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)?))
 }
 
-/// Ω and ζ of `body`, whose static friction is the kinetic one, at ω_d, with a force ratio of 1.
+/// The ratios of `body` at ω_d with a force ratio of 1, if its static friction equals the kinetic one.
 pub(super) fn ratios_of<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<Ratios<F>, Error> {
     Drive::force(body.friction_bound(), angular_frequency)?.ratios(body)?.with_one_friction()
 }

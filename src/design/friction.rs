@@ -8,12 +8,12 @@ use crate::ratios::positive;
 
 /// The maximum friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
-/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. With any
-/// smaller bound the body slides, and with no greater one, because Ω does not depend on friction. Accuracy as
-/// [`super::min_amplitude`].
+/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. The body
+/// slides with any smaller bound and with no greater one, because Ω does not depend on friction. Accuracy as
+/// for [`super::min_amplitude`].
 ///
 /// # Errors
-/// Where Ω leaves the domain of [`crate::Ratios`], or r_y over- or underflows.
+/// Where Ω leaves the domain of [`crate::Ratios`], or r_y overflows or underflows.
 pub fn max_friction<F: Float>(body: &Oscillator<F>, drive: &Drive<F>) -> Result<F, Error> {
     let border = border_of(body, drive.angular_frequency())?;
     positive(Quantity::FrictionBound, drive.force_amplitude(body) / border.min_force_ratio)

@@ -1,15 +1,15 @@
 //! Friction and damping from a measured response curve, by least squares on the closed forms.
 //!
-//! With mass, stiffness and the amplitude of the force known, the maximum displacement at a frequency is, in
-//! the symbols of `docs/theory/damping.md` and with κ = r_y/p₀,
+//! With known mass, stiffness and force amplitude, the maximum displacement at a frequency is, in the symbols
+//! of `docs/theory/damping.md` and with κ = r_y/p₀,
 //!
 //! ```text
 //! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK):
 //! ```
 //!
-//! which is smooth in κ and in ζ (G, K, q and δ depend on ζ). κ and ζ are found by the method of Levenberg
-//! and Marquardt, with the derivatives of dual numbers. The two parameters make the normal equations 2 by 2,
-//! so that no linear algebra is needed.
+//! These are smooth in κ and in ζ (G, K, q and δ depend on ζ). κ and ζ are found by the method of Levenberg
+//! and Marquardt, with derivatives by dual numbers. For two parameters the normal equations are 2 by 2, so
+//! that no linear algebra is needed.
 //!
 //! Only cycles that do not stick follow these formulae. A measurement at which the body would stick with the
 //! parameters found is omitted and the rest is fitted again, until the selection does not change.
@@ -88,7 +88,7 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
         }
         if slides == used {
             let [a, b, c] = normal(&points, &used, parameters).matrix;
-            // Many pairs of friction and damping give one amplitude at one frequency.
+            // At one frequency, many pairs of friction and damping give the same amplitude.
             if a * c - b * b <= LEAST_ANGLE * a * c {
                 return Err(Error::NotIdentified);
             }
@@ -100,14 +100,14 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
     Err(Error::NotIdentified)
 }
 
-/// Maximum number of selections of measurements.
+/// The greatest number of selections of measurements.
 const ROUNDS: usize = 50;
-/// The least sin² of the angle between the derivatives by both parameters, below which the measurements
-/// cannot separate them.
+/// The least sin² of the angle between the derivatives with respect to the two parameters; below it the
+/// measurements cannot separate them.
 const LEAST_ANGLE: f64 = 1e-12;
-/// Steps of a descent.
+/// The greatest number of steps of a descent.
 const STEPS: usize = 200;
-/// The least damping ratio that is distinguished from none.
+/// The least damping ratio that is distinguished from zero.
 const LEAST_DAMPING: f64 = 1e-9;
 
 /// κ = r_y/p₀ and ζ.
@@ -121,11 +121,11 @@ struct Point {
     phase: Option<f64>,
 }
 
-/// A residual and its derivatives by κ and ζ.
+/// A residual and its derivatives with respect to κ and ζ.
 type Residual = (f64, [f64; 2]);
 
 impl Point {
-    /// Whether the body slides throughout here with these parameters.
+    /// Whether the body slides throughout at this point with these parameters.
     fn slides(&self, [kappa, zeta]: Parameters) -> bool {
         let alpha = 1.0 / kappa;
         let Ok(ratios) = Ratios::new(self.omega, alpha).and_then(|r| r.with_damping_ratio(zeta)) else {
@@ -145,7 +145,7 @@ impl Point {
         let as_residual = |x: Dual<2>| (x.value(), x.derivatives());
         let of_phase = self.phase.map(|measured| {
             let difference = Dual::of(measured) - half.phase_lag() - sine.atan2(friction);
-            // The same angle within half a turn.
+            // The same angle, reduced to half a turn.
             let (s, c) = difference.sin_cos();
             as_residual(s.atan2(c))
         });
@@ -154,8 +154,7 @@ impl Point {
     }
 }
 
-/// Sum of squares, gradient and normal matrix (κκ, κζ, ζζ) of the chosen points, and how many residuals there
-/// are.
+/// Sum of squares, gradient and normal matrix (κκ, κζ, ζζ) of the chosen points, and the number of residuals.
 struct Normal {
     sum: f64,
     gradient: [f64; 2],
@@ -219,7 +218,7 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
         if !step.iter().all(|s| s.is_finite()) {
             return Err(Error::NotIdentified);
         }
-        // No further than by a factor of e at a time.
+        // A step changes a parameter at most by a factor of e.
         let most = step[0].abs().max(step[1].abs()).max(1.0);
         let next =
             [kappa * (step[0] / most).exp(), (zeta * (step[1] / most).exp()).clamp(LEAST_DAMPING, 1e3)];
@@ -231,7 +230,7 @@ fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Paramet
                 return Ok(at);
             }
         } else if damping > 1e12 {
-            // No smaller step descends: the minimum is reached to rounding.
+            // No smaller step descends: the minimum is reached to within rounding.
             return Ok(at);
         } else {
             damping *= 10.0;

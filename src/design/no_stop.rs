@@ -1,4 +1,4 @@
-//! Without any stop, whatever the number of reversals: the minimum force, and the bands of frequency.
+//! The minimum force and the bands of frequency without any stop, whatever the number of reversals.
 
 use super::band::Edge;
 use super::bands::{bands, frequency_bands};
@@ -16,7 +16,7 @@ use crate::root;
 
 /// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
 ///
-/// Unit of force. Proved and searched as there.
+/// Unit of force. The same parts are proved and searched as there.
 ///
 /// # Errors
 /// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
@@ -29,8 +29,8 @@ pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F)
     Ok(forces)
 }
 
-/// A band of frequency ratios, or of angular frequencies, in which the body never stops; its ends belong to
-/// it.
+/// A band of frequency ratios, or of angular frequencies, in which the body never stops, with its ends
+/// included.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -39,22 +39,22 @@ pub struct NoStopBand<F> {
     pub low: F,
     /// Upper end.
     pub high: F,
-    /// What bounds the lower end.
+    /// The kind of the lower end.
     pub low_edge: Edge,
-    /// What bounds the upper end.
+    /// The kind of the upper end.
     pub high_edge: Edge,
-    /// 2, or 6 near a pole.
+    /// The number of reversals in a cycle: 2, or 6 near a pole.
     pub reversals_per_cycle: u32,
 }
 
 /// All bands of Ω in `[low, high]` in which the body never stops with the force ratio α and the damping ratio
 /// ζ, by increasing Ω.
 ///
-/// Those of [`bands`], of two reversals a cycle, and one around or just below a pole 1/(2n+1) with
-/// `α ≥ 5 (1/Ω² − 1)` or a little more, of six. Without damping the list of the first is proved to be
-/// complete, and that of the second rests on a search ([`crate::nonsticking::SixReversals`]). With damping
-/// both are searched, the second on a mesh of 64 frequencies near each pole. The ends are accurate to a few
-/// floats.
+/// They are the bands of [`bands`], of two reversals a cycle, and one of six around or just below each pole
+/// 1/(2n+1) where α is at least `5 (1/Ω² − 1)` or slightly more. Without damping the list of the former is
+/// proved to be complete, and that of the latter rests on a search ([`crate::nonsticking::SixReversals`]).
+/// With damping both are searched, the latter on a mesh of 64 frequencies near each pole. The ends are
+/// accurate to a few floats.
 ///
 /// ```
 /// use stickslip::design::bands_without_stop;
@@ -87,8 +87,8 @@ pub fn bands_without_stop<F: Float>(
             reversals_per_cycle: 2,
         });
     }
-    // √(1 + α/5) is above 1/Ω at the last pole that can have one. The casts of a float to an integer
-    // saturate.
+    // √(1 + α/5) exceeds 1/Ω at the last pole that can have such a band. The conversion of a float to an
+    // integer saturates.
     let last = ((1.0 + alpha.to_f64() / 5.0).sqrt() / 2.0) as u16;
     for index in 1..=last {
         let Some(pole) = Lobe::new(index).high_pole::<F>() else { continue };
@@ -114,7 +114,7 @@ pub fn bands_without_stop<F: Float>(
     Ok(found)
 }
 
-/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping: as
+/// All bands of angular frequency in `[low, high]` in which `drive` keeps `body` from stopping, as for
 /// [`bands_without_stop`].
 ///
 /// Only the amplitude of the drive matters, as for [`frequency_bands`].
@@ -127,7 +127,7 @@ pub fn frequency_bands_without_stop<F: Float>(
     low: F,
     high: F,
 ) -> Result<Vec<NoStopBand<F>>, Error> {
-    // Its errors, in physical units.
+    // Returns the errors in physical units.
     let _ = frequency_bands(body, drive, low, high)?;
     let natural = body.natural_frequency();
     let alpha = positive(Quantity::ForceRatio, drive.force_amplitude(body) / body.friction_bound())?;
@@ -142,13 +142,13 @@ pub fn frequency_bands_without_stop<F: Float>(
     Ok(found.into_iter().map(in_units).collect())
 }
 
-/// Beyond these frequency ratios, below and above a pole, there is no six-reversal cycle that belongs to it.
+/// The frequency ratios below and above a pole beyond which no six-reversal cycle belongs to it.
 fn reach<F: Float>(pole: F) -> (F, F) {
     let one = F::int(1);
     (one / (one / pole + F::ratio(3, 80)), one / (one / pole - F::ratio(3, 140)))
 }
 
-/// The frequency ratios beside a pole at which the body reverses six times a cycle with this force ratio and
+/// The frequency ratios near a pole at which the body reverses six times a cycle with this force ratio and
 /// damping ratio.
 fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
     let (zero, is_damped) = (F::int(0), zeta > F::int(0));
@@ -159,7 +159,7 @@ fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
             six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega))
         }
     };
-    // Not negative within the edges, relative to α.
+    // The excess is not negative within the edges; it is relative to α.
     let excess = |omega: F| match edges(omega) {
         Some((low, high)) => {
             let (above, below) = ((alpha - low) / alpha, (high - alpha) / alpha);
@@ -181,7 +181,8 @@ fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
     Some((root::enclosed(from, inside, excess).1, root::enclosed(inside, to, excess).0))
 }
 
-/// Where the excess is greatest between `from` and `to`, or not negative: next to the best point of a mesh.
+/// The place between `from` and `to` where the excess is greatest or not negative, next to the best point of
+/// a mesh.
 fn meshed<F: Float>(from: F, to: F, excess: impl Fn(F) -> F) -> F {
     let at = |step: i32| from + (to - from) * F::ratio(step, MESH);
     let (mut best, mut most) = (0, excess(from));
@@ -198,11 +199,11 @@ fn meshed<F: Float>(from: F, to: F, excess: impl Fn(F) -> F) -> F {
 
 const MESH: i32 = 64;
 
-/// Where the least α of the cycles beside a pole is lowest, at the corner of its two edges below the pole:
-/// between `from` and the pole.
+/// The place between `from` and the pole where the least α of the six-reversal cycles is lowest: the corner
+/// of its two edges.
 ///
-/// The least α falls from the pole to the corner and rises beyond it: by thirds, to a few floats of the
-/// corner's own sharpness.
+/// The least α decreases from the pole to the corner and increases beyond. The search is ternary, down to a
+/// few floats of the corner's own sharpness.
 fn lowest<F: Float>(pole: F, from: F) -> F {
     let least =
         |omega: F| six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega)).map(|(low, _)| low);
@@ -212,7 +213,7 @@ fn lowest<F: Float>(pole: F, from: F) -> F {
         let (left, right) = (low + third, high - third);
         let falls = match (least(left), least(right)) {
             (Some(a), Some(b)) => a > b,
-            // Beyond the region's end.
+            // Beyond the end of the region.
             (None, _) => true,
             (Some(_), None) => false,
         };

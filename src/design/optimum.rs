@@ -6,7 +6,7 @@
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 #[non_exhaustive]
 pub enum OptimumKind {
-    /// The derivative is zero there, inside the region where the body does not stick.
+    /// The derivative is zero, inside the region where the body does not stick.
     Interior,
     /// On the border: on one side the body sticks, on the other it dissipates less.
     Border,
@@ -22,9 +22,9 @@ pub enum OptimumKind {
 #[must_use]
 #[non_exhaustive]
 pub struct Optimum<F> {
-    /// The argument: a force ratio, frequency ratio, friction bound or stiffness, as the function says.
+    /// The argument: a force ratio, frequency ratio, friction bound or stiffness, depending on the function.
     pub at: F,
-    /// The largest value: the loop size A₁ or A₂ of a ratio, the energy of a cycle in physical units.
+    /// The largest value: the loop size A₁ or A₂ for a ratio, the energy of a cycle in physical units.
     pub value: F,
     /// The kind of optimum.
     pub kind: OptimumKind,
@@ -36,17 +36,17 @@ pub struct Optimum<F> {
 #[must_use]
 #[non_exhaustive]
 pub struct BoundedOptimum<F> {
-    /// The argument, as of [`Optimum`].
+    /// The argument, as in [`Optimum`].
     pub at: F,
     /// The largest value that was found.
     pub value: F,
-    /// [`OptimumKind::Sticking`], or what it is among the motions that do not stick.
+    /// [`OptimumKind::Sticking`], or the kind among the motions that do not stick.
     pub kind: OptimumKind,
     /// An upper bound on the value at any argument, rounding included. It is proven if each exact motion is
     /// within its [`crate::exact::SteadyState::distance`] of the limit.
     pub bound: F,
-    /// The optimum of those that do not stick.
+    /// The optimum among the motions that do not stick.
     pub non_sticking: Optimum<F>,
-    /// Exact motions that were computed.
+    /// The number of exact motions computed.
     pub motions: u32,
 }

@@ -1,23 +1,23 @@
-//! The friction that dissipates most under a given force, sticking allowed.
+//! The friction that dissipates most under a given force, with sticking allowed.
 //!
 //! Let ρ = 1/α = r_y/p₀, ζ ≥ 0 the damping ratio, and J(ρ) = ∮ |x′| dt, the path length of a cycle in units
 //! of p₀/k, so that A₁ = 2ρJ.
 //!
-//! ****More friction, shorter path.** For two frictions ρ₁ < ρ₂ and their periodic motions, the difference of
-//! the equations of motion times the difference of the velocities, integrated over a cycle, leaves
-//! `∮ (ρ₁r₁ − ρ₂r₂)(v₁ − v₂) dt + D = 0`, r the friction in units of its bound: r v = |v|, |r| ≤ 1, and
-//! D = 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) that of the dampers. Hence
+//! **More friction, shorter path.** Take two frictions ρ₁ < ρ₂ and their periodic motions. The difference of
+//! the equations of motion times the difference of the velocities, integrated over a cycle, gives `∮ (ρ₁r₁ −
+//! ρ₂r₂)(v₁ − v₂) dt + D = 0`. Here r is the friction in units of its bound, with r v = |v|, |r| ≤ 1, and D =
+//! 2ζ ∮ (v₁ − v₂)² dt ≥ 0 (in natural time) is the contribution of the damper. Hence
 //!
 //! ```text
 //! 0 ≥ ρ₁J₁ + ρ₂J₂ − ρ₁ ∮ r₁v₂ − ρ₂ ∮ r₂v₁ ≥ ρ₁J₁ + ρ₂J₂ − ρ₁J₂ − ρ₂J₁ = (ρ₂ − ρ₁)(J₂ − J₁)
 //! ```
 //!
-//! and J does not grow with ρ, stops or not. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁) ρ₂/ρ₁**: a
-//! bound that becomes exact as the interval shrinks, and that turns a finite number of exact motions into a
-//! proof. Intervals whose bound is within the tolerance of the best value found are finished; the others are
-//! halved until none is left. The bound is returned with the answer.
+//! and J does not increase with ρ, with or without stops. **So A₁ on an interval [ρ₁, ρ₂] is at most A₁(ρ₁)
+//! ρ₂/ρ₁.** This bound becomes exact as the interval shrinks, and turns a finite number of exact motions into
+//! a proof. Intervals whose bound is within the tolerance of the best value found are finished; the others
+//! are halved until none is left. The bound is returned with the answer.
 //!
-//! **A motion is known to within d.** Friction and damper are monotone, so that the motion found and the
+//! **A motion is known to within d.** Friction and damper are monotone, so that the computed motion and its
 //! limit, δ = d apart in (x, w = x′/ω_n) at one instant, are never further apart. The difference of their
 //! path lengths in a cycle of length T = 2π/Ω is `∮ (|w₁| − |w₂|) dφ`, which is small for two reasons:
 //!
@@ -30,10 +30,10 @@
 //!   so that P of the motion found varies by at least 2 − 2d between two changes, and by at most 4α + W in a
 //!   cycle: `n ≤ 1 + (2α + ½W)/(1 − d)`.
 //!
-//! The second bound is the sharper one where a cycle is long, Ω ≪ 1: it does not grow with T. Wherever A₁
+//! The second bound is sharper where a cycle is long, Ω ≪ 1, since it does not grow with T. Wherever A₁
 //! bounds an interval, it is increased by the smaller of the two and by the rounding of the sum. The bound
-//! relies on d, which is
-//! [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn, not an enclosure.
+//! relies on d, which is [`crate::exact::SteadyState::distance`]: an estimate by the linearised half turn,
+//! not an enclosure.
 //!
 //! Where the body does not stick, ρ ≤ 1/α_min, the optimum is known in closed form (`dissipation`); at ρ = 1
 //! the path length is zero.
@@ -48,7 +48,7 @@ use crate::nonsticking::{Border, loop_size_stiffness};
 use crate::oscillator::{Drive, Oscillator};
 use crate::ratios::{Ratios, positive, within};
 
-/// A loop size as found, and an upper bound of it.
+/// A computed loop size and an upper bound of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct LoopSize<F> {
     found: F,
@@ -66,7 +66,7 @@ impl<F: Float> LoopSize<F> {
         Self { found, most: found * (F::int(1) + F::int(4) * F::epsilon()) }
     }
 
-    /// Of the exact motion: A₁ = 2W/α², W the work against friction in units of r_y B.
+    /// The loop size of an exact motion: A₁ = 2W/α², where W is the work against friction in units of r_y B.
     fn of_motion(steady: &SteadyState<F>, omega: F, alpha: F) -> Self {
         let (x, v) = steady.distance();
         let work = steady.energy_out;
@@ -80,8 +80,8 @@ impl<F: Float> LoopSize<F> {
     }
 }
 
-/// Bound on the difference between the path length of a motion and that of its limit, `distance` apart at one
-/// instant (see the head of this module).
+/// A bound on the difference between the path length of a motion and that of its limit, if they are
+/// `distance` apart at one instant (see the module's documentation).
 fn doubt_of_way<F: Float>(distance: F, omega: F, alpha: F, way: F) -> F {
     let (one, two) = (F::int(1), F::int(2));
     let by_time = two * F::pi() / omega * distance;
@@ -109,10 +109,9 @@ fn loop_size_of_motion<F: Float>(omega: F, alpha: F, zeta: F) -> Result<LoopSize
     }
 }
 
-/// No loop size A₁ at a share of friction between `low` and `high` is larger: A₁ = 2ρJ, and J does not grow
-/// with ρ.
+/// A bound of A₁ for friction shares between `low` and `high`: A₁ = 2ρJ, and J does not increase with ρ.
 fn bound_between<F: Float>(at_low: F, low: F, high: F) -> F {
-    // Two roundings.
+    // The factor covers two roundings.
     at_low * (high / low) * (F::int(1) + F::int(2) * F::epsilon())
 }
 
@@ -143,7 +142,7 @@ impl<F: Float> Search<F> {
         Ok(size)
     }
 
-    /// Searches `[low, high]`, where A₁ is at most `at_low` at the lower end, until no value in it can exceed
+    /// Searches `[low, high]`, given that A₁ is `at_low` at the lower end, until no value in it can exceed
     /// the best by more than the tolerance.
     fn exhaust(&mut self, low: F, high: F, at_low: F) -> Result<(), Error> {
         let (one, two) = (F::int(1), F::int(2));
@@ -173,8 +172,8 @@ impl<F: Float> Search<F> {
         self.refine(low, high, self.tolerance * self.share)
     }
 
-    /// Golden sections around the best so far, to about the root of the precision, which is the limit at a
-    /// maximum.
+    /// Golden-section search around the best value so far, to about the square root of the precision, which
+    /// is the limit at a maximum.
     fn refine(&mut self, low: F, high: F, width: F) -> Result<(), Error> {
         let golden = (F::int(3) - F::int(5).sqrt()) / F::int(2);
         let (mut a, mut b) = (self.share - width, self.share + width);
@@ -196,18 +195,18 @@ impl<F: Float> Search<F> {
     }
 }
 
-/// Initial number of intervals.
+/// The initial number of intervals.
 const COARSE: i32 = 32;
 
-/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, sticking
-/// allowed: the global maximum to within a relative `tolerance` in A₁, by the bound at the head of this
-/// module.
+/// The force ratio that makes A₁ largest at the frequency ratio Ω and the damping ratio ζ ≥ 0, with sticking
+/// allowed. It is the global maximum to within a relative `tolerance` in A₁, by the bound in the module's
+/// documentation.
 ///
 /// With a damper only the loop of friction counts.
 ///
-/// Takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the root of the
-/// precision, as any point of a maximum. For Ω → 0 it tends to 2, and A₁ to 2; where the body need not stick
-/// for the best, it is [`super::most_dissipating_force_ratio`].
+/// It takes about 3/√tolerance exact motions: 300 for 1e-4. The force ratio is known to the square root of
+/// the precision, like the place of any maximum. For Ω → 0 it tends to 2, and so does A₁. Where the best
+/// motion does not stick, the result is [`super::most_dissipating_force_ratio`].
 ///
 /// ```
 /// use stickslip::design::{OptimumKind, most_dissipating_force_ratio_of_all};
@@ -234,7 +233,7 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     let share = one / least;
     let at_border = LoopSize::closed(loop_size_stiffness(border.min_displacement, least)).most;
     let most = LoopSize::closed(non_sticking.value).most;
-    // The best cycle that does not stick is the first candidate; its place may be the border.
+    // The best cycle without sticking is the first candidate; its place may be the border.
     let mut sticking =
         Search { omega, zeta, share, loop_size: non_sticking.value, bound: most, tolerance, motions: 0 };
     sticking.exhaust(share, one, at_border)?;
@@ -248,14 +247,14 @@ pub fn most_dissipating_force_ratio_of_all<F: Float>(
     Ok(BoundedOptimum { at, value, kind, bound, non_sticking, motions: sticking.motions })
 }
 
-/// The friction bound with which `drive` dissipates most in a cycle, sticking allowed:
+/// The friction bound with which `drive` dissipates most in a cycle, with sticking allowed:
 /// [`most_dissipating_force_ratio_of_all`] in physical units.
 ///
-/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper it is
-/// the energy that friction takes.
+/// Mass, stiffness and damping are those of `body`; its own friction bound plays no part. With a damper, only
+/// the energy dissipated by friction counts.
 ///
 /// # Errors
-/// As there, and where r_y or the energy over- or underflows.
+/// As there, and where r_y or the energy overflows or underflows.
 pub fn most_dissipating_friction_of_all<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,

@@ -11,8 +11,8 @@ use crate::ratios::{Ratios, positive};
 
 /// The force ratio whose non-sticking cycle has the maximum displacement Δ₀/B: eq. 44 solved for α.
 ///
-/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`: closed forms, and
-/// the only solutions, because Δ₀ grows with α. Accuracy at f64 for ζ = 0: 8 ulp.
+/// `α = hypot(K, (1 − Ω²) Δ₀/B)`, and with a damping ratio ζ > 0 `α = hypot(K, q (Δ₀/B + G))`. These closed
+/// forms are the only solutions, because Δ₀ increases with α. Accuracy at f64 for ζ = 0: 8 ulp.
 ///
 /// # Errors
 /// [`Error::TargetSticks`] where Δ₀/B is below that of the cycle on the border, [`Error::AtResonance`] at
@@ -35,7 +35,7 @@ pub fn force_ratio_for_displacement<F: Float>(
 /// [`force_ratio_for_displacement`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
-/// As there, the values in physical units.
+/// As there, with the values in physical units.
 pub fn force_for_displacement<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -54,10 +54,10 @@ pub fn force_for_displacement<F: Float>(
 /// The force ratio whose non-sticking cycle has the maximum velocity V₀/(Bω_d), with the damping ratio ζ ≥ 0.
 ///
 /// For ζ = 0, V₀ is the maximum over the half cycle of functions of Δ₀ that are affine with a slope ≥ 0
-/// (`src/nonsticking/velocity.rs`), so that it grows with Δ₀ and is convex in it; and `V₀/(Bω_d) ≥ Δ₀/B`, its
-/// value at ψ = 0. The target itself, as Δ₀, is therefore at or beyond the only solution, and Newton's method
-/// descends to it without a bracket. With damping V₀ grows with the amplitude of the driven part in the same
-/// way. Accuracy at f64 for ζ = 0: 16 ulp.
+/// (`src/nonsticking/velocity.rs`), so that it increases with Δ₀ and is convex in it. Moreover, `V₀/(Bω_d) ≥
+/// Δ₀/B`, its value at ψ = 0. The target itself, taken as Δ₀, is therefore at or beyond the only solution,
+/// and Newton's method descends to it without a bracket. With damping, V₀ increases with the amplitude of the
+/// driven part in the same way. Accuracy at f64 for ζ = 0: 16 ulp.
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
@@ -89,7 +89,7 @@ fn ratios_at<F: Float>(omega: F, damping_ratio: F) -> Result<Ratios<F>, Error> {
 /// [`force_ratio_for_velocity`] in physical units; u_g0 of a base motion is p₀/k.
 ///
 /// # Errors
-/// As there, the values in physical units.
+/// As there, with the values in physical units.
 pub fn force_for_velocity<F: Float>(
     body: &Oscillator<F>,
     angular_frequency: F,
@@ -118,7 +118,7 @@ fn displacement_target<F: Float>(omega: F, target: F, scale: F, quantity: Quanti
 
 /// α for the displacement `target` with damping, given in units of `scale`: `α = hypot(K, q (Δ₀/B + G))`.
 ///
-/// The only one, Δ₀ growing with α.
+/// It is the only solution, because Δ₀ increases with α.
 fn damped_displacement_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,
@@ -142,9 +142,9 @@ fn force_ratio_of_amplitude<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> Res
 
 /// α for the velocity `target` with damping, given in units of `scale`.
 ///
-/// V₀ is the greatest over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`: affine in a with a slope > 0, so that
-/// it grows with a and is convex in it, and it is at least its value at T/2, aΩ + h′(T/2). So Newton's method
-/// converges monotonically to the only solution from there.
+/// V₀ is the maximum over 0 < τ < T of `aΩ sin Ωτ − b cos Ωτ + h′(τ)`, which is affine in a with a slope > 0.
+/// V₀ therefore increases with a and is convex in it, and is at least its value at T/2, aΩ + h′(T/2). From
+/// there, Newton's method converges monotonically to the only solution.
 fn damped_velocity_target<F: Float>(
     ratios: &Ratios<F>,
     target: F,
@@ -153,7 +153,7 @@ fn damped_velocity_target<F: Float>(
 ) -> Result<F, Error> {
     let half = damped::half_period(ratios);
     let velocity = positive(quantity, target)? / scale;
-    // V₀/(Bω_d) and its derivative by a.
+    // V₀/(Bω_d) and its derivative with respect to a.
     let reached = |amplitude: F| {
         let rising = Rising::new(half, amplitude);
         let moment = rising.at(fastest_time(&rising.vibration()));
@@ -172,7 +172,7 @@ fn damped_velocity_target<F: Float>(
         let (speed, slope) = reached(amplitude);
         let step = (speed - velocity) / slope;
         let next = amplitude - step;
-        // Rounding put the step beyond the solution, or at the border.
+        // Rounding moved the step beyond the solution, or to the border.
         if !(step > F::epsilon() * amplitude && next > least) {
             break;
         }
@@ -191,13 +191,13 @@ fn velocity_target<F: Float>(omega: F, target: F, scale: F, quantity: Quantity) 
         return Err(sticks(quantity, target, least_velocity * scale, omega));
     }
     let mut displacement = velocity;
-    // Convergence is quadratic from the first step on, because V₀ is nearly affine; the number of steps is
+    // Convergence is quadratic from the first step, because V₀ is nearly affine; the number of steps is
     // bounded as for bisection.
     for _ in 0..F::PRECISION {
         let (reached, slope) = max_velocity_from_displacement(&p, displacement);
         let step = (reached - velocity) / slope;
         let next = displacement - step;
-        // Rounding put the step beyond the solution, or at the border.
+        // Rounding moved the step beyond the solution, or to the border.
         if !(step > F::epsilon() * displacement && next > least) {
             break;
         }
@@ -212,13 +212,13 @@ fn force_ratio_at<F: Float>(p: &PhaseFunction<F>, displacement: F) -> Result<F, 
     Ok(crate::Ratios::new(p.omega(), alpha)?.alpha())
 }
 
-/// The phase function at Ω ≠ 1: at resonance no steady motion has the target size.
+/// The phase function at Ω ≠ 1; at resonance no steady motion has the target size.
 fn steady<F: Float>(omega: F, quantity: Quantity) -> Result<PhaseFunction<F>, Error> {
     let p = PhaseFunction::new(omega)?;
     if omega == F::int(1) { Err(Error::AtResonance { quantity }) } else { Ok(p) }
 }
 
-/// Why a target is too small.
+/// The error for a target that is too small.
 fn sticks<F: Float>(quantity: Quantity, value: F, least: F, omega: F) -> Error {
     Error::TargetSticks { quantity, value: written(value), least: written(least), omega: written(omega) }
 }
@@ -232,7 +232,7 @@ mod tests {
 
     #[test]
     fn at_the_reference_point() {
-        // (1.5, 2.5): Δ₀/B and V₀/(Bω_d) to 16 digits.
+        // The ratios (1.5, 2.5), with Δ₀/B and V₀/(Bω_d) to 16 digits.
         let alpha: f64 = force_ratio_for_displacement(1.5, 0.0, 1.632_993_161_855_452).unwrap();
         assert!((alpha - 2.5).abs() < 1e-15);
         let alpha: f64 = force_ratio_for_velocity(1.5, 0.0, 1.654_152_276_482_076).unwrap();

@@ -6,8 +6,8 @@
 //! A₂ = (8/α²) √D,   D = (α² − K²)/(v − 1)² = (α/(v − 1))² − T²/v.
 //! ```
 //!
-//! **In each lobe of the border A₂ has one maximum and no minimum**, so that the best of a band is that
-//! maximum where the band contains it, and else the end next to it:
+//! **In each lobe of the border A₂ has one maximum and no minimum.** The best point of a band is therefore
+//! that maximum if the band contains it, and otherwise the end next to it:
 //!
 //! * v < 1 (Ω > 1): K² falls with v and 1/(1 − v)² rises: D rises.
 //! * (2n)² < v < (2n+1)², n ≥ 1: T²/v rises and (α/(v − 1))² falls: D falls.
@@ -18,8 +18,8 @@
 //!   v = 11/3, and (v − 1) κ′² is more than the rest beyond. There φ falls from (4/π)² at v = 1 to 0 at
 //!   v = 4.
 //!
-//! For α > 4/π the maximum of lobe 0 is Ω = 1, where A₂ is infinite. In lobe n ≥ 1 A₂ < 8/(α (v − 1)) < 2/(α
-//! n(n + 1)): lobes whose bound is below the best value found are skipped.
+//! For α > 4/π the maximum of lobe 0 is at Ω = 1, where A₂ is infinite. In lobe n ≥ 1, A₂ < 8/(α (v − 1)) <
+//! 2/(α n(n + 1)): lobes whose bound is below the best value found are skipped.
 
 use super::band::{Band, Edge};
 use super::bands::{band_in, bands};
@@ -34,11 +34,11 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::{Ratios, positive};
 use crate::root;
 
-/// The Ω in `[low, high]` that makes A₂ largest at the force ratio α, of those at which the body does not
-/// stick.
+/// The Ω in `[low, high]` that makes A₂ largest at the force ratio α without sticking.
 ///
-/// The global one: each band of the range has one candidate, by the module's head. Accuracy at f64: 16 ulp in
-/// A₂; in Ω, where the optimum is inside, that of a root of the derivative, 1e-15.
+/// It is the global maximum: each band of the range has one candidate (see the module's documentation).
+/// Accuracy at f64: 16 ulp in A₂; for an interior optimum, Ω is accurate as a root of the derivative, to
+/// 1e-15.
 ///
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no such Ω, [`Error::AtResonance`] where α > 4/π and the range
@@ -53,7 +53,7 @@ pub fn most_dissipating_frequency_ratio<F: Float>(alpha: F, low: F, high: F) -> 
         let n = F::int(i32::from(lobe.index()));
         let is_beaten =
             |found: Optimum<F>| n > F::int(0) && found.value * alpha * n * (n + F::int(1)) > F::int(2);
-        // There is no band below the pole of a lobe that α cannot reach.
+        // No band exists below the pole of a lobe that α cannot reach.
         if best.is_some_and(is_beaten) || alpha < F::int(4) * n * (n + F::int(1)) {
             break;
         }
@@ -97,23 +97,23 @@ fn best_of_band<F: Float>(alpha: F, band: &Band<F>) -> Result<Optimum<F>, Error>
     Ok(Optimum { at: omega, value: loop_size, kind: optimum })
 }
 
-/// `2(α² − K²) − Ω(1 − Ω²) K K′`, which below Ω = 1 has the sign of dA₂/dΩ.
+/// `2(α² − K²) − Ω(1 − Ω²) K K′`, which has the sign of dA₂/dΩ for Ω < 1.
 fn growth<F: Float>(alpha: F, omega: F) -> F {
     let p = PhaseFunction::of_valid(omega);
     let k = p.value();
     F::int(2) * squared_sine(k, alpha) - omega * one_minus_square(omega) * (k * p.slope())
 }
 
-/// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle, of those with
-/// which the body does not stick.
+/// The stiffness k in `[low, high]` with which the force of `drive` dissipates most in a cycle without
+/// sticking.
 ///
 /// Mass, friction bound and damping constant c are those of `body`; its own stiffness plays no part.
 /// [`most_dissipating_frequency_ratio`] in physical units: `k = m ω_d²/Ω²`. With a damper it maximises the
 /// energy dissipated by friction, and is searched, not proved (`src/design/damped.rs`).
 ///
 /// # Errors
-/// As there (but with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force of a
-/// base motion, k u_g0, is not fixed; and where a stiffness is not finite, not > 0 or `low > high`.
+/// As there (except that with a damper there is an answer at Ω = 1); [`Error::BaseMotion`], because the force
+/// of a base motion, k u_g0, is not fixed; and where a stiffness is not finite, not > 0 or `low > high`.
 pub fn most_dissipating_stiffness<F: Float>(
     body: &Oscillator<F>,
     drive: &Drive<F>,
@@ -135,7 +135,7 @@ pub fn most_dissipating_stiffness<F: Float>(
     let alpha = positive(Quantity::ForceRatio, p0 / body.friction_bound())?;
     let omega = |stiffness: F| (inertia / stiffness).sqrt();
     let best = if body.damping() > F::int(0) {
-        // ζ = γΩ has to be in its domain at both ends.
+        // ζ = γΩ must be in its domain at both ends.
         let gamma = body.damping() / (F::int(2) * body.mass() * frequency);
         for omega in [omega(hard), omega(soft)] {
             Ratios::new(omega, alpha)?.with_damping_ratio(gamma * omega)?;

@@ -10,7 +10,7 @@ fn all(alpha: f64, low: f64, high: f64) -> Vec<super::Band<f64>> {
 
 #[test]
 fn the_number_of_bands_is_that_of_the_minima_below() {
-    // 1.21, 11.364, 28.88, 54.35, 87.81, …
+    // The minima of the lobes are 1.21, 11.364, 28.88, 54.35, 87.81, …
     for (alpha, count) in [(1.2, 0), (1.22, 1), (11.3, 1), (11.5, 2), (28.8, 2), (29.0, 3), (88.0, 5)] {
         assert_eq!(all(alpha, 1e-3, 1e3).len(), count, "{alpha}");
     }
@@ -28,7 +28,7 @@ fn a_range_cuts_them() {
     assert!(all(12.0, 0.31, 0.36).is_empty());
     assert_eq!(all(12.0, 0.299, 0.4).len(), 2);
     assert_eq!(all(12.0, 0.3, 0.3).len(), 1);
-    // Above the minimum of lobe 0 the border rises to √(1 + π²/4) = 1.8621 without reaching it.
+    // Above the minimum of lobe 0, the border increases to √(1 + π²/4) = 1.8621 without reaching it.
     assert_eq!(all(1.862, 0.6, 2f64.powi(250))[0].high_edge, Edge::Border);
     assert_eq!(all(1.863, 0.6, 2f64.powi(250))[0].high_edge, Edge::Range);
 }
@@ -41,7 +41,7 @@ fn the_ends_slide_and_their_neighbours_stick() {
             for (end, edge, outward) in [(band.low, band.low_edge, -1.0), (band.high, band.high_edge, 1.0)] {
                 assert!(at(end) <= alpha, "{alpha} {end}");
                 let outside = at(end * (1.0 + outward * 4.0 * f64::EPSILON));
-                // Near 1.862 the border is flat: it is the same at the next float.
+                // Near 1.862 the border is so flat that the next float has the same value.
                 assert!(edge == Edge::Range || outside > alpha * (1.0 - 1e-15), "{alpha} {end}");
             }
         }

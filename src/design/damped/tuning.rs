@@ -1,8 +1,8 @@
 //! The frequency ratio, or the stiffness, at which friction dissipates most, with a damper.
 //!
-//! At fixed m, c, p₀, r_y and ω_d the energy of friction is `4 r_y Δ₀ = A₂ p₀²/(2mω_d²)` as without a damper,
-//! `A₂ = 8Ω²(Δ₀/B)/α²`, with ζ = γΩ, γ = c/(2mω_d). It is searched, not proved, in every band: on the mesh of
-//! the bands and around each of its maxima there. At Ω = 1 it is finite.
+//! At fixed m, c, p₀, r_y and ω_d, the energy dissipated by friction is `4 r_y Δ₀ = A₂ p₀²/(2mω_d²)` as
+//! without a damper, `A₂ = 8Ω²(Δ₀/B)/α²`, with ζ = γΩ, γ = c/(2mω_d). The maximum is searched, not proved, in
+//! every band: on the mesh of the bands and around each of its maxima there. At Ω = 1 it is finite.
 
 use super::super::band::{Band, Edge};
 use super::super::optimum::{Optimum, OptimumKind};
@@ -12,7 +12,7 @@ use crate::float::Float;
 use crate::nonsticking::damped::half_period_at;
 use crate::nonsticking::{loop_size_inertia, loop_size_stiffness, max_displacement};
 
-/// The Ω in `[low, high]` of the largest A₂ among the bands, with the damper given.
+/// The Ω in `[low, high]` with the largest A₂ among the bands, for the given damper.
 ///
 /// # Errors
 /// [`Error::SticksThroughout`] where there is no band.

@@ -79,8 +79,8 @@ fn too_little_or_bad_input_is_refused() {
     assert!(identify(&body(1.0, 0.0), FORCE, &bad).is_err());
 }
 
-/// Amplitudes beyond those of a body without a damper, far from resonance and near it: no damping fits best, and
-/// the friction that fits then is found by the sum of squares alone.
+/// For amplitudes beyond those of a body without a damper, far from resonance and near it, zero damping fits
+/// best. The friction that fits then is compared with the minimum of the sum of squares.
 #[test]
 fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
     for (friction, most) in [(1.5, 0.02), (3.0, 0.01), (4.5, 0.03)] {
@@ -105,7 +105,7 @@ fn where_less_than_no_damping_would_fit_friction_alone_is_fitted() {
             let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
             if squares(a) < squares(b) { high = b } else { low = a }
         }
-        // The sum of squares knows half of the digits.
+        // The minimum of a sum of squares is known to half of the digits.
         assert!((fit.friction_bound.value / low - 1.0).abs() < 1e-6, "{friction} {low}: {fit:?}");
     }
 }

@@ -21,7 +21,7 @@ fn more_friction_less_way() {
     }
 }
 
-/// Two motions a little apart, stops included: their ways in a cycle differ by no more than the bound says.
+/// The path lengths of two nearby motions with stops differ by no more than the bound.
 #[test]
 fn the_way_of_a_motion_known_within_d() {
     let mut worst = 0.0f64;
@@ -53,13 +53,14 @@ fn the_way_of_a_motion_known_within_d() {
         assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
     }
     assert!(worst > 1.0, "{worst}");
-    // Found with its own uncertainty, at the tolerance that leaves the least room for it.
+    // The answer includes its own uncertainty, at the tolerance that leaves the least room for it.
     let best = most_dissipating_force_ratio_of_all(0.3, 0.0, 2e-8).unwrap();
     let again = loop_size_of_motion(0.3, best.at, 0.0).unwrap();
     assert!(best.bound >= again.most && again.most > again.found);
 }
 
-/// The bound by changes of direction does not grow with the length of a cycle; the bound by its length does.
+/// The bound by changes of direction does not grow with the length of a cycle, while the bound by length
+/// does.
 #[test]
 fn a_long_cycle_is_known_as_well() {
     let doubt = |omega: f64| doubt_of_way(1e-10, omega, 2.0, 4.0);
@@ -69,7 +70,7 @@ fn a_long_cycle_is_known_as_well() {
     assert!((doubt_of_way(0.5, 0.1, 2.0, 4.0) / (std::f64::consts::TAU * 5.0) - 1.0).abs() < 1e-12);
 }
 
-/// A cycle of thousands of stops is accurate enough for the coarsest tolerance and for a fine one.
+/// A cycle with thousands of stops is accurate enough for the coarsest tolerance and for a fine one.
 #[test]
 fn far_below_one_a_motion_is_known() {
     for alpha in [1.7, 2.0, 32.0] {
@@ -78,7 +79,7 @@ fn far_below_one_a_motion_is_known() {
     }
 }
 
-/// The bound holds, and is nearly met where friction hardly shortens the way.
+/// The bound holds, and is nearly attained where friction hardly shortens the path.
 #[test]
 fn no_loop_between_two_frictions_exceeds_the_bound() {
     let loop_size = |omega: f64, share: f64| loop_size_of_motion(omega, 1.0 / share, 0.0).unwrap();
@@ -118,7 +119,7 @@ fn none_of_all_is_better() {
     }
 }
 
-/// With a damper, at Ω = 1 and above critical damping, too.
+/// The same with a damper, also at Ω = 1 and above critical damping.
 #[test]
 fn with_a_damper_none_of_all_is_better() {
     let mut optima = Vec::new();
@@ -146,7 +147,7 @@ fn with_a_damper_none_of_all_is_better() {
     assert!(optima.contains(&OptimumKind::Sticking) && optima.contains(&OptimumKind::Interior), "{optima:?}");
 }
 
-/// The tolerance is one of the bound: the place is refined beyond it.
+/// The tolerance limits the bound only: the place is refined further.
 #[test]
 fn a_coarse_search_ends_at_the_same_place() {
     for omega in [0.13, 0.22, 0.3] {

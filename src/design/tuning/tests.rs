@@ -32,7 +32,7 @@ fn none_of_the_range_is_better() {
     }
 }
 
-/// Ranges that end a little inside of a band, so that a band below may have the larger loop.
+/// The ranges end slightly inside a band, so that a lower band may have the larger loop.
 #[test]
 fn the_best_need_not_be_in_the_highest_band() {
     let mut lower = 0;
@@ -80,7 +80,7 @@ fn which_one_it_is() {
     assert!(matches!(optimum(1.22, 0.95, 2.0), Err(Error::SticksThroughout { .. })));
 }
 
-/// One maximum and no minimum in each band, as the module's head proves.
+/// Each band has one maximum and no minimum, as the module's documentation proves.
 #[test]
 fn up_and_then_down_in_each_band() {
     for alpha in [1.215, 1.25, 1.3, 12.0, 31.0, 60.0, 1e3] {
@@ -116,8 +116,8 @@ fn in_physical_units() {
     assert!(matches!(empty, Error::EmptyRange { quantity: Quantity::Stiffness, .. }), "{empty}");
 }
 
-/// ζ = γΩ, γ = c/(2mω_d), Ω = √(8/k), is between 2⁻²⁵⁰ and 2²⁵⁰ over the whole range, or the error names the ζ
-/// that is not.
+/// ζ = γΩ, γ = c/(2mω_d), Ω = √(8/k), must be between 2⁻²⁵⁰ and 2²⁵⁰ over the whole range; otherwise the
+/// error names the invalid ζ.
 #[test]
 fn the_damping_ratio_is_in_its_domain_at_both_ends() {
     let drive = Drive::force(3.75, 2.0).unwrap();
