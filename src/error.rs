@@ -260,7 +260,7 @@ mod tests {
             assert_eq!((written(x).to_string(), written(x)), (text.to_owned(), written(x)));
             assert!(written(x).to_f64() == x || x.is_nan());
         }
-        // Another type's own digits, and the f64 next to it.
+        // The digits of the type itself, and the nearest f64.
         assert_eq!(
             (written(0.1f32).to_string().as_str(), written(0.1f32).to_f64()),
             ("0.1", f64::from(0.1f32))

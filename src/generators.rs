@@ -150,7 +150,7 @@ mod tests {
     use arbitrary::{Arbitrary, Unstructured};
     use std::fmt::Debug;
 
-    /// `count` values from bytes in no order, the same in every run.
+    /// `count` values from pseudo-random bytes, the same in every run.
     fn many<T: for<'a> Arbitrary<'a>>(count: usize) -> impl Iterator<Item = T> {
         let mut state = 9u64;
         (0..count).map(move |_| {

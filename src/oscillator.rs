@@ -176,7 +176,7 @@ mod tests {
     use crate::error::Error;
     use crate::ratios::Ratios;
 
-    /// The paper's machine: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s, Ω chosen.
+    /// The paper's machine at a chosen Ω: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s.
     fn paper(omega: f64) -> Oscillator<f64> {
         Oscillator::tuned(50.0, 5.0, std::f64::consts::TAU, omega).unwrap()
     }
@@ -287,7 +287,7 @@ mod tests {
         let foot = Drive::new(Excitation::DampedFootMotion, 1.5, 4.0).unwrap();
         close(foot.phase_lead(&body), 1.5f64.atan());
         assert_eq!(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().phase_lead(&body), 0.0);
-        // A surface that moves shakes by inertia: the same force whatever the stiffness.
+        // A moving surface acts by inertia: the force does not depend on the stiffness.
         let stiffer = Oscillator::new(2.0, 80.0, 4.0).unwrap();
         close(Drive::new(Excitation::SurfaceMotion, 1.5, 4.0).unwrap().force_amplitude(&stiffer), 48.0);
     }

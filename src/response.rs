@@ -211,7 +211,7 @@ mod tests {
             let response = Response::new(Ratios::new(omega, alpha).unwrap());
             assert_eq!(response.regime, expected);
             assert_eq!(response.cycle.as_ref().is_some(), expected == Regime::NonSticking);
-            // Loop sizes are those of the cycle, and exist with it.
+            // Loop sizes are those of the cycle, and exist only with it.
             let of_cycle = |f: fn(&Cycle<f64>) -> f64| response.cycle.as_ref().map(f);
             assert_eq!(response.loop_size_stiffness, of_cycle(Cycle::loop_size_stiffness));
             assert_eq!(response.loop_size_inertia, of_cycle(Cycle::loop_size_inertia));
@@ -220,7 +220,7 @@ mod tests {
 
     #[test]
     fn the_optimum_counts_where_it_does_not_stick() {
-        // Ω|T| ≥ 1 at 1.5 (T = √3), not at 0.6 (T = −0.577).
+        // Ω|T| ≥ 1 at Ω = 1.5 (T = √3) and not at 0.6 (T = −0.577).
         let at = |omega| Response::new(Ratios::new(omega, 3.0).unwrap());
         assert!(at(1.5).best_is_reached());
         assert!(!at(0.6).best_is_reached());

@@ -211,7 +211,7 @@ mod tests {
         }
     }
 
-    /// Literal values of the definitions: the international pound and inch, standard gravity.
+    /// Literal values of the definitions: the international pound and inch, and standard gravity.
     #[test]
     fn units_are_what_they_are_defined_to_be() {
         use std::f64::consts::{PI, TAU};

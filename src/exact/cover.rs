@@ -143,8 +143,8 @@ impl<F: Float> Cover<F> {
 mod tests {
     use super::{Cover, Jet};
 
-    /// The free vibration itself, g = 0, is positive exactly up to its cover; where the cover is only a
-    /// bound, at least up to it.
+    /// The free vibration itself (g = 0) is positive exactly up to its cover. Where the cover is only a
+    /// bound, it is positive at least up to it.
     #[test]
     fn free_vibration_is_positive_as_far_as_its_cover() {
         for zeta in [1e-9, 0.1, 0.5, 0.99, 1.0, 1.1, 4.0] {
@@ -175,7 +175,7 @@ mod tests {
         }
     }
 
-    /// Whether a time is covered is the same with and without the shortcuts.
+    /// The shortcuts do not change whether a time is covered.
     #[test]
     fn what_is_reached_is_within_the_cover() {
         let mut reached = [0, 0];

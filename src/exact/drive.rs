@@ -194,7 +194,7 @@ mod tests {
         }
     }
 
-    /// Whatever is added, the angle stays within its half turn, at the ends of the half turns too.
+    /// Whatever is added, the angle stays within its half turn, also at the ends of the half turns.
     #[test]
     fn the_angle_is_within_its_half_turn() {
         let ends = (-7..=7).flat_map(|n| {

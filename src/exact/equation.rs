@@ -173,7 +173,7 @@ mod tests {
         Equation::new(Ratios::new(omega, 2.0).unwrap())
     }
 
-    /// Each form keeps the small ones of sin Ωφ, sin φ and S where it is the one that is used.
+    /// Each form keeps the small ones of sin Ωφ, sin φ and S accurate in the range where it is used.
     #[test]
     fn waves_are_those_of_the_textbook() {
         for omega in [1e-6, 1e-3, 0.3, 0.49, 0.6, 1.7, 2.1, 30.0, 1e3] {

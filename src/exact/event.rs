@@ -201,7 +201,7 @@ mod tests {
         }
     }
 
-    /// A function without a zero, unlike the velocity of any slide: the search ends without an answer.
+    /// For a function without a zero, unlike the velocity of any slide, the search ends without an answer.
     #[test]
     fn a_search_that_passes_its_bound_says_so() {
         for omega in [1e-3, 0.3, 0.7, 1.0, 1.9, 40.0] {
@@ -217,7 +217,7 @@ mod tests {
                 "{omega}: {phi}"
             );
             assert!(f64::from(evaluations.get()) < 10.0 * (64.0 + omega + 1.0 / omega), "{omega}");
-            // With an earlier limit there is nothing to look for beyond it.
+            // With an earlier limit, the search stops there.
             assert!(matches!(next_zero(&search(omega, Some(2.0)), jet, f), Verdict::Clear(_)), "{omega}");
         }
     }

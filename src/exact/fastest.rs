@@ -206,7 +206,7 @@ mod tests {
                 .map(Result::unwrap)
             {
                 let Body::Slide(slide, zero) = &phase.body else { continue };
-                // The whole slide, and cut short of its end.
+                // The whole slide, and parts that end earlier.
                 for share in [1.0, 0.83, 0.61, 0.37, 0.12] {
                     let end = zero.phi * share;
                     let last = if share == 1.0 { slide.motion_at(zero) } else { slide.motion(end) };

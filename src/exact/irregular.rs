@@ -53,7 +53,7 @@ mod tests {
         ratios.with_static_friction_ratio(eta).unwrap()
     }
 
-    /// The state a turn of the drive later.
+    /// The state one turn of the drive later.
     fn turn(ratios: Ratios<f64>, start: State<f64>) -> State<f64> {
         let target = DrivePhase::new(1, 0.0).unwrap();
         let mut parts = Trajectory::new(ratios, start).unwrap().map(Result::unwrap);
@@ -61,7 +61,7 @@ mod tests {
         State { phase: start.phase, ..part.at(target).state }
     }
 
-    /// The mean growth by turn of a distance of 1e-8 between two motions that is shortened after each.
+    /// The mean growth per turn of a distance of 1e-8 between two motions, which is rescaled after each turn.
     fn growth(ratios: Ratios<f64>, start: State<f64>, turns: u32) -> f64 {
         let small = 1e-8;
         let (mut one, mut sum) = (start, 0.0);
@@ -80,7 +80,7 @@ mod tests {
         sum / f64::from(turns)
     }
 
-    /// The exponent is the same from every start, and equals that of the distance between two motions.
+    /// The exponent is the same from every start, and equals the rate at which two motions separate.
     #[test]
     fn the_exponent_is_how_two_motions_part() {
         for (eta, alpha, expected) in [(2.5, 7.5, 0.135), (3.0, 8.5, 0.280)] {

@@ -169,8 +169,8 @@ mod tests {
     use crate::exact::{LongRun, State};
     use crate::{Border, Ratios};
 
-    /// With damping and without stops: what is found from the closed form is what the motion from rest leads
-    /// to, which knows nothing of it.
+    /// With damping and without stops, the closed form gives the limit of the motion from rest, which is
+    /// computed without it.
     #[test]
     fn a_damped_cycle_is_what_the_motion_from_rest_leads_to() {
         for i in 0..300u32 {
@@ -202,8 +202,8 @@ mod tests {
         }
     }
 
-    /// The periods followed over a grid of ratios and starts: a choice on the way to the limit that is of no
-    /// use costs more.
+    /// The number of periods computed over a grid of ratios and starts; a useless step on the way to the
+    /// limit increases it.
     #[test]
     fn the_way_to_the_limit_is_short() {
         let (mut periods, mut most) = (0.0, 0.0f64);
@@ -219,7 +219,7 @@ mod tests {
                 (periods, most) = (periods + steady.periods, most.max(steady.periods));
             }
         }
-        // 4.33 a start.
+        // The mean is 4.33 periods per start.
         assert!(periods <= 3490.0 && most <= 44.0, "{periods} {most}");
     }
 }

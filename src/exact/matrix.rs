@@ -140,7 +140,7 @@ mod tests {
         let (x, w) = m.inverse_of_one_plus().times((0.7, -0.4));
         assert!((1.3 * x - 1.2 * w - 0.7f64).abs() < 1e-15 && (0.5 * x + 1.1 * w + 0.4f64).abs() < 1e-15);
         let [(re, im), (re2, im2)] = m.squared_eigenvalues();
-        // the product is the squared determinant, the sum the trace of the square
+        // The product of the multipliers is the squared determinant, and their sum the trace of the square.
         assert!((re * re2 - im * im2 - 0.63f64.powi(2)).abs() < 1e-15);
         assert!((re + re2 - (0.09 + 0.01 - 1.2f64)).abs() < 1e-15 && im == -im2);
         let real = Matrix { a: 0.5, b: 0.2, c: 0.1, d: -0.25 };
@@ -151,7 +151,7 @@ mod tests {
         );
     }
 
-    /// A double root is of the determinant's size, whatever rounding makes of the discriminant.
+    /// A double root is of the size of the determinant, whatever the rounding of the discriminant.
     #[test]
     fn a_double_root_keeps_its_digits() {
         let mut worst = 0.0f64;

@@ -75,7 +75,7 @@ mod tests {
     use crate::exact::equation::Equation;
     use crate::exact::slide::{Direction, Slide};
 
-    /// Each of a jet is the slope of the one before it.
+    /// Each component of a jet is the derivative of the one before.
     #[test]
     fn jets_are_slopes() {
         for (omega, zeta) in

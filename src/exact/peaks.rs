@@ -157,7 +157,7 @@ mod tests {
     use crate::exact::{LongRun, State, Trajectory};
     use crate::{Cycle, Ratios};
 
-    /// Samples of the motion exceed no peak and come close, with stops and without.
+    /// No sample of the motion exceeds a peak, and some come close, with and without stops.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
         for (omega, alpha, zeta) in [
@@ -200,7 +200,7 @@ mod tests {
         }
     }
 
-    /// Hundreds of fast waves in a slide take no longer than a few.
+    /// Hundreds of fast waves in a slide take no longer than a few waves.
     #[test]
     fn many_waves_take_no_time() {
         for (omega, alpha) in [(1e-3f64, 3e6f64), (2e-4, 6e7), (1e-3, 1.3e6)] {

@@ -76,7 +76,8 @@ mod tests {
     use crate::exact::{State, Trajectory};
     use std::f64::consts::TAU;
 
-    /// Slides and periods are those of the motion itself, whether it came to rest or was left on its way.
+    /// The numbers of slides and periods are those of the motion itself, whether it came to rest or was
+    /// abandoned before.
     #[test]
     fn it_is_the_motion_that_is_counted() {
         let ratios = Ratios::new(0.37, 0.8).unwrap();

@@ -171,7 +171,7 @@ mod tests {
                     Some(Error::Interrupted)
                 );
                 asked += 1;
-                // One slide or stop on.
+                // Advance by one slide or stop.
                 broken.current = broken.trajectory.next().transpose().unwrap();
             };
             assert_eq!(found, sample);

@@ -93,7 +93,7 @@ mod tests {
     use crate::exact::slide::{Direction, Slide};
     use crate::nonsticking::Cycle;
 
-    /// From the fastest point of a cycle the body reaches its maximum displacement in the stated time.
+    /// The body reaches its maximum displacement from the fastest point of a cycle in the stated time.
     #[test]
     fn from_the_fastest_point_to_the_farthest() {
         for (omega, alpha) in

@@ -115,7 +115,7 @@ mod tests {
         }
     }
 
-    /// `x − x_i` and w of a released slide next to the crest of the force, by their first terms.
+    /// Compares `x − x_i` and w of a released slide near the crest of the force with their first terms.
     #[test]
     fn a_slide_just_let_go_keeps_its_digits() {
         for omega in [1e-3f64, 0.7, 1.0, 768.0] {
@@ -123,8 +123,8 @@ mod tests {
             let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
             let start = DrivePhase::of(std::f64::consts::FRAC_PI_2 - early).unwrap();
             let s = Slide::released(equation, start, 0.0, Direction::Forward);
-            // In units of the phase h = Ωφ: w = α (e h²/2 − h³/6), x = α (e h³/6 − h⁴/24)/Ω², but for parts
-            // of h².
+            // With the phase h = Ωφ: w = α (e h²/2 − h³/6) and x = α (e h³/6 − h⁴/24)/Ω², up to terms smaller
+            // by h².
             for part in [0.1, 1.0, 2.9, 3.1] {
                 let h = part * early;
                 let m = s.motion(h / omega);

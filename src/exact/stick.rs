@@ -143,7 +143,7 @@ mod tests {
             let (end, direction) = s.release.unwrap();
             let friction = alpha * end.sin_cos().0 - x;
             assert!((friction - direction.sign::<f64>()).abs() < 1e-14);
-            // and nowhere before
+            // The force does not reach the bound earlier.
             let length = s.duration().unwrap();
             for i in 1..1000 {
                 let before = alpha * (theta + length * f64::from(i) / 1000.0).sin() - x;
@@ -152,8 +152,7 @@ mod tests {
         }
     }
 
-    /// With static friction above the kinetic one: the force at the release is η, and was below it until
-    /// then.
+    /// With static friction above the kinetic one, the force equals η at the release and was below it before.
     #[test]
     fn gives_way_at_the_static_friction() {
         for (alpha, eta, theta, x) in
@@ -190,7 +189,7 @@ mod tests {
         let falling = stick(2.0, PI - 0.5, x);
         assert_eq!(falling.release.unwrap().1, Direction::Backward);
         assert!(falling.duration().unwrap() > 0.1);
-        // At its maximum a force that just reaches the bound holds, too.
+        // A force whose maximum just reaches the bound is held, too.
         assert_eq!(stick(1.5, FRAC_PI_2, 0.5).release.map(|r| r.1), Some(Direction::Backward));
     }
 }

@@ -156,7 +156,7 @@ mod tests {
     #[cfg(feature = "mp")]
     use crate::float::Float;
 
-    /// Where the closed form keeps its digits the series is the same, however long the slide.
+    /// Where the closed form is accurate, the series agrees with it, however long the slide.
     #[test]
     fn the_series_has_parts_enough() {
         for (omega, zeta) in [(0.7, 0.3), (3.0, 0.4), (0.4, 0.9), (0.2, 1.5)] {
@@ -172,8 +172,8 @@ mod tests {
         }
     }
 
-    /// At 512 bits the closed form has digits left where it cancels: the series is the same to all that it
-    /// has, and at f64 to nearly all of f64.
+    /// At 512 bits the closed form has digits left where it cancels: the series agrees with all of these, and
+    /// at f64 with nearly all digits of f64.
     #[cfg(feature = "mp")]
     #[test]
     fn the_series_is_the_closed_form_to_all_digits() {
@@ -199,7 +199,7 @@ mod tests {
                         assert!(by_series < 1e-130, "{omega} {zeta} {speed} {share}: {by_series:e}");
                         let by_series = slide::<f64>(omega, zeta, speed).damper_by_series(phi);
                         let unit = f64::EPSILON * (8.0 + 2.0 * phi * omega.max(1.0));
-                        // From rest the velocity is a difference of what the slide begins with and the time.
+                        // From rest, the velocity is a difference of the initial terms and those of the time.
                         assert!(off(by_series.into()) < 4.0 * unit, "{omega} {zeta} {speed} {share}");
                     }
                 }
@@ -207,7 +207,7 @@ mod tests {
         }
     }
 
-    /// Both forms are ∫ α sin θ dx and ∫ 2ζw dx: the sums over short steps.
+    /// Both forms agree with ∫ α sin θ dx and ∫ 2ζw dx as sums over short steps.
     #[test]
     fn the_works_are_forces_along_the_way() {
         for omega in [0.3, 0.995, 1.0, 1.003, 2.2] {

@@ -154,8 +154,8 @@ mod tests {
         (4.4, 3.0),
     ];
 
-    /// Dense samples of the cycle, by its displacement and the equation of motion, exceed nothing and come
-    /// close.
+    /// No dense sample of the cycle, by its displacement and the equation of motion, exceeds a peak, and some
+    /// come close.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
         for (omega, alpha) in POINTS {
@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// Below Ω = 1/2 the fast wave does exceed the arrival, so that the search is needed.
+    /// For Ω < 1/2 the fast wave can exceed the acceleration on arrival, so that the search is necessary.
     #[test]
     fn below_one_half_the_greatest_is_not_always_on_arrival() {
         let cycle = Ratios::new(0.34, 400.0).and_then(Cycle::new).unwrap();

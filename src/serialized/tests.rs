@@ -10,7 +10,7 @@ fn every_output_by_the_name_it_has_in_json() {
         assert_eq!(map[output.name()], json!(output.of(&response)), "{}", output.name());
     }
     assert_eq!((&map["omega"], &map["regime"]), (&json!(1.5), &json!("non-sticking")));
-    // Where there is no cycle its outputs are null, and not left out.
+    // Without a cycle its outputs are null and not omitted.
     let sticks = to_value(Response::new(Ratios::new(0.4f64, 2.0).unwrap())).unwrap();
     assert_eq!(sticks["max_velocity"], Value::Null);
     assert!(sticks.as_object().unwrap().contains_key("max_velocity"));

@@ -109,7 +109,7 @@ fn product(whole: Unit, atom: Unit, exponent: i8) -> Option<Unit> {
 mod tests {
     use super::{Factor, TABLE, parse};
 
-    /// Each factor is in lowest terms only where products make it so; a slug is 1 lbf s²/ft.
+    /// Derived units agree with products of the defined ones; a slug is 1 lbf s²/ft.
     #[test]
     fn derived_units_are_made_of_the_defined_ones() {
         let factor = |text: &str| parse(text)[0].factor.and(Factor::ONE).unwrap();

@@ -226,7 +226,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
 mod tests {
     use super::refuse_years;
 
-    /// Ten thousand million rows, or slides, of which a cycle has 2 + 2/Ω.
+    /// The limit is ten thousand million rows or slides; a cycle has 2 + 2/Ω slides.
     #[test]
     fn a_run_of_years_is_refused() {
         for (cycles, samples, omega, words) in [

@@ -1,12 +1,12 @@
-//! The limits of an independent simulation, found from starts.
+//! The limits of starts, compared with an independent simulation.
 
 use super::attractors;
 use crate::Ratios;
 use crate::exact::machines::{ratios, starts};
 use crate::exact::{LongRun, State};
 
-/// Greatest and minimum displacement, stops, turns, symmetry and mirror image of each limit, by the maximum
-/// displacement.
+/// Greatest and least displacement, stops, turns, symmetry, and whether the mirror image counts, for each
+/// limit, ordered by the maximum displacement.
 type Found = (f64, f64, u32, u32, bool, bool);
 
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
@@ -45,7 +45,7 @@ fn same(found: &[Found], expected: &[Found]) {
     assert!(all, "{found:#?} for {expected:#?}");
 }
 
-/// The five regular cases of an independent simulation: every motion, and none besides.
+/// The five regular cases of an independent simulation: all of its motions, and no others.
 #[test]
 fn limits_of_an_independent_simulation() {
     let pair = |most: f64, least: f64, stops, turns| {
@@ -64,7 +64,7 @@ fn limits_of_an_independent_simulation() {
     same(&three, &[high, low]);
 }
 
-/// A start at another phase is told to lead to the same motion.
+/// A start at another phase is recognised as leading to the same motion.
 #[test]
 fn one_limit_whatever_the_phase_of_the_start() {
     let ratios = ratios(0.5, 0.02, 1.3, 4.0);
@@ -77,7 +77,7 @@ fn one_limit_whatever_the_phase_of_the_start() {
     assert!((0..24).all(|i| of_start(i).is_some_and(|first| first <= i)));
 }
 
-/// Places of rest are one limit with their range.
+/// All places of rest are one limit, with their range.
 #[test]
 fn places_of_rest_are_one_limit() {
     let all = attractors(ratios(0.8, 0.02, 1.6, 1.5), &starts(40, 5.0), 1000).unwrap();

@@ -159,7 +159,7 @@ mod tests {
         ]
     }
 
-    /// Through Ω = 1, ζ → 0 and ζ = 1 they are the solutions of their equations.
+    /// The functions solve their equations, also through Ω = 1, ζ → 0 and ζ = 1.
     #[cfg(feature = "mp")]
     #[test]
     fn waves_are_the_series_of_the_equation() {
@@ -175,7 +175,7 @@ mod tests {
                     let unit = 6.0 * f64::EPSILON * (1.0 + phi * omega.max(1.0));
                     for (i, (found, exact)) in found.into_iter().zip(exact).enumerate() {
                         let size = [1.0 / (1.0 + omega * omega), 1.0 / (1.0 + omega), 1.0, 1.0, 1.0][i];
-                        // What a body has gone under a unit force keeps its digits.
+                        // The path under a unit force keeps its relative accuracy.
                         let size = if i == 4 && zeta >= 1.0 { 4.0 * exact.to_f64() } else { size };
                         let size = if i < 2 { f64::max(size, exact.to_f64().abs()) } else { size };
                         let error = (Mp::<6>::from(found) - exact).to_f64().abs();
@@ -194,7 +194,7 @@ mod tests {
         }
     }
 
-    /// As ζ → 0 they go over into those without damping.
+    /// As ζ → 0 the functions tend to those without damping.
     #[test]
     fn no_damping_is_the_limit() {
         for omega in [0.1f64, 0.7, 1.0, 1.3, 7.0] {

@@ -1,4 +1,4 @@
-//! Limits of motions at Ω = 1/(2n) against the motions themselves.
+//! Limits of motions at Ω = 1/(2n), compared with the motions themselves.
 
 use super::{is_near, is_one, member, nearest_edge};
 use crate::exact::DrivePhase;
@@ -9,7 +9,7 @@ use crate::exact::shooting::Budget;
 use crate::exact::state::Point;
 use crate::{Border, Ratios};
 
-/// The equation at Ω = 2⁻ⁿ, some times above the border, with α/(1 − Ω²) and the greatest |c|.
+/// The equation at Ω = 2⁻ⁿ and a multiple of the border, with α/(1 − Ω²) and the greatest |c|.
 fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
     let omega = 0.5f64.powi(i32::try_from(n).unwrap());
     let ratios = Ratios::new(omega, Border::new(omega).unwrap().min_force_ratio * times).unwrap();
@@ -19,7 +19,7 @@ fn family(n: u32, times: f64) -> (Equation<f64>, f64, f64) {
     (equation, amplitude, omega * omega * amplitude - 1.0)
 }
 
-/// At t₂, where the members have their maximum: ω_d t₂ = π/2.
+/// A state at t₂, where the members have their maximum: ω_d t₂ = π/2.
 fn at_maximum(x: f64, w: f64) -> Point<f64> {
     Point { phase: DrivePhase::of(std::f64::consts::FRAC_PI_2).unwrap(), x, w }
 }
@@ -28,7 +28,7 @@ fn limit(equation: Equation<f64>, y: Point<f64>, most: u64) -> LongRun<f64> {
     member(equation, y, 1.0, Budget::of(most)).unwrap()
 }
 
-/// Cycles of the motion itself, and whether the last of them sticks.
+/// Computes some cycles of the motion; tells whether the last of them sticks.
 fn followed(equation: Equation<f64>, mut y: Point<f64>, cycles: u32) -> (Point<f64>, bool) {
     let mut sticks = false;
     for _ in 0..cycles {
@@ -143,7 +143,7 @@ fn friction_that_can_hardly_be_seen() {
     }
 }
 
-/// From outside it creeps to the edge.
+/// A motion from outside the family creeps to its edge.
 #[test]
 fn outside_of_the_family_the_edge_is_the_limit() {
     for n in 1..5 {
@@ -155,7 +155,7 @@ fn outside_of_the_family_the_edge_is_the_limit() {
             assert!((c - side * room).abs() < 1e-9 * amplitude, "n = {n}: {c} for {room}");
             let off = found.distance().0;
             assert!(off < 0.1 * amplitude && found.periods < 400.0, "{off} {}", found.periods);
-            // It has stuck all the time, and is as near as stated.
+            // It has stuck all the time, and is as close as stated.
             let (there, _) = followed(equation, start, found.periods as u32);
             assert!((there.x - amplitude - side * room).abs() <= off, "n = {n}: {there:?} {off}");
         }
@@ -164,7 +164,7 @@ fn outside_of_the_family_the_edge_is_the_limit() {
     }
 }
 
-/// The edge is a motion that does not stick, at any phase.
+/// The edge itself is a motion that does not stick, at any phase.
 #[test]
 fn the_edge_is_a_member() {
     for n in 1..5 {
@@ -172,7 +172,7 @@ fn the_edge_is_a_member() {
         for i in 0..60 {
             let phase = DrivePhase::of(0.1 + 0.1 * f64::from(i)).unwrap();
             for side in [1.0, -1.0] {
-                // Some way outside, at the same phase.
+                // A start slightly outside, at the same phase.
                 let (outside, _) = followed(equation, at_maximum(amplitude + side * room, 0.0), 1);
                 let on = propagate(equation, outside, 4, 1.0, Vec::new(), &mut Budget::of(0)).unwrap().end;
                 assert!((on.x - amplitude - side * room).abs() < 1e-9 * amplitude);

@@ -1,4 +1,4 @@
-//! The limits of docs/theory/static-friction.md, found from starts, and the motion itself compared with them.
+//! The limits of docs/theory/static-friction.md, computed from starts, and compared with the motion itself.
 
 use crate::exact::{LongRun, State, SteadyState, Trajectory};
 use crate::nonsticking::{damped, displacement::max_displacement};
@@ -26,13 +26,13 @@ fn steady_states_of_an_independent_simulation() {
     let one = from_rest(0.8, 0.05, 1.25, 1.5);
     assert!((one.max_displacement.value - 2.145_852_589_9).abs() < 1e-10, "{one:?}");
     assert_eq!((one.sticks_per_cycle, one.turns_per_cycle(), one.is_symmetric()), (0, 1, true));
-    // It settles by 0.9957 in half a turn only: after 3000 turns that simulation is at 6.136651306(05).
+    // The contraction is only 0.9957 in half a turn: after 3000 turns that simulation is at 6.136651306(05).
     let two = from_rest(0.45, 0.02, 1.4, 5.0);
     assert!((two.max_displacement.value - 6.136_651_306_02).abs() < 1e-10, "{two:?}");
     assert_eq!((two.sticks_per_cycle, two.turns_per_cycle(), two.is_symmetric()), (2, 1, true));
 }
 
-/// Motions that are not symmetric, and one of three turns, from starts of a grid.
+/// Asymmetric motions, and one of three turns, from a grid of starts.
 #[test]
 fn motions_of_an_independent_simulation() {
     for (omega, zeta, eta, alpha, turns, expected) in [
@@ -56,7 +56,7 @@ fn motions_of_an_independent_simulation() {
     }
 }
 
-/// The limit is the one that the motion itself approaches, and not its mirror image.
+/// The limit is the one that the motion approaches, and not its mirror image.
 #[test]
 fn the_limit_is_what_the_motion_comes_to() {
     for (omega, zeta, eta, alpha) in [(0.5, 0.02, 1.3, 4.0), (0.54, 0.03, 2.4, 4.2), (0.8, 0.02, 1.6, 1.5)] {
@@ -88,7 +88,7 @@ fn the_limit_is_what_the_motion_comes_to() {
     }
 }
 
-/// The cycle found is a cycle of the motion: it repeats, and its extrema, works and multipliers agree with
+/// The computed cycle is a cycle of the motion: it repeats, and its extrema, works and multipliers agree with
 /// samples.
 #[test]
 fn what_is_found_comes_back() {
@@ -147,7 +147,7 @@ fn a_quasi_periodic_motion() {
     }
 }
 
-/// A start turned upside down, half a turn later, has the motion turned upside down, to the last bit.
+/// A negated start half a turn later gives the negated motion, to the last bit.
 #[test]
 fn a_mirrored_start_has_the_mirrored_limit() {
     let ratios = ratios(0.5, 0.02, 1.3, 4.0);
@@ -162,7 +162,7 @@ fn a_mirrored_start_has_the_mirrored_limit() {
     }
 }
 
-/// At rest where the force never exceeds the static friction, moving where it began to.
+/// The body rests where the force never exceeds the static friction, and moves where it was moving initially.
 #[test]
 fn rest_and_motion_side_by_side() {
     let ratios = ratios(0.8, 0.02, 1.6, 1.5);

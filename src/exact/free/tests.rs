@@ -30,7 +30,7 @@ fn the_closed_form_and_the_machinery_agree() {
     }
 }
 
-/// With a damper: turns, place and time of rest are those of the motion followed slide by slide.
+/// With a damper: turns, place and time of rest agree with the motion computed slide by slide.
 #[test]
 fn closed_form_and_machinery_agree_with_damping() {
     for zeta in [1e-12f64, 1e-5, 0.01, 0.2, 0.7, 0.95, 1.0, 1.3, 5.0] {
@@ -61,7 +61,7 @@ fn closed_form_and_machinery_agree_with_damping() {
     }
 }
 
-/// With a static friction above the kinetic one: the same, and the body rests farther out.
+/// The same with a static friction above the kinetic one, where the body rests farther out.
 #[test]
 fn closed_form_and_machinery_agree_with_static_friction() {
     for (x, v) in [(12.0f64, 6.0f64), (0.3, 0.0), (5.5, -2.0), (-40.0, 17.0), (1.2, 0.0), (2.4, 0.0)] {
@@ -83,14 +83,14 @@ fn closed_form_and_machinery_agree_with_static_friction() {
     assert!(message(0.9).starts_with("static friction ratio η = 0.9 must be ≥ 1"));
 }
 
-/// Viscous damping alone is the textbook's logarithmic decrement: far out friction hardly counts.
+/// With viscous damping and negligible friction (far out), the logarithmic decrement is the textbook's.
 #[test]
 fn far_out_the_decrement_is_the_viscous_one() {
     let (zeta, x) = (0.1f64, 1e9);
     let ratio = (-std::f64::consts::PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
     let decay = FreeDecay::new(x, 0.0, zeta, 1.0).unwrap();
     let turns = decay.half_cycles as f64;
-    // κⁿx = coth(ζπ/2d) + 1 or a little less at rest.
+    // At rest κⁿx is coth(ζπ/2d) + 1 or slightly less.
     let last = x * ratio.powf(turns);
     assert!(last < 1.0 + (1.0 + ratio) / (1.0 - ratio) && last * 1.0 > ratio, "{last} {turns}");
 }
@@ -103,7 +103,7 @@ fn the_textbook_case() {
     assert!((decay.rest_position - 0.682_178_936_723_647).abs() < 1e-14);
 }
 
-/// From between one and two B the spring wins over friction once, and the body stops on the other side.
+/// From a place between B and 2B, the spring overcomes friction once, and the body stops on the other side.
 #[test]
 fn a_start_just_beyond_the_friction_bound_slides_once() {
     for (x, rest) in

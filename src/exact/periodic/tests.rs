@@ -1,15 +1,15 @@
-//! Unstable motions where they are known to be, and stable ones where starts lead to them.
+//! Unstable motions at ratios where they are known, and stable ones that starts lead to.
 
 use super::periodic_motions;
 use crate::exact::machines::{ratios, starts};
 use crate::exact::{LongRun, Signature, State, attractors};
 
-/// Half turns, stops in a cycle and extrema, of an unstable motion.
+/// Half turns, stops in a cycle, and extrema of an unstable motion.
 type Unstable = (u32, u32, f64, f64);
 
-/// Beside every mirror pair of the six machines stands the symmetric motion that lost its stability to it, or
-/// an unstable pair that divides the plane; beside the two symmetric ones nothing: there the plane is divided
-/// by a jump of the period map.
+/// Each mirror pair of the six machines is accompanied by the symmetric motion that lost its stability to it,
+/// or by an unstable pair on the basin boundary. The two symmetric limits have no such neighbour: there the
+/// boundary is a jump of the period map.
 #[test]
 fn unstable_motions_beside_the_limits() {
     let symmetric = |x: f64| (1, 2, x, -x);
@@ -39,7 +39,7 @@ fn unstable_motions_beside_the_limits() {
             };
             assert!(expected.iter().any(is), "{s:?}");
             assert_eq!(motion.mirror.is_some(), !s.is_symmetric());
-            // No motion that starts beside it stays.
+            // No motion that starts close to it stays there.
             let start = State { x: s.state().x + 1e-6, ..s.state() };
             match LongRun::from_start(ratios, start).unwrap() {
                 LongRun::Periodic(limit) => {
@@ -54,8 +54,8 @@ fn unstable_motions_beside_the_limits() {
     }
 }
 
-/// Every periodic limit that starts lead to is found by the search, and every stable motion of the search is
-/// a limit.
+/// The search finds every periodic limit that starts lead to, and every stable motion that it finds is a
+/// limit.
 #[test]
 fn the_limits_are_among_them() {
     for (ratios, turns) in [
@@ -76,7 +76,7 @@ fn the_limits_are_among_them() {
     }
 }
 
-/// The unstable pair that divides the plane is found from ten starts, however far they reach.
+/// Ten starts suffice to find the unstable pair on the basin boundary, whatever their range.
 #[test]
 fn few_starts_find_them() {
     for reach in [10.0, 18.4] {
@@ -89,7 +89,7 @@ fn few_starts_find_them() {
 fn where_nothing_moves_there_is_none() {
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.0), &starts(20, 5.0), 2).unwrap();
     assert!(all.is_empty(), "{all:?}");
-    // At rest from these starts; a motion has to be begun.
+    // These starts are at rest; a motion has to be started.
     let resting = [State::default(), State::new(0.0, 0.05, 0.0).unwrap()];
     let all = periodic_motions(ratios(0.8, 0.02, 1.6, 1.5), &resting, 2).unwrap();
     assert!(all.is_empty(), "{all:?}");

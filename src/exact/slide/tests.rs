@@ -8,7 +8,7 @@ fn slide(omega: f64, alpha: f64, theta: f64, x: f64, w: f64) -> Slide<f64> {
     Slide::new(equation, DrivePhase::of(theta).unwrap(), x, w, Direction::of(w))
 }
 
-/// The sizes that rounding is measured by, at (Ω, α) = (3, 2).
+/// The scales of rounding at (Ω, α) = (3, 2).
 #[test]
 fn scales_are_the_sizes_of_the_terms() {
     let s = slide(3.0, 2.0, 0.4, -0.7, -0.9);

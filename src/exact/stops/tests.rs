@@ -7,8 +7,8 @@ use crate::exact::state::State;
 use crate::exact::trajectory::{Body, Trajectory};
 use crate::exact::{LongRun, SteadyState};
 
-/// (Ω, α, ζ) of the i-th of a sequence that fills the space evenly: Ω from 0.04 to 3, α up to twice the least
-/// of a cycle without stops, every second one damped.
+/// The i-th (Ω, α, ζ) of a sequence that fills the space evenly: Ω from 0.04 to 3, α up to twice the minimum
+/// for cycles without stops, with damping in every second one.
 fn ratios(i: u32) -> Ratios<f64> {
     let spread = |step: f64| (f64::from(i) * step).fract();
     let omega = 0.04 * 75f64.powf(spread(0.618_034));
@@ -75,14 +75,14 @@ fn it_is_what_shooting_finds() {
         assert!((here.stick_fraction - there.stick_fraction).abs() < 1e-6, "{ratios:?}\n{here:?}\n{there:?}");
         assert!((here.contraction() - there.contraction()).abs() < 1e-6, "{ratios:?}\n{here:?}\n{there:?}");
     }
-    // 0.955 of them, in 4.3 half turns each.
+    // The share is 0.955, at 4.3 half turns each.
     assert!(
         found * 100 > below * 94 && half_turns * 2 < u64::from(found) * 9,
         "{found} of {below}: {half_turns}"
     );
 }
 
-/// On the way passages may end where they are expected to, but the last one is proved slide by slide.
+/// During the search, passages may end as expected without proof, but the last one is proved slide by slide.
 #[test]
 fn what_is_found_is_proved() {
     let (mut found, mut unproved) = (0, 0);
@@ -96,7 +96,7 @@ fn what_is_found_is_proved() {
         };
         found += 1;
         unproved += u32::from(!passage.is_proved);
-        // Found again from no expectation at all.
+        // The zeros are found again without an expectation.
         for part in &passage.parts {
             let Part::Slide(slide, zero) = part else { continue };
             let again = slide
@@ -108,8 +108,8 @@ fn what_is_found_is_proved() {
     assert!(found > 300 && unproved == 0, "{unproved} of {found}");
 }
 
-/// The maximum displacement by a solution of its own: one slide for half a turn, two equations for its length
-/// and end, at 40 digits.
+/// The maximum displacement from an independent solution: one slide per half turn, with two equations for its
+/// length and end, at 40 digits.
 #[test]
 fn the_extremum_is_right_to_the_last_places() {
     for (omega, alpha, zeta, extremum) in [
@@ -130,7 +130,7 @@ fn the_extremum_is_right_to_the_last_places() {
     }
 }
 
-/// From any start it is the same motion to the last bit: none is followed.
+/// The motion is the same to the last bit from any start, because none is computed.
 #[test]
 fn the_start_does_not_count() {
     for (omega, alpha, zeta) in [(0.7, 1.2, 0.0), (0.4, 6.0, 0.0), (0.15, 3.0, 0.05), (0.9, 1.1, 0.05)] {

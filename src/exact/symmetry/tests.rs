@@ -1,4 +1,4 @@
-//! A motion reported as lost is lost: the limits of starts on either side, and the multipliers there.
+//! A motion reported as lost is lost: checked by the limits of starts on either side, and by the multipliers.
 
 use super::{Loss, Machine, SymmetryBreak, symmetry_breaks};
 use crate::exact::machines::ratios;
@@ -9,7 +9,7 @@ fn breaks(omega: f64, eta: f64, low: f64, high: f64) -> Vec<SymmetryBreak<f64>> 
     symmetry_breaks(ratios(omega, 0.02, eta, 2.0), low, high, 40).unwrap()
 }
 
-/// The limits of a few starts and of the motion given.
+/// The limits of some starts, including that of the given motion.
 fn limits(ratios: Ratios<f64>, near: State<f64>) -> Attractors<f64> {
     let part = |i: u32, step: f64| 12.0 * (2.0 * (f64::from(i) * step).fract() - 1.0);
     let spread = (0..30).map(|i| State::new(0.0, part(i, 0.754_878), part(i, 0.569_841)).unwrap());
@@ -17,7 +17,7 @@ fn limits(ratios: Ratios<f64>, near: State<f64>) -> Attractors<f64> {
     attractors(ratios, &starts, 2000).unwrap()
 }
 
-/// The symmetric limit of one turn that is like the motion, and the number of limits that are not symmetric.
+/// The number of asymmetric limits, and whether there is a symmetric limit of one turn like the given motion.
 fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     let (mut symmetric, mut others) = (false, 0);
     for limit in &all.limits {
@@ -30,8 +30,8 @@ fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
     (symmetric, others)
 }
 
-/// At each break by a multiplier it is λ = −1, of J: det(1 + J) vanishes and det(1 − J) does not. On the
-/// stable side starts lead to the symmetric motion, on the other to a mirror pair.
+/// At each break by a multiplier, λ = −1 is a multiplier of J: det(1 + J) vanishes and det(1 − J) does not.
+/// On the stable side, starts lead to the symmetric motion; on the other, to a mirror pair.
 #[test]
 fn symmetry_breaks_at_a_multiplier_of_minus_one() {
     let mut count = 0;
@@ -56,7 +56,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
             let to = if one.is_stable_above { 1.01 } else { 0.99 };
             let stable = limits(ratios(omega, 0.02, eta, one.alpha * to), state);
             let unstable = limits(ratios(omega, 0.02, eta, one.alpha * (2.0 - to)), state);
-            // At its second break (0.5, 1.3) the stable interval is narrower than that.
+            // At its second break, (0.5, 1.3) has a stable interval narrower than that.
             if omega != 0.5 || !one.is_stable_above {
                 assert!(seen(&stable, one).0, "{one:?}: {stable:?}");
             }
@@ -68,7 +68,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
     assert_eq!(count, 7);
 }
 
-/// Where the cycle without a stop ends the border of the closed forms says so.
+/// Where the cycle without a stop ends, the loss agrees with the border of the closed forms.
 #[test]
 fn a_jump_is_the_border() {
     for (omega, eta, low, high) in [(0.55, 1.3, 2.9, 4.0), (0.55, 2.0, 4.0, 6.0), (0.6, 3.0, 5.0, 6.0)] {
@@ -89,7 +89,7 @@ fn a_fold_is_told_from_a_break() {
     assert!((largest - 1.0).abs() < 1e-4 && (fold.alpha - 4.768_950_352_678).abs() < 1e-11, "{fold:?}");
 }
 
-/// With η = 1 no symmetric motion is lost, whatever stops come and go.
+/// With η = 1 no symmetric motion is lost, although stops appear and disappear.
 #[test]
 fn nothing_is_lost_with_equal_frictions() {
     for omega in [0.15, 0.3, 0.45, 0.7, 1.2] {
@@ -98,7 +98,7 @@ fn nothing_is_lost_with_equal_frictions() {
     }
 }
 
-/// At ω_d t = 0 the body rests or begins to slide: a speed of 5e-324 there was followed as a slide, with
+/// At ω_d t = 0 the body rests or begins to slide. A speed of 5e-324 there was once computed as a slide with
 /// other multipliers, and the search never ended.
 #[test]
 fn a_speed_next_to_nothing_is_rest() {

@@ -10,7 +10,7 @@ use crate::nonsticking::Cycle;
 use crate::phase_function::PhaseFunction;
 use crate::{Border, Ratios};
 
-/// The cycle at a multiple of the border, which need not be a motion.
+/// The cycle at a multiple of the border, which need not be a possible motion.
 fn cycle(omega: f64, times: f64) -> (Equation<f64>, Cycle<f64>) {
     let alpha = Border::new(omega).unwrap().min_force_ratio * times;
     let ratios = Ratios::new(omega, alpha).unwrap();
@@ -58,8 +58,7 @@ fn it_is_what_newtons_method_finds() {
     assert!(found * 10 > all * 9, "{found} of {all}");
 }
 
-/// For the cycle of a slightly different force and phase, a validated result returns to its beginning along
-/// the motion.
+/// If the cycle of a slightly different force and phase is validated, the motion returns to its beginning.
 #[test]
 fn what_is_confirmed_comes_back() {
     let (mut found, mut all) = (0, 0);
@@ -90,7 +89,7 @@ fn what_is_confirmed_comes_back() {
     assert!(found > all / 20 && found < all / 2, "{found} of {all}");
 }
 
-/// Nor is one whose velocity is not the greatest where it says.
+/// A cycle whose stated fastest point is not the fastest is rejected.
 #[test]
 fn the_fastest_point_has_to_be_one() {
     for i in 0..300 {
@@ -130,8 +129,7 @@ fn the_signs_alone_mostly_do() {
     assert!(found * 100 > all * 95, "{found} of {all}");
 }
 
-/// Slides of any phase that are at rest again after half a turn: the signs never hide a velocity zero on the
-/// way.
+/// For slides of any phase that end at rest after half a turn, the signs never hide a velocity zero.
 #[test]
 fn the_signs_hide_no_velocity_zero() {
     let (mut shown, mut turning) = (0, 0);
@@ -141,7 +139,7 @@ fn the_signs_hide_no_velocity_zero() {
         let equation = Equation::new(Ratios::new(omega, alpha).unwrap());
         let start = DrivePhase::of(std::f64::consts::TAU * part(0.569_841)).unwrap();
         let end = std::f64::consts::PI / omega;
-        // The velocity is linear in the place that the slide begins at.
+        // The velocity is linear in the starting place of the slide.
         let from = |x| Slide::new(equation, start, x, 0.0, Direction::Forward);
         let (zero, one) = (from(0.0).motion(end).w, from(1.0).motion(end).w);
         let slide = from(zero / (zero - one));
@@ -163,7 +161,7 @@ fn below_the_border_nothing_is_confirmed() {
     for i in 0..6000 {
         let omega = 0.021 * 1.0013f64.powi(i);
         let border = Border::new(omega).unwrap().min_force_ratio;
-        // From the border down to where there is no cycle at all, or nearly so.
+        // From the border down to the least force with a cycle, or nearly so.
         let below = [1e-6, 1e-3, 0.3, 0.9][i as usize % 4] * f64::from(1 + i % 97) / 97.0;
         let least = PhaseFunction::new(omega).unwrap().value().abs() * (1.0 + 1e-9);
         let alpha = border * (1.0 - below);

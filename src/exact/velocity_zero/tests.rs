@@ -10,7 +10,7 @@ use crate::{Border, Ratios};
 use std::cell::Cell;
 use std::f64::consts::PI;
 
-/// The end of the rising half of the closed-form cycle at (Ω, α), which need not be a motion.
+/// The end of the rising half of the closed-form cycle at (Ω, α), which need not be a possible motion.
 fn end_of_rise(omega: f64, alpha: f64) -> VelocityZero<f64> {
     let k = PhaseFunction::new(omega).unwrap().value();
     let delta = max_displacement(k, alpha, one_minus_square(omega));
@@ -25,13 +25,13 @@ fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
     for omega in [0.35, 0.4, 0.45, 0.3, 0.22] {
         let border = Border::new(omega).unwrap();
         let least = border.min_force_ratio;
-        // τ* is counted from t₂ within the falling half: the same place in the rising one.
+        // τ* is counted from t₂ in the falling half; the same place in the rising half is half a period away.
         let touch = border.touching_phase / omega;
         let above = end_of_rise(omega, least * (1.0 + 1e-9));
         assert!(!above.grazes && (above.phi - PI / omega).abs() < 1e-9, "Ω = {omega}: {above:?}");
         let below = end_of_rise(omega, least * (1.0 - 1e-9));
         assert!(!below.grazes && (below.phi - touch).abs() < 1e-3, "Ω = {omega}: {touch} {below:?}");
-        // To within rounding it grazes.
+        // The velocity grazes zero, to within rounding.
         let close = (-40..=40).map(|i| end_of_rise(omega, least * (1.0 + f64::from(i) * 2e-16)));
         let grazing: Vec<_> = close.filter(|end| end.grazes).collect();
         assert!(!grazing.is_empty(), "Ω = {omega}");
@@ -41,7 +41,7 @@ fn on_the_border_the_velocity_touches_zero_where_the_border_says() {
     }
 }
 
-/// The last step is that of the motion, to the order of the terms left out.
+/// A short step on agrees with the motion up to the order of the omitted terms.
 #[test]
 fn a_short_step_on_is_the_motion() {
     let equation = Equation::new(Ratios::new(0.7, 2.5).unwrap());
@@ -72,13 +72,13 @@ fn a_short_step_on_is_the_motion() {
 
 #[test]
 fn the_work_is_bounded() {
-    // A number in [0, 1) from three counters, without order.
+    // A pseudo-random number in [0, 1) from two counters.
     let spread = |i: u32, j: u32| {
         (f64::from(i) * 0.618_033_988_749_895 + f64::from(j) * 0.414_213_562_373_095).fract()
     };
     let slides = 40_000;
-    // Evaluations, the most and in all: with half a period of the drive for a hint, and with one that is
-    // right to a percent.
+    // The greatest and the total number of evaluations: with half a period of the drive as the hint, and with
+    // a hint that is accurate to one percent.
     let (mut most, mut sum, mut sum_hinted) = (0, 0, 0);
     for i in 0..slides {
         let omega = 10f64.powf(6.0 * spread(i, 0) - 3.0);
@@ -108,13 +108,13 @@ fn the_work_is_bounded() {
         most = most.max(evaluations).max(hinted);
         (sum, sum_hinted) = (sum + evaluations, sum_hinted + hinted);
     }
-    // 3.74 and 2.35 a slide: a guess, a hint or a jump that is of no use costs more.
+    // The means are 3.74 and 2.35 per slide; a useless guess, hint or jump increases them.
     assert!(most <= 14, "{most}");
     assert!(sum <= 150_300 && sum_hinted <= 94_400, "{sum} {sum_hinted}");
 }
 
-/// Over the whole range of Ω, with a free wave of any size beside the forced one: the windows without zeros
-/// are left out.
+/// Over the whole range of Ω, with a free wave of any size in addition to the forced one: windows without
+/// zeros are skipped.
 #[test]
 fn the_work_is_bounded_at_any_frequency() {
     let spread = |i: u32, step: f64| (f64::from(i) * step).fract();
@@ -147,8 +147,8 @@ fn the_work_is_bounded_at_any_frequency() {
     assert!(most <= 24 && sum <= 7 * slides, "{most} {sum}");
 }
 
-/// A drive so weak that its share of the velocity is zero in the type: the windows are half periods of the
-/// free wave.
+/// The drive is so weak that its share of the velocity rounds to zero; the windows are then half periods of
+/// the free wave.
 #[test]
 fn a_drive_that_cannot_be_seen_costs_nothing() {
     for (omega, alpha, x) in [(2f64.powi(20), 1e-150, 1e290), (1e5, 1e-140, 1e200), (3e3, 1e-150, 7e290)] {

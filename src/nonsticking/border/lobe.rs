@@ -211,7 +211,8 @@ mod tests {
         assert!(matches!(Lobe::containing(7e-6), Err(Error::OutOfRange { .. })));
     }
 
-    /// The proof of the module's head on a grid: falling, then rising, in each lobe.
+    /// Checks the statement of the module's proof on a grid: in each lobe the border decreases, then
+    /// increases.
     #[test]
     fn one_minimum_in_each_lobe() {
         for n in [0, 1, 2, 3, 10, 200] {

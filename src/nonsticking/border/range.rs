@@ -65,7 +65,7 @@ mod tests {
         close(whole.least, 1.209_998_436_338_07, 8.0);
         assert_eq!(whole.greatest, Some(at(0.34)));
         assert_eq!(border_range(0.3, 0.34).unwrap().greatest, None);
-        // Falling, rising, with a minimum, over a pole, over a whole lobe.
+        // The ranges: decreasing, increasing, with a minimum, over a pole, over a whole lobe.
         for (low, high) in
             [(0.5, 0.6), (0.9, 2.0), (0.26, 0.31), (0.29, 0.345), (0.18, 0.34), (0.19, 0.2), (0.7, 0.7)]
         {

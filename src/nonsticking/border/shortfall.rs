@@ -60,7 +60,7 @@ mod tests {
             close(found.low, low, 4.0);
             close(found.high, 0.5 / f64::from(n), 1.0);
             close(found.pole, 1.0 / (2.0 * f64::from(n) + 1.0), 1.0);
-            // Exact just outside, short just inside, and on either side of the pole.
+            // Eq. 61 is exact just outside, and too low just inside and on either side of the pole.
             let falls_short = |omega| Border::new(omega).is_ok_and(|b| b.turning_point < b.min_force_ratio);
             assert!(!falls_short(found.low * (1.0 - 1e-12)) && falls_short(found.low * (1.0 + 1e-12)));
             assert!(falls_short(found.pole * (1.0 - 1e-11)) && falls_short(found.pole * (1.0 + 1e-11)));

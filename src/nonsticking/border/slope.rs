@@ -61,7 +61,7 @@ mod tests {
 
     #[test]
     fn values_at_forty_digits() {
-        // The derivative of the border by mpmath, whose own is by differences at 60 digits.
+        // The derivative of the border by mpmath, by differences at 60 digits.
         for (omega, exact) in [
             (0.07, -32_321.812_170_538_575),
             (0.13, -849.344_343_609_495_9),

@@ -49,7 +49,7 @@ fn single_precision_runs_the_same_code() {
     assert!((c.max_velocity - 3.761_24).abs() < 2e-6);
 }
 
-/// Near Ω = 1, where no digit of √(α² − K²) is left on the border, with damping as without.
+/// Near Ω = 1 with and without damping, where √(α² − K²) on the border has no accurate digit.
 #[test]
 fn on_the_border_a_cycle_is_no_smaller_than_its_turning_points_ask_for() {
     for zeta in [0.0, 8.67e-19, 1e-15, 1e-12] {
@@ -61,7 +61,8 @@ fn on_the_border_a_cycle_is_no_smaller_than_its_turning_points_ask_for() {
     }
 }
 
-/// The same motion as with one friction from its own, higher border on; at Ω = 1 there is none.
+/// With static friction, the cycle begins at its own, higher border and is the same as with one friction; at
+/// Ω = 1 there is none.
 #[test]
 fn with_static_friction_the_cycle_begins_at_its_own_border() {
     for omega in [0.28, 0.4, 0.7, 1.0, 1.6, 3.0] {

@@ -142,8 +142,8 @@ impl<F: Float> DampedCycle<F> {
 mod tests {
     use crate::{Cycle, Ratios, Response};
 
-    /// Dense samples of the cycle exceed nothing and come close: with little damping and much, slow drives
-    /// and fast ones.
+    /// No dense sample of the cycle exceeds a peak, and some come close: with little and much damping, for
+    /// slow and fast drives.
     #[test]
     fn peaks_are_the_greatest_of_samples() {
         for (omega, margin, zeta) in [
@@ -184,7 +184,7 @@ mod tests {
         }
     }
 
-    /// As ζ → 0 they are those of the cycle without damping.
+    /// As ζ → 0 the peaks tend to those of the cycle without damping.
     #[test]
     fn a_little_damping_changes_little() {
         for (omega, alpha) in [(0.17, 60.0), (0.34, 400.0), (0.7, 2.0), (1.5, 2.5)] {
@@ -198,7 +198,7 @@ mod tests {
         }
     }
 
-    /// Extreme ratios take no longer than others: 10⁷ free waves in a cycle, and decay within a 10⁻⁹th of it.
+    /// Extreme ratios take no longer than others: 10⁷ free waves in a cycle, or decay within a 10⁻⁹th of it.
     #[test]
     fn many_waves_and_much_damping_take_no_time() {
         for (omega, alpha, zeta) in
@@ -212,8 +212,8 @@ mod tests {
         }
     }
 
-    /// On the border at Ω = 1 driven and free part are 1/ζ times as large as their sum, and nothing grows
-    /// with that but the rounding.
+    /// On the border at Ω = 1, the driven and the free part are 1/ζ times as large as their sum; only the
+    /// rounding grows with that factor.
     #[test]
     fn at_resonance_on_the_border_the_search_ends() {
         let peaks = |zeta: f64| {

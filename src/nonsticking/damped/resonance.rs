@@ -92,7 +92,7 @@ mod tests {
         [cycle.max_velocity, cycle.velocity_phase, acceleration, force, absolute]
     }
 
-    /// However little damping there is: the maximum velocity and the peaks keep their digits, and take no
+    /// With however little damping, the maximum velocity and the peaks keep their accuracy, and take no
     /// longer to find.
     #[cfg(feature = "mp")]
     #[test]
@@ -102,7 +102,7 @@ mod tests {
         {
             for zeta in [1e-18, 1e-15, 1e-12, 1e-9, 1e-6, 1e-4, 1e-2] {
                 let (found, wide) = (cycle::<f64>(omega, alpha, zeta), cycle::<Mp<4>>(omega, alpha, zeta));
-                // Of the displacement, whose condition it is.
+                // The condition number is that of the displacement.
                 let k = crate::PhaseFunction::new(omega).unwrap().value();
                 let condition = alpha * alpha / (alpha * alpha - k * k);
                 let wide = outputs(&wide).map(crate::Float::to_f64);
@@ -114,7 +114,7 @@ mod tests {
         }
     }
 
-    /// On the border Δ₀ is 1 but for ζ, and V₀ tends to that of Ω → 1 without damping.
+    /// On the border Δ₀ tends to 1 as ζ → 0, and V₀ to the limit for Ω → 1 without damping.
     #[test]
     fn on_the_border_at_resonance_the_limit_is_reached() {
         for zeta in [1e-20, 1e-18, 1e-15, 1e-12, 1e-9] {
@@ -126,7 +126,8 @@ mod tests {
         }
     }
 
-    /// Next to the border no digit of the displacement is sure, but everything is of its size.
+    /// Next to the border no digit of the displacement is certain, but all results have its order of
+    /// magnitude.
     #[test]
     fn on_the_border_beside_resonance_everything_is_found() {
         for zeta in [1e-18, 1e-16, 1e-15] {

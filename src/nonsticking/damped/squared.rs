@@ -65,7 +65,7 @@ impl<F: Float> DrivenVelocity<F> {
 mod tests {
     use super::DrivenVelocity;
 
-    /// Of a drive and a free vibration alone, by their antiderivatives.
+    /// A drive alone and a free vibration alone, by their antiderivatives.
     #[test]
     fn it_is_the_antiderivative() {
         for half in [1e-3f64, 0.1, 0.8, 1.5] {

@@ -187,7 +187,7 @@ mod tests {
         Rising::of_force(half, border(&half).min_force_ratio * over)
     }
 
-    /// Every frequency ratio of the kind, every damping ratio, on the border and above.
+    /// Half cycles over the range of Ω for this method, any damping ratio, on and above the border.
     fn halves() -> impl Strategy<Value = Rising<f64>> {
         let omega =
             prop_oneof![0.1f64..0.5, 0.5f64..1.2, (0.0f64..3.0).prop_map(|e| 10f64.powf(e)), 0.99f64..1.01];
@@ -199,7 +199,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(4000))]
 
-        /// What is found without a search is what the search finds.
+        /// The result without a search agrees with that of the search.
         #[test]
         fn it_is_that_of_the_search(rising in halves()) {
             if let Some(found) = OneSummit(&rising).run() {
@@ -207,7 +207,7 @@ mod tests {
                 let [velocity, _, curvature] = rising.velocity(&rising.at(tau));
                 let noise = 64.0 * f64::EPSILON * (rising.swing() + 1.0 + rising.half.h.abs());
                 prop_assert!((found.velocity - velocity).abs() <= noise, "{} {velocity}", found.velocity);
-                // A time is known as well as the slope, which grows with its distance from it.
+                // A time is as accurate as the slope, which grows with the distance from it.
                 let rounding = noise * rising.half.omega.max(1.0) / curvature.abs() + 4.0 * f64::EPSILON * tau;
                 prop_assert!((found.tau - tau).abs() <= rounding, "{} {tau}", found.tau);
                 let there = rising.displacement(&rising.at(found.tau));
@@ -215,7 +215,7 @@ mod tests {
             }
         }
 
-        /// Where the proof says so, the slope changes its sign once.
+        /// Where the proof applies, the slope changes its sign exactly once.
         #[test]
         fn the_proof_is_right(rising in halves()) {
             let motion = rising.vibration();
@@ -233,7 +233,7 @@ mod tests {
         }
     }
 
-    /// From Ω = 1/2 on nearly every motion needs no search.
+    /// For Ω ≥ 1/2 nearly every motion needs no search.
     #[test]
     fn most_need_no_search() {
         let (mut all, mut found) = (0, 0);

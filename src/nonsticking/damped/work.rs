@@ -49,7 +49,7 @@ mod tests {
         Cycle::new(ratios(alpha)).unwrap()
     }
 
-    /// At Ω = 1 on the border it tends to 7.10434086 ζ: that is 4ζ times the integral without damping, by
+    /// At Ω = 1 on the border the work tends to 7.10434086 ζ: 4ζ times the integral without damping, by
     /// quadrature at 60 digits.
     #[test]
     fn a_little_damper_takes_little() {
@@ -59,7 +59,7 @@ mod tests {
         }
     }
 
-    /// Where the closed form keeps half of its digits both ways agree.
+    /// Where the closed form keeps half of its digits, both methods agree.
     #[test]
     fn the_integral_is_the_closed_form() {
         for (omega, zeta, alpha) in

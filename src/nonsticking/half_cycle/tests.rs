@@ -1,9 +1,9 @@
-//! The motion of half a cycle: its ends, its slopes, its two forms.
+//! The motion of half a cycle: its ends, its slopes and its two forms.
 
 use super::HalfCycle;
 use crate::phase_function::PhaseFunction;
 
-/// A Δ₀/B that a cycle at Ω can have; the forms hold for any.
+/// A possible Δ₀/B of a cycle at Ω; the forms hold for any.
 fn half(omega: f64) -> HalfCycle<f64> {
     HalfCycle::new(&PhaseFunction::new(omega).unwrap(), 2.0 / (omega * omega))
 }
@@ -63,7 +63,7 @@ fn far_above_one_the_displacement_keeps_its_digits() {
     }
 }
 
-/// Δ₀ beyond its rounded value swings with it.
+/// The rounding remainder of Δ₀ contributes its own oscillation.
 #[test]
 fn the_rest_of_the_displacement_counts() {
     for omega in [0.3, 0.8, 1.4, 3.0] {
@@ -78,7 +78,7 @@ fn the_rest_of_the_displacement_counts() {
     }
 }
 
-/// Closer to 1 than the start of an iteration has numbers for: (1 − Ω)/cos β stays what it is.
+/// So close to 1 that the start of an iteration would underflow: (1 − Ω)/cos β remains the same.
 #[cfg(feature = "mp")]
 #[test]
 fn brought_into_range_the_motion_keeps_its_shape() {

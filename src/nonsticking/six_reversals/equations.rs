@@ -188,7 +188,7 @@ pub(super) mod tests {
         the_derivatives_are_those_of(|y, closing| y.residuals(&frequency, closing));
     }
 
-    /// The rows of derivatives beside differences of the residuals.
+    /// Compares the rows of derivatives with differences of the residuals.
     pub(in super::super) fn the_derivatives_are_those_of(
         residuals: impl Fn(&Unknowns<f64>, Closing<f64>) -> ([f64; 5], [[f64; 5]; 5]),
     ) {
@@ -213,7 +213,7 @@ pub(super) mod tests {
         }
     }
 
-    /// Both branches of the derivative of μ meet.
+    /// The two branches of the derivative of μ agree where they meet.
     #[test]
     fn a_short_arc_has_its_series() {
         let frequency = Frequency::of(&PhaseFunction::new(0.331).unwrap());

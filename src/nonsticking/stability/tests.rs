@@ -27,7 +27,7 @@ fn the_modulus_of_a_complex_pair() {
 
 #[test]
 fn on_the_border_at_two_nothing_is_left() {
-    // g rounds to less than 1 and gσ to more.
+    // g rounds to a number below 1, and gσ to one above.
     let left = contraction(
         2.000_000_000_000_026_f64,
         0.249_999_999_999_993_37,
@@ -63,8 +63,8 @@ fn a_disturbance_that_is_gone_at_once() {
     assert_eq!(m.cycles_to_settle(1e-12), Some(1));
 }
 
-/// Where the roots nearly coincide, on the border and beside Ω = 2, rounding of their product is larger than
-/// they are.
+/// Where the roots nearly coincide, on the border and near Ω = 2, the rounding of their product exceeds the
+/// roots.
 #[test]
 fn at_a_double_root_the_larger_is_first() {
     let mut real = 0;

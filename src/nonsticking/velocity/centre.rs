@@ -80,8 +80,8 @@ mod tests {
     use crate::nonsticking::half_cycle::HalfCycle;
     use crate::phase_function::PhaseFunction;
 
-    /// Near the centre the polynomials are the motion, and the start is as near the root as the head of the
-    /// module says.
+    /// Near the centre, the polynomials agree with the motion, and the start is as close to the root as the
+    /// module's documentation states.
     #[test]
     fn taylors_polynomials_are_the_motion() {
         for omega in [0.6f64, 0.9, 1.3, 1.9] {

@@ -1,4 +1,4 @@
-//! Nothing in the half cycle is faster, and each start leads to the same place.
+//! No point of the half cycle is faster than the maximum, and every start leads to the same maximum.
 
 use super::fastest;
 use super::{centre::from_centre, iteration::from_bracket};
@@ -16,7 +16,7 @@ fn half(omega: f64, alpha: f64) -> (HalfCycle<f64>, f64) {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
-    /// The proof in the module's head, against a scan of the whole half cycle.
+    /// Checks the module's proof by a scan of the whole half cycle.
     #[test]
     fn nothing_in_the_half_cycle_is_faster(
         omega in prop_oneof![0.05f64..3.0, (0.0f64..40.0).prop_map(|e| 10f64.powf(e))],
@@ -48,8 +48,8 @@ proptest! {
     }
 }
 
-/// Half way between two crests of the faster wave to within rounding: at f32 the minimum there was taken for
-/// the maximum.
+/// Half way between two crests of the faster wave, to within rounding: at f32 the minimum there was once
+/// taken for the maximum.
 #[test]
 fn not_the_minimum_between_two_equal_maxima() {
     let cycle = Cycle::new(Ratios::new(0.186_831_79f32, 28.893_51).unwrap()).unwrap();

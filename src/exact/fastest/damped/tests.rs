@@ -6,8 +6,8 @@ use crate::exact::trajectory::Body;
 use crate::exact::{State, Trajectory};
 use crate::float::Float;
 
-/// The first slides of a motion at random under a slow drive, whole and cut short of their ends: from rest, or up to
-/// three times as fast as the drive alone.
+/// The first slides of a random motion under a slow drive, whole and cut short of their ends. The motion
+/// starts from rest, or up to three times as fast as the drive alone.
 fn slow_slides<F: Float>(i: u32) -> Vec<(Slide<F>, F)> {
     let spread = |step: f64| (f64::from(i) * step).fract();
     let scale = |low: f64, high: f64, step: f64| F::from_f64(low * (high / low).powf(spread(step)));
@@ -28,8 +28,9 @@ fn slow_slides<F: Float>(i: u32) -> Vec<(Slide<F>, F)> {
     found
 }
 
-/// By how much the greatest of so many samples in a unit of natural time is faster than the speed found, and that
-/// differs from the one at its time: per unit of the terms of the speed.
+/// The excess of the fastest sample over the computed maximum speed, and the difference of that speed from
+/// the one at its time, relative to the terms of the speed. `density` is the number of samples per unit of
+/// natural time.
 fn excess<F: Float>(slide: &Slide<F>, end: F, density: f64) -> F {
     let found = slide.fastest(end, &slide.motion(end)).unwrap();
     assert!(found.phi >= F::int(0) && found.phi <= end, "{slide:?}: {found:?}");
@@ -51,7 +52,7 @@ fn no_sample_of_a_slow_damped_slide_is_faster() {
     for i in 0..1500 {
         for (slide, end) in slow_slides::<f64>(i) {
             let off = excess(&slide, end, 8.0);
-            // The rounding of the angles of a slide of π(1 + 1/Ω), with room for the terms.
+            // The rounding of the angles of a slide of length π(1 + 1/Ω), with a margin for the terms.
             let rounding = 16.0 * f64::EPSILON * (4.0 + end);
             assert!(off <= rounding, "{i}: {slide:?} up to {end}: {off:e} of {rounding:e}");
             slides += 1;
@@ -61,7 +62,7 @@ fn no_sample_of_a_slow_damped_slide_is_faster() {
     assert!(slides > 6000 && worst > 0.0, "{slides} {worst}");
 }
 
-/// The same far below the rounding of f64: what is found is the maximum itself.
+/// The same far below the rounding of f64: the result is the maximum itself.
 #[cfg(feature = "mp")]
 #[test]
 fn nor_is_one_at_256_bits() {

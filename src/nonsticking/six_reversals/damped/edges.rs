@@ -217,7 +217,7 @@ mod tests {
     use super::force_ratios;
     use crate::phase_function::PhaseFunction;
 
-    /// Up to ζ = 0.019/(2n+1) some cycles are left beside each pole, and none from 0.0215/(2n+1) on.
+    /// Some cycles exist near each pole up to ζ = 0.019/(2n+1), and none from 0.0215/(2n+1) on.
     #[test]
     fn a_little_damping_leaves_some() {
         for n in 1..=8 {
@@ -231,7 +231,7 @@ mod tests {
         }
     }
 
-    /// As ζ → 0 the edges are those without damping, but for the greatest force at the poles.
+    /// As ζ → 0 the edges tend to those without damping, except for the greatest force at the poles.
     #[test]
     fn without_a_damper_they_are_those_of_no_damper() {
         for omega in [0.331f64, 0.3333, 0.334, 0.335, 0.1995, 0.2003, 0.0907] {

@@ -252,7 +252,7 @@ mod tests {
         the_derivatives_are_those_of(|y, closing| problem.residuals(y, closing));
     }
 
-    /// As ζ → 0 they are the equations without damping.
+    /// As ζ → 0 the equations tend to those without damping.
     #[test]
     fn without_a_damper_they_are_those_of_no_damper() {
         let (problem, frequency) =
