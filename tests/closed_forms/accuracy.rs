@@ -1,5 +1,5 @@
-//! Every output at f64 and at f32 within its allowance of the one ulp table (`tests/ulps`), against 128 bits
-//! and f64.
+//! Every output at f64 and at f32 is within its allowance in the table of ulp bounds (`tests/ulps`), compared
+//! with 128 bits and with f64.
 
 use crate::ulps::OUTPUTS;
 use crate::ulps::points::{ALPHAS, OMEGAS};
@@ -13,7 +13,7 @@ fn no_error_exceeds_its_allowance_and_no_allowance_is_stale<F: Narrow>() {
         let (omega, alpha) = (OMEGAS[worst.measures.0], ALPHAS[worst.measures.1]);
         let place = format!("at Ω = {} ({omega}), α = {} ({alpha})", hex(worst.omega), hex(worst.alpha));
         assert!(worst.error <= output.allowed, "{}: {} ulp {place}", output.symbol, worst.error);
-        // So many points come within a third of the worst there is, or the allowance is too generous.
+        // Some points must come within a third of the allowance; otherwise the allowance is too generous.
         assert!(
             output.allowed.is_infinite() || worst.error * 3.0 >= output.allowed,
             "{}: {} ulp at worst",
@@ -33,8 +33,8 @@ fn single_precision() {
     no_error_exceeds_its_allowance_and_no_allowance_is_stale::<f32>();
 }
 
-/// The worst two of ten million points before cos Ωψ − 1 took the place of cos Ωψ, and a pair that of sin β:
-/// 4.71 ulp of V₀ and 4.25 of Δ₁.
+/// The worst two of ten million points before cos Ωψ − 1 replaced cos Ωψ, and a pair replaced sin β: 4.71 ulp
+/// of V₀ and 4.25 of Δ₁.
 #[test]
 fn the_worst_of_ten_million_points_are_within_the_goals() {
     for (output, omega, alpha) in
@@ -52,7 +52,7 @@ fn the_allowances_meet_the_goals() {
     }
 }
 
-/// `0x1.8p-3`.
+/// Reads a hexadecimal float such as `0x1.8p-3`.
 fn of_hex(text: &str) -> f64 {
     let (digits, exponent) = text.strip_prefix("0x1").unwrap().split_once('p').unwrap();
     let digits = digits.trim_start_matches('.');
@@ -60,7 +60,7 @@ fn of_hex(text: &str) -> f64 {
     f64::from_bits(fraction | (1023 << 52)) * 2f64.powi(exponent.parse().unwrap())
 }
 
-/// The errors in `docs/accuracy.md` are those at the points it names.
+/// The errors in `docs/accuracy.md` are those at the points that it names.
 #[test]
 fn the_page_has_the_errors_at_its_points() {
     let page = include_str!("../../docs/accuracy.md");
@@ -73,7 +73,7 @@ fn the_page_has_the_errors_at_its_points() {
             row.trim_matches('|').split('|').map(|cell| cell.trim().trim_matches('`')).collect();
         let (printed, omega, alpha) = (cells[2].parse::<f64>().unwrap(), of_hex(cells[3]), of_hex(cells[4]));
         let found = errors_at(omega, alpha);
-        // As many digits as are printed.
+        // To the number of digits printed.
         let last = if printed < 1e4 { 0.005_001 } else { 0.06 * printed };
         assert!(
             (found - printed).abs() <= last,

@@ -1,12 +1,11 @@
-//! Batches against the library's own code for one point, with every set of instructions the processor has:
-//! the same bits, and so the accuracy of a point (`accuracy.rs`).
+//! Batches compared with the library's own code for one point, with every instruction set of the processor:
+//! the same bits, and therefore the accuracy of a point (`accuracy.rs`).
 
 use crate::random::Random;
 use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch, Level};
 use stickslip::{Border, Output, Ratios, Regime, Response, regime};
 
-/// The outputs that take no search of their own: those of the loops, and some that are computed point by
-/// point.
+/// Outputs that need no search of their own: those of the loops, and some that are computed point by point.
 const OUTPUTS: [Output; 13] = [
     Output::MaxDisplacement,
     Output::MinForceRatio,
@@ -23,11 +22,11 @@ const OUTPUTS: [Output; 13] = [
     Output::DynamicAmplification,
 ];
 const LOOPED: &[Output] = OUTPUTS.first_chunk::<9>().unwrap();
-/// The amplitude, which one loop has.
+/// The outputs of the amplitude, which one loop computes.
 const THREE: &[Output] = OUTPUTS.first_chunk::<3>().unwrap();
 const FIVE: [Output; 5] = [OUTPUTS[0], OUTPUTS[1], OUTPUTS[2], Output::MaxVelocity, Output::VelocityPhase];
 
-/// The bits of a number; those of any NaN are the same.
+/// The bits of a number; all NaNs count as the same.
 fn bits(x: f64) -> u64 {
     if x.is_nan() { f64::NAN.to_bits() } else { x.to_bits() }
 }
@@ -53,7 +52,7 @@ fn answer(batch: Batch, omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Ans
     Answer::of(omega.len(), outputs, |wanted| batch.run(omega, alpha, wanted))
 }
 
-/// The same by the code for one point.
+/// The same, computed by the code for one point.
 fn alone(ratios: impl Iterator<Item = Option<Ratios<f64>>>, outputs: &[Output]) -> Answer {
     let mut due = Answer { regime: Vec::new(), columns: vec![Vec::new(); outputs.len()] };
     for ratios in ratios {
@@ -71,7 +70,8 @@ fn points_alone(omega: &[f64], alpha: &[f64], outputs: &[Output]) -> Answer {
 }
 
 /// # Panics
-/// Where the two differ: with the first such point.
+///
+/// If the two differ: reports the first such point.
 fn assert_same(found: &Answer, due: &Answer, at: impl Fn(usize) -> String) {
     if let Some(i) = (0..due.regime.len()).find(|&i| found.regime[i] != due.regime[i]) {
         panic!("{:?} for {:?}: {}", found.regime[i], due.regime[i], at(i));
@@ -88,8 +88,8 @@ fn levels() -> impl Iterator<Item = Level> {
     Level::ALL.into_iter().filter(|level| level.is_available())
 }
 
-/// Ω random in several measures and the floats beside 1, 1/2, 1/3, 2/3, 2; α from below the border up, and
-/// beside it.
+/// Ω random in several measures, and the floats next to 1, 1/2, 1/3, 2/3 and 2; α from below the border up,
+/// and close to it.
 fn points(n: usize) -> (Vec<f64>, Vec<f64>) {
     let mut random = Random(11);
     let mut omegas = Vec::new();
@@ -126,7 +126,7 @@ fn points(n: usize) -> (Vec<f64>, Vec<f64>) {
     (omegas, alphas)
 }
 
-/// Points of the domain, and some outside it.
+/// Points inside the domain, and some outside it.
 fn points_and_others(n: usize) -> (Vec<f64>, Vec<f64>) {
     let (mut omega, mut alpha) = points(n);
     for bad in [f64::NAN, f64::INFINITY, 0.0, -1.0, 1e300] {
@@ -146,7 +146,7 @@ fn every_level_has_the_bits_of_the_points_alone() {
     }
 }
 
-/// Which loops run depends on the outputs that are wanted; the bits do not.
+/// The requested outputs determine which loops run, but not the bits.
 #[test]
 fn any_set_of_outputs_has_the_same_bits() {
     let (omega, alpha) = points_and_others(3000);
@@ -187,7 +187,7 @@ fn with_damping_each_point_is_that_alone() {
     assert_same(&found, &due, |i| format!("{} {} {}", omega[i], alpha[i], zeta[i]));
 }
 
-/// Outputs that are not asked for leave no trace, and without the regime none is written.
+/// Outputs that are not requested are not written, and neither is the regime.
 #[test]
 fn columns_without_the_regime() {
     let (mut border, mut size) = ([0.0; 3], [0.0; 3]);
@@ -200,7 +200,7 @@ fn columns_without_the_regime() {
     assert!(border.iter().all(|b| *b > 0.0) && deviation[0].is_finite() && deviation[2].is_nan());
 }
 
-/// What `.ci/run` asks again on a processor without AVX-512, naming the level that is then due.
+/// `.ci/run` runs this test again on a processor without AVX-512, with the name of the expected level.
 #[test]
 fn levels_are_those_of_the_processor() {
     let best = Level::best();
@@ -209,7 +209,7 @@ fn levels_are_those_of_the_processor() {
     if let Ok(due) = std::env::var("STICKSLIP_BEST_LEVEL") {
         assert_eq!(format!("{best:?}"), due);
     }
-    // What is not there gives way to the portable loops.
+    // A level that is not available falls back to the portable loops.
     for level in Level::ALL {
         let due = if level.is_available() { level } else { Level::Portable };
         assert_eq!(Batch::new().at_level(level).level(), due);
@@ -243,7 +243,7 @@ fn the_regime_is_that_of_the_point() {
 #[test]
 fn rows_of_one_frequency() {
     let mut random = Random(5);
-    // At 0.4 a batch leaves every point to the code for a point, whose K has another rounding.
+    // At 0.4 a batch leaves every point to the code for one point, whose K is rounded differently.
     for omega in [1e-4, 0.25, 0.250_001, 0.3, 0.4, 0.49, 0.5, 0.7, 1f64.next_up(), 1.0, 1.5, 2.0, 700.0, 1e9]
     {
         let row = FixedOmega::new(omega).unwrap();
@@ -316,7 +316,7 @@ fn threads_change_nothing() {
     for outputs in [LOOPED, THREE] {
         assert!(answer(one, &omega, &alpha, outputs) == answer(many, &omega, &alpha, outputs));
     }
-    // Those that are computed point by point, too.
+    // The same for outputs that are computed point by point.
     let (omegas, alphas) = (&omega[..3000], &alpha[..3000]);
     assert!(answer(one, omegas, alphas, &OUTPUTS) == answer(many, omegas, alphas, &OUTPUTS));
     let (a, b) = (
@@ -335,7 +335,7 @@ mod any {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(100))]
 
-        /// Of any number of points, hard on purpose, wherever their slice begins.
+        /// For any number of deliberately difficult points, wherever their slice begins.
         #[test]
         fn batches_keep_their_promises(
             bytes in prop::collection::vec(any::<u8>(), 0..600),

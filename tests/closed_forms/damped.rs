@@ -1,5 +1,5 @@
-//! The closed forms with viscous damping: independent values, the motion itself, energy, limits, and what
-//! refuses damping.
+//! The closed forms with viscous damping: independent values, the motion itself, energy, limits, and the
+//! functions that refuse damping.
 
 use super::random::Random;
 use std::f64::consts::{PI, TAU};
@@ -16,7 +16,7 @@ fn cycle(omega: f64, zeta: f64, alpha: f64) -> Cycle<f64> {
     Cycle::new(ratios(omega, zeta, alpha)).unwrap()
 }
 
-/// Every output of `tests/data/damped.csv`, and the size that its error is measured by.
+/// Every output of `tests/data/damped.csv`, with the scale of its error.
 fn answers<F: Float>(omega: F, zeta: F, alpha: F) -> Vec<(&'static str, F, F)> {
     let found = Response::guarded(ratios(omega, zeta, alpha));
     let (border, c, one) = (found.border, found.cycle.as_ref().expect("non-sticking"), F::int(1));
@@ -38,8 +38,7 @@ fn answers<F: Float>(omega: F, zeta: F, alpha: F) -> Vec<(&'static str, F, F)> {
     ]
 }
 
-/// How much larger than that of an input the relative error of each output may be: by differences at 256
-/// bits.
+/// The condition number of each output with respect to the inputs, by differences at 256 bits.
 fn conditions(given: [f64; 3]) -> Vec<f64> {
     let at = |x: [Mp<4>; 3]| answers(x[0], x[1], x[2]);
     let (inputs, h) = (given.map(Mp::<4>::from), Mp::<4>::exp2i(-100));
@@ -55,8 +54,9 @@ fn conditions(given: [f64; 3]) -> Vec<f64> {
     sums
 }
 
-/// The worst error over all points in units of `unit` times the condition number: for the first points, far
-/// from all borders, that of the displacement by α; for the others that of each output by Ω, ζ and α.
+/// The worst error over all points, in units of `unit` times the condition number. For the first points, far
+/// from all borders, this is the condition of the displacement with respect to α; for the others it is that
+/// of each output with respect to Ω, ζ and α.
 fn worst<F: Float>(read: impl Fn(&str) -> F, input: impl Fn(f64) -> F, unit: F) {
     let mut lines = include_str!("../data/damped.csv").lines();
     let names: Vec<&str> = lines.next().unwrap().split(',').collect();
@@ -93,7 +93,7 @@ fn all_digits_of_the_reference_at_256_bits() {
     worst(|text| text.parse().unwrap(), Mp::<4>::from, Mp::<4>::from(1e-44));
 }
 
-/// The motion itself: slides in closed form, ended by scanning for the zero of the velocity.
+/// The motion itself: slides in closed form, whose ends are found by scanning for the zero of the velocity.
 struct Machine {
     omega: f64,
     zeta: f64,
@@ -107,8 +107,8 @@ impl Machine {
         (size * (theta - lag).sin(), size * self.omega * (theta - lag).cos())
     }
 
-    /// (x, x′/ω_n) a natural time t after a state at the phase θ, sliding with the given sign of the
-    /// velocity.
+    /// The state (x, x′/ω_n) at the natural time t after a state at the phase θ, sliding with the given sign
+    /// of the velocity.
     fn slid(&self, theta: f64, x: f64, v: f64, sign: f64, t: f64) -> (f64, f64) {
         let (from, to, zeta) = (self.driven(theta), self.driven(theta + self.omega * t), self.zeta);
         let (x0, v0) = (x + sign - from.0, v - from.1);
@@ -124,7 +124,7 @@ impl Machine {
         (free.0 - sign + to.0, free.1 + to.1)
     }
 
-    /// From one reversal (θ, x) to the next, and whether the body sticks there.
+    /// The motion from one reversal (θ, x) to the next, and whether the body sticks there.
     fn half_turn(&self, theta: f64, x: f64, sign: f64) -> (f64, f64, bool) {
         let step = 0.004f64.min(0.004 / self.omega);
         let speed = |t: f64| sign * self.slid(theta, x, 0.0, sign, t).1;
@@ -142,7 +142,7 @@ impl Machine {
     }
 }
 
-/// (Ω, ζ) over the plane: below and above 1/2, beside 1/n, under- and overdamped.
+/// (Ω, ζ) over the plane: below and above 1/2, near 1/n, under- and overdamped.
 fn plane(random: &mut Random) -> (f64, f64) {
     let omega = match random.bits() % 3 {
         0 => 10f64.powf(random.between(-1.2, 0.7)),
@@ -165,7 +165,8 @@ fn the_cycle_is_the_motion_and_its_border_is_where_it_stops() {
             let mut stops = false;
             for _ in 0..half_turns {
                 let (next, end, sticks) = machine.half_turn(theta, x, sign);
-                // Beside a pole 1/(2n+1) it may reverse more often instead of stopping, as without damping.
+                // Near a pole 1/(2n+1) the body may reverse more often instead of stopping, as without
+                // damping.
                 stops = sticks || next - theta < 0.9 * PI;
                 (theta, x, sign) = (next, end, -sign);
                 if stops {
@@ -177,7 +178,7 @@ fn the_cycle_is_the_motion_and_its_border_is_where_it_stops() {
         let (stops, reached, max) = run(1.002, 1.002, 10);
         assert!(!stops, "{omega} {zeta}");
         assert!((reached / max - 1.0).abs() < 1e-7, "{omega} {zeta}: {reached} {max}");
-        // Beside resonance a lightly damped motion takes a thousand turns to settle.
+        // Near resonance, a lightly damped motion takes a thousand turns to settle.
         let (stops, ..) = run(0.998, 1.0 + 1e-9, 5000);
         assert!(stops, "{omega} {zeta} must stop below the border, or reverse more often");
     }
@@ -216,8 +217,8 @@ fn what_the_drive_gives_friction_and_the_damper_take() {
         let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let alpha = least * (1.0 + 10f64.powf(random.between(-1.0, 2.0)));
         let c = cycle(omega, zeta, alpha);
-        // ∮ α sin θ dx: the first harmonic answers the drive and the square wave of friction, of amplitude
-        // 4/π.
+        // ∮ α sin θ dx: the work is that of the first harmonic, the response to the drive and to the square
+        // wave of friction, whose amplitude is 4/π.
         let (s, k) = (2.0 * zeta * omega, 1.0 - omega * omega);
         let (q, lag) = (s.hypot(k), s.atan2(k));
         let work = PI * alpha * alpha * s / (q * q) + 4.0 * alpha / q * (c.displacement_phase + lag).sin();
@@ -240,7 +241,7 @@ fn multipliers_are_those_of_the_differenced_map() {
     ] {
         let (c, machine) = (cycle(omega, zeta, alpha), Machine { omega, zeta, alpha });
         let (theta, x) = (c.displacement_phase, c.max_displacement);
-        // Half a turn and the mirror image: (θ, x) ↦ (θ′ − π, −x′).
+        // The map of half a turn with the mirror image: (θ, x) ↦ (θ′ − π, −x′).
         let map = |dt: f64, dx: f64| {
             let (t, y, _) = machine.half_turn(theta + dt, x + dx, -1.0);
             (t - PI - theta, -y - x)
@@ -317,7 +318,7 @@ fn resonance_is_bounded_and_places_are_decided() {
     }
 }
 
-/// The error bound that a place decides by.
+/// The error bound of the border on which the verdict relies.
 #[test]
 fn the_border_is_known_to_its_error_bound() {
     let mut random = Random(19);
@@ -345,8 +346,8 @@ fn the_turning_point_suffices_from_half_the_damped_frequency_on() {
     assert!(inner > 100, "{inner}");
 }
 
-/// The verdict of a machine with a damper is that of its ratios but within rounding of an edge, where it is
-/// undecided.
+/// The verdict of a machine with a damper is that of its ratios, except within rounding of an edge, where it
+/// is undecided.
 #[test]
 fn a_machine_with_a_damper_has_a_place() {
     let mut random = Random(17);
@@ -370,18 +371,18 @@ fn a_machine_with_a_damper_has_a_place() {
             }
             for by in [1.0 - 1e-9, 1.0 + 1e-9, 0.9, 1.1] {
                 let (of_machine, of_ratios) = (at(by), of_ratios(by));
-                // Beside a peak of the border its rounding is that of the distance.
+                // Near a peak, the rounding of the border is that of the distance from the peak.
                 let is_hidden = of_machine.regime().is_none() && (by - 1.0).abs() < 1e-8;
                 assert!(of_machine == of_ratios || is_hidden, "{omega} {zeta} {end} {by}: {of_machine:?}");
             }
         }
     }
-    // A peak narrower than the rounding of the frequency: nothing is said.
+    // A peak narrower than the rounding of the frequency leaves the verdict undecided.
     let light = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_damping_ratio(1e-17).unwrap();
     let force = |p| Verdict::of(&light, &Drive::force(p, 1.0 / 3.0).unwrap()).unwrap();
     assert_eq!(force(1e17).regime(), None);
     assert_eq!(force(1e5), stickslip::Verdict::SixReversals);
-    // A box of machines with a damper is decided in balls.
+    // A box of machines with a damper is decided by ball arithmetic.
     let boxed = stickslip::uncertainty::Interval::exactly;
     let machines =
         stickslip::uncertainty::MachineBox::force(boxed(1.0), boxed(1.0), boxed(1.0), boxed(3.0), boxed(0.7));

@@ -1,5 +1,5 @@
-//! The inverse questions and the border behind them, from outside: every answer is put through the forward
-//! functions.
+//! The inverse problems and the border behind them, from outside: every answer is substituted into the
+//! forward functions.
 
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -13,7 +13,7 @@ use stickslip::{
     regime,
 };
 
-/// Ω from 0.05 to 20, evenly by its logarithm, which crosses nine poles of the border.
+/// Ω from 0.05 to 20, uniform in its logarithm; the range contains nine poles of the border.
 fn frequency_ratios() -> impl Strategy<Value = f64> {
     (0.05f64.ln()..20f64.ln()).prop_map(f64::exp)
 }
@@ -26,7 +26,7 @@ fn cycle(omega: f64, alpha: f64) -> Cycle<f64> {
     Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap()
 }
 
-/// Distance of Ω from the nearest pole 1/(2n+1), relative to it.
+/// Relative distance of Ω from the nearest pole 1/(2n+1).
 fn distance_from_pole(omega: f64) -> f64 {
     let n = ((1.0 / omega - 1.0) / 2.0).round().max(1.0);
     (omega * (2.0 * n + 1.0) - 1.0).abs()
@@ -56,8 +56,7 @@ fn the_border_to_the_last_digit() {
     assert!((least.force_ratio - 1.209_998_436_338_07).abs() < 5e-15);
 }
 
-/// Den Hartog's function f(τ) as it is printed in the border's documentation, without any of its
-/// rearrangements.
+/// Den Hartog's function f(τ) as it is written in the border's documentation, without rearrangement.
 fn den_hartog(omega: f64, tau: f64) -> f64 {
     let tangent = (PI / (2.0 * omega)).tan();
     let fast = tau / omega;
@@ -67,7 +66,7 @@ fn den_hartog(omega: f64, tau: f64) -> f64 {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(2000))]
 
-    /// A billionth above the border f stays below Δ₀/B, a billionth below it f exceeds it at the limiting
+    /// A billionth above the border f stays below Δ₀/B; a billionth below it f exceeds Δ₀/B at the limiting
     /// phase.
     #[test]
     fn a_billionth_from_the_border_the_regime_is_right(omega in frequency_ratios()) {
@@ -99,7 +98,7 @@ proptest! {
         }
     }
 
-    /// Eighth-order differences, with a step that follows the distance from the poles.
+    /// Compared with eighth-order differences, whose step follows the distance from the poles.
     #[test]
     fn the_slope_of_the_border_is_that_of_differences(omega in frequency_ratios()) {
         // Between the poles 1/(2n+3) and 1/(2n+1).
@@ -127,7 +126,7 @@ proptest! {
         let force = design::min_amplitude(&body, Excitation::Force, frequency).unwrap();
         let base = design::min_amplitude(&body, Excitation::FootMotion, frequency).unwrap();
         let drive = |share: f64| Drive::force(force * share, frequency).unwrap();
-        // What rounding Ω in and out can change.
+        // The effect of rounding Ω on the way in and out.
         let p = PhaseFunction::new(omega).unwrap();
         let slack = 1e-14 * (1.0 + (omega * Border::slope(&p) / border(omega)).abs());
         for drive in [drive(1.0), Drive::new(stickslip::Excitation::FootMotion, base, frequency).unwrap()] {
@@ -137,8 +136,8 @@ proptest! {
             let greatest = design::max_friction(&body, &drive).unwrap();
             prop_assert!((greatest / friction - 1.0).abs() < slack);
         }
-        // Within rounding of Ω = 1 sliding is not told from growing without bound, nor within 1e-7 of a pole
-        // six reversals from two.
+        // Within rounding of Ω = 1, sliding cannot be distinguished from unbounded growth; within 1e-7 of a
+        // pole, six reversals cannot be distinguished from two.
         prop_assume!((omega - 1.0).abs() > 1e-14 && distance_from_pole(omega) > 1e-6);
         let verdict = |share| Verdict::of(&body, &drive(share)).unwrap();
         prop_assert_eq!(verdict(1.0 - 8.0 * slack).regime(), Some(Regime::Sticking));
@@ -151,7 +150,7 @@ proptest! {
         let least = Border::new(omega).unwrap().min_displacement;
         let target = least * over;
         let alpha = force_ratio_for_displacement(omega, 0.0, target).unwrap();
-        // Δ₀ is as ill-conditioned as α² − K²: compare in α.
+        // Δ₀ is as ill-conditioned as α² − K², so that the comparison is made in α.
         let reached = cycle(omega, alpha.max(border(omega))).max_displacement;
         let k = PhaseFunction::new(omega).unwrap().value();
         let condition = alpha * alpha / ((alpha - k) * (alpha + k));
@@ -165,7 +164,7 @@ proptest! {
         prop_assert!((forward / speed - 1.0).abs() < 1e-13 * condition.max(1.0), "{forward} {speed}");
     }
 
-    /// Whatever a scan of the range finds sliding is in a band, and the other way round.
+    /// A scan of the range finds sliding exactly inside the bands.
     #[test]
     fn the_bands_are_those_of_a_scan(
         alpha in (1.2f64.ln()..200f64.ln()).prop_map(f64::exp),
@@ -246,7 +245,7 @@ proptest! {
 }
 
 /// Just beyond the frequencies at which a cycle of six reversals exists, 0.0213 and 0.0375 from an odd 1/Ω, a
-/// machine below the border sticks: decided for all that its rounding leaves open.
+/// machine below the border sticks, and its verdict is decided despite its rounding.
 #[test]
 fn next_to_six_reversals_a_machine_sticks() {
     for pole in [3.0, 5.0, 17.0] {

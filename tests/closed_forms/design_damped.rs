@@ -15,7 +15,7 @@ fn least(omega: f64, zeta: f64) -> f64 {
     Border::with_damping(omega, zeta).unwrap().min_force_ratio
 }
 
-/// Against 200,000 borders: no point slides outside of the bands, and none sticks inside.
+/// Compared with 200,000 values of the border: no point outside the bands slides, and none inside sticks.
 #[test]
 fn none_is_missed_on_a_grid() {
     for (alpha, zeta) in [
@@ -48,11 +48,11 @@ fn none_is_missed_on_a_grid() {
     }
 }
 
-/// Peaks and bands far narrower than a mesh of equal steps.
+/// Peaks and bands far narrower than the steps of a uniform mesh.
 #[test]
 fn a_narrow_gap_and_a_narrow_band_are_found() {
     for zeta in [1e-3f64, 1e-6, 1e-9] {
-        // Just below the peak at dT = 3π: a gap of a few parts of its width.
+        // Just below the peak at dT = 3π there is a gap of a small fraction of its width.
         let at = (1.0f64 - zeta * zeta).sqrt() / 3.0;
         let places = (-400..400).map(|i| at * (1.0 + f64::from(i) * zeta / 20.0));
         let (peak, most) =
@@ -60,7 +60,7 @@ fn a_narrow_gap_and_a_narrow_band_are_found() {
         let found = all(most * 0.98, zeta, 0.26, 0.4);
         assert!(found.len() >= 2 && found.iter().all(|b| peak < b.low || peak > b.high), "{zeta}: {found:?}");
     }
-    // Just above the minimum between Ω = 1/3 and 1: as without damping.
+    // Just above the minimum between Ω = 1/3 and 1, the band is as without damping.
     let minimum = 1.211_236_5;
     let without = bands(minimum, 0.0, 0.4, 3.0).unwrap().map(Result::unwrap).collect::<Vec<_>>();
     let with = all(minimum, 1e-12, 0.4, 3.0);
@@ -70,7 +70,7 @@ fn a_narrow_gap_and_a_narrow_band_are_found() {
     }
 }
 
-/// Below 1/√(1 + α) there is none: `α_min ≥ 1/Ω² − 1`.
+/// There is no band below 1/√(1 + α): `α_min ≥ 1/Ω² − 1`.
 #[test]
 fn the_border_is_above_its_proved_bound() {
     for i in 0..4000 {
@@ -81,7 +81,7 @@ fn the_border_is_above_its_proved_bound() {
     assert!(all(10.0, 0.3, 1e-9, 0.3).is_empty());
 }
 
-/// Energy of friction a cycle at a stiffness; 0 where the body sticks.
+/// The energy dissipated by friction per cycle at a stiffness; 0 where the body sticks.
 fn energy(mass: f64, stiffness: f64, friction: f64, damping: f64, drive: &Drive<f64>) -> f64 {
     let body = Oscillator::new(mass, stiffness, friction).unwrap().with_damping(damping).unwrap();
     let cycle = drive.ratios(&body).and_then(Cycle::new);
@@ -110,7 +110,7 @@ fn no_stiffness_of_a_grid_is_better() {
         inside += u32::from(best.kind == OptimumKind::Interior);
     }
     assert!((2..5).contains(&inside), "{inside}");
-    // Without a damper the best is Ω = 1, and infinite; a weak one makes it finite, next to Ω = 1.
+    // Without a damper the optimum is at Ω = 1 and infinite; a weak damper makes it finite, close to Ω = 1.
     assert!(matches!(most_dissipating_frequency_ratio(3.0, 0.5, 2.0), Err(Error::AtResonance { .. })));
     let body = Oscillator::new(2.0, 1.0, 3.0).unwrap().with_damping(0.01).unwrap();
     let best = most_dissipating_stiffness(&body, &Drive::force(9.0, 2.0).unwrap(), 4.0, 20.0).unwrap();
@@ -128,7 +128,7 @@ fn cycle(omega: f64, zeta: f64, alpha: f64) -> Cycle<f64> {
     Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)).and_then(Cycle::new).unwrap()
 }
 
-/// The force put back gives what was asked for, through Ω = 1 and ζ = 1.
+/// Substituting the force gives the target, also through Ω = 1 and ζ = 1.
 #[test]
 fn a_target_is_reached() {
     for omega in [0.02, 0.21, 0.334, 0.4, 0.7, 1.0, 1.6, 20.0] {
@@ -151,7 +151,7 @@ fn a_target_is_reached() {
                         wanted.max_displacement,
                     ),
                 ] {
-                    // What the rounding of α is worth, the cycle being a difference of a and G.
+                    // The effect of the rounding of α, given that the cycle is a difference of a and G.
                     let slack = 1e-13
                         * (1.0
                             + alpha / target * (1.0 + omega)
@@ -185,7 +185,7 @@ fn physical_units_are_the_same_questions() {
     }
 }
 
-/// No force ratio of a grid has a larger loop of friction.
+/// No force ratio of a grid has a larger loop of friction than the optimum.
 #[test]
 fn the_best_friction_is_the_best() {
     for omega in [0.3, 0.45, 0.7, 1.0, 1.4, 3.0] {

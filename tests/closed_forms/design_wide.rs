@@ -1,4 +1,4 @@
-//! The border's minima and slope, the verdict and the inverse questions at any precision.
+//! The border's minima and slope, the verdict and the inverse problems at any precision.
 
 use stickslip::design::{bands, force_ratio_for_velocity, most_dissipating_frequency_ratio};
 use stickslip::float::Mp;
@@ -6,7 +6,7 @@ use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Regime, Verd
 
 type Wide = Mp<4>;
 
-/// To within `ulps` units in the last place of 256 bits; the reference has 62 digits.
+/// Whether a value agrees to within `ulps` units in the last place of 256 bits; the reference has 62 digits.
 fn close(found: Wide, exact: &str, ulps: i32) {
     let exact: Wide = exact.parse().unwrap();
     let slack = Wide::int(ulps) * Wide::epsilon() + "1e-61".parse::<Wide>().unwrap();
@@ -66,7 +66,7 @@ fn what_f64_leaves_open_a_wider_type_decides() {
     }
 }
 
-/// At 512 bits eighth-order differences with a step of 2⁻⁴⁰ have 60 digits.
+/// At 512 bits, eighth-order differences with a step of 2⁻⁴⁰ are accurate to 60 digits.
 #[test]
 fn the_slope_against_differences_at_512_bits() {
     let real = |p, q| Mp::<8>::ratio(p, q);
@@ -84,7 +84,7 @@ fn the_slope_against_differences_at_512_bits() {
         let error = ((slope - difference) / difference).abs().to_f64();
         assert!(error < 1e-60, "{omega}: {error:e}");
         let at_f64 = Border::slope(&PhaseFunction::new(omega.to_f64()).unwrap());
-        // Near a minimum the error is an absolute one.
+        // Near a minimum the error is absolute.
         let error = ((Mp::<8>::from(at_f64) - slope) / (slope.abs() + Mp::int(1))).abs().to_f64();
         assert!(error < 5e-15, "{omega}: {error:e} at f64");
     }

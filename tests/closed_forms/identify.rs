@@ -1,5 +1,5 @@
-//! Friction and damping from noisy response curves: how often the true values lie within the interval that is
-//! given.
+//! Friction and damping from noisy response curves: the frequency with which the stated interval contains the
+//! true values.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -13,8 +13,8 @@ fn normal(random: &mut Random) -> f64 {
     (-2.0 * (1.0 - random.next()).ln()).sqrt() * (TAU * random.next()).cos()
 }
 
-/// Of so many machines measured at 30 frequencies with 1 % noise, the parts whose friction and damping lie
-/// within the intervals of 95 %.
+/// The shares of `trials` machines, each measured at 30 frequencies with 1 % noise, whose true friction and
+/// damping lie within the 95 % intervals.
 fn coverage(trials: u32, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut friction_within, mut damping_within) = (0, 0);
@@ -43,12 +43,12 @@ fn coverage(trials: u32, seed: u64) -> (f64, f64) {
 #[test]
 fn intervals_hold_the_truth_as_often_as_they_say() {
     let (friction, damping) = coverage(300, 17);
-    // 95 % and three standard deviations of 300 trials.
+    // 95 % to within three standard deviations of 300 trials.
     let close = |part: f64| (part - 0.95).abs() < 0.038;
     assert!(close(friction) && close(damping), "{friction} {damping}");
 }
 
-/// The campaign of docs/robustness.md.
+/// The campaign reported in docs/robustness.md.
 #[test]
 #[ignore = "a minute: the whole campaign"]
 fn campaign_of_identification() {

@@ -1,11 +1,12 @@
-//! f32, f64, 128 bits, batches of each level and sensitivities against one table that owes nothing to the
-//! library: `tests/data/cycles.csv`, written by `tests/data/closed_forms.py` from the equation of motion.
+//! f32, f64, 128 bits, batches of each level and sensitivities, compared with one table that is independent
+//! of the library: `tests/data/cycles.csv`, written by `tests/data/closed_forms.py` from the equation of
+//! motion.
 //!
 //! Its Ω and α are exact in 24 bits. The values have 25 digits.
 
 use stickslip::{Float, Output, Ratios, Response};
 
-/// A row: Ω, α, and its values by name.
+/// A row: Ω, α and the values by name.
 struct Row {
     omega: f64,
     alpha: f64,
@@ -42,14 +43,15 @@ impl Row {
         Response::new(Ratios::new(F::from_f64(self.omega), F::from_f64(self.alpha)).unwrap())
     }
 
-    /// What one unit in the last place of an output is counted in, apart from the type's ε: of phases
-    /// max(phase, 1), of Δ₁ max(|Δ₁|, V₀), of the contraction 1 over the root that turns at gσ = 1.
+    /// The scale of one unit in the last place of an output, relative to the type's ε: max(phase, 1) for
+    /// phases, max(|Δ₁|, V₀) for Δ₁, and for the contraction the reciprocal of the root that vanishes at gσ =
+    /// 1.
     fn size(&self, name: &str) -> f64 {
         let value = self.value(name).unwrap().abs();
         if name.ends_with("phase") {
             value.max(1.0)
         } else if name == "contraction" {
-            // It turns like a root where gσ = 1.
+            // Where gσ = 1, the contraction behaves like a square root.
             let g = self.omega * self.omega * self.value("max_displacement").unwrap();
             let sine = (std::f64::consts::PI / self.omega).sin().abs();
             (1.0 - g * sine).abs().sqrt().recip().max(1.0)
@@ -82,7 +84,7 @@ fn output(name: &str) -> Output {
     Output::ALL.into_iter().find(|output| output.name() == name).unwrap()
 }
 
-/// The largest error of each output in units of the last place of the type.
+/// The largest error of each output in units in the last place of the type.
 fn largest_errors<F: Float>() -> [f64; 13] {
     let rows = rows();
     assert!(rows.len() > 100, "{}", rows.len());
@@ -110,8 +112,8 @@ fn largest_errors<F: Float>() -> [f64; 13] {
     largest
 }
 
-/// In the order of `NAMES`: what docs/accuracy.md promises, and half a unit of the table's own rounding to a
-/// double.
+/// In the order of `NAMES`: the bounds of docs/accuracy.md, plus half a unit for the rounding of the table to
+/// a double.
 const ALLOWED: [f64; 13] = [2.0, 2.0, 4.0, 4.0, 4.0, 2.0, 2.0, 3.8, 2.5, 2.5, 2.0, 2.0, 8.0];
 
 #[test]
@@ -143,7 +145,7 @@ fn all_25_digits_at_128_bits() {
     }
 }
 
-/// Every level, through whole blocks and through what is left of them.
+/// Every level, for whole blocks and for partial ones.
 #[cfg(feature = "batch")]
 #[test]
 fn batches_of_every_level() {
@@ -192,7 +194,8 @@ fn batches_of_every_level() {
     }
 }
 
-/// The derivatives by Ω and α, in units of the larger of the output over the parameter and the derivative.
+/// The derivatives with respect to Ω and α, in units of the larger of the derivative and the output divided
+/// by the parameter.
 #[cfg(feature = "dual")]
 #[test]
 fn sensitivities_are_the_differences_of_the_exact_motion() {

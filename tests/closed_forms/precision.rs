@@ -1,4 +1,4 @@
-//! The closed forms at any precision: against 40 digits computed independently, and N bits against 2N.
+//! The closed forms at any precision: compared with 40 digits computed independently, and N bits with 2N.
 
 use super::random::Random;
 use super::reference::outputs;
@@ -43,12 +43,12 @@ fn every_output_at_every_point_to_1e_38() {
     forty_digits::<64>();
 }
 
-/// Numbers in [0, 1), the same in every run.
+/// Pseudo-random numbers in [0, 1), the same in every run.
 struct Uniform(u64);
 
 impl Uniform {
     fn next(&mut self) -> f64 {
-        // Knuth's 64-bit linear congruential generator; its high bits.
+        // Knuth's 64-bit linear congruential generator, of which the high bits are used.
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
@@ -57,7 +57,7 @@ impl Uniform {
     }
 }
 
-/// (Ω, α/α_min): the bands of Ω in turn, α from 1.05 of the border up to a thousand times it.
+/// (Ω, α/α_min): the bands of Ω in turn, with α from 1.05 to a thousand times the border.
 fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
     let mut uniform = Uniform(7);
     (0..count).map(move |i| {
@@ -75,8 +75,8 @@ fn points(count: usize) -> impl Iterator<Item = (f64, f64)> {
     })
 }
 
-/// The errors of each output of N limbs against D limbs, in the units of the design: the last place of the
-/// output, of max(phase, 1) for a phase and of max(|Δ₁|, V₀) for the deviation.
+/// The errors of each output at N limbs compared with D limbs, in units in the last place of the output, of
+/// max(phase, 1) for a phase, and of max(|Δ₁|, V₀) for the deviation.
 fn errors<const N: usize, const D: usize>(
     omega: Mp<N>,
     alpha: Mp<N>,
@@ -110,7 +110,7 @@ fn ordinary<const N: usize>(count: usize) -> impl Iterator<Item = (Mp<N>, Mp<N>)
     })
 }
 
-/// At most one unit in the last place, everywhere.
+/// Every output has an error of at most one unit in the last place.
 fn agrees<const N: usize, const D: usize>(places: impl Iterator<Item = (Mp<N>, Mp<N>)>) {
     for (omega, alpha) in places {
         for (name, error) in errors::<N, D>(omega, alpha, true) {
@@ -146,15 +146,15 @@ fn beside<const N: usize>(n: &[i32], k: &[i32]) -> Vec<(Mp<N>, Mp<N>)> {
 
 #[test]
 fn beside_the_natural_frequency_and_its_fractions() {
-    // The poles of T and K stand at odd n, the zeros of K at even.
+    // The poles of T and K are at odd n, the zeros of K at even n.
     let n = [1, 2, 3, 4, 5, 6];
     agrees::<4, 8>(beside(&n, &[5, 10, 20, 30, 45, 60, 100, 150]).into_iter());
     agrees::<8, 16>(beside(&n, &[100, 200, 240]).into_iter());
-    // Closer than f64 has exponents for. Beside a pole the border is then out of the domain.
+    // Closer than the exponents of f64 can represent. The border near a pole is then outside the domain.
     agrees::<32, 64>(beside(&[1, 2, 4], &[600, 1100, 1900]).into_iter());
 }
 
-/// Both precisions could agree on a lesser maximum: nothing in the cycle is faster than V₀, up to `2^slack`
+/// Both precisions could agree on a smaller maximum: no point of the cycle is faster than V₀, up to `2^slack`
 /// units.
 fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samples: i32) {
     for &(omega, alpha) in places {
@@ -171,7 +171,8 @@ fn nothing_is_faster<const N: usize>(places: &[(Mp<N>, Mp<N>)], slack: i32, samp
 #[test]
 fn the_maximum_velocity_is_the_greatest() {
     nothing_is_faster::<4>(&beside(&[1, 2, 3, 4, 5, 6], &[20, 45, 58, 61, 64, 100, 150]), 20, 200);
-    // Closer to 1 than f64 has exponents for, and so close to the border that Δ₀/B is an ordinary number.
+    // Closer to 1 than the exponents of f64 can represent, and so close to the border that Δ₀/B is of order
+    // one.
     let places = [-1, 1].map(|sign| {
         let omega = Mp::<64>::from(1) + Mp::from(sign).scale2(-1100);
         let width = Mp::from(3) * (Mp::from(1) - omega);
@@ -180,8 +181,8 @@ fn the_maximum_velocity_is_the_greatest() {
     nothing_is_faster(&places, 40, 20);
 }
 
-/// Without guard bits: no output loses more units in the last place than this over the ordinary points. The
-/// contraction turns like a square root at its double root.
+/// Without guard bits, no output loses more units in the last place than this over the ordinary points. The
+/// contraction behaves like a square root at its double root.
 const PLAIN: [(&str, f64); 13] = [
     ("max_displacement", 1.0),
     ("displacement_phase", 3.0),
@@ -198,7 +199,7 @@ const PLAIN: [(&str, f64); 13] = [
     ("contraction", 40.0),
 ];
 
-/// The worst error of each output without guard bits, each below its limit.
+/// The worst error of each output without guard bits; each must be below its limit.
 fn plain<const N: usize, const D: usize>(count: usize) -> [f64; PLAIN.len()] {
     let mut worst = [0.0; PLAIN.len()];
     for (omega, alpha) in ordinary(count) {
@@ -219,33 +220,33 @@ fn plain<const N: usize, const D: usize>(count: usize) -> [f64; PLAIN.len()] {
 
 #[test]
 fn without_guard_bits_the_last_digits_are_rounding() {
-    // A limit that nothing comes near is stale.
+    // A limit that is never approached would be obsolete.
     for ((name, limit), worst) in PLAIN.into_iter().zip(plain::<4, 8>(10_000)) {
         assert!(worst > limit / 4.0, "{name}: {worst} units in the last place");
     }
-    // The widths that start from f64 and from just over a quarter of their bits.
+    // Widths whose computation starts from f64, and from just over a quarter of their bits.
     plain::<2, 4>(2_000);
     plain::<3, 6>(2_000);
     plain::<16, 32>(500);
     plain::<64, 128>(20);
 }
 
-/// Den Hartog's f at τ = Ωζ as it is printed at the head of `src/nonsticking/border.rs`.
+/// Den Hartog's f at τ = Ωζ as it is written in the documentation of `src/nonsticking/border.rs`.
 fn den_hartog<F: Real>(omega: F, tangent: F, zeta: F) -> F {
     let ((sine, cosine), (slow_sine, slow_cosine)) = (zeta.sin_cos(), (omega * zeta).sin_cos());
     (sine + tangent * (slow_cosine - cosine)) / (omega * slow_sine)
 }
 
-/// Where the supremum of |f| is below Ω = 1/2, claim by claim, at 256 bits: f(π − τ) = −f(τ), so that (0,
-/// π/2] is enough; up to γ it is monotonic from 1/Ω²; beyond γ + π nothing exceeds what is in [γ, γ + π];
-/// there |f| has one stationary point, and that is what the border takes.
+/// The place of the supremum of |f| for Ω < 1/2, statement by statement, at 256 bits. Since f(π − τ) = −f(τ),
+/// (0, π/2] suffices. Up to γ, f is monotonic from 1/Ω². Beyond γ + π, |f| does not exceed its values in [γ,
+/// γ + π], where |f| has one stationary point; the border takes that point.
 #[test]
 fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
     type Wide = Mp<4>;
     let pi = Wide::pi();
     let mut random = Random(13);
     for i in 0..60 {
-        // Between poles and beside them on both sides.
+        // Ω between poles and close to them on both sides.
         let inverse = match i % 3 {
             0 => random.between(2.0, 20.0),
             1 => f64::from(3 + 2 * (i / 9)) + random.scale(1e-9, 0.2),
@@ -266,7 +267,7 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
             let sum = f(zeta) + f(Wide::int(2) * beta - zeta);
             assert!(sum.abs() < rounding * (limit + f(zeta).abs()), "{inverse}: {sum}");
         }
-        // Up to γ: monotonic from 1/Ω², rising for T > 0 and falling for T < 0.
+        // Up to γ, f is monotonic from 1/Ω²: increasing for T > 0 and decreasing for T < 0.
         let end = if gamma < beta { gamma } else { beta };
         let mut last = limit;
         for k in 1..=200 {
@@ -274,7 +275,7 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
             assert!((here > last) == (tangent > Wide::int(0)), "{inverse}: {here} after {last}");
             last = here;
         }
-        // In [γ, γ + π]: |f| rises to one stationary point and falls from there.
+        // In [γ, γ + π], |f| increases to one stationary point and then decreases.
         let lobe_end = if gamma + pi < beta { gamma + pi } else { beta };
         let (mut falls, mut most, mut before) = (0, Wide::int(0), f(gamma).abs());
         let mut was_rising = true;
@@ -287,13 +288,13 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
             most = most.or_larger(here);
         }
         assert_eq!(falls, 1, "{inverse}");
-        // Beyond it nothing is larger.
+        // Beyond, no value is larger.
         if lobe_end < beta {
             for k in 1..=400 {
                 assert!(f(part(lobe_end, beta, k, 400)).abs() <= most, "{inverse}: {k}");
             }
         }
-        // That is the border: at most what the grid misses of a maximum above it.
+        // That is the border, up to the amount by which the grid misses a maximum.
         let border = Border::new(omega).unwrap();
         let supremum = border.min_displacement;
         let due = limit.or_larger(most);
@@ -310,7 +311,7 @@ fn the_largest_of_den_hartogs_function_is_where_it_is_proved_to_be() {
     }
 }
 
-/// Where an error of K counts most: close to Ω = 1, from the border up.
+/// Errors of K have the greatest effect close to Ω = 1, at the border and above.
 #[test]
 fn without_guard_bits_no_digit_is_lost_to_cancellation() {
     let places = (3..40).flat_map(|k| {

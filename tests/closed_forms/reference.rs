@@ -1,8 +1,8 @@
-//! The closed forms against values computed independently at 90 digits, from the doubles of Ω and α.
+//! The closed forms compared with values computed independently at 90 digits, from the doubles of Ω and α.
 
 use stickslip::{Float, Ratios, Response};
 
-/// One row of `tests/data/points.csv`: 40 digits a value, empty where it is infinite.
+/// One row of `tests/data/points.csv`: 40 digits per value, empty where the value is infinite.
 struct Point {
     omega: f64,
     alpha: f64,

@@ -1,4 +1,4 @@
-//! Derivatives by dual numbers against central differences at 512 bits, for every output.
+//! Derivatives by dual numbers, compared with central differences at 512 bits for every output.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -10,7 +10,7 @@ use stickslip::{Border, Drive, Field, Float, Oscillator, Output, PhaseFunction, 
 
 type Wide = Mp<8>;
 
-/// Ω below 1/2, near 1, beside 1/3 and far above, α from the border up.
+/// Ω below 1/2, near 1, near 1/3 and far above, with α at the border and above.
 fn points() -> Vec<(f64, f64)> {
     let mut random = Random(5);
     let mut points = Vec::new();
@@ -34,8 +34,8 @@ fn points() -> Vec<(f64, f64)> {
     points
 }
 
-/// Central difference quotients of each output, by each of N parameters, at 512 bits: right to about 90
-/// digits.
+/// Central difference quotients of each output with respect to each of N parameters, at 512 bits; accurate to
+/// about 90 digits.
 fn differences<const N: usize>(
     at: [f64; N],
     outputs: impl Fn([Wide; N]) -> Vec<Option<Wide>>,
@@ -55,8 +55,8 @@ fn differences<const N: usize>(
         .collect()
 }
 
-/// The error of each derivative, in units of the larger of `p ∂y/∂p` and y; the phases' y is at least a
-/// radian.
+/// The error of each derivative, in units of the larger of `p ∂y/∂p` and y; for phases, y counts as at least
+/// one radian.
 fn check<const N: usize>(
     at: [f64; N],
     found: &Sensitivities<N>,
@@ -80,7 +80,7 @@ fn check<const N: usize>(
         for i in 0..N {
             let exact = expected[i][o].unwrap().to_f64();
             let size = (exact * at[i]).abs().max(found.value.abs()).max(least);
-            // gσ is a product of a large and a small number beside Ω = 1.
+            // Near Ω = 1, gσ is a product of a large and a small number.
             let conditioned = output != Output::Contraction || N > 2;
             let room = if conditioned { 1.0 } else { (0.1 / (at[0] - 1.0).abs()).max(1.0) };
             let error = if size == 0.0 { 0.0 } else { (found.by[i] - exact).abs() * at[i] / size / room };
@@ -95,7 +95,7 @@ fn report(worst: &[f64; 20], bound: f64) {
         println!("{:32} {worst:.1e}", output.name());
     }
     for (output, &worst) in Output::ALL.iter().zip(worst) {
-        // Beside 1/(2n) the point where the border touches is known to fewer digits than the border.
+        // Near 1/(2n) the phase at which the velocity touches zero is less accurate than the border.
         let bound = if *output == Output::TouchingPhase { 1e-11 } else { bound };
         assert!(worst < bound, "{output:?}: {worst:e}");
     }
@@ -124,7 +124,7 @@ fn by_the_machine_at_512_bits() {
         let (m, k, r) = (random.scale(0.1, 100.0), random.scale(0.1, 1e4), random.scale(0.1, 10.0));
         let is_base = i % 2 == 0;
         let w = omega * (k / m).sqrt();
-        // The ratios as they come out of the rounded parameters; beside a pole that is somewhere else.
+        // The ratios that result from the rounded parameters; near a pole the difference matters.
         let least = Border::new(w / (k / m).sqrt()).unwrap().min_force_ratio;
         let alpha = alpha.max(least * 1.001);
         let a = if is_base { alpha * r / k } else { alpha * r };
@@ -144,7 +144,7 @@ fn by_the_machine_at_512_bits() {
             Output::ALL.map(|o| o.of(&response).map(|y| y * o.unit(&scales))).to_vec()
         };
         let distance = |n: f64| (n * omega - 1.0).abs();
-        // An Ω rounded at f64 beside a pole or a corner is another Ω at 512 bits.
+        // Near a pole or a corner, an Ω rounded to f64 differs significantly from that at 512 bits.
         if (1..40).any(|n| distance(f64::from(n)) < 1e-4) {
             continue;
         }
@@ -155,7 +155,7 @@ fn by_the_machine_at_512_bits() {
     report(&worst, 1e-11);
 }
 
-/// The code is the same, and so are the bits.
+/// The code is the same, and so are the bits of the values.
 #[test]
 fn the_values_are_those_of_f64() {
     for (omega, alpha) in points() {

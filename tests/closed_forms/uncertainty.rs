@@ -1,4 +1,4 @@
-//! Ranges over boxes of parameters against many points of the boxes.
+//! Ranges over boxes of parameters, compared with many points of the boxes.
 
 use crate::random::Random;
 use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox};
@@ -62,8 +62,8 @@ fn guaranteed_ranges_of_ratios_hold_everywhere() {
     assert!(guaranteed > 200_000, "{guaranteed}");
 }
 
-/// Guaranteed is every digit: the exact values at single points, at the ends of narrow boxes and beside 1,
-/// 1/n and the border.
+/// Guaranteed ranges contain the exact values: at single points, at the ends of narrow boxes, and near 1, 1/n
+/// and the border.
 #[cfg(feature = "mp")]
 #[test]
 fn guaranteed_ranges_hold_the_exact_values() {
@@ -126,7 +126,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
             let fine = whole.range(output, 4000).unwrap().unwrap();
             assert!(coarse.is_guaranteed() && coarse.low <= fine.low * (1.0 + 1e-14), "{output:?}");
             assert!(fine.high <= coarse.high * (1.0 + 1e-14), "{output:?} {coarse:?} {fine:?}");
-            // The ends of the fine one are nearly taken.
+            // The ends of the fine range are nearly attained.
             let (mut low, mut high) = (f64::INFINITY, 0.0);
             for i in 0..=400 {
                 for j in [0.0, 0.25, 0.5, 0.75, 1.0] {
@@ -142,7 +142,7 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
                 "{output:?} {fine:?} {low} {high} {whole:?}"
             );
         }
-        // V₀ is known for sure at one frequency.
+        // The range of V₀ is guaranteed at a single frequency.
         let at_one = RatioBox::new(Interval::exactly(omega.low()), whole.alpha()).unwrap();
         let fastest = at_one.range(Output::MaxVelocity, 100).unwrap().unwrap();
         assert_eq!(fastest.known, Known::Guaranteed { sharp: true });
@@ -205,7 +205,7 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
     assert!(guaranteed > 50_000 && never > 100 && always > 50, "{guaranteed} {never} {always}");
 }
 
-/// A box of one machine holds its ratios, rounding and all, and knows what it knows of the margin.
+/// A box of a single machine contains its ratios, with their rounding, and gives the same verdict and margin.
 #[test]
 fn one_machine_is_in_its_own_box() {
     let mut random = Random(64);
@@ -236,7 +236,8 @@ fn one_machine_is_in_its_own_box() {
     }
 }
 
-/// Where the stiffness is known least, what is guaranteed by many pieces is nearly taken.
+/// Where the stiffness is the least certain parameter, the guaranteed range with many pieces is nearly
+/// attained.
 #[test]
 fn guaranteed_ranges_of_machines_are_close() {
     let mut random = Random(65);
@@ -278,11 +279,11 @@ fn what_is_wrong_is_named() {
     let negative = Interval::absolute(1.0, 2.0).unwrap();
     assert!(RatioBox::new(negative, one).is_err() && RatioBox::new(one, negative).is_err());
     assert!(MachineBox::force(one, one, negative, one, one).is_err());
-    // Sticks throughout: the cycle has no displacement anywhere, the border is known.
+    // The body sticks throughout: the cycle has no displacement anywhere, while the border is known.
     let sticking = RatioBox::new(Interval::exactly(0.7), Interval::exactly(1.2)).unwrap();
     assert_eq!(sticking.range(Output::MaxDisplacement, 10), Ok(None));
     assert!(sticking.range(Output::MinForceRatio, 10).unwrap().unwrap().is_guaranteed());
-    // Over the border it exists in part.
+    // Across the border, the cycle exists in part of the box.
     let over = RatioBox::new(Interval::exactly(0.7), Interval::between(1.2, 1.5).unwrap()).unwrap();
     let Known::Sampled { points, existing } =
         over.range(Output::MaxDisplacement, 100).unwrap().unwrap().known
@@ -305,7 +306,7 @@ mod monte_carlo {
 
     #[test]
     fn probabilities_and_quantiles_are_those_of_the_distribution() {
-        // r_y uniform: it sticks above p₀/α_min.
+        // For a uniform r_y, the body sticks above p₀/α_min.
         let greatest = 12.0 / Border::new(6.0 / 20f64.sqrt()).unwrap().min_force_ratio;
         let uniform = Uniform::new(4.0, 10.0).unwrap();
         let outputs = [Output::Margin, Output::MaxDisplacement];
@@ -314,7 +315,7 @@ mod monte_carlo {
         let sticking = found.probability(Regime::Sticking);
         assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
         assert!((sticking.standard_error - (expected * (1.0 - expected) / 4e4).sqrt()).abs() < 1e-4);
-        // The margin falls with r_y: its quantile is at the opposite one of r_y.
+        // The margin decreases with r_y: its quantile is that of r_y at the complementary share.
         for share in [0.05, 0.5, 0.9] {
             let margin = found.quantile(Output::Margin, share).unwrap();
             assert!((greatest / margin - (10.0 - 6.0 * share)).abs() < 0.1, "{share} {margin}");
@@ -324,7 +325,7 @@ mod monte_carlo {
         assert!(
             found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
         );
-        // Linear between the values in order.
+        // Quantiles are linear between the ordered values.
         let values = found.values(Output::Margin);
         for (i, part) in [(0usize, 0.25), (1234, 0.5), (39_998, 0.75)] {
             let share = (i as f64 + part) / (values.len() - 1) as f64;
@@ -360,7 +361,8 @@ mod monte_carlo {
     }
 }
 
-/// With a damper the verdict of a box is proved in balls, and without them undecided; its ranges are sampled.
+/// With a damper, the verdict of a box is proved by ball arithmetic, and undecided without it; its ranges are
+/// sampled.
 #[test]
 fn a_damper_takes_balls() {
     let exactly = Interval::exactly;

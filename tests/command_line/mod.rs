@@ -1,4 +1,4 @@
-//! Running the command in a test: shared by the tests of each of its parts.
+//! Helpers that run the command, shared by the tests of its parts.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 
@@ -12,18 +12,19 @@ pub(crate) fn stickslip(arguments: &str) -> Command {
     command
 }
 
-/// What it prints where it succeeds, with nothing on standard error.
+/// The standard output of a successful run with empty standard error.
 pub(crate) fn stdout(arguments: &str) -> String {
     let output = stickslip(arguments).assert().success().stderr("").get_output().stdout.clone();
     String::from_utf8(output).unwrap()
 }
 
-/// The same as JSON.
+/// The same, parsed as JSON.
 pub(crate) fn json(arguments: &str) -> Value {
     serde_json::from_str(&stdout(arguments)).unwrap()
 }
 
-/// Exit status 2, nothing on standard output, one line on standard error that has all of `parts`.
+/// The run must fail with exit status 2, an empty standard output, and one line on standard error that
+/// contains all of `parts`.
 pub(crate) fn refused(arguments: &str, parts: &[&str]) {
     let assert = stickslip(arguments).assert().code(2).stdout("");
     let text = String::from_utf8(assert.get_output().stderr.clone()).unwrap();

@@ -35,7 +35,7 @@ fn erratum_1_the_second_root_of_49_above_the_natural_frequency() {
     close(c.max_velocity, reference, 1e-15);
     close(corrected_velocity(&c), reference, 1e-14);
     close(printed_velocity(&c), 1.933_924_354_979_769, 1e-14);
-    // Eq. 37 and 48 print the same root.
+    // Eq. 37 and 48 print the same root of ρ².
     let (g, u) = (c.given(), c.unknowns());
     close(g.max_velocity(&u, -1.0) / 1.5, reference, 1e-14);
     close(g.max_velocity(&u, 1.0) / 1.5, 1.933_924_354_979_769, 1e-14);
@@ -49,7 +49,7 @@ fn erratum_2_the_first_root_of_49_near_the_border() {
     close(c.max_velocity, reference, 1e-14);
     close(corrected_velocity(&c), reference, 1e-12);
     close(printed_velocity(&c), 5.435_169_765_408_348, 1e-12);
-    // Away from the border, below the natural frequency, the printed form is right.
+    // Away from the border and below the natural frequency, the printed form is correct.
     let c = cycle(0.7, 2.0);
     close(printed_velocity(&c), 3.761_239_935_323_71, 1e-14);
 }
@@ -60,7 +60,7 @@ fn erratum_3_the_range_of_43_where_k_is_positive() {
     close(c.displacement_phase, 1.335_292_090_074_097, 1e-15);
     let ratio = c.max_displacement / c.ratios.forced_amplitude();
     close(printed::displacement_phase(ratio), 1.806_300_563_515_696_3, 1e-14);
-    // Where K < 0, on both sides of Ω = 1, the printed range is right.
+    // Where K < 0, on both sides of Ω = 1, the printed range is correct.
     for (omega, alpha) in [(0.7, 2.0), (1.5, 2.5), (0.3, 12.0)] {
         let c = cycle(omega, alpha);
         let ratio = c.max_displacement / c.ratios.forced_amplitude();
@@ -73,7 +73,7 @@ fn erratum_4_equation_61_does_not_suffice_below_one_half() {
     let p = PhaseFunction::new(0.4f64).unwrap();
     close(Border::turning_point_at(&p), 5.654_423_047_491_228, 1e-15);
     close(Border::at(&p).min_force_ratio, 6.949_737_755_908_733, 1e-15);
-    // Between the two, eq. 62 holds and the motion of eq. 54 runs backwards: it is not one.
+    // Between the two, eq. 62 holds, but the motion of eq. 54 runs backwards and is impossible.
     let alpha = 6.0;
     assert!(nonsticking::border::turning_point_criterion(p.value(), 0.4, alpha));
     let delta = nonsticking::max_displacement(p.value(), alpha, 1.0 - 0.16);
@@ -88,7 +88,7 @@ fn erratum_4_equation_61_does_not_suffice_below_one_half() {
     };
     close(half.displacement(0.0), delta, 1e-14);
     assert!(half.velocity(0.47) > 0.1, "x′ > 0 in a half cycle that is to fall: {}", half.velocity(0.47));
-    // At and above the exact border it does not.
+    // At and above the exact border the velocity keeps its sign.
     let c = cycle(0.4, 7.0);
     let half = c.den_hartog();
     assert!((1..1000).all(|i| half.velocity(f64::from(i) * std::f64::consts::PI / 1000.0) < 0.0));
@@ -97,14 +97,15 @@ fn erratum_4_equation_61_does_not_suffice_below_one_half() {
 #[test]
 fn erratum_5_the_optimum_of_65_sticks_for_some_frequencies() {
     let at = |omega: f64| Response::new(Ratios::new(omega, 2.0).unwrap());
-    // At Ω = 0.6 eq. 65 asks for 0.87, where the body is at rest; the best non-sticking is the border, 1.88.
+    // At Ω = 0.6 eq. 65 gives 0.87, where the body is at rest; the best non-sticking force ratio is the
+    // border, 1.88.
     let low = at(0.6);
     close(low.best_force_ratio, 0.870_929_686_322_907_6, 1e-14);
     assert!(!low.best_is_reached());
     let loop_at = |alpha| cycle(0.6, alpha).loop_size_stiffness();
     let border = low.border.min_force_ratio;
     assert!(loop_at(border) > loop_at(border * 1.001) && loop_at(border) < low.best_loop_size.unwrap());
-    // At Ω = 1.5 it counts.
+    // At Ω = 1.5 the optimum of eq. 65 is reached.
     assert!(at(1.5).best_is_reached());
     close(cycle(1.5, at(1.5).best_force_ratio).loop_size_stiffness(), at(1.5).best_loop_size.unwrap(), 1e-14);
     // For Ω ≥ 1/2 the dividing line is Ω|T| = 1.
@@ -122,7 +123,7 @@ fn erratum_6_the_deviation_grows_in_one_unit_and_falls_in_the_other() {
     for (got, expected) in in_b.iter().zip([0.3728, 0.4665, 0.6597]) {
         assert!((got - expected).abs() < 5e-5);
     }
-    // With p₀ fixed, B = p₀/(αk) and Δ₁ k/p₀ = (Δ₁/B)/α: it falls from α ≈ 1.78 on, and rises before.
+    // With p₀ fixed, B = p₀/(αk) and Δ₁ k/p₀ = (Δ₁/B)/α: it increases up to α ≈ 1.78 and decreases beyond.
     let at_fixed_force = [1.6, 1.8, 2.0, 3.0, 10.0].map(|alpha| cycle(0.7, alpha).deviation() / alpha);
     let expected = [0.233_010_73, 0.236_864_99, 0.233_242_65, 0.190_285_85, 0.065_970_232];
     for (got, expected) in at_fixed_force.iter().zip(expected) {
@@ -130,9 +131,9 @@ fn erratum_6_the_deviation_grows_in_one_unit_and_falls_in_the_other() {
     }
 }
 
-/// Greatest reach of a body of mass and stiffness 1 and friction 1 under `u_g0 sin Ωt`, after 60 cycles from
-/// rest by small steps of Heun's method in the frame of the room; and relative to a base that carries the
-/// surface, if it does.
+/// The greatest absolute displacement of a body of mass, stiffness and friction 1 under `u_g0 sin Ωt`, after
+/// 60 cycles from rest by small steps of Heun's method in the fixed frame; and that relative to a base that
+/// carries the surface, if it does.
 fn shaken(omega: f64, base: f64, carries_surface: bool) -> f64 {
     let ground = |t: f64| (base * (omega * t).sin(), base * omega * (omega * t).cos());
     let carried = f64::from(u8::from(carries_surface));
@@ -164,7 +165,7 @@ fn erratum_7_the_force_of_a_base_that_carries_the_surface() {
     close(corrected, 4.349_329_450_233_296, 1e-12);
     close(shaken(omega, base, true), corrected, 1e-4);
     close(shaken(omega, base, false), printed, 1e-4);
-    // What the library calls base motion is the spring's.
+    // The library's foot motion moves the foot of the spring.
     let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
     let drive = Drive::new(stickslip::Excitation::FootMotion, base, omega).unwrap();
     assert_eq!(drive.ratios(&body).unwrap().alpha(), base);

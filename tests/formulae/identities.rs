@@ -1,6 +1,6 @@
 //! The equations of the paper, one by one, on cycles at random (Ω, α).
 //!
-//! Each check is a residual against the size of the terms it is made of. The points keep 1e-3 away from Ω = 1
+//! Each check is a residual relative to the size of its terms. The points keep a distance of 1e-3 from Ω = 1
 //! and 1/(2n+1), where the paper's own forms, unlike the library's, lose digits.
 
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 const TOLERANCE: f64 = 1e-10;
 
-/// A non-sticking cycle with Ω in (0.15, 4), α from just above the border to eight times it.
+/// A non-sticking cycle with Ω in (0.15, 4) and α from just above the border to eight times it.
 fn cycles() -> impl Strategy<Value = Cycle<f64>> {
     (0.15f64..4.0, 1.0001f64..8.0)
         .prop_filter("the paper's forms are singular there", |(omega, _)| {
@@ -23,7 +23,7 @@ fn cycles() -> impl Strategy<Value = Cycle<f64>> {
         })
 }
 
-/// The size of the terms: amplitudes, friction and the tangent that divides by a small cosine.
+/// The size of the terms: amplitudes, friction, and the tangent, whose denominator is a small cosine.
 fn scale(cycle: &Cycle<f64>) -> f64 {
     let p = PhaseFunction::new(cycle.ratios.omega()).unwrap();
     1.0 + cycle.ratios.forced_amplitude().abs() + cycle.max_displacement + p.tangent().powi(2)
@@ -40,14 +40,14 @@ macro_rules! vanish {
 }
 
 proptest! {
-    // This file is a part of the unit tests, whose own folder is that of `src/lib.rs`.
+    // This file is part of the unit tests, whose default directory is that of `src/lib.rs`.
     #![proptest_config(ProptestConfig {
         failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
         ..ProptestConfig::with_cases(3000)
     })]
 
 
-    /// Every identity of the library's own list, the misprints failing where they must.
+    /// Every identity of the library's own list holds, and the misprints fail where they must.
     #[test]
     fn the_identities_hold(c in cycles()) {
         let case = Case::new(c);
@@ -102,7 +102,7 @@ proptest! {
         let scale = 1.0 + alpha * alpha / (q * q);
         prop_assert!((delta * omega * omega - 1.0).abs() < 1e-10 * scale);
         prop_assert!(border::slip_excess(alpha, sine, 1.0, delta, 1.0).abs() < 1e-10 * scale);
-        // Eq. 60 vanishes there, for any B, and nowhere else.
+        // There eq. 60 vanishes for any B, and nowhere else.
         for b in [1.0, 0.37] {
             let at = |alpha| border::turning_point_residual(b, alpha, omega, p.tangent());
             prop_assert!(at(alpha).abs() < 1e-10 * scale * omega.powi(4).max(1.0), "{}", at(alpha));

@@ -1,4 +1,4 @@
-//! The transcriptions of the paper's equations and its errata, by the names of the formula functions.
+//! The transcriptions of the paper's equations and their errata, by the names of the functions.
 
 mod errata;
 #[cfg(feature = "matching")]

@@ -1,5 +1,5 @@
-//! Inputs that trip the obvious code and are ordinary here: the floats beside Ω = 1 and 1/n, huge and tiny
-//! ratios.
+//! Inputs that break straightforward code and must be ordinary here: the floats next to Ω = 1 and 1/n, huge
+//! and tiny ratios.
 
 use stickslip::generators::neighbours;
 use stickslip::nonsticking::{self, matching};
@@ -47,7 +47,7 @@ fn at_one_the_regime_depends_on_four_over_pi() {
 fn every_float_beside_a_pole_has_its_border() {
     for n in [3.0f64, 5.0, 7.0, 9.0, 101.0] {
         for omega in neighbours(1.0 / n, 20) {
-            // No double is 1/n: the distance 1 − nΩ is exact, and K ≈ −(1 − Ω²)·2/(π(1 − nΩ)).
+            // No double is 1/n for these n: the distance 1 − nΩ is exact, and K ≈ −(1 − Ω²)·2/(π(1 − nΩ)).
             let rest = (-n).mul_add(omega, 1.0);
             assert!(rest != 0.0);
             let k = PhaseFunction::new(omega).unwrap().value();

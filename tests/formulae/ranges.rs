@@ -1,4 +1,4 @@
-//! Claims of `docs/proof.md` over whole ranges: boxes are halved until ball arithmetic shows the sign in
+//! Statements of `docs/proof.md` over whole ranges: boxes are halved until ball arithmetic proves the sign in
 //! each.
 
 use crate::float::ball::Ball;
@@ -7,8 +7,8 @@ use stickslip::{Field, Real};
 
 type B = Ball<1>;
 
-/// `sin x/x`: up to 1/2 also by its series, `1 − x²/6 ≤ sin x/x ≤ 1 − x²/6 + x⁴/120`, because the quotient of
-/// two balls near zero is wide.
+/// `sin x/x`. Up to 1/2 the enclosure also uses its series, `1 − x²/6 ≤ sin x/x ≤ 1 − x²/6 + x⁴/120`, because
+/// the quotient of two balls near zero is wide.
 fn sinc(x: B) -> B {
     let quotient = x.sin() / x;
     if !x.abs().is_below(&B::ratio(1, 2)) {
@@ -19,8 +19,9 @@ fn sinc(x: B) -> B {
     quotient.intersection(&(B::int(1) - square / B::int(6) + rest)).unwrap()
 }
 
-/// `[1/Ω² − f(τ)] Ω sin τ`, u = 1/Ω, f the function of Den Hartog's condition, in a form that is smooth
-/// through u = 1: with v = u − 1, `T (cos τ − cos uτ) = −2 cos(πv/2) sin((1 + u)τ/2) sin(vτ/2)/sin(πv/2)`.
+/// `[1/Ω² − f(τ)] Ω sin τ`, with u = 1/Ω and f the function of Den Hartog's condition, in a form that is
+/// smooth through u = 1: with v = u − 1, `T (cos τ − cos uτ) = −2 cos(πv/2) sin((1 + u)τ/2)
+/// sin(vτ/2)/sin(πv/2)`.
 fn clearance(u: B, tau: B) -> B {
     let (half, v) = (B::ratio(1, 2), u - B::int(1));
     let turn = B::pi() * half * v;
@@ -29,7 +30,7 @@ fn clearance(u: B, tau: B) -> B {
     u * tau.sin() - (u * tau).sin() + matched
 }
 
-/// Whether `holds` in every part of a rectangle; how many boxes that took.
+/// The number of boxes after which `holds` is true in every part of a rectangle; an error otherwise.
 fn throughout(
     first: (f64, f64),
     second: (f64, f64),
@@ -56,18 +57,18 @@ fn throughout(
 
 /// Eq. 61 suffices: `f(τ) < 1/Ω²` for every Ω in [1/2, 20] and τ in [0.15, π/2].
 ///
-/// What is left is at the ends: as τ → 0, f → 1/Ω², and as Ω → ∞ both sides vanish; there
-/// `src/nonsticking/border.rs` has the sign by hand.
+/// The rest is at the ends, where `src/nonsticking/border.rs` derives the sign: as τ → 0, f → 1/Ω², and as Ω
+/// → ∞ both sides vanish.
 #[test]
 fn equation_61_suffices_over_a_whole_range() {
     let quarter = std::f64::consts::FRAC_PI_2.next_up();
     let boxes = throughout((0.05, 2.0), (0.15, quarter), |u, tau| clearance(u, tau).is_positive());
     assert!(boxes.is_ok_and(|count| count > 100), "{boxes:?}");
-    // The same way finds that it does not suffice just below Ω = 1/2.
+    // The same method finds that eq. 61 does not suffice just below Ω = 1/2.
     assert!(throughout((2.0, 2.2), (0.15, quarter), |u, tau| clearance(u, tau).is_positive()).is_err());
 }
 
-/// The form above is the condition's own function.
+/// The form above equals the condition's own function.
 #[test]
 fn the_smooth_form_is_den_hartogs() {
     for (u, tau) in [(0.3f64, 0.4f64), (0.7, 1.2), (1.4, 0.9), (1.9, 0.2), (2.15, 1.1)] {
@@ -79,8 +80,8 @@ fn the_smooth_form_is_den_hartogs() {
     }
 }
 
-/// The sign of ρ above Ω = 1: `Ω sin β = (π/2) sin β/β > 1`, so that the velocity falls in the middle of the
-/// half cycle.
+/// The sign of ρ for Ω > 1: `Ω sin β = (π/2) sin β/β > 1`, so that the velocity decreases in the middle of
+/// the half cycle.
 #[test]
 fn the_velocity_falls_in_the_middle_above_resonance() {
     let half = B::ratio(1, 2);
@@ -89,16 +90,16 @@ fn the_velocity_falls_in_the_middle_above_resonance() {
     assert!(throughout((0.0, 1.001), (0.0, 1.0), falls).is_err());
 }
 
-/// One stationary point of the velocity: with ψ = tβ, y = (π/2)(1 − u) and Δ₀/B ≥ 1/Ω², v′/cos Ωψ falls where
-/// q < 1,
+/// The velocity has one stationary point: with ψ = tβ, y = (π/2)(1 − u) and Δ₀/B ≥ 1/Ω², v′/cos Ωψ decreases
+/// where q < 1,
 ///
 /// ```text
 /// cos²Ωψ (v′/cos Ωψ)′ = q − Ω²Δ₀/B,   q = (2/π) [cos ψ sin Ωψ + ψ sin(ty)/(ty)]/(sin y/y),
 /// ```
 ///
-/// and below Ω = 1, in the second half, v′ ≤ m/Ω < 0 elsewhere,
-/// `m = [cos ψ − Ω sin β cos Ωψ]/cos β − sin Ωψ`; v′(0) < 0 there. So v′ has one zero at most. For every Ω in
-/// [0.52, 50] and |ψ| ≤ 0.9 β; the rest is by hand in `src/nonsticking/velocity.rs`.
+/// and for Ω < 1, in the second half, v′ ≤ m/Ω < 0 elsewhere, with `m = [cos ψ − Ω sin β cos Ωψ]/cos β − sin
+/// Ωψ`; v′(0) < 0 there. So v′ has at most one zero. This covers every Ω in [0.52, 50] and |ψ| ≤ 0.9 β; the
+/// rest is derived in `src/nonsticking/velocity.rs`.
 #[test]
 fn the_velocity_has_one_stationary_point_over_a_whole_range() {
     let quarter = || B::pi() * B::ratio(1, 2);
@@ -115,26 +116,27 @@ fn the_velocity_has_one_stationary_point_over_a_whole_range() {
     let holds = |u, t| falls(u, t) || is_negative(u, t);
     let found = throughout((0.02, 1.92), (-0.9, 0.9), holds);
     assert!(found.is_ok_and(|count| count > 100), "{found:?}");
-    // Neither is enough alone, and at the turning point itself, where v = v′ = 0 on the border, no ball can
-    // show it.
+    // Neither condition is enough alone. At the turning point itself, where v = v′ = 0 on the border, no ball
+    // can prove it.
     assert!(throughout((1.2, 1.9), (0.1, 0.9), falls).is_err());
     assert!(throughout((0.5, 0.9), (0.9, 1.0), holds).is_err());
 }
 
-/// The sign of ρ below Ω = 1. With ψ = tβ, Δ = Δ₀/B and σ the sign of cos β the velocity of the half cycle is
+/// The sign of ρ for Ω < 1. With ψ = tβ, Δ = Δ₀/B and σ the sign of cos β, the velocity of the half cycle is
 ///
 /// ```text
 /// v = Δ cos Ωψ + o(ψ),   o = (sin ψ − sin β sin Ωψ)/cos β,   ρ = sin ψ/cos β at its maximum,
 /// ```
 ///
 /// and Δ is at least both 1/Ω² and |tan β| cot(πΩ/2)/Ω, the values of the border's function at τ = 0 and πΩ.
-/// Where sin ψ does not have the sign of cos β, no Δ makes ψ the maximum: v(0) = Δ is larger, or v′ is not
-/// zero. The ends of the half cycle are included. By hand is left what is next to Ω = 1 and the poles, where
-/// cos β = 0, and ψ = 0 on the side of the maximum, where `v′(0) = (1 − Ω sin β)/cos β`.
+/// Where sin ψ does not have the sign of cos β, no Δ makes ψ the maximum: either v(0) = Δ is larger, or v′ is
+/// not zero. The ends of the half cycle are included. The proof by hand covers the neighbourhoods of Ω = 1
+/// and the poles, where cos β = 0, and of ψ = 0 on the side of the maximum, where `v′(0) = (1 − Ω sin β)/cos
+/// β`.
 #[test]
 fn rho_is_positive_over_whole_ranges_below_resonance() {
     let half_pi = || B::pi() * B::ratio(1, 2);
-    // All but for a factor |cos β|.
+    // All terms up to a factor |cos β|.
     let excluded = |u: B, t: B, sigma: i32| {
         let (beta, slow, sigma) = (half_pi() * u, half_pi() * t, B::int(sigma));
         let psi = beta * t;
@@ -149,14 +151,14 @@ fn rho_is_positive_over_whole_ranges_below_resonance() {
         let slope = sigma * (cosine - sin_beta * slow_cosine / u) - least * slow_sine / u;
         is_below_middle || if t.mid() > Mp::ZERO { slope.is_negative() } else { slope.is_positive() }
     };
-    // By 1/Ω: Ω in [0.335, 0.98], [0.2005, 0.332], [0.1435, 0.1995], [0.112, 0.1425], and the sign of cos β
-    // there.
+    // Ranges of 1/Ω with the sign of cos β: Ω in [0.335, 0.98], [0.2005, 0.332], [0.1435, 0.1995], [0.112,
+    // 0.1425].
     for (low, high, sigma) in [(1.02, 2.985, -1), (3.012, 4.987, 1), (5.013, 6.968, -1), (7.018, 8.928, 1)] {
         for t in if sigma > 0 { [(-1.0, 0.0), (0.001, 1.0)] } else { [(0.0, 1.0), (-1.0, -0.001)] } {
             let found = throughout((low, high), t, |u, t| excluded(u, t, sigma));
             assert!(found.is_ok_and(|count| count > 40), "{low} {t:?}: {found:?}");
         }
-        // With the other sign it is found to be wrong.
+        // With the other sign, the statement is refuted.
         assert!(
             throughout((low, high), (0.001, 1.0), |u, t| excluded(u, t, -sigma)).is_err()
                 || throughout((low, high), (-1.0, -0.001), |u, t| excluded(u, t, -sigma)).is_err()

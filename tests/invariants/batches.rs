@@ -1,4 +1,4 @@
-//! What holds of batches, whatever the points, their number and where a slice begins: shared by the tests and
+//! Invariants of batches for any points, any number of them and any start of a slice, shared by the tests and
 //! the fuzz target.
 
 use stickslip::batch::{Batch, Columns, FixedOmega, Level};
@@ -18,7 +18,7 @@ const OUTPUTS: [Output; 10] = [
     Output::BestForceRatio,
 ];
 
-/// The outputs at these places, and the regime.
+/// The outputs with these indices, and the regime.
 fn outputs(
     n: usize,
     places: &[usize],
@@ -41,11 +41,12 @@ fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
     OUTPUTS.map(|output| response.as_ref().ok().and_then(|at| output.of(at)).unwrap_or(f64::NAN))
 }
 
-/// Everything that batches promise of `length` points taken in turn from `points`, in a slice that begins at
-/// `offset` of its memory.
+/// Checks every promise about batches for `length` points taken in turn from `points`, in a slice that begins
+/// at `offset` of its memory.
 ///
 /// # Panics
-/// Where a promise is broken: that is the finding.
+///
+/// If a promise is broken; the fuzzer reports this as a finding.
 pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     if points.is_empty() {
         return;
@@ -61,7 +62,7 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
         let batch = Batch::new().at_level(level);
         let all: Vec<usize> = (0..OUTPUTS.len()).collect();
-        // Everything, and fewer outputs, which fewer loops compute.
+        // All outputs, and subsets, which need fewer loops.
         for places in [&all[..], &[0, 1, 2], &[0, 1, 2, 3, 4], &[8], &[6]] {
             let (regimes, columns) = outputs(length, places, |columns| batch.run(omega, alpha, columns));
             due.check(places, &regimes, &columns, level);
@@ -73,7 +74,7 @@ pub(crate) fn batches(points: &[(f64, f64)], offset: usize, length: usize) {
     }
 }
 
-/// What is due of one point.
+/// The expected results of one point.
 struct Point {
     omega: f64,
     alpha: f64,
@@ -81,7 +82,7 @@ struct Point {
     values: [f64; OUTPUTS.len()],
 }
 
-/// What is due of points that are taken in turn: each is worked out once, however often it comes.
+/// The expected results of points taken in turn: each is computed once, however often it occurs.
 struct Due {
     points: Vec<Point>,
     offset: usize,

@@ -1,4 +1,4 @@
-//! What holds of every answer, whatever the bits of the input: shared by the property tests and the fuzz
+//! Invariants of every answer, whatever the bits of the input, shared by the property tests and the fuzz
 //! targets.
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
@@ -9,10 +9,11 @@ use stickslip::{
     Verdict, design,
 };
 
-/// Everything the closed forms promise at (Ω, α), and the waveform at one phase.
+/// Checks all promises of the closed forms at (Ω, α), and the waveform at one phase.
 ///
 /// # Panics
-/// Where a promise is broken: that is the finding.
+///
+/// If a promise is broken; the fuzzer reports this as a finding.
 pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     let range = 2f64.powi(-250)..=2f64.powi(250);
     let ratios = match Ratios::new(omega, alpha) {
@@ -49,10 +50,10 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
     }
 }
 
-/// The same with a damper of the ratio ζ.
+/// The same with a damper of the damping ratio ζ.
 ///
 /// # Panics
-/// As [`closed_forms`].
+/// As for [`closed_forms`].
 pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64) {
     let range = 2f64.powi(-250)..=2f64.powi(250);
     let ratios = match Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta)) {
@@ -72,7 +73,7 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
     let border = Border::with_damping(omega, zeta).unwrap();
     let least = border.min_force_ratio;
     assert!(least >= border.turning_point && least > 0.0 && least.is_finite(), "α_min = {least:e}");
-    // Proved: α_min ≥ 1/Ω² − 1, and half the damped frequency on the turning point suffices.
+    // Proved: α_min ≥ 1/Ω² − 1, and the turning point suffices from half the damped frequency on.
     assert!(least >= ((1.0 - omega) * (1.0 + omega) / omega / omega).min(1e70) * (1.0 - 1e-12), "{least:e}");
     assert!(border.touching_phase == 0.0 || zeta < 1.0 && omega < 0.5);
     assert!((0.0..=std::f64::consts::PI).contains(&border.touching_phase));
@@ -91,10 +92,11 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
         (ratios.omega(), ratios.damping_ratio(), ratios.alpha())
     };
     let (delta, speed) = (cycle.max_displacement, cycle.max_velocity);
-    // What Δ₀ = a − G is a difference of, and the velocity of.
+    // The scale of the terms whose difference gives Δ₀ = a − G and the velocity.
     let forced = alpha / (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
     let size = forced + 2.0;
-    // A motion next to the rounding of its terms: Ω = 1 with ζ below the rounding of Ω (docs/robustness.md).
+    // The motion is comparable with the rounding of its terms: Ω = 1 with ζ below the rounding of Ω
+    // (docs/robustness.md).
     if size > 1e12 {
         return;
     }
@@ -115,8 +117,8 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     }
 }
 
-/// A verdict that is decided is that of the rounded border, but for a few units in its last place at
-/// Ω = 1/(2n).
+/// A decided verdict agrees with the rounded border, except within a few units in its last place at Ω =
+/// 1/(2n).
 fn verdict(ratios: Ratios<f64>, regime: Regime) {
     let verdict = Verdict::new(ratios);
     let margin = ratios.alpha() / Border::of(&ratios).min_force_ratio;
@@ -134,7 +136,7 @@ fn is_at_an_edge(ratios: Ratios<f64>) -> bool {
     no_stop.six_reversals.is_some_and(|(low, high)| close(low) || close(high))
 }
 
-/// An answer is finite and keeps the body sliding, whatever was asked.
+/// An answer is finite and keeps the body sliding, whatever the target.
 fn inverse_questions(omega: f64, target: f64) {
     let p = PhaseFunction::new(omega).unwrap();
     let least = Border::new(omega).unwrap().min_force_ratio;
@@ -162,7 +164,7 @@ fn inverse_questions(omega: f64, target: f64) {
     }
 }
 
-/// Refused: then something was wrong, and the message names it.
+/// A refusal must have a cause, and the message must name it.
 fn refused(error: &Error, omega_is_in_range: bool, alpha_is_in_range: bool) {
     match error.quantity() {
         Some(Quantity::FrequencyRatio) => assert!(!omega_is_in_range, "{error}"),
@@ -192,17 +194,18 @@ fn cycle(cycle: &Cycle<f64>, phase: f64) {
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
     assert_eq!(x.is_nan(), !phase.is_finite());
     if phase.is_finite() {
-        // A phase is known to its own rounding; the faster wave turns 1/Ω times for one turn of the drive.
+        // A phase is known to its own rounding; the faster wave turns 1/Ω times per turn of the drive.
         let slack = 1.0 + 1e-11 * (1.0 + 1.0 / omega);
         assert!(x.abs() <= delta * slack, "|x| = {x:e} above Δ₀ = {delta:e}");
         assert!(v.abs() <= speed * slack, "|v| = {v:e} above V₀ = {speed:e}");
     }
 }
 
-/// Physical input either says what is wrong with it, or leads to ratios and finite scales.
+/// Physical input either gives an error that says what is wrong, or leads to ratios and finite scales.
 ///
 /// # Panics
-/// Where it does neither.
+///
+/// If it does neither.
 pub(crate) fn physical_units(
     mass: f64,
     stiffness: f64,

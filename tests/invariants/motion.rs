@@ -1,4 +1,4 @@
-//! What holds of the exact motion from any state, and of the inverse problems.
+//! Invariants of the exact motion from any state, and of the inverse problems.
 
 #![allow(dead_code, reason = "each fuzz target and test takes what it needs")]
 
@@ -7,19 +7,20 @@ use stickslip::design;
 use stickslip::exact::{End, Kind, LongRun, State, Trajectory, periodic_motions_from, symmetry_breaks};
 use stickslip::{Border, Cycle, Error, Ratios, Regime, regime};
 
-/// The first phases of the motion from any state: each begins where the last ended, friction keeps its bound,
-/// energy is lost only to friction and won only from the drive.
+/// The first phases of the motion from any state: each begins where the last ended, friction respects its
+/// bound, energy is lost only to friction and gained only from the drive.
 ///
 /// # Panics
-/// Where a promise is broken: that is the finding.
+///
+/// If a promise is broken; the fuzzer reports this as a finding.
 pub(crate) fn trajectory(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
     damped_trajectory(omega, alpha, 0.0, theta, x, v);
 }
 
-/// The same with a damper of the ratio ζ.
+/// The same with a damper of the damping ratio ζ.
 ///
 /// # Panics
-/// As [`trajectory`].
+/// As for [`trajectory`].
 pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
     if let Ok(ratios) = ratios {
@@ -27,10 +28,10 @@ pub(crate) fn damped_trajectory(omega: f64, alpha: f64, zeta: f64, theta: f64, x
     }
 }
 
-/// The motion and its long run with a static friction, too.
+/// The motion and its steady state with a static friction as well.
 ///
 /// # Panics
-/// As [`trajectory`].
+/// As for [`trajectory`].
 pub(crate) fn static_motion(omega: f64, alpha: f64, zeta: f64, eta: f64, theta: f64, x: f64, v: f64) {
     let ratios = Ratios::new(omega, alpha)
         .and_then(|r| r.with_damping_ratio(zeta))
@@ -41,8 +42,8 @@ pub(crate) fn static_motion(omega: f64, alpha: f64, zeta: f64, eta: f64, theta: 
     searches_at(ratios, theta, x, v);
 }
 
-/// Periodic motions found from a start, and the loss of the symmetric one around a force: motions of the
-/// machine, within what was asked.
+/// Periodic motions found from a start, and losses of the symmetric motion around a force: all are motions of
+/// the machine and lie within the requested range.
 fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let Ok(start) = State::new(theta, x, v) else { return };
@@ -58,7 +59,7 @@ fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
         let most = ratios.static_friction_ratio();
         assert!(steady.is_stable() || most > 1.0 || steady.contraction() < 1.0 + 1e-6, "{steady:?}");
     }
-    // Its work is not bounded from outside: Ω and α as machines have them.
+    // The work of the search has no bound from outside: only Ω and α of ordinary machines are tried.
     if !((0.125..8.0).contains(&omega) && alpha < 100.0) {
         return;
     }
@@ -71,7 +72,7 @@ fn searches_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     }
 }
 
-/// The factor 1 + 2^e, e from −52 to 3, that `part` of 2³² is; 1 for none.
+/// The factor 1 + 2^e for e from −52 to 3, selected by `part` of 2³²; 1 for zero.
 pub(crate) fn static_friction_ratio(part: u32) -> f64 {
     if part == 0 { 1.0 } else { 1.0 + (55.0 * f64::from(part) / f64::from(u32::MAX) - 52.0).exp2() }
 }
@@ -102,7 +103,7 @@ fn trajectory_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
         assert!(to.x.is_finite() && to.v == 0.0);
         if phase.kind == Kind::Stick {
             assert_eq!(to.x, from.x);
-            // Friction gives way where the force left over is η r_y.
+            // Friction gives way when the force on it reaches η r_y.
             let (sine, _) = to.phase.reduced().sin_cos();
             let force = (alpha * sine - to.x).abs();
             let scale = eta + alpha + to.x.abs();
@@ -112,18 +113,19 @@ fn trajectory_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     }
 }
 
-/// The long run from any state: says what it is, and what it says is consistent with itself.
+/// The steady state from any state: it is classified, and its properties are consistent.
 ///
 /// # Panics
-/// As [`trajectory`].
+///
+/// As for [`trajectory`].
 pub(crate) fn long_run(omega: f64, alpha: f64, theta: f64, x: f64, v: f64) {
     damped_long_run(omega, alpha, 0.0, theta, x, v);
 }
 
-/// The same with a damper of the ratio ζ.
+/// The same with a damper of the damping ratio ζ.
 ///
 /// # Panics
-/// As [`trajectory`].
+/// As for [`trajectory`].
 pub(crate) fn damped_long_run(omega: f64, alpha: f64, zeta: f64, theta: f64, x: f64, v: f64) {
     let ratios = Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
     if let Ok(ratios) = ratios {
@@ -135,7 +137,7 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
     let (zeta, eta) = (ratios.damping_ratio(), ratios.static_friction_ratio());
     let Ok(start) = State::new(theta, x, v) else { return };
-    // Bounded work: a cycle has up to 4 + 4/Ω slides.
+    // The work is bounded: a cycle has up to 4 + 4/Ω slides.
     let mut slides = 0;
     let limit = LongRun::within(ratios, start, 200, &mut || {
         slides += 1;
@@ -164,12 +166,12 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
             let most = f64::from(steady.turns_per_cycle()) * (24.0 + 4.0 / omega);
             assert!(eta > 1.0 || steady.turns_per_cycle() == 1);
             assert!(sticks <= zeros && f64::from(zeros) <= most, "{steady:?}");
-            // No part of a motion drives two of them apart: rounding of a few units each, and near a double
-            // root the root of it.
+            // No part of a motion drives two of them apart, except by rounding of a few units each, and near
+            // a double root by the square root of it.
             let rounding = 16.0 * f64::EPSILON * f64::from(zeros) + 2e-7;
             assert!(steady.contraction() <= 1.0 + rounding, "{} at {ratios:?}", steady.contraction());
             let (work_in, work_out) = (steady.energy_in, steady.energy_out + steady.damper_work);
-            // What the distance from the limit is worth in energy, and rounding in the large terms.
+            // The effect on the energy of the distance from the limit, and of rounding in the large terms.
             let (far, fast) = steady.distance();
             assert!(far >= 0.0 && fast >= 0.0);
             let size = alpha * (steady.max_displacement.value - steady.min_displacement.value);
@@ -182,27 +184,30 @@ fn long_run_at(ratios: Ratios<f64>, theta: f64, x: f64, v: f64) {
     }
 }
 
-/// The motion and its long run at a frequency ratio from 2⁻²⁰ to 2²⁰, the ends included, that `part` of 2³²
-/// is log-uniformly.
+/// The motion and its steady state at a frequency ratio from 2⁻²⁰ to 2²⁰, ends included, selected
+/// log-uniformly by `part` of 2³².
 ///
 /// # Panics
-/// As [`trajectory`].
+///
+/// As for [`trajectory`].
 pub(crate) fn any_frequency(part: u32, alpha: f64, theta: f64, x: f64, v: f64) {
     let omega = (40.0 * f64::from(part) / f64::from(u32::MAX) - 20.0).exp2();
     trajectory(omega, alpha, theta, x, v);
     long_run(omega, alpha, theta, x, v);
 }
 
-/// What the rounding of α is worth in Δ₀, relative: `dΔ₀/Δ₀ = α² /((1 − Ω²) Δ₀)² · dα/α`, some units of it.
+/// The relative effect of the rounding of α on Δ₀: `dΔ₀/Δ₀ = α² /((1 − Ω²) Δ₀)² · dα/α`, times a few units.
 fn condition(omega: f64, alpha: f64, max_displacement: f64) -> f64 {
     let sine = (1.0 - omega) * (1.0 + omega) * max_displacement / alpha;
     64.0 * f64::EPSILON / (sine * sine)
 }
 
-/// The inverse problems: an error that says what is wrong, or an answer that the forward functions confirm.
+/// The inverse problems: either an error that says what is wrong, or an answer that the forward functions
+/// confirm.
 ///
 /// # Panics
-/// As [`trajectory`].
+///
+/// As for [`trajectory`].
 pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64) {
     if let Ok(force) = design::force_ratio_for_displacement(omega, 0.0, target)
         && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
@@ -213,7 +218,7 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
     if let Ok(force) = design::force_ratio_for_velocity(omega, 0.0, target)
         && let Ok(cycle) = Ratios::new(omega, force).and_then(Cycle::new)
     {
-        // Beside Ω = 1 the next force that the type has can move the body much further.
+        // Near Ω = 1 the next force of the type can move the body much further.
         let slack = 1e-9 + condition(omega, force, cycle.max_displacement.min(target));
         assert!((cycle.max_velocity / target - 1.0).abs() < slack, "{omega:e} {target:e} {force:e}");
     }
@@ -223,7 +228,7 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
     }
     if let Ok(bands) = design::bands(alpha, 0.0, low, high) {
         let mut last = low;
-        // A wide range at low frequency has very many.
+        // A wide range at low frequency has a great many bands.
         for band in bands.take(64) {
             let Ok(band) = band else { continue };
             assert!(last <= band.low && band.low <= band.high && band.high <= high);
@@ -235,10 +240,11 @@ pub(crate) fn questions(omega: f64, target: f64, alpha: f64, low: f64, high: f64
     }
 }
 
-/// The same with a damper of the ratio ζ: an answer, put back, gives what was asked for.
+/// The same with a damper of the damping ratio ζ: substituting the answer gives the target.
 ///
 /// # Panics
-/// As [`trajectory`].
+///
+/// As for [`trajectory`].
 pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, low: f64, high: f64) {
     let at = |omega: f64, alpha: f64| Ratios::new(omega, alpha).and_then(|r| r.with_damping_ratio(zeta));
     let Ok(ratios) = at(omega, 1.0) else { return };
@@ -246,8 +252,8 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
         return questions(omega, target, alpha, low, high);
     }
     let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
-    // The rounding of α in the terms that a target is the difference of, and where a = √(α² − K²)/q takes up
-    // all of it.
+    // The rounding of α in the terms whose difference is the target, and where a = √(α² − K²)/q absorbs all
+    // of it.
     let stiffness = (2.0 * zeta * omega).hypot((1.0 - omega) * (1.0 + omega));
     let slack = |force: f64| {
         let swing = force / stiffness / target;
@@ -272,7 +278,7 @@ pub(crate) fn damped_questions(omega: f64, zeta: f64, target: f64, alpha: f64, l
     }
     let best = design::most_dissipating_force_ratio(omega, zeta).unwrap();
     assert!(best.at >= least && best.value.is_finite(), "{best:?}");
-    // Bounded work: bands as many as √α/2, and a mesh of some hundred points for each.
+    // The work is bounded: there are up to √α/2 bands, with a mesh of some hundred points for each.
     if alpha < 1e3
         && high < 1e3
         && let Ok(bands) = design::bands(alpha, zeta, low, high)

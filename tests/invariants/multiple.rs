@@ -1,5 +1,5 @@
-//! `Mp<LIMBS>` against `rug::Float` of the same precision, operation by operation: shared by the property
-//! tests and the fuzz target.
+//! `Mp<LIMBS>` compared with `rug::Float` of the same precision, operation by operation; shared by the
+//! property tests and the fuzz target.
 
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
@@ -10,7 +10,7 @@ use rug::ops::Pow as _;
 use rug::{Float, Integer, Rational};
 use stickslip::float::Mp;
 
-/// The same number: NaN and NaN, or equal with the same sign.
+/// Whether two numbers are the same: both NaN, or equal with the same sign.
 pub(crate) fn same<const L: usize>(ours: Mp<L>, theirs: &Float) -> bool {
     let ours = Float::from(ours);
     assert_eq!(ours.prec(), theirs.prec());
@@ -21,7 +21,7 @@ pub(crate) fn same<const L: usize>(ours: Mp<L>, theirs: &Float) -> bool {
     }
 }
 
-/// The same number, or a message with what was done to what.
+/// Asserts that two numbers are the same; the message names the operation and its operands.
 macro_rules! assert_same {
     ($ours:expr, $theirs:expr, $($context:tt)*) => {{
         let (ours, theirs) = ($ours, $theirs);
@@ -29,8 +29,8 @@ macro_rules! assert_same {
     }};
 }
 
-/// A number from its ingredients, at any precision: special, or all significand bits random, with exponents
-/// that are ordinary, large, or at the ends of the range.
+/// The ingredients of a number at any precision: a special value, or random significand bits with an exponent
+/// that is ordinary, large, or at an end of the range.
 #[derive(Debug, Clone)]
 pub(crate) enum Recipe {
     Special(u8),
@@ -56,7 +56,8 @@ impl Recipe {
                 }
                 n.set_bit(bits - 1, true);
                 let mut x = Float::with_val(bits, n);
-                // To [1/2, 1), then in two shifts, as one could leave the range on its way.
+                // First to [1/2, 1), then in two shifts, because a single one could leave the range on its
+                // way.
                 x >>= bits;
                 x <<= *exponent;
                 if *negative { -x } else { x }
@@ -65,7 +66,7 @@ impl Recipe {
     }
 }
 
-/// An argument that circular functions and exponentials take in short time.
+/// An argument for which circular functions and exponentials are fast.
 fn moderate(x: &Float) -> bool {
     !x.is_normal() || x.get_exp().is_some_and(|e| e.abs() < 4000)
 }
@@ -106,7 +107,7 @@ pub(crate) fn unary<const L: usize>(recipe: &Recipe) {
         assert_same!(sine, theirs.clone().sin(), "sin_cos {theirs}");
         assert_same!(cosine, theirs.clone().cos(), "sin_cos {theirs}");
     }
-    // Both ends of the exponential overflow or underflow fast.
+    // At both ends the exponential overflows or underflows quickly.
     check!(exp = exp, exp2 = exp2, exp_m1 = exp_m1, sinh = sinh, cosh = cosh);
     assert_same!(-ours, -theirs.clone(), "neg {theirs}");
     assert_same!(stickslip::Field::square(ours), theirs.clone().square(), "square {theirs}");
@@ -132,7 +133,7 @@ pub(crate) fn unary<const L: usize>(recipe: &Recipe) {
     }
     assert_eq!(ours.to_f64().map(f64::to_bits).map(|b| b << 1), Some(theirs.to_f64().to_bits() << 1));
     assert_eq!(ours.to_f32().map(f32::to_bits).map(|b| b << 1), Some(theirs.to_f32().to_bits() << 1));
-    // Wider holds it exactly, narrower rounds once.
+    // A wider type holds the number exactly; a narrower one rounds once.
     assert!(same(Mp::<L>::rounded(Mp::<20>::rounded(ours)), &theirs));
     assert_same!(Mp::<1>::rounded(ours), Float::with_val(64, &theirs), "narrower {theirs}");
 }
@@ -152,7 +153,7 @@ pub(crate) fn binary<const L: usize>(a: &Recipe, b: &Recipe) {
             let mut z = x;
             z $assign &y;
             assert_same!(z, theirs, "{a} {} &{b}", stringify!($assign));
-            // The same number on both sides.
+            // The same number as both operands.
             let theirs = Float::with_val(bits, &a $operator &a);
             assert_same!(x $operator x, theirs.clone(), "{a} {} itself", stringify!($operator));
             let mut z = x;
@@ -161,7 +162,7 @@ pub(crate) fn binary<const L: usize>(a: &Recipe, b: &Recipe) {
         )*};
     }
     operator!(+ +=, - -=, * *=, / /=);
-    // The quotient of exponents a billion apart would be computed in full.
+    // The remainder for exponents a billion apart would be computed in full.
     if moderate(&a) && moderate(&b) {
         operator!(% %=);
     }
@@ -186,7 +187,7 @@ pub(crate) fn ternary<const L: usize>(a: &Recipe, b: &Recipe, c: &Recipe) {
     let [x, y, z] = [&a, &b, &c].map(Mp::<L>::from_rug);
     assert_same!(x.mul_add(y, z), a.clone().mul_add(&b, &c), "{a} · {b} + {c}");
     assert_same!(x.mul_add(x, x), a.clone().mul_add(&a, &a), "{a} · itself + itself");
-    // A product that the sum cancels leaves its rounding error.
+    // If the sum cancels the product, its rounding error remains.
     let product = Float::with_val(bits, &a * &b);
     assert_same!(
         x.mul_add(y, -(x * y)),
@@ -204,7 +205,7 @@ pub(crate) fn text<const L: usize>(recipe: &Recipe) {
     }
     let padded = format!("{x:>9}");
     assert_eq!(padded.trim_start(), x.to_string());
-    // To few digits: the same as the exact value as a ratio of integers, rounded there.
+    // With few digits: the same as rounding the exact value as a ratio of integers.
     if theirs.is_finite() && moderate(&theirs) {
         for places in [0usize, 1, 7, 60] {
             let scaled = theirs.to_rational().unwrap() * Integer::from(10).pow(places as u32);

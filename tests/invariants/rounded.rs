@@ -1,4 +1,4 @@
-//! f64 against 512 bits: what is computed at f64 is the exact value, rounded, to within its documented error.
+//! f64 compared with 512 bits: a result at f64 is the exact value, rounded, to within its documented error.
 
 #![allow(dead_code, reason = "the fuzz target and the tests take what they need")]
 
@@ -11,15 +11,17 @@ type Exact = Mp<8>;
 /// The documented accuracy of the border and of K at f64, relative.
 const ACCURACY: f64 = 1e-14;
 
-/// The distance of `ours` from `exact`, relative to the latter.
+/// The error of `ours` relative to `exact`.
 fn error(ours: f64, exact: Exact) -> f64 {
     if exact == Exact::ZERO { ours.abs() } else { ((Exact::from(ours) - exact) / exact).abs().to_f64() }
 }
 
-/// What depends on Ω alone.
+/// The quantities that depend on Ω alone.
 ///
 /// # Panics
-/// Where a value at f64 is not that of 512 bits to within its accuracy: that is the finding.
+///
+/// If a value at f64 differs from that at 512 bits by more than its accuracy; the fuzzer reports this as a
+/// finding.
 pub(crate) fn borders(omega: f64) {
     let Ok(p) = PhaseFunction::new(omega) else {
         assert!(Border::new(omega).is_err());
@@ -40,10 +42,10 @@ pub(crate) fn borders(omega: f64) {
     close("α_min", ours.min_force_ratio, exact.min_force_ratio);
     close("eq. 61", ours.turning_point, exact.turning_point);
     close("S", ours.min_displacement, exact.min_displacement);
-    // Where the two touch, the phase is that of one or the other.
+    // Where the two values of S coincide, the phase may be that of either.
     if (exact.min_force_ratio - exact.turning_point).to_f64() > ACCURACY * exact.turning_point.to_f64() {
         let apart = (Exact::from(ours.touching_phase) - exact.touching_phase).abs().to_f64();
-        // As the supremum is flat there, the phase keeps fewer digits beside a pole or a zero of T.
+        // The supremum is flat there, so that the phase is less accurate near a pole or a zero of T.
         assert!(
             apart <= 1e-6 || ours.touching_phase.min(std::f64::consts::PI - ours.touching_phase) < 1e-6,
             "τ* at Ω = {omega:e}"

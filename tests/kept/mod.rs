@@ -1,8 +1,8 @@
-//! What is kept in the repository and held against what the library gives.
+//! Files kept in the repository and compared with the library's results.
 
 use std::path::Path;
 
-/// The files of one test. With `STICKSLIP_WRITE` set they are written, and the test fails: a run that
+/// The files of one test. With `STICKSLIP_WRITE` set they are written and the test fails, because a run that
 /// compares nothing must not pass.
 #[derive(Default)]
 pub(crate) struct Kept {
@@ -10,7 +10,7 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
-    /// What is kept under this path of the repository.
+    /// The contents of the file kept at this path of the repository.
     pub(crate) fn at(&mut self, path: &str, given: &str) -> String {
         let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
         if std::env::var_os("STICKSLIP_WRITE").is_some() {
