@@ -1,4 +1,4 @@
-//! The command as its users see it: answers, formats, streams, and what it says of bad input.
+//! The command from the user's side: answers, formats, streams, and messages about bad input.
 
 use crate::command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
@@ -17,7 +17,7 @@ fn the_text_answer_begins_with_the_regime() {
         let text = stdout(&format!("response {args}"));
         assert!(text.starts_with(regime), "{text}");
         assert!(text.contains("minimum without sticking"), "{text}");
-        // Said where it is so: 1/3 < Ω < 1/2.
+        // The note appears where eq. 61 is too low: 1/3 < Ω < 1/2.
         assert_eq!(text.contains("(eq. 61 gives"), args.contains("0.4"), "{text}");
     }
     let text = stdout(&format!("response {PAPER} --omega 0.8 --alpha 2.5 --units kN,m"));
@@ -69,7 +69,7 @@ fn json_has_the_agreed_keys_in_every_regime() {
     }
 }
 
-/// Beside a pole, below the border of the two-reversal cycle: every command says the same.
+/// Near a pole, below the border of the two-reversal cycle, every command gives the same verdict.
 #[test]
 fn six_reversals_have_one_verdict() {
     let point = "--omega 0.331 --alpha 61.6";
@@ -115,7 +115,8 @@ fn the_force_ratios_without_a_stop() {
     refused("design friction --omega 0.331 --no-stop", &["--no-stop"]);
 }
 
-/// What is beside a pole or a zero of K is said to be so; the symmetric cycle of a family is.
+/// The note marks answers next to a pole or a zero of K that no machine can attain, and the symmetric cycle
+/// of a family.
 #[test]
 fn numbers_that_no_machine_can_use_are_said_to_be_so() {
     let says = |arguments: &str| stdout(arguments).contains("for any machine)");
@@ -170,7 +171,7 @@ fn physical_units_are_the_ratios_times_their_scales() {
         let energy = 4.0 * 5.0 * physical["max_displacement"].as_f64().unwrap();
         assert!((physical["energy_per_cycle"].as_f64().unwrap() / energy - 1.0).abs() < 1e-11);
         assert_eq!(physical["angular_frequency"].as_f64(), Some(frequency));
-        // No phase, ratio or count is among them, and each value has its unit.
+        // There is no phase, ratio or count among them, and each value has its unit.
         let names: Vec<_> =
             physical.as_object().unwrap().keys().filter(|k| *k != "drive" && *k != "units").collect();
         let units = physical["units"].as_object().unwrap();
@@ -183,7 +184,7 @@ fn physical_units_are_the_ratios_times_their_scales() {
     assert!(json("response --omega 0.8 --alpha 2.5 --format json").get("physical").is_none());
 }
 
-/// The best loop and the force named beside it belong together: with that force the machine has that loop.
+/// The best loop and the force printed with it belong together: with that force the machine has that loop.
 #[test]
 fn the_best_force_has_the_best_loop() {
     let at =
@@ -283,7 +284,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
     }
 }
 
-/// Feeds `input` to `response --points -` and gives (standard output, standard error, exit status).
+/// Feeds `input` to `response --points -` and returns (standard output, standard error, exit status).
 fn points(format: &str, input: &str) -> (String, String, i32) {
     let assert = stickslip(&format!("response --points - --format {format}")).write_stdin(input).assert();
     let output = assert.get_output();
@@ -331,8 +332,7 @@ fn a_bad_row_stops_after_the_good_ones() {
     let (out, err, code) = points("jsonl", "omega,beta\n1,2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("column alpha (or --alpha) is missing"), "{err}");
-    // Columns of a spreadsheet that has other separators, and a slip of the pen in a column that could be
-    // left out.
+    // Columns of a spreadsheet with other separators, and a typing error in an optional column.
     let (out, err, code) = points("jsonl", "omega;alpha\n1,5;2\n");
     assert_eq!((out.as_str(), code), ("", 2));
     assert!(err.contains("columns must be separated by commas"), "{err}");
@@ -364,7 +364,8 @@ fn a_column_is_there_once_and_a_header_alone_has_a_header() {
     }
 }
 
-/// A row that does not end is refused before it fills the memory, with as much of it as can be read.
+/// A row without an end is refused before it fills the memory; the message quotes as much of it as is
+/// readable.
 #[test]
 fn a_row_without_end_is_refused() {
     let digits = "7".repeat(3_000_000);
@@ -379,7 +380,7 @@ fn a_row_without_end_is_refused() {
         assert!(err.contains("must be ≤ 262144") && err.lines().count() == 1 && err.len() < 2_000, "{err}");
         assert_eq!(out.lines().count(), usize::from(input.contains("2.5")));
     }
-    // A long header that is no header is not repeated at length.
+    // The message does not repeat a long line that is no header.
     let (_, err, code) = points("jsonl", &format!("{}\n", "column,".repeat(20_000)));
     assert!(code == 2 && err.contains("column omega (or --omega) is missing") && err.len() < 2_000, "{err}");
 }
@@ -451,7 +452,7 @@ fn verify_holds_every_equation() {
     assert!(identities.iter().any(|i| i["equation"] == "49" && i["standing"] == "refuted"));
 }
 
-/// At more bits the same answers, as strings with all their digits.
+/// With more bits the answers are the same, as strings with all their digits.
 #[cfg(feature = "mp")]
 #[test]
 fn bits_give_all_the_digits_of_the_reference() {
@@ -460,7 +461,8 @@ fn bits_give_all_the_digits_of_the_reference() {
     let mut long = 0;
     for row in points.lines().skip(1) {
         let cells: Vec<&str> = row.split(',').collect();
-        // The reference is at the doubles nearest to what the row says: here with every digit they have.
+        // The reference uses the doubles nearest to the numbers in the row; here they are written with all
+        // their digits.
         let exactly = |cell: &str| format!("{:.120}", cell.parse::<f64>().unwrap());
         let (omega, alpha) = (exactly(cells[0]), exactly(cells[1]));
         let answer = json(&format!("response --omega {omega} --alpha {alpha} --bits 256 --format json"));
@@ -477,9 +479,9 @@ fn bits_give_all_the_digits_of_the_reference() {
             long += usize::from(digits.len() > 70);
         }
     }
-    // Some are short because they are whole numbers.
+    // Some answers are short because they are whole numbers.
     assert!(long > 150, "{long} answers with all digits");
-    // The note has them, too.
+    // The text answer has all digits, too.
     let answer = json("response --omega 0.7 --alpha 2 --bits 256 --format json");
     let note = stdout("response --omega 0.7 --alpha 2 --bits 256");
     assert!(note.contains(answer["max_displacement"].as_str().unwrap()), "{note}");

@@ -1,4 +1,4 @@
-//! `stickslip design` as a user meets it: every answer is put back into the forward commands.
+//! `stickslip design` from the user's side: every answer is substituted into the forward commands.
 
 use crate::command_line::{refused, stdout};
 use serde_json::Value;
@@ -104,8 +104,8 @@ fn the_best_friction_and_stiffness_are_better_than_their_neighbours() {
     assert!(loop_size(at * 1.001) < loop_size(at) && loop_size(at * 0.999) < loop_size(at));
 }
 
-/// Each question that knows a damper answers with one, in both kinds of units, and what is searched says so;
-/// the others refuse it.
+/// Each problem that allows a damper is answered with one, in both kinds of units, and searched answers are
+/// marked as such; the others refuse a damper.
 #[test]
 fn with_a_damper() {
     let damped = "--omega 1 --damping-ratio 0.05";
@@ -146,7 +146,7 @@ fn with_a_damper() {
     refused(&format!("design {arguments} --damping-ratio 0.05"), says);
 }
 
-/// Forces and bands without a stop with a damper: six reversals a cycle with a little of it, and none with
+/// Forces and bands without a stop with a damper: six reversals a cycle with little damping, and none with
 /// more.
 #[test]
 fn without_a_stop_with_a_damper() {

@@ -1,8 +1,8 @@
-//! `--enclose`: certain digits, as text and as JSON.
+//! `--enclose`: certain digits in text and in JSON.
 
 use super::command_line::{json, refused, stdout};
 
-/// The number that is printed with ±, and the radius, in a line that begins with this name.
+/// The number printed with ±, and the radius, in a line that begins with this name.
 fn line(text: &str, name: &str) -> (f64, f64) {
     let line = text
         .lines()
@@ -75,10 +75,10 @@ fn a_motion_with_stops_is_proved() {
         assert!((mid - value).abs() < 1e-12 && rad < 1e-18, "{name}: {mid} {rad}");
     }
     let damped = json("steady --omega 0.3 --alpha 4 --damping-ratio 0.1 --enclose --format json");
-    // By an independent event-driven simulation.
+    // The reference is an independent event-driven simulation.
     let displacement: f64 = damped["max_displacement"]["mid"].as_str().unwrap().parse().unwrap();
     assert!((displacement - 3.339_881_800_0).abs() < 1e-9, "{displacement}");
-    // Above critical damping, and one of a mirror pair.
+    // A motion above critical damping, and one of a mirror pair.
     let text = stdout("steady --omega 0.5 --alpha 3 --damping-ratio 2 --enclose");
     assert!(text.starts_with("Proved: a periodic motion with 2 stops a cycle exists."), "{text}");
     let pair = "steady --omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3 --enclose";
@@ -89,7 +89,7 @@ fn a_motion_with_stops_is_proved() {
     assert!(stdout("steady --omega 0.5 --alpha 3 --enclose").starts_with("Not proved"));
 }
 
-/// Every residual's ball has 0 in it, and its reach is stated.
+/// The ball of every residual contains 0, and its greatest distance from 0 is printed.
 #[test]
 fn the_identities_hold_in_balls() {
     let report = json("verify --enclose --bits 96 --format json");

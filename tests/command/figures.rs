@@ -1,4 +1,4 @@
-//! `stickslip figure`, `figures` and `map` as a user meets them.
+//! `stickslip figure`, `figures` and `map` from the user's side.
 
 use crate::command_line::{refused, stdout};
 use crate::kept::Kept;
@@ -106,8 +106,8 @@ fn a_map_is_drawn_with_a_key_and_the_border() {
     }
 }
 
-/// A key has eight lines at most, and what is far beyond nearly all values, as beside a pole, is cut off with
-/// a note.
+/// A key has at most eight lines, and values far beyond nearly all others, as near a pole, are cut off with a
+/// note.
 #[test]
 fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     let draw = |arguments: &str| {
@@ -123,7 +123,7 @@ fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     let margin = draw("margin --omega 0.2:2:37 --alpha 0.5:8:16");
     assert!(margin.contains("cut off below") && margin.contains("0.01"), "{margin}");
     let fraction = draw("steady:stick_fraction --omega 0.2:1:9 --alpha 1.2:6:7");
-    // The light end, above, is 0: no rest at all.
+    // The light end at the top of the key is 0, no rest.
     let key = fraction.split("part of the time at rest\n").last().unwrap();
     let (none, much) = (key.find("\n0.0\n"), key.find("\n0.6\n"));
     let height = |end: Option<usize>| -> i32 {
@@ -133,7 +133,7 @@ fn a_map_can_be_read_at_low_frequencies_and_at_a_pole() {
     assert!(height(none) < height(much), "{key}");
 }
 
-/// Small ones, by names, by equal steps and by equal ratios; `STICKSLIP_WRITE=1` writes them.
+/// Small maps with names, with a linear and with a logarithmic scale; `STICKSLIP_WRITE=1` writes them.
 #[test]
 fn the_kept_maps_are_what_is_drawn() {
     let mut kept = Kept::default();
@@ -153,7 +153,7 @@ fn the_kept_maps_are_what_is_drawn() {
     }
 }
 
-/// A picture that is there stays as it is unless it is to be replaced, and whatever fails.
+/// An existing picture is left alone unless it is to be replaced, even if the command fails.
 #[test]
 fn a_picture_is_replaced_where_that_is_asked_for() {
     let file = place("replaced.svg");
@@ -168,7 +168,7 @@ fn a_picture_is_replaced_where_that_is_asked_for() {
     assert_eq!(std::fs::read_to_string(&file).unwrap(), "a picture");
     stdout(&format!("figure 8 --overwrite --out {name}"));
     assert!(std::fs::read_to_string(&file).unwrap().starts_with("<svg"));
-    // Nothing is left beside it.
+    // No temporary file is left next to it.
     let beside = std::fs::read_dir(file.parent().unwrap()).unwrap().map(|entry| entry.unwrap().file_name());
     let left: Vec<_> = beside.filter(|name| name.to_string_lossy().starts_with("replaced.svg.")).collect();
     assert!(left.is_empty(), "{left:?}");

@@ -1,4 +1,4 @@
-//! Interrupts are heard within 0.3 s, whatever the command is at; a failure of the system is told.
+//! An interrupt takes effect within 0.3 s, whatever the command is doing; a system failure is reported.
 
 use crate::command_line::stickslip;
 use std::io::{Read, Write};
@@ -20,9 +20,9 @@ fn signal(child: &Child, name: &str) {
     assert!(Command::new("kill").args([name, &child.id().to_string()]).status().unwrap().success());
 }
 
-/// How long it takes to end from now on, and how long it may: 0.3 s, and four times what a process that
-/// sleeps for 0.25 s takes longer than that beside it, for starting it and for other work on the machine.
-/// Some threads of the command have to be woken in turn.
+/// The time until the process ends, and the time allowed: 0.3 s, plus four times the delay of a simultaneous
+/// process that sleeps for 0.25 s, which measures process start and other load. Some threads of the command
+/// have to be woken in turn.
 fn ends_within(child: &mut Child) -> (Duration, Duration) {
     const SLEEP: Duration = Duration::from_millis(250);
     let begin = Instant::now();
@@ -43,8 +43,8 @@ fn ends_within(child: &mut Child) -> (Duration, Duration) {
     }
 }
 
-/// Interrupts what `interrupted` starts: it has to end in time once in three attempts, because a single delay
-/// may be the machine's.
+/// Interrupts the process that `interrupted` starts. One of three attempts must end in time, because a single
+/// delay may be due to the machine.
 fn ends_in_time(what: &str, interrupted: impl Fn() -> Child) -> Child {
     let mut late = Vec::new();
     for _ in 0..3 {
@@ -58,7 +58,7 @@ fn ends_in_time(what: &str, interrupted: impl Fn() -> Child) -> Child {
     panic!("{what}: (took, allowed) {late:?}");
 }
 
-/// Ends with status 130 and one line, in time.
+/// The process ends with status 130 and one line, in time.
 fn heard(what: &str, interrupted: impl Fn() -> Child) {
     let mut child = ends_in_time(what, interrupted);
     let mut message = String::new();
@@ -95,7 +95,7 @@ fn an_interrupt_is_heard_in_the_middle_of_work_that_takes_long() {
         #[cfg(feature = "mp")]
         ("verify --bits 8192", "-INT"),
     ] {
-        // Nobody reads: a writer that waits for its reader hears, too.
+        // Nobody reads the output: a writer that waits for its reader is interrupted, too.
         heard(arguments, || interrupted(arguments, 500, name));
     }
     assert!(!picture.exists());
@@ -113,7 +113,7 @@ fn an_interrupt_is_heard_while_waiting_for_input() {
     std::fs::remove_file(pipe).unwrap();
 }
 
-/// A writer that waits for its reader; the rows that the reader got are whole.
+/// A writer waits for its reader; the rows that the reader received are complete.
 #[test]
 fn an_interrupt_is_heard_while_nobody_reads() {
     let sweep = "sweep response --omega 0.5:2:1000 --alpha 1.1:9:1000";
@@ -121,11 +121,11 @@ fn an_interrupt_is_heard_while_nobody_reads() {
     assert_eq!(child.wait().unwrap().code(), Some(130));
 }
 
-/// Work that hears at once, and then has a header to write that nobody reads.
+/// The work is interrupted immediately, and a header that nobody reads has yet to be written.
 #[test]
 fn an_interrupt_is_heard_where_the_last_write_finds_no_reader() {
     let (reader, mut full) = std::io::pipe().unwrap();
-    // As much as a pipe of Linux holds.
+    // The capacity of a pipe on Linux.
     full.write_all(&[b'x'; 1 << 16]).unwrap();
     let mut child = ends_in_time("a full pipe", || {
         let child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
@@ -145,7 +145,7 @@ fn an_interrupt_is_heard_where_the_last_write_finds_no_reader() {
 
 #[test]
 fn a_second_interrupt_ends_at_once() {
-    // Waiting for input it hears of one signal only when its time is up, 0.15 s later.
+    // While it waits for input, the process notices a signal only at the end of a 0.15 s interval.
     let mut late = Vec::new();
     for _ in 0..5 {
         let mut child = interrupted("response --points -", 300, "-INT");
@@ -161,7 +161,7 @@ fn a_second_interrupt_ends_at_once() {
     panic!("(took, allowed and 0.22 s more) {late:?}");
 }
 
-/// A full disk is no success, and the message says which output it was.
+/// A full disk is a failure, and the message names the output.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_full_disk_is_a_failure_that_names_the_output() {

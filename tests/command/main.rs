@@ -1,4 +1,4 @@
-//! The command `stickslip` as its users meet it.
+//! The command `stickslip` from the user's side.
 
 #[path = "../command_line/mod.rs"]
 mod command_line;

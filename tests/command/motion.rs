@@ -1,9 +1,9 @@
-//! `stickslip steady`, `simulate` and `decay` as a user meets them.
+//! `stickslip steady`, `simulate` and `decay` from the user's side.
 
 use crate::command_line::{json, refused, stdout, stickslip};
 use serde_json::Value;
 
-/// Values found by an independent program.
+/// Values from an independent program.
 const STEADY: [(&str, &str, f64, u64, u64); 5] = [
     ("0.4", "6.0", 6.79382, 2, 4),
     ("0.1", "3.0", 2.160_025_244_6, 4, 4),
@@ -126,7 +126,7 @@ fn simulate_gives_the_phases_one_a_row() {
     assert_eq!((rows[1][0], rows[1][1]), ("stick", "release"));
     let (end_phase, start_phase) = (rows[1][5].parse::<f64>().unwrap(), rows[2][3].parse::<f64>().unwrap());
     assert!((end_phase - (1.0f64 / 6.0).asin()).abs() < 1e-15 && end_phase == start_phase);
-    // Each phase begins where the one before ended, and the last begins in the second cycle.
+    // Each phase begins where the previous one ended, and the last begins in the second cycle.
     for pair in rows[1..].windows(2) {
         assert_eq!(pair[0][4..6], pair[1][2..4]);
         assert_eq!(pair[0][9], pair[1][7]);
@@ -166,7 +166,7 @@ fn phases_in_physical_units() {
         is("duration", (number("end_time") - number("start_time")) * 2.0);
         count += 1;
     }
-    // All but the first begin at a turn.
+    // All but the first begin at a reversal.
     assert!(count > 4 && moving == 1, "{csv}");
 }
 
@@ -193,14 +193,14 @@ fn decay_comes_to_rest_where_it_is_known_to() {
     let answer = json("decay --x0 12 --v0 6 --format json");
     assert_eq!(answer["half_cycles"], 8);
     assert!((answer["rest_position"].as_f64().unwrap() - (15.0 - 205f64.sqrt())).abs() < 1e-14);
-    // The same body in other units: m = 2, k = 800, r_y = 4, so B = 0.005 and ω_n = 20.
+    // The same body in physical units: m = 2, k = 800, r_y = 4, so that B = 0.005 and ω_n = 20.
     let physical = json("decay --mass 2 --stiffness 800 --friction 4 --x0 0.06 --v0 0.6 --format json");
     assert_eq!(physical["half_cycles"], 8);
     let place = physical["physical"]["rest_position"].as_f64().unwrap();
     assert!((place / (0.005 * (15.0 - 205f64.sqrt())) - 1.0).abs() < 1e-12);
     assert!(stdout("decay --x0 12 --v0 6").starts_with("At rest after 8 half cycles."));
     assert_eq!(json("decay --x0 0.5 --format json")["half_cycles"], 0);
-    // k = m (2π/T)², r_y = µ m g, r_s = 1.5 r_y, c = 2 ζ √(k m): the machine above in other quantities.
+    // The machine above by other quantities: k = m (2π/T)², r_y = µ m g, r_s = 1.5 r_y, c = 2 ζ √(k m).
     let same =
         "--mass 2 --period 0.3141592653589793 --friction-coefficient 0.2 --gravity 10 --x0 0.06 --v0 0.6";
     let other = json(&format!("decay {same} --format json"));
@@ -243,7 +243,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
     }
 }
 
-/// Ctrl-C in the middle of a long run: the rows are whole and the exit status says so.
+/// Ctrl-C during a long run leaves complete rows, and the exit status reports it.
 #[cfg(unix)]
 #[test]
 fn an_interrupt_leaves_whole_rows() {
@@ -270,7 +270,8 @@ fn an_interrupt_leaves_whole_rows() {
     assert!(message.contains("interrupted"), "{message}");
 }
 
-/// However little a damper takes, its work has a line of its own; without a damper there is none.
+/// The work of a damper is printed in a line of its own, however small; without a damper there is no such
+/// line.
 #[test]
 fn the_work_of_a_damper_is_told_apart() {
     let with = stdout("steady --omega 2 --alpha 1.5 --damping-ratio 1e-4");

@@ -1,8 +1,8 @@
-//! Every option with every question: it changes the answer, or it is refused.
+//! Every option with every command: it either changes the answer or is refused.
 
 use crate::command_line::{self, stickslip};
 
-/// Questions that have an answer, each in every way it can be asked.
+/// Commands that have an answer, each in every form.
 const QUESTIONS: [&str; 27] = [
     "response --omega 1.5 --alpha 2.5",
     "response --mass 50 --stiffness 1000 --friction 5 --frequency 6 --force 12",
@@ -34,7 +34,7 @@ const QUESTIONS: [&str; 27] = [
     "design stiffness --mass 50 --friction 5 --frequency 6 --force 12 --from 500 --to 1500",
 ];
 
-/// Every option of these commands, with a value that is not the one above.
+/// Every option of these commands, with a value that differs from the one above.
 const OPTIONS: &[&str] = &[
     "--omega 0.7",
     "--alpha 3",
@@ -75,7 +75,7 @@ fn asked(question: &str) -> String {
     question.replace("POINTS", points)
 }
 
-/// What it answers, or `None` where it refuses by one line that names the option.
+/// The answer, or `None` if the command refuses with one line that names the option.
 fn answer(arguments: &str, option: &str) -> Option<Vec<u8>> {
     let output = stickslip(arguments).output().unwrap();
     if output.status.code() == Some(0) {
@@ -85,7 +85,7 @@ fn answer(arguments: &str, option: &str) -> Option<Vec<u8>> {
     let name = option.split(' ').next().unwrap();
     assert_eq!(output.status.code(), Some(2), "{arguments}: {message}");
     assert!(output.stdout.is_empty() && message.lines().count() == 1, "{arguments}: {message}");
-    // An option of a machine makes it one, of which the others are missing.
+    // The option of a machine requires the other parameters of a machine, which the message says are missing.
     let made = message.contains("missing") || message.contains("give all three or none");
     assert!(made || message.contains(name), "{arguments}: {name} is not in “{message}”");
     None
@@ -104,13 +104,13 @@ fn an_option_changes_the_answer_or_is_refused() {
             }
             match answer(&format!("{question} {option}"), name) {
                 None => refused += 1,
-                // JSON lines are what --points answers unless said otherwise.
+                // JSON lines are the default format of --points.
                 Some(_) if question.contains("--points") && *option == "--format jsonl" => {}
                 Some(with) => assert!(with != without, "{question} {option} changes nothing"),
             }
         }
     }
-    // Most options belong to few questions.
+    // Most options apply to few commands.
     assert!(refused > QUESTIONS.len() * OPTIONS.len() / 2, "{refused}");
 }
 
@@ -123,11 +123,11 @@ fn a_start_holds_for_every_point_of_a_file() {
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         assert_eq!(Some(cells[4]), single["max_displacement"].as_f64(), "{row}");
     }
-    // At Ω = 1/2 the start decides.
+    // At Ω = 1/2 the answer depends on the start.
     assert_ne!(rows, command_line::stdout(&asked("steady --points POINTS --format csv")));
 }
 
-/// Help shows the options that a command uses, and no others.
+/// Help lists the options that a command uses, and no others.
 #[test]
 fn help_shows_the_options_of_a_command() {
     for (question, own, others) in [

@@ -1,4 +1,4 @@
-//! `stickslip sweep` to Parquet, read back.
+//! `stickslip sweep` to Parquet files, which are read back.
 
 #[cfg(unix)]
 use crate::command_line::stickslip;
@@ -19,7 +19,7 @@ fn reader(file: &Path) -> SerializedFileReader<File> {
     SerializedFileReader::new(File::open(file).unwrap()).unwrap()
 }
 
-/// The names and the rows of a file, as the CSV of the same sweep has them.
+/// The names and rows of a file in the form of the CSV of the same sweep.
 fn text(file: &Path) -> String {
     let reader = reader(file);
     let schema = reader.metadata().file_metadata().schema();
@@ -59,7 +59,7 @@ fn what_is_read_back_is_what_csv_has() {
     }
 }
 
-/// The numbers of a line in one spelling.
+/// The numbers of a line in a uniform format.
 fn written_alike(line: &str) -> String {
     let cell = |cell: &str| cell.parse::<f64>().map_or(cell.to_owned(), |number| format!("{number:e}"));
     line.split(',').map(cell).collect::<Vec<_>>().join(",")
@@ -103,21 +103,21 @@ fn the_shards_together_are_the_whole() {
     assert_eq!(joined, text(&whole));
 }
 
-/// The folder of the parts of a file that is not whole yet.
+/// The directory with the parts of an incomplete file.
 fn parts(file: &Path) -> PathBuf {
     let mut name = file.as_os_str().to_owned();
     name.push(".parts");
     name.into()
 }
 
-/// The same place without its parts.
+/// A path without a file or parts.
 fn fresh(name: &str) -> PathBuf {
     let file = place(name);
     let _ = std::fs::remove_dir_all(parts(&file));
     file
 }
 
-/// The rows of all parts.
+/// The total number of rows in all parts.
 fn rows_of_parts(file: &Path) -> i64 {
     let Ok(found) = std::fs::read_dir(parts(file)) else { return 0 };
     let names =
@@ -125,7 +125,8 @@ fn rows_of_parts(file: &Path) -> i64 {
     names.map(|part| reader(&part).metadata().file_metadata().num_rows()).sum()
 }
 
-/// Starts a sweep and ends it after a while by a signal; gives the exit status, where it was not over before.
+/// Starts a sweep and stops it after some time by a signal; returns the exit status, unless the sweep ended
+/// before.
 #[cfg(unix)]
 fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i32> {
     use std::process::{Command, Stdio};
@@ -140,8 +141,8 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
     child.wait().unwrap().code()
 }
 
-/// Killed or interrupted at any time, what is complete is kept, and going on gives the sweep that was not
-/// broken off.
+/// If the sweep is killed or interrupted at any time, complete parts are kept, and resuming gives the same
+/// result as an uninterrupted sweep.
 #[cfg(unix)]
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
@@ -161,14 +162,14 @@ fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
         }
         assert_eq!(status, if signal == "-KILL" { None } else { Some(130) });
         assert!(!file.exists(), "there before it is whole");
-        // Nothing that was there is lost; an interrupt keeps all.
+        // No complete row is lost; an interrupt keeps all.
         let now = rows_of_parts(&file);
         assert!(now >= kept, "{now} rows of {kept}");
         kept = now;
     }
     assert!(kept > 0);
     for _ in 0..2 {
-        // Once it is whole, going on changes nothing.
+        // Resuming a complete file changes nothing.
         stdout(&goes_on);
         assert!(text(&file) == whole);
         assert!(!parts(&file).exists());
@@ -204,7 +205,7 @@ fn another_sweep_or_a_cut_file_is_not_gone_on_with() {
     refused(&format!("sweep {sweep} --format parquet"), &["--format parquet", "--out FILE"]);
 }
 
-/// Nobody's files are in the way of a sweep, and no sweep is in theirs.
+/// Files of other origin do not disturb a sweep, and a sweep does not touch them.
 #[test]
 fn what_is_beside_the_file_is_left_alone() {
     let file = fresh("beside.parquet");
@@ -216,7 +217,7 @@ fn what_is_beside_the_file_is_left_alone() {
     refused(&sweep, &["--resume goes on"]);
     refused(&format!("{sweep} --resume"), &["notes", "is no part of a sweep"]);
     assert_eq!(std::fs::read_to_string(parts(&file).join("notes")).unwrap(), "notes");
-    // A part of another sweep.
+    // The same for a part of another sweep.
     std::fs::remove_file(parts(&file).join("notes")).unwrap();
     let part = parts(&file).join("000000000000-000000000010.parquet");
     stdout(&format!("sweep border --omega 0.5:2:10:log --out {}", part.display()));
@@ -227,7 +228,7 @@ fn what_is_beside_the_file_is_left_alone() {
     assert_eq!(std::fs::read_to_string(&resumed).unwrap(), "notes");
 }
 
-/// A limit on the size of files is a disk that is full.
+/// A limit on the file size acts like a full disk.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
@@ -249,7 +250,7 @@ fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
     assert!(groups <= 1 << 17, "{groups}");
 }
 
-/// Of two commands at one file one is refused, and the file is whole.
+/// If two commands write one file, one of them is refused, and the file is complete.
 #[cfg(target_os = "linux")]
 #[test]
 fn two_commands_do_not_share_the_parts() {
@@ -267,7 +268,7 @@ fn two_commands_do_not_share_the_parts() {
     std::thread::sleep(std::time::Duration::from_millis(20));
     let second = start().wait().unwrap().code();
     assert_eq!(first.wait().unwrap().code(), Some(0));
-    // The second may have come when all was over.
+    // The second command may have started after the first had finished.
     assert!(second == Some(2) || second == Some(0), "{second:?}");
     assert_eq!(reader(&file).metadata().file_metadata().num_rows(), 10_000);
     assert!(!parts(&file).exists());

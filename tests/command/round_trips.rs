@@ -1,5 +1,5 @@
-//! What the command writes is read again, number by number and bit by bit: CSV by `csv`, JSON by
-//! `serde_json`, and as input.
+//! The command's output is read back, number by number and bit by bit: CSV by `csv`, JSON by `serde_json`,
+//! and both as input.
 
 mod named;
 
@@ -16,7 +16,7 @@ use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::generators::{Machine, Point, Start};
 use stickslip::{Drive, Oscillator, Ratios, Response, Scales};
 
-/// Values of a type of `stickslip::generators`.
+/// Random values of a type of `stickslip::generators`.
 fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
     prop::collection::vec(any::<u8>(), 16..96)
         .prop_filter_map("bytes", |bytes| T::arbitrary(&mut Unstructured::new(&bytes)).ok())
@@ -32,7 +32,7 @@ fn ratios(p: &Point) -> Ratios<f64> {
     Ratios::new(p.omega, p.alpha).unwrap()
 }
 
-/// The points as CSV, each number as `write` writes it.
+/// The points as CSV, with each number in the format of `write`.
 fn table(points: &[Point], write: fn(f64) -> String) -> String {
     let rows = points.iter().map(|p| format!("{},{}\n", write(p.omega), write(p.alpha)));
     format!("omega,alpha\n{}", rows.collect::<String>())
@@ -42,7 +42,7 @@ fn plain(x: f64) -> String {
     x.to_string()
 }
 
-/// What a command with `--points -` makes of a table.
+/// The output of a command with `--points -` for a table.
 fn answers(command: &str, format: &str, table: &str) -> String {
     let run =
         stickslip(&format!("{command} --points - --format {format}")).write_stdin(table.to_owned()).assert();
@@ -54,7 +54,7 @@ fn of_lines<F: FromStr<Err: Debug> + LowerExp>(text: &str) -> Vec<Named> {
     text.lines().map(|line| of_json::<F>(&serde_json::from_str(line).unwrap())).collect()
 }
 
-/// Both formats of the answers to a table have the values that are due.
+/// Both formats of the answers to a table must have the expected values.
 fn both<F: FromStr<Err: Debug> + LowerExp>(command: &str, table: &str, due: Vec<Named>) {
     assert_eq!(of_csv::<F>(&answers(command, "csv", table)), due, "{command}, CSV");
     let due: Vec<Named> = due.into_iter().map(sorted).collect();
@@ -72,7 +72,7 @@ proptest! {
         both::<f64>("border", &table(&points, |x| format!("{x:e}")), due);
     }
 
-    /// The ratios come back however they were written, and so do the answers to them.
+    /// The ratios are reproduced in whatever format they were written, and so are the answers.
     #[test]
     fn an_answer_is_an_input_with_the_same_answer(points in points(100)) {
         let first = answers("response", "csv", &table(&points, plain));
@@ -96,7 +96,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(100))]
 
-    /// The motion from a start that was typed is the motion from that start.
+    /// The motion from a typed start is the motion from that start.
     #[test]
     fn motions(start in hard::<Start>(), cycles in 1..4i64) {
         let Start { point: Point { omega, alpha }, x, v, .. } = start;
@@ -124,7 +124,7 @@ proptest! {
         }
     }
 
-    /// Units from the smallest to the largest, which some of the answers are beyond.
+    /// Units from the smallest to the largest, in which some of the answers overflow.
     #[test]
     fn any_units(point in hard::<Point>(), decades in prop::array::uniform3(-307.0..307.0)) {
         let [friction, length, frequency] = decades.map(|e| 10f64.powf(e));
@@ -136,7 +136,7 @@ proptest! {
     }
 }
 
-/// A machine comes back as typed, with what the library answers; what its units have no number for is
+/// A machine is reproduced as typed, with the library's answers; answers that overflow in its units are
 /// refused.
 fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let (Ok(ratios), Ok(scales)) = (drive.ratios(body), Scales::new(body, drive)) else { return };
@@ -145,7 +145,7 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     due.extend(foot(drive));
     let mut of_ratios = of_response(&response);
     if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle.as_ref()) {
-        // Foot and surface feel m x″.
+        // Foot and surface together carry the inertia m x″.
         let (acceleration, omega) = (cycle.max_acceleration(), ratios.omega());
         let force = acceleration * (omega * omega);
         let felt = [
@@ -209,7 +209,7 @@ fn what_the_units_have_no_number_for_is_refused() {
     }
 }
 
-/// All digits of wide numbers, which are text in JSON.
+/// Numbers of high precision, which are strings in JSON.
 #[cfg(feature = "mp")]
 mod wide {
     use super::{Named, Point, both, of_response, points};
@@ -222,7 +222,7 @@ mod wide {
 
         #[test]
         fn responses(points in points(12)) {
-            // Thirds, so that the ratios themselves have all their digits.
+            // Thirds, so that the ratios themselves use all their digits.
             let third = |x: f64| Mp::<4>::from(x) / Mp::from(3);
             let valid: Vec<Ratios<Mp<4>>> = points
                 .iter()

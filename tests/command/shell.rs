@@ -1,4 +1,4 @@
-//! What the command says of itself: help, completions, manual pages, colours, and how quiet it can be.
+//! The command's documentation of itself: help, completions, manual pages, colours, and the quiet options.
 
 use crate::command_line::{refused, stdout, stickslip};
 use std::path::PathBuf;
@@ -34,8 +34,7 @@ fn help_lists_the_commands_the_units_and_the_exit_statuses() {
     }
 }
 
-/// Every line of the examples is one that the parser takes: an unknown argument would be refused before its
-/// value.
+/// The parser accepts every line of the examples: it would refuse an unknown argument before its value.
 #[test]
 fn the_examples_in_help_are_understood() {
     let mut tried = 0;
@@ -67,7 +66,7 @@ fn completions_know_the_commands_and_the_figures() {
         for due in COMMANDS.iter().chain(&["base-acceleration", own]) {
             assert!(script.contains(due), "{shell}: {due}");
         }
-        // The others complete no values of arguments without a name.
+        // The other shells do not complete the values of positional arguments.
         if ["bash", "zsh"].contains(&shell) {
             assert!(script.contains("multipliers"), "{shell}");
         }
@@ -75,7 +74,7 @@ fn completions_know_the_commands_and_the_figures() {
     refused("completions tcsh", &["'tcsh'", "possible values: bash"]);
 }
 
-/// The script does complete, in the shell itself.
+/// The completion script works in the shell itself.
 #[cfg(unix)]
 #[test]
 fn bash_completes_an_argument() {
@@ -106,8 +105,8 @@ fn every_command_has_a_manual_page() {
     refused("man --out /dev/null/pages", &["--out /dev/null/pages"]);
 }
 
-/// What is read by a program has no colours; `CLICOLOR_FORCE` is the terminal of this test, and `NO_COLOR`
-/// wins.
+/// Output to a program has no colours. `CLICOLOR_FORCE` simulates a terminal in this test, and `NO_COLOR`
+/// takes precedence.
 #[test]
 fn colours_are_for_terminals() {
     for arguments in ["response --omega 0.4 --alpha 6", "steady --omega 0.4 --alpha 6", "--help"] {
@@ -136,14 +135,14 @@ fn quiet_leaves_the_answers_and_the_errors() {
     refused("response --omega 0 --alpha 2 -q", &["--omega 0", "> 0"]);
 }
 
-/// On a terminal, which `script` is for a command, a sweep shows how far it is unless it is to be quiet.
+/// On a terminal, which `script` provides, a sweep shows its progress unless it is silenced.
 #[cfg(target_os = "linux")]
 #[test]
 fn progress_is_shown_on_a_terminal_and_can_be_silenced() {
     let command = assert_cmd::cargo::cargo_bin!("stickslip").display();
     let shown = |option: &str| {
         let line = format!("{command} sweep border --omega 0.5:2:5 --outputs omega {option} > /dev/null");
-        // A terminal without a name shows nothing.
+        // A terminal without a name shows no progress.
         let mut script = std::process::Command::new("script");
         let found = script.args(["-qec", &line, "/dev/null"]).env("TERM", "xterm").output().unwrap();
         assert!(found.status.success(), "{found:?}");

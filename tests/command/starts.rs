@@ -1,11 +1,12 @@
-//! The limits of many starts, broken off and gone on with.
+//! The limits of many starts, interrupted and resumed.
 
 use crate::command_line::{refused, stdout, stickslip};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-/// Three limits; rest at a range of places beside a motion; irregular motions; starts that do not settle.
+/// Machines with three limits; with a range of rest next to a motion; with irregular motions; with starts
+/// that do not settle.
 const MACHINES: [&str; 4] = [
     "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87",
     "--omega 0.8 --alpha 1.5 --damping-ratio 0.02 --static-friction-ratio 1.6",
@@ -20,7 +21,7 @@ fn place(name: &str) -> PathBuf {
     place
 }
 
-/// What a line answers with so many threads.
+/// The output of a command with this number of threads.
 fn with_threads(line: &str, threads: usize) -> String {
     let threads = threads.to_string();
     let output =
@@ -55,10 +56,10 @@ fn limits_of_starts_go_on_after_the_last_whole_row() {
     }
 }
 
-/// Killed at several moments, and gone on with each time until it is whole.
+/// The run is killed at several moments, and resumed each time until it is complete.
 #[test]
 fn a_killed_run_goes_on() {
-    // Slow enough to be met on its way: a start takes some 200 turns of a chaotic motion.
+    // It is slow enough to be killed while it runs: a start takes some 200 turns of a chaotic motion.
     let question = "attractors --omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 \
         --max-periods 400 \
                     --starts 300";
@@ -84,7 +85,7 @@ fn a_killed_run_goes_on() {
     assert!(std::fs::read(&kept).unwrap() == std::fs::read(&file).unwrap());
 }
 
-/// The starts are a sequence: more of them go on with fewer.
+/// The starts form a sequence: a run with more starts continues one with fewer.
 #[test]
 fn more_starts_go_on_with_fewer() {
     let (few, many) = (place("starts-few"), place("starts-many"));
@@ -116,7 +117,7 @@ fn the_starts_of_another_run_are_not_gone_on_with() {
     refused(&line(pair, "--reach 12").replace(" --resume", ""), &["must not exist yet; --resume"]);
     refused(&format!("attractors {pair} --resume"), &["--rows"]);
     assert_eq!(std::fs::read_to_string(&file).unwrap(), kept);
-    // Another limit in a row, and another digit of the first of a limit.
+    // Another limit in a row, and another digit of a limit's first row.
     for (from, to) in [
         ("periodic,2,", "periodic,4,"),
         ("periodic,2,-2.56", "periodic,2,-2.57"),
@@ -130,7 +131,7 @@ fn the_starts_of_another_run_are_not_gone_on_with() {
     }
 }
 
-/// Whatever is changed in the file, a run goes on to the answer that it had, or leaves the file alone.
+/// Whatever is changed in the file, a resumed run gives the same answer or leaves the file alone.
 #[test]
 fn rows_changed_anywhere_are_made_whole_or_left_alone() {
     let (file, kept) = (place("starts-intact"), place("starts-changed"));

@@ -1,4 +1,4 @@
-//! Static friction above the kinetic one, and `stickslip attractors`, as a user meets them.
+//! Static friction above the kinetic one, and `stickslip attractors`, from the user's side.
 
 use crate::command_line::{json, refused, stdout};
 
@@ -92,7 +92,7 @@ fn attractors_are_found_whatever_the_number_of_threads() {
     assert!(text.contains("2 limits from 60 starts") && text.contains("the mirror image of 1"), "{text}");
 }
 
-/// The symmetric motion beside the mirror pair is unstable: no start leads to it.
+/// The symmetric motion between the mirror pair is unstable: no start leads to it.
 #[test]
 fn motions_that_no_start_leads_to() {
     let line = format!("attractors {PAIR} --starts 40 --unstable 2");
@@ -113,7 +113,7 @@ fn motions_that_no_start_leads_to() {
     // The multipliers are real.
     assert!(text.contains("  greatest multiplier      1.192208 in a cycle"), "{text}");
     assert!(json(&format!("attractors {PAIR} --starts 40 --format json"))["other_motions"].is_null());
-    // An unstable pair, whose numbers go on from those of the limits.
+    // An unstable pair, whose numbers continue those of the limits.
     let three = "--omega 0.573 --alpha 3.92 --damping-ratio 0.005 --static-friction-ratio 1.87";
     let answer = json(&format!("attractors {three} --starts 60 --unstable 1 --format json"));
     let mirrors: Vec<_> =
@@ -125,7 +125,7 @@ fn motions_that_no_start_leads_to() {
     refused(&format!("attractors {PAIR} --unstable 65"), &["--unstable", "65"]);
 }
 
-/// Each start of the plane has the limit that `attractors` and `steady` name, in ratios and in units.
+/// Each start of the plane has the limit that `attractors` and `steady` report, in ratios and in units.
 #[test]
 fn basins_name_the_limit_of_each_start() {
     let grid = "--x0 -6:6:5 --v0 -4:4:3";
@@ -142,7 +142,7 @@ fn basins_name_the_limit_of_each_start() {
     }
     let most: Vec<f64> = seen.into_values().collect();
     assert!(most.len() == 2 && (most[0] - most[1]).abs() > 0.1, "{most:?}");
-    // B = 5 mm, ω_d = 5 rad/s: the same starts, limit by limit.
+    // With B = 5 mm and ω_d = 5 rad/s the starts are the same, limit by limit.
     let machine = "--mass 10 --stiffness 1000 --friction 5 --frequency 5 --force 20 --damping-ratio 0.02";
     let grid = "--x0=-0.03:0.03:5 --v0=-0.1:0.1:3";
     let physical = stdout(&format!("basins {machine} --static-friction-ratio 1.3 {grid}"));
@@ -169,7 +169,7 @@ fn basins_are_drawn() {
     refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}/x.svg", folder.display()), &["ascending"]);
 }
 
-/// The picture of the limits has the line where symmetry breaks.
+/// The picture of the limits contains the line on which symmetry breaks.
 #[test]
 fn a_map_of_limits_has_the_line_of_symmetry() {
     let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("limits-and-line.svg");
@@ -182,7 +182,7 @@ fn a_map_of_limits_has_the_line_of_symmetry() {
     assert!(!std::fs::read_to_string(&file).unwrap().contains(line));
 }
 
-/// The limits of a few starts in a word for each point: those of the six machines, and one limit with η = 1.
+/// A short text for the limits of some starts at each point: the six machines, and a single limit with η = 1.
 #[test]
 fn a_map_of_limits() {
     for (ratios, expected) in [

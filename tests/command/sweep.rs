@@ -1,4 +1,4 @@
-//! `stickslip sweep` as a user meets it.
+//! `stickslip sweep` from the user's side.
 
 use crate::command_line::{refused, stdout, stickslip};
 use serde_json::Value;
@@ -28,7 +28,7 @@ fn a_sweep_answers_each_point_in_order_as_the_command_does() {
         .stdout
         .clone();
     assert_eq!(sweep, String::from_utf8(one_by_one).unwrap());
-    // Ω is the slow index, and the ends of a grid are exact.
+    // Ω varies slowest, and the ends of a grid are exact.
     assert!(points[0].starts_with("0.5,1.1,") && points[40].starts_with("0.5,9.0,"));
     assert!(points[41].starts_with("0.55,1.1,") && points[31 * 41 - 1].starts_with("2.0,9.0,"));
 }
@@ -75,7 +75,7 @@ fn the_shards_one_after_the_other_are_the_whole() {
     }
 }
 
-/// A map of steady states from Ω = 0.1 on, many with stops: no answer depends on which cells were before it.
+/// A map of steady states from Ω = 0.1, many with stops: no answer depends on the cells computed before it.
 #[test]
 fn a_map_with_stops_is_the_same_by_shards_and_threads() {
     let run = |arguments: &str, threads: u32| {
@@ -112,7 +112,7 @@ fn a_sweep_goes_on_after_its_last_whole_row() {
         let middle = whole.len() / 2;
         let header = whole.find('\n').unwrap() + 1;
         for length in [0, 10, header, middle, middle + 1, middle + 37, whole.len() - 1, whole.len()] {
-            // Cut within a character the file would still be cut after its last whole row.
+            // Even if the file is cut within a character, it is truncated after its last complete row.
             std::fs::write(&file, &whole.as_bytes()[..length]).unwrap();
             stdout(&format!("sweep {arguments} --out {} --resume", file.display()));
             assert!(std::fs::read_to_string(&file).unwrap() == whole, "{arguments}: from {length} bytes");
@@ -177,7 +177,7 @@ fn bad_input_is_one_line_with_argument_value_and_inequality() {
     }
 }
 
-/// With many bits the grid itself is made at that precision, and numbers keep all their digits.
+/// With many bits the grid itself has that precision, and numbers keep all their digits.
 #[cfg(feature = "mp")]
 #[test]
 fn a_sweep_has_as_many_bits_as_asked_for() {
@@ -192,7 +192,7 @@ fn a_sweep_has_as_many_bits_as_asked_for() {
     assert_eq!(single["min_force_ratio"].as_str(), Some(least));
 }
 
-/// So are grids of equal ratios.
+/// The same holds for logarithmic grids.
 #[cfg(feature = "mp")]
 #[test]
 fn equal_ratios_have_as_many_bits_as_asked_for() {
@@ -212,7 +212,7 @@ fn equal_ratios_have_as_many_bits_as_asked_for() {
     }
 }
 
-/// The end of the file's name says how the rows are written.
+/// The extension of the file name selects the format of the rows.
 #[test]
 fn a_file_of_json_lines_is_named_so() {
     let file = place("rows.jsonl");
@@ -228,7 +228,8 @@ fn a_build_without_parquet_says_so() {
     refused("sweep border --omega 1 --out rows.parquet", &["--format parquet", "feature parquet"]);
 }
 
-/// Goes on with a file that holds `kept`: refused with the file untouched, or the whole sweep.
+/// Resumes a sweep with a file that contains `kept`: either it is refused and the file untouched, or the
+/// sweep is complete.
 fn refused_or_whole(sweep: &str, file: &std::path::Path, kept: &[u8], whole: &str) -> bool {
     std::fs::write(file, kept).unwrap();
     let output = stickslip(&format!("sweep {sweep} --out {} --resume", file.display())).output().unwrap();
@@ -252,7 +253,7 @@ fn a_sweep_goes_on_with_itself_alone() {
         let whole = stdout(&format!("sweep {sweep}"));
         assert!(refused_or_whole(sweep, &file, kept.as_bytes(), &whole), "{sweep}");
     };
-    // Another grid with the same ends, with the grid among the columns and without.
+    // Another grid with the same ends, with and without the grid among the columns.
     let linear = stdout("sweep border --omega 0.5:2:10");
     alone("border --omega 0.5:2:10:log", &linear);
     alone("border --omega 0.5:2:10", &stdout("sweep border --omega 0.5:2:10:log"));
@@ -263,7 +264,7 @@ fn a_sweep_goes_on_with_itself_alone() {
     // One row in the middle.
     let row = linear.lines().nth(5).unwrap();
     alone("border --omega 0.5:2:10", &linear.replace(row, &row.replace(",1.", ",2.")));
-    // What is no row at all, and what follows the last row.
+    // Text that is no row, and text after the last row.
     alone("border --omega 0.5:2:10", "precious notes");
     alone("border --omega 0.5:2:10 --no-header", "precious notes");
     alone("border --omega 0.5:2:10", &(linear.clone() + "0.5,1"));
@@ -272,7 +273,7 @@ fn a_sweep_goes_on_with_itself_alone() {
     alone("border --omega 0.5:2:10", &(some.to_owned() + "precious notes"));
 }
 
-/// Cut at any byte it is made whole; with any byte changed it is refused.
+/// A file cut at any byte is completed; a file with any byte changed is refused.
 #[test]
 fn a_file_cut_or_changed_anywhere_is_made_whole_or_left_alone() {
     let file = place("anywhere");
@@ -293,8 +294,8 @@ fn a_file_cut_or_changed_anywhere_is_made_whole_or_left_alone() {
     }
 }
 
-/// A limit on the size of files is a disk that is full: the failure is told, and what is there is gone on
-/// with.
+/// A limit on the file size acts like a full disk: the failure is reported, and the existing rows can be
+/// resumed.
 #[cfg(unix)]
 #[test]
 fn a_full_disk_leaves_rows_that_can_be_gone_on_with() {
@@ -336,7 +337,7 @@ fn a_file_that_is_being_written_is_left_alone() {
     first.wait().unwrap();
 }
 
-/// Ctrl-C leaves whole rows, which `--resume` goes on with.
+/// Ctrl-C leaves complete rows, from which `--resume` continues.
 #[cfg(unix)]
 #[test]
 fn an_interrupted_sweep_can_be_gone_on_with() {
@@ -357,7 +358,7 @@ fn an_interrupted_sweep_can_be_gone_on_with() {
     assert!(text.lines().all(|line| line.split(',').count() == columns));
 }
 
-/// Whichever row has another Ω or α than is due, and whatever else it has: it is not of this sweep.
+/// A row with an unexpected Ω or α does not belong to the sweep, whatever its other values.
 #[test]
 fn a_row_of_another_point_is_refused() {
     for (sweep, name) in [
@@ -374,7 +375,7 @@ fn a_row_of_another_point_is_refused() {
         let header = usize::from(!sweep.contains("jsonl"));
         assert_eq!(lines.len(), 400 + header);
         for row in [0, 1, 23, 57, 111, 199, 250, 301, 398, 399] {
-            // The point of the row two further on, or before; the other values stay.
+            // The point of the row two further on or before; the other values are unchanged.
             let (line, other) = (lines[row + header], lines[(row + 2) % 400 + header]);
             let changed = if header == 1 {
                 let place = lines[0].split(',').position(|column| column == name).unwrap();

@@ -1,5 +1,5 @@
-//! What engineers come for, done by the documented commands alone, against small steps of time in the frame
-//! of the room.
+//! Typical tasks of engineers, done with the documented commands alone, and compared with small time steps in
+//! the fixed frame.
 //!
 //! The isolator is among the tests of units.
 
@@ -14,8 +14,8 @@ fn place(name: &str) -> PathBuf {
     place
 }
 
-/// Dither: how much force at 40 Hz keeps a valve spool of 200 g from sticking, and what it does with a little
-/// more and a little less.
+/// Dither: the force at 40 Hz that keeps a valve spool of 200 g from sticking, and the motion with slightly
+/// more and less force.
 #[test]
 fn dither_that_keeps_a_valve_from_sticking() {
     let valve = "--mass 200g --stiffness 8N/mm --friction 3N";
@@ -24,7 +24,7 @@ fn dither_that_keeps_a_valve_from_sticking() {
     let room = Room { mass: 0.2, stiffness: 8000.0, friction: 3.0, frequency: TAU * 40.0, damping: 0.0 };
     let steps = 20_000;
     let at = |share: f64| room.stepped(share * number(&least["force"]), 0.0, 0.0, 200, steps);
-    // A reversal takes a step or two; a stop takes many.
+    // A reversal takes one or two steps; a stop takes many.
     assert!(at(1.02).held <= 8, "{}", at(1.02).held);
     assert!(at(0.9).held > 20, "{}", at(0.9).held);
     let over = 1.02 * number(&least["force"]);
@@ -33,8 +33,8 @@ fn dither_that_keeps_a_valve_from_sticking() {
     close(number(&motion["physical"]["max_displacement"]), at(1.02).stroke, 2e-3);
 }
 
-/// A friction damper: the friction that takes most energy out of a machine, against steps at that friction,
-/// below and above.
+/// A friction damper: the friction that takes most energy out of a machine, compared with time steps at that
+/// friction, below and above.
 #[test]
 fn the_damper_that_dissipates_most() {
     let machine = "--mass 50t --stiffness 1000kN/m --frequency 1Hz --force 12kN";
@@ -50,7 +50,7 @@ fn the_damper_that_dissipates_most() {
     assert!(energy(0.8) < most && energy(1.2) < most, "{} {most} {}", energy(0.8), energy(1.2));
 }
 
-/// A response curve of two frictions as CSV, each point against steps.
+/// A response curve for two frictions as CSV, each point compared with time steps.
 #[test]
 fn a_response_curve_of_ones_own_machine() {
     let rows = stdout(
@@ -87,7 +87,7 @@ fn a_response_curve_of_ones_own_machine() {
     }
 }
 
-/// A million points to Parquet, of which some are held against the answers one by one.
+/// A million points to Parquet, some of which are compared with single answers.
 #[cfg(feature = "parquet")]
 #[test]
 fn a_million_points_to_parquet() {
@@ -118,7 +118,8 @@ fn a_million_points_to_parquet() {
     }
 }
 
-/// Friction and damping from a curve that steps of time make: a measurement that knows none of our formulae.
+/// Friction and damping from a curve made by time steps: a measurement that is independent of the closed
+/// forms.
 #[test]
 fn friction_and_damping_from_a_measured_curve() {
     let file = place("task-measured.csv");
@@ -158,8 +159,7 @@ fn friction_and_damping_from_a_measured_curve() {
     }
 }
 
-/// A machine swept over three quantities, and mapped over two; a map and a sweep say what a single answer
-/// says.
+/// A machine swept over three quantities, and mapped over two; map and sweep agree with single answers.
 #[test]
 fn machines_over_a_range() {
     let rows = stdout(

@@ -1,7 +1,6 @@
-//! What an engineer types: values with units, the two base motions, an isolator.
+//! An engineer's input: values with units, the two kinds of base motion, an isolator.
 //!
-//! The motions are held against small steps of time in the frame of the room, which know nothing of p₀, Ω or
-//! α.
+//! The motions are compared with small time steps in the fixed frame, which use neither p₀ nor Ω nor α.
 
 use crate::command_line::{json, refused, stdout};
 use serde_json::Value;
@@ -17,34 +16,34 @@ pub(crate) fn close(a: f64, b: f64, tolerance: f64) {
     assert!((a / b - 1.0).abs() < tolerance, "{a} against {b}");
 }
 
-/// A body on a spring and a surface, both of which may move.
+/// A body on a spring and on a surface, both of which may move.
 pub(crate) struct Room {
     pub(crate) mass: f64,
     pub(crate) stiffness: f64,
     pub(crate) friction: f64,
     pub(crate) frequency: f64,
-    /// Of a damper between the body and what carries it.
+    /// Constant of a damper between the body and its support.
     pub(crate) damping: f64,
 }
 
-/// What small steps of time find in the last cycle: greatest displacement over the surface, absolute
+/// Results of small time steps over the last cycle: greatest displacement relative to the surface, absolute
 /// displacement and acceleration.
 pub(crate) struct Stepped {
     pub(crate) stroke: f64,
     absolute: f64,
     acceleration: f64,
-    /// Energy that the damper takes.
+    /// Energy dissipated by the damper.
     damper: f64,
-    /// Energy that friction takes.
+    /// Energy dissipated by friction.
     pub(crate) friction: f64,
-    /// Steps in which friction held the body.
+    /// The number of steps in which friction held the body.
     pub(crate) held: u32,
 }
 
 impl Room {
-    /// By explicit steps, `foot` and `surface` being displacement amplitudes of the spring's foot and of the
-    /// surface, `force` that of a force on the body. Friction takes what it can of the relative momentum in
-    /// each step.
+    /// Explicit time steps. `foot` and `surface` are the displacement amplitudes of the spring's foot and of
+    /// the surface, and `force` is the amplitude of a force on the body. In each step, friction removes as
+    /// much of the relative momentum as it can.
     pub(crate) fn stepped(&self, force: f64, foot: f64, surface: f64, cycles: u32, steps: u32) -> Stepped {
         let Self { mass, stiffness, friction, frequency, damping } = *self;
         let dt = TAU / frequency / f64::from(steps);
@@ -75,7 +74,7 @@ impl Room {
     }
 }
 
-/// The isolator at a coefficient of friction and a frequency in hertz.
+/// The isolator for a coefficient of friction and a frequency in hertz.
 pub(crate) fn isolator(coefficient: f64, hertz: f64) -> Room {
     let mass = 800.0;
     Room {
@@ -97,7 +96,7 @@ fn an_isolator_moves_as_small_steps_of_time_say() {
         (&physical["units"]["max_displacement"], &physical["units"]["max_acceleration"]),
         (&"mm".into(), &"mm/s²".into())
     );
-    // The base moves by a₀/ω², and carries surface and foot.
+    // The base moves by a₀/ω², and carries both the surface and the foot.
     let base = 0.15 * 9.80665 / (2.0 * TAU).powi(2);
     let room = isolator(0.05, 2.0);
     let stepped = room.stepped(0.0, base, base, 40, 40_000);
@@ -106,7 +105,7 @@ fn an_isolator_moves_as_small_steps_of_time_say() {
     close(number(&physical["transmitted_force"]) / 800.0, stepped.acceleration, 1e-3);
     close(number(&answer["transmissibility"]), stepped.acceleration / (0.15 * 9.80665), 1e-3);
     close(number(&physical["base_displacement"]), 1e3 * base, 1e-12);
-    // The same base by its displacement and by its velocity.
+    // The same base given by its displacement and by its velocity.
     for (option, amplitude) in [("displacement", base), ("velocity", base * 2.0 * TAU)] {
         let unit = if option == "velocity" { "m/s" } else { "m" };
         let same = json(&format!("response {ISOLATOR} --base-{option} {amplitude}{unit} --format json"));
@@ -114,14 +113,14 @@ fn an_isolator_moves_as_small_steps_of_time_say() {
     }
 }
 
-/// From 0.3 to 5 Hz, and with more friction, where it sticks.
+/// From 0.3 to 5 Hz, also with more friction, where the body sticks.
 #[test]
 fn an_isolator_over_its_frequencies() {
     let mut sticking = 0;
     for coefficient in [0.05, 0.08, 0.12] {
         for hertz in [0.3, 0.45, 0.8, 1.5, 5.0] {
             let base = 0.15 * 9.80665 / (TAU * hertz).powi(2);
-            // Close to resonance it takes a thousand cycles to settle.
+            // Close to resonance the motion takes a thousand cycles to settle.
             let (cycles, steps) = if hertz == 0.45 { (2000, 4000) } else { (200, 8000) };
             let stepped = isolator(coefficient, hertz).stepped(0.0, base, base, cycles, steps);
             let machine = format!(
@@ -138,7 +137,7 @@ fn an_isolator_over_its_frequencies() {
     assert!(sticking > 0);
 }
 
-/// The spring's foot alone, over a surface that stays: another motion altogether, by its own name.
+/// The motion of the spring's foot alone, over a fixed surface, is a different motion with its own name.
 #[test]
 fn the_two_base_motions_differ_and_say_which_they_are() {
     let foot = json(&format!("steady {ISOLATOR} --foot-displacement 70mm --format json"));
@@ -149,7 +148,7 @@ fn the_two_base_motions_differ_and_say_which_they_are() {
     close(number(&carried["physical"]["max_displacement"]), stepped.stroke, 2e-3);
     assert!(number(&carried["max_displacement"]) > 10.0 * number(&foot["max_displacement"]));
     assert_eq!(foot["physical"]["drive"], "motion of the spring's foot over a fixed surface");
-    // Today's old name says what it means, in every form of answer.
+    // The old option names state their meaning in every form of answer.
     for (command, option, words) in [
         ("response", "--base-motion 70mm", "of the spring's foot over a surface that stays"),
         ("response", "--base-acceleration 0.15g", "of a base that carries the surface"),
@@ -174,7 +173,7 @@ fn the_two_base_motions_differ_and_say_which_they_are() {
     close(number(&design["friction_coefficient"]) * 800.0 * 9.80665, number(&design["friction"]), 1e-14);
 }
 
-/// A force, in American units and in kN and mm, is one machine.
+/// A force in American units and in kN and mm gives the same machine.
 #[test]
 fn units_convert_in_and_out() {
     let si = "--mass 50000kg --stiffness 1e6N/m --friction 5000N --frequency 6rad/s --force 12000N";
@@ -227,7 +226,7 @@ fn units_keep_all_digits_of_wide_numbers() {
     assert_eq!(answer["alpha"].as_str().unwrap().trim_end_matches(".0"), "12");
 }
 
-/// A word that is nearly right is named.
+/// An option that is nearly right is suggested.
 #[test]
 fn what_was_meant_is_said() {
     for (arguments, parts) in [
@@ -323,7 +322,7 @@ fn wrong_units_mixed_kinds_and_missing_arguments_are_one_clear_line() {
     }
 }
 
-/// A damper by its ratio or its constant, against small steps of time in the frame of the room.
+/// A damper by its ratio or its constant, compared with small time steps in the fixed frame.
 #[test]
 fn a_damper_is_given_by_ratio_or_constant() {
     let machine =
@@ -346,7 +345,8 @@ fn a_damper_is_given_by_ratio_or_constant() {
     close(number(&physical["max_absolute_displacement"]), stepped.absolute, 1e-3);
     close(number(&physical["transmitted_force"]) / 800.0, stepped.acceleration, 1e-3);
     close(number(&physical["damper_energy_per_cycle"]), stepped.damper, 1e-3);
-    // Without the friction being told apart: the least force, and what needs no damping.
+    // Quantities that do not depend on the split between friction and damping: the minimum force, and the
+    // undamped ones.
     let least = json(
         &format!("border {machine} --damping-ratio 0.1 --format json")
             .replace(" --base-acceleration 0.15g", ""),
@@ -354,16 +354,16 @@ fn a_damper_is_given_by_ratio_or_constant() {
     close(number(&least["min_force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-14);
     let design = json("design force --omega 1.54 --damping-ratio 0.1 --format json");
     close(number(&design["force_ratio"]), number(&by_ratio["min_force_ratio"]), 1e-12);
-    // A curve has what the closed forms know, and says where they know nothing.
+    // A curve contains the values that the closed forms have, and marks those that they do not have.
     let rows = stdout("response-curve --omega 0.5:1.5:5 --alpha 2 --damping-ratio 0.02,0.2");
     let values: Vec<Vec<&str>> = rows.lines().skip(1).map(|line| line.split(',').collect()).collect();
     assert_eq!(values.len(), 10);
     for row in &values {
-        // With the exact motion, where it stops, the value may be there, too.
+        // With the exact motion, the value may exist where the body stops.
         assert!(row[2] == "sticking" || (row[2] == "non-sticking" && !row[3].is_empty()), "{row:?}");
     }
     let [light, heavy] = [2, 7].map(|i| values[i][3].parse::<f64>().unwrap());
-    // k Δ₀/p₀ at Ω = 1, of the order 1/(2ζ).
+    // k Δ₀/p₀ at Ω = 1 is of the order 1/(2ζ).
     assert!(light > 5.0 * heavy && light < 25.0, "{light} {heavy}");
     assert!(stdout("border --omega 0.6 --damping-ratio 0.1").contains("damping ratio ζ          0.1"));
     let ends = json("border --omega 0.4 --damping-ratio 0.1 --no-stop --format json");
@@ -379,7 +379,7 @@ fn a_damper_is_given_by_ratio_or_constant() {
     );
 }
 
-/// The table of outputs has every key of every answer, and every column.
+/// The table of outputs contains every key of every answer, and every column.
 #[test]
 fn every_output_is_defined() {
     let table = stdout("outputs");
@@ -426,8 +426,8 @@ fn every_output_is_defined() {
     assert!(!is_defined("nonesuch"));
 }
 
-/// Where the foot moves nothing but foot and surface act on the body: together they feel m x″, and x is the
-/// motion in the room.
+/// If only foot and surface act on the body, they together carry the inertia m x″, where x is the absolute
+/// motion.
 #[test]
 fn a_moving_foot_and_the_surface_feel_the_inertia() {
     for (frequency, foot, damper) in [(150.0, 0.04, ""), (6.6, 0.03, ""), (6.6, 0.03, " --damping-ratio 0.1")]
@@ -453,7 +453,7 @@ fn a_moving_foot_and_the_surface_feel_the_inertia() {
     assert!((0.005..0.006).contains(&last), "{rows}");
 }
 
-/// Of a base whose acceleration is given the force is the same at every frequency.
+/// For a base with a given acceleration, the force is the same at every frequency.
 #[test]
 fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
     let isolator = "design bands --mass 800kg --period 2.2s --friction-coefficient 0.05 --from 0.1Hz --to \
@@ -465,8 +465,8 @@ fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
     }
 }
 
-/// Each value in the machine's units is that in the units of `outputs` times B = r_y/k, B ω_d, B ω_d², r_y,
-/// 1/ω_d or r_y B, here 0.375 m, 0.525 m/s, 0.735 m/s², 3 N, 1/1.4 s and 1.125 N·m.
+/// Each value in the machine's units is its value in the units of `outputs` times B = r_y/k, B ω_d, B ω_d²,
+/// r_y, 1/ω_d or r_y B; here these are 0.375 m, 0.525 m/s, 0.735 m/s², 3 N, 1/1.4 s and 1.125 N·m.
 #[test]
 fn every_value_in_units_is_its_ratio_times_its_unit() {
     let body = "--mass 2 --stiffness 8 --friction 3 --frequency 1.4 --format json";
@@ -518,7 +518,7 @@ fn every_value_in_units_is_its_ratio_times_its_unit() {
                 }
                 "energy_in" | "energy_out" => (own(name).map(|x| x * 1.125), "N·m"),
                 "damper_energy_per_cycle" => (own("damper_work").map(|x| x * 1.125), "N·m"),
-                // A₁ is stated per p₀²/(2k).
+                // A₁ is stated in units of p₀²/(2k).
                 "energy_per_cycle" => (own("loop_size_stiffness").map(|x| x * force * force / 16.0), "N·m"),
                 "best_force_energy" => {
                     let best = own("best_force_ratio").map(|ratio| 3.0 * ratio);

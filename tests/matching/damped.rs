@@ -1,5 +1,4 @@
-//! The matching equations with damping, solved without the closed forms, against the closed forms with
-//! damping.
+//! The matching equations with damping, solved without the closed forms and compared with them.
 
 use nalgebra::RealField;
 use stickslip::float::{Field, Real};
@@ -9,8 +8,8 @@ use stickslip::{Border, Cycle, Float, Ratios};
 /// Damping ratios below, at and above ζ = 1, in thousandths.
 const DAMPING: [i32; 8] = [1, 10, 50, 200, 700, 1000, 1200, 3000];
 
-/// The worst of Δ₀, ω_d t₂, V₀, ω_d t₁ and Δ₁ in units of the last place, the bits that the solution says it
-/// lacks apart; and the cycles.
+/// The worst error of Δ₀, ω_d t₂, V₀, ω_d t₁ and Δ₁ in units in the last place, after allowing for the bits
+/// that the solution reports as lost; and the number of cycles.
 fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
     let (mut worst, mut cycles) = (0.0f64, 0);
     for &zeta in &DAMPING {
@@ -28,13 +27,13 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
                 };
                 let u = &found.unknowns;
                 let turn = <F as Real>::pi() * <F as Field>::int(2);
-                // Phases as the angle between them.
+                // The difference of two phases is the angle between them.
                 let apart = |a: F, b: F| {
                     let d = (a - b) / turn;
                     (d - Float::round(d)) * turn
                 };
                 let speed = cycle.max_velocity * omega;
-                // How far the phase of a flat maximum is off by what the velocity is.
+                // The phase of a flat maximum has an error that corresponds to that of the velocity.
                 let errors = [
                     (u.max_displacement - cycle.max_displacement) / cycle.max_displacement,
                     apart(u.displacement_phase, cycle.displacement_phase),
@@ -68,7 +67,7 @@ fn worst<F: Float + RealField>(omegas: &[i32], over: &[i32]) -> (f64, u32) {
 
 #[test]
 fn newtons_method_leads_to_the_closed_forms() {
-    // Beside 1/3, 1/2 and 1, on them, below and above.
+    // Close to 1/3, 1/2 and 1, at them, below and above.
     let (worst, cycles) = worst::<f64>(
         &[150, 210, 250, 300, 333, 340, 420, 500, 700, 950, 999, 1000, 1001, 1300, 2500, 9000],
         &[1010, 1500, 8000],
@@ -87,7 +86,7 @@ fn and_so_at_256_bits() {
 fn without_a_cycle_the_path_ends() {
     for (omega, zeta) in [(0.7, 0.05), (1.0, 0.3), (2.0, 1.0)] {
         let ratios = |alpha: f64| Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-        // A force so small that the motion without friction would not reach a tenth of B.
+        // The force is so small that the motion without friction would not reach a tenth of B.
         let found = newton::solve(ratios(0.05));
         assert!(
             matches!(found, Err(MatchingError::NoCycle { .. } | MatchingError::NotACycle { .. })),

@@ -1,4 +1,4 @@
-//! Eq. 28–49 at a solution of eq. 21–25: left less right side, and the size of the terms.
+//! Eq. 28–49 at a solution of eq. 21–25: the left side minus the right side, and the size of the terms.
 
 use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
 use stickslip::nonsticking::{
@@ -8,10 +8,10 @@ use stickslip::nonsticking::{
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Field, Float, PhaseFunction, Real};
 
-/// (name, residual, size of its terms, whether it compares with a closed form) of each.
+/// The name, the residual, the size of its terms, and whether it compares with a closed form, for each
+/// equation.
 ///
-/// Where an equation divides by 1 + cos π₁ or holds for a square root only, it is taken multiplied out or
-/// squared.
+/// Where an equation divides by 1 + cos π₁ or contains a square root, it is multiplied out or squared.
 pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&'static str, F, F, bool)> {
     let (one, two) = (<F as Field>::int(1), <F as Field>::int(2));
     let q = one_minus_square(omega);
@@ -24,12 +24,13 @@ pub(crate) fn equations<F: Float>(omega: F, alpha: F, u: &Unknowns<F>) -> Vec<(&
     let (sin_t1, cos_t1) = Real::sin_cos(u.velocity_phase);
     let (sin_t2, cos_t2) = Real::sin_cos(u.displacement_phase);
     let amplitude = Field::abs(g.amplitude);
-    // The angles are good to a last place of t/Ω.
+    // The angles are accurate to one unit in the last place of t/Ω.
     let turns = one + one / omega;
     let linear = turns * (amplitude * (one + Field::square(omega)) + Field::abs(rho) + Field::abs(x) + one);
     let squares = linear * linear;
     let sign = Float::with_sign_of(one, one - omega);
-    // Eq. 37 and 49 with their root squared, which rounding can make negative where it is nearly zero.
+    // Eq. 37 and 49 with their root squared, since rounding can make the radicand negative where it is nearly
+    // zero.
     let rest = u.max_velocity / omega - g.amplitude * cos_t1;
     let velocity = max_velocity_from_phase(g.amplitude, omega, c1, (sin_t1, cos_t1), u.deviation, sign);
     let root = velocity - g.amplitude * cos_t1;

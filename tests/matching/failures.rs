@@ -1,4 +1,4 @@
-//! Where there is nothing to find, the solver says so.
+//! Where there is no solution, the solver reports it.
 
 use stickslip::nonsticking::matching::newton::{self, MatchingError};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
@@ -8,7 +8,7 @@ fn below_the_end_of_the_branch_there_is_no_cycle() {
     let omega = 0.7f64;
     let end = PhaseFunction::new(omega).unwrap().value().abs();
     let error = newton::solve(Ratios::new(omega, end * 0.8).unwrap()).unwrap_err();
-    // The path from no friction ends where α is |K|: at 0.8 of the friction.
+    // The path from zero friction ends where α is |K|: at 0.8 of the friction.
     match &error {
         MatchingError::NoCycle { part, .. } => assert!((part - 0.8).abs() < 1e-6, "{part}"),
         other => panic!("{other}"),
@@ -32,7 +32,7 @@ fn a_frequency_ratio_outside_its_domain_is_refused() {
 
 #[test]
 fn an_iteration_that_does_not_settle_is_no_answer() {
-    // On the border at Ω = 1 itself the cycle is no part of A.
+    // On the border at Ω = 1 itself, the cycle is infinitely small compared with A.
     let error = newton::solve_border(1.0).unwrap_err();
     assert!(matches!(error, MatchingError::NoConvergence { .. }), "{error}");
     assert!(error.to_string().starts_with("last Newton step = "), "{error}");
@@ -48,14 +48,14 @@ fn the_lost_bits_hold_far_from_resonance() {
         let bound = f64::EPSILON * 2f64.powi(found.lost_bits as i32);
         assert!(error.abs() <= bound && bound < 1e-3, "{omega}: {error:e}, {} bits", found.lost_bits);
     }
-    // At single precision the same code.
+    // The same code runs at single precision.
     let found = newton::solve(Ratios::new(0.7f32, 2.0).unwrap()).unwrap();
     assert!((found.unknowns.max_displacement - 3.488_508).abs() < 2e-5);
 }
 
 #[test]
 fn where_the_digits_do_not_suffice_it_is_said() {
-    // On the border 80 bits are lost at 1e-12, and f64 has 53.
+    // On the border 80 bits are lost at a distance of 1e-12, while f64 has 53.
     for off in [1e-9, 1e-10, 1e-11, 1e-12, 1e-13, -1e-9, -1e-10, -1e-11, -1e-12, -1e-13] {
         let omega = 1.0 + off;
         let alpha = Border::new(omega).unwrap().min_force_ratio;

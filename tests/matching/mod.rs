@@ -1,6 +1,7 @@
-//! The matching problem solved by Newton's method, at f64 and at high precision, against the closed forms.
+//! The matching problem solved by Newton's method, at f64 and at high precision, and compared with the closed
+//! forms.
 //!
-//! The solver knows eq. 21–25 and the motion without friction, and none of the closed forms.
+//! The solver uses eq. 21–25 and the motion without friction, and none of the closed forms.
 
 mod damped;
 mod equations;
@@ -24,7 +25,7 @@ fn at_f64_over_a_grid() {
         worst.add_border(omega);
     }
     worst.check("f64, grid", 4.0, 6);
-    // The same beside the poles.
+    // The same near the poles.
     let mut near_poles = Worst::default();
     for near in points::special::<f64>(&[3, 6, 9, 12]) {
         for over in [1.000_1, 1.5, 6.0] {
@@ -42,15 +43,15 @@ fn the_lost_bits_are_none_away_from_the_border_and_many_beside_it_at_resonance()
         let alpha = Border::new(omega).unwrap().min_force_ratio * over;
         newton::solve(Ratios::new(omega, alpha).unwrap()).unwrap().lost_bits
     };
-    // α well above the border: the distance from Ω = 1 does not matter.
+    // With α well above the border, the distance from Ω = 1 does not matter.
     assert!(lost(1.0 + 1e-12, 2.0) <= 7 && lost(0.7, 2.0) <= 8);
-    // Close to it: the zeros of 1 − Ω do, once for Δ₀ against A.
+    // Close to the border, each leading zero of 1 − Ω is lost once, in Δ₀ compared with A.
     assert!(lost(1.0 + 1e-3, 1.000_001) > lost(1.0 + 1e-3, 2.0) + 5);
 }
 
 #[test]
 fn the_fastest_of_several_roots_is_found() {
-    // Below Ω = 1/2 eq. 46 has several roots; V₀ is the greatest velocity.
+    // Below Ω = 1/2 eq. 46 has several roots; V₀ is the maximum velocity.
     for (omega, alpha) in [(0.4f64, 9.0), (0.35, 40.0), (0.22, 30.0), (0.21, 60.0), (0.15, 100.0)] {
         let c = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
         let found = newton::solve(c.ratios).unwrap().unknowns;

@@ -1,4 +1,4 @@
-//! Points, and what is measured at them.
+//! The points, and the errors at them.
 
 use super::equations::equations;
 use nalgebra::RealField;
@@ -11,7 +11,7 @@ pub(crate) fn tenth_power<F: Float>(k: u32) -> F {
     (0..k).fold(<F as Field>::int(1), |x, _| x / <F as Field>::int(10))
 }
 
-/// Ω = 1 and 1/(2n+1), n = 1, 2, 3, each ± 10⁻ᵏ of itself.
+/// Ω = 1 and 1/(2n+1), n = 1, 2, 3, each with a relative offset of ± 10⁻ᵏ.
 pub(crate) fn special<F: Float>(powers: &[u32]) -> Vec<F> {
     let one = <F as Field>::int(1);
     let beside = |odd: i32, off: F| (one + off) / <F as Field>::int(odd);
@@ -22,17 +22,17 @@ pub(crate) fn special<F: Float>(powers: &[u32]) -> Vec<F> {
     powers.iter().flat_map(at).flatten().collect()
 }
 
-/// The worst of what was seen.
+/// The worst results.
 #[derive(Debug, Default)]
 pub(crate) struct Worst {
     points: u32,
-    /// Error against the closed forms in units of the last place, over 2^lost_bits.
+    /// The error relative to the closed forms in units in the last place, divided by 2^lost_bits.
     error: f64,
-    /// Error of the border in units of the last place, over (1 + 1/Ω)².
+    /// The error of the border in units in the last place, divided by (1 + 1/Ω)².
     border: f64,
-    /// Residual of eq. 21–25 in units of the last place.
+    /// The residual of eq. 21–25 in units in the last place.
     residual: f64,
-    /// Residual of each of eq. 28–49 in units of the last place of its terms.
+    /// The residual of each of eq. 28–49 in units in the last place of its terms.
     equations: BTreeMap<&'static str, f64>,
     iterations: u32,
     border_iterations: u32,
@@ -66,7 +66,7 @@ impl Worst {
         self.lost_bits = self.lost_bits.max(found.lost_bits);
         for (name, residual, size, against_closed_form) in equations(omega, alpha, &u) {
             let ulp = apart(residual, <F as Field>::int(0), size);
-            // Eq. 40–44, 47 and 49 compare with a closed form: there the lost bits show.
+            // Eq. 40–44, 47 and 49 compare with a closed form, so that the lost bits appear in them.
             let lost = if against_closed_form { 2f64.powi(found.lost_bits as i32) } else { 1.0 };
             assert!(ulp < 8.0 * lost, "eq. {name} at Ω = {omega}, α = {alpha}: {ulp} ulp");
             let worst = self.equations.entry(name).or_default();
@@ -94,7 +94,7 @@ impl Worst {
         self.residual = self.residual.max(last);
     }
 
-    /// Prints what was seen; fails beyond these bounds.
+    /// Prints the results, and fails if they exceed these bounds.
     #[expect(clippy::print_stdout, reason = "the figures of docs/proof.md, seen with --nocapture")]
     pub(crate) fn check(&self, name: &str, error: f64, iterations: u32) {
         println!("{name}: {self:?}");
@@ -102,7 +102,7 @@ impl Worst {
         assert!(self.residual < 100.0, "{name}: {self:?}");
     }
 
-    /// The worse of two.
+    /// The worse of two results.
     pub(crate) fn merged(mut self, other: &Self) -> Self {
         self.points += other.points;
         self.error = self.error.max(other.error);
@@ -116,7 +116,7 @@ impl Worst {
         self
     }
 
-    /// Fails where a column of the table in `docs/proof.md` says something else.
+    /// Fails if a column of the table in `docs/proof.md` differs.
     pub(crate) fn is_on_the_page(&self, column: &str) {
         let rows = page_rows();
         let at = rows[0].iter().position(|cell| cell == column).unwrap();
@@ -137,7 +137,7 @@ impl Worst {
                 _ => continue,
             };
             let printed: f64 = row[at].parse().unwrap();
-            // Of another library of circular functions the last digit may be another.
+            // With another library of circular functions the last digit may differ.
             let slack = 0.06 + 0.2 * printed;
             assert!((measured - printed).abs() <= slack, "{column}, {}: {measured}, not {printed}", row[0]);
             compared += 1;
@@ -146,7 +146,7 @@ impl Worst {
     }
 }
 
-/// The cells of the table of residuals in `docs/proof.md`, heads first.
+/// The cells of the table of residuals in `docs/proof.md`, starting with the header.
 fn page_rows() -> Vec<Vec<String>> {
     let page = include_str!("../../docs/proof.md").lines();
     let table = page

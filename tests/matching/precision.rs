@@ -1,4 +1,4 @@
-//! The same at 256, 1024 and 4096 bits.
+//! The matching problem at 256, 1024 and 4096 bits.
 
 use super::points::{Worst, special, tenth_power};
 use nalgebra::RealField;
@@ -6,7 +6,7 @@ use stickslip::float::Mp;
 use stickslip::nonsticking::matching::newton;
 use stickslip::{Border, Field, Float, Ratios, Real};
 
-/// Both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between, in thousandths.
+/// Ω in thousandths: both sides of Ω = 1, (1/3, 1/2), (1/5, 1/4) and between.
 const ORDINARY: [i32; 19] =
     [50, 150, 210, 220, 240, 250, 280, 300, 350, 400, 450, 500, 550, 700, 940, 1100, 1500, 3000, 20000];
 
@@ -28,7 +28,7 @@ fn all<F: Float + RealField>(name: &str, iterations: u32) -> Worst {
     worst
 }
 
-/// With the points on the border, but for the bits that are lost there.
+/// Includes points on the border, allowing for the bits lost there.
 #[test]
 fn at_256_bits() {
     let mut border = on_the_border_and_just_above();
@@ -47,7 +47,8 @@ fn at_4096_bits() {
     all::<Mp<64>>("4096 bits", 14).is_on_the_page("4096 bits");
 }
 
-/// Where the two cycles of eq. 42 all but meet, or velocities do, f64 leads to the wrong one.
+/// Where the two cycles of eq. 42 nearly coincide, or two velocities do, a start at f64 leads to the wrong
+/// one.
 fn on_the_border_and_just_above() -> Worst {
     type Wide = Mp<4>;
     let one = <Wide as Field>::int(1);
@@ -62,8 +63,8 @@ fn on_the_border_and_just_above() -> Worst {
     worst
 }
 
-/// On the border beside Ω = 1 the cycle is 10³⁰ times smaller than A: digits are lost, and it is said how
-/// many.
+/// On the border near Ω = 1 the cycle is 10³⁰ times smaller than A: the solution reports the number of lost
+/// digits.
 #[test]
 fn on_the_border_beside_resonance_twice_the_zeros_are_lost() {
     type Wide = Mp<8>;
@@ -86,6 +87,6 @@ fn the_border_at_resonance_itself_is_four_over_pi() {
     let found = newton::solve_border(<Mp<4> as Field>::int(1) + tenth_power::<Mp<4>>(60)).unwrap();
     let four_over_pi = <Mp<4> as Field>::int(4) / <Mp<4> as Real>::pi();
     let off = Float::to_f64((found.force_ratio - four_over_pi) / tenth_power::<Mp<4>>(60));
-    // The border rises with the slope 2/π there.
+    // The border has the slope 2/π there.
     assert!((off - std::f64::consts::FRAC_2_PI).abs() < 1e-9 && found.iterations < 40, "{off}");
 }

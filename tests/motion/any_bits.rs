@@ -10,10 +10,10 @@ use std::fmt::Debug;
 use stickslip::Border;
 use stickslip::generators::{DampingRatio, Machine, Point, Question, Start};
 
-/// What fuzzing has found, kept.
+/// Inputs at which fuzzing found an error.
 #[test]
 fn findings() {
-    // dα_min/dΩ beyond the largest double, at Ω just above the least that is taken.
+    // dα_min/dΩ overflowed, at Ω just above the least permitted value.
     crate::invariants::physical_units(
         8.256_667_5e-317,
         3.473_060_714_266_497_4e-164,
@@ -22,15 +22,15 @@ fn findings() {
         12.000_000_000_000_455,
         true,
     );
-    // α = |K| to the last bit, on the border beside Ω = 1: Δ₀ came out as zero.
+    // α = |K| to the last bit, on the border near Ω = 1: Δ₀ was zero.
     crate::invariants::closed_forms(0.999_999_999_031_684_6, 1.273_239_544_118_714, 0.3);
-    // A family whose friction is 1e-74 of the force: its other multiplier came out as 1.29.
+    // A family whose friction is 1e-74 of the force: its other multiplier was 1.29.
     let (alpha, x, v) = (1.095_859_284_943_405_7e74, 1.095_742_087_286_741_2e74, 6.501_601_243_091_789e71);
     motion::long_run(0.1, alpha, 1.499_312_018_341_025_3, x, v);
-    // The force exceeds friction by 9e-15 of it: phases jumped by half a turn, and x by 5e-6.
+    // The force exceeds friction by a relative 9e-15: phases jumped by half a turn, and x by 5e-6.
     motion::trajectory(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
     motion::long_run(768.000_000_007_462_2, 1.000_000_000_000_008_7, 0.0, -1.27e-30, -1.27e-30);
-    // Accelerations that are rounding of the force, whose quotient drove two motions apart.
+    // Accelerations of the size of the force's rounding, whose quotient drove two motions apart.
     motion::long_run(
         1.319_799_361_868_836_2e-6,
         8.987_385_541_686_157e62,

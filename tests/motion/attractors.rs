@@ -1,11 +1,11 @@
-//! Which limit a start leads to, where there are several.
+//! The limit that a start leads to, if there are several.
 
 use std::ops::ControlFlow;
 use stickslip::Ratios;
 use stickslip::exact::{LongRun, Starts, State, attractors};
 
-/// Each start is counted for the limit that it leads to, at whatever phase it is, and not for the mirror
-/// image of that.
+/// Each start, at any phase, is counted for the limit that it leads to, and not for the mirror image of that
+/// limit.
 #[test]
 fn a_start_is_counted_for_its_own_limit() {
     for (omega, alpha, zeta, eta) in [(0.573, 3.92, 0.005, 1.87), (0.5, 4.0, 0.02, 1.3)] {
@@ -31,7 +31,7 @@ fn a_start_is_counted_for_its_own_limit() {
     }
 }
 
-/// The starts of a square are spread evenly: each quarter of it has its share.
+/// The starts fill a square evenly: each quarter has its share.
 #[test]
 fn starts_fill_the_square() {
     let ratios = Ratios::new(0.5f64, 4.0).unwrap();

@@ -22,7 +22,7 @@ fn from_rest<F: Float>(ratios: Ratios<F>) -> SteadyState<F> {
     steady
 }
 
-/// Found by an independent simulation: extrema, stops and the part of the cycle at rest.
+/// From an independent simulation: extrema, stops and the fraction of the cycle at rest.
 #[test]
 fn two_steady_states_known_to_ten_digits() {
     for (omega, zeta, alpha, most, sticks, at_rest) in [
@@ -37,7 +37,7 @@ fn two_steady_states_known_to_ten_digits() {
     }
 }
 
-/// (Ω, ζ, α) of the whole range, with a preference for the middle.
+/// (Ω, ζ, α) over the whole range, with a preference for the middle.
 fn plane(random: &mut Random) -> [f64; 3] {
     let omega = match (random.next() * 4.0) as u32 {
         0 => 2f64.powf(random.between(-20.0, 20.0)),
@@ -53,14 +53,14 @@ fn plane(random: &mut Random) -> [f64; 3] {
     [omega, zeta, random.scale(1.001, 50.0)]
 }
 
-/// The forced response `α/(1 − Ω² + 2iζΩ)`: its part in phase with the drive, and that behind it.
+/// The forced response `α/(1 − Ω² + 2iζΩ)`: the component in phase with the drive and the one in quadrature.
 fn forced_response<F: Float>(omega: F, zeta: F, alpha: F) -> (F, F) {
     let (spring, damper) = (F::int(1) - omega * omega, F::int(2) * zeta * omega);
     let square = spring * spring + damper * damper;
     (alpha * spring / square, alpha * damper / square)
 }
 
-/// The textbook solution of one slide at some other precision: forced wave and free wave.
+/// The textbook solution of one slide at another precision: forced wave and free wave.
 struct Textbook<F> {
     omega: F,
     zeta: F,
@@ -100,8 +100,8 @@ impl<F: Float> Textbook<F> {
     }
 }
 
-/// Random motions: a speed below zero before the end that the library found is a zero that it missed. Signs
-/// that double precision cannot tell are told at 192 bits.
+/// Random motions: a speed below zero before the computed end is a missed zero. Signs that are uncertain in
+/// double precision are decided at 192 bits.
 fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
     type Wide = Mp<3>;
     let mut random = Random(seed);
@@ -139,7 +139,8 @@ fn no_zero_is_missed(motions: u64, seed: u64) -> (u64, u64) {
                     );
                 }
             };
-            // Dense where that is possible, at geometric distances from both ends, and periods anywhere.
+            // Dense samples where possible; otherwise at geometric distances from both ends, and anywhere
+            // between.
             let step = near.step() / 2.0;
             if end < 3000.0 * step {
                 (1..=(end / step) as u32).for_each(|n| check(f64::from(n) * step));
@@ -171,7 +172,7 @@ fn no_velocity_zero_is_missed() {
     assert!(slides > 500 && looked_closely > 300, "{slides} {looked_closely}");
 }
 
-/// Stops and velocity zeros of steady states against dense sampling.
+/// Stops and velocity zeros of steady states, compared with dense sampling.
 fn steady_states_are_counted(states: u64, seed: u64) -> (u64, Vec<String>) {
     let mut random = Random(seed);
     let (mut compared, mut differ) = (0, Vec::new());
@@ -197,7 +198,7 @@ fn stops_are_those_of_dense_sampling() {
     assert!(compared > 290 && differ.is_empty(), "{} of {compared}: {differ:#?}", differ.len());
 }
 
-/// Where the cycle does not stick the long run from rest is the closed form.
+/// Where the cycle does not stick, the steady state from rest is the closed form.
 fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
     let mut random = Random(seed);
     let mut compared = 0;
@@ -226,8 +227,8 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
             close(steady.energy_out, 4.0 * cycle.max_displacement, 8.0 * unit);
             let works = steady.energy_in + steady.damper_work;
             close(steady.damper_work, cycle.damper_work(), 1e-12 * (1.0 + works) + 20.0 * unit * alpha);
-            // The spectral radius per cycle is that per half cycle twice; a double root splits by the root of
-            // the rounding of the angle dπ/Ω.
+            // The spectral radius per cycle is the square of that per half cycle; a double root splits by the
+            // square root of the rounding of the angle dπ/Ω.
             let split = 4.0 * (f64::EPSILON * (1.0 + PI / omega)).sqrt();
             close(steady.contraction(), cycle.contraction() * cycle.contraction(), split);
             assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 2), "{ratios:?}");
@@ -242,7 +243,7 @@ fn the_closed_forms_are_the_limit_of_the_motion() {
     assert_eq!(closed_forms_are_the_limit(400, 41), 400);
 }
 
-/// Just above the border the motion does not stop, and just below it does.
+/// Just above the border the motion does not stop, and just below it stops.
 fn border_is_where_stops_begin(points: u64, seed: u64) -> (u64, Vec<String>) {
     let mut random = Random(seed);
     let (mut compared, mut wrong) = (0, Vec::new());
@@ -272,8 +273,8 @@ fn stops_begin_at_the_border() {
     assert!(compared > 400 && wrong.is_empty(), "{} of {compared}: {wrong:#?}", wrong.len());
 }
 
-/// The works of steady states at random: the greatest difference of what comes in and what friction and
-/// damper take, of the whole and as a share of what rounding may make of it.
+/// The works of random steady states: the greatest difference between the energy supplied and that taken by
+/// friction and damper, in total and relative to the possible rounding.
 fn works_are_off(points: u64, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut of_all, mut of_rounding) = (0.0f64, 0.0f64);
@@ -296,8 +297,8 @@ fn works_balance() {
     works_are_off(400, 61);
 }
 
-/// Multipliers by following four motions next to the limit for a cycle: the greater error of the sum and of
-/// the product.
+/// Multipliers from four motions close to the limit over a cycle: the greater error of the sum and of the
+/// product.
 fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     type Wide = Mp<4>;
     let h = Wide::exp2i(-80);
@@ -343,7 +344,7 @@ fn multipliers_are_those_of_the_differenced_motion() {
     }
 }
 
-/// The same motion at 53 and at 256 bits, through sticking, ζ = 1 and beyond.
+/// The same motion at 53 and at 256 bits, with sticking, below, at and above ζ = 1.
 #[test]
 fn digits_agree_at_any_precision() {
     let mut random = Random(71);
@@ -370,7 +371,7 @@ fn digits_agree_at_any_precision() {
     }
 }
 
-/// From any start there is one limit, and a force no larger than friction leads to rest.
+/// All starts have one limit, and a force no larger than friction leads to rest.
 #[test]
 fn every_start_has_the_same_limit() {
     let mut random = Random(81);
@@ -391,16 +392,15 @@ fn every_start_has_the_same_limit() {
             (a.max_displacement.value - b.max_displacement.value).abs() <= bound,
             "{omega} {zeta} {alpha}: {a:?} {b:?}"
         );
-        // A fast drive moves the body by next to nothing in each of its cycles: within the budget it need not
-        // settle.
+        // A fast drive hardly moves the body in a cycle, so that it need not settle within the budget.
         let ratios = ratios(omega.min(1.0), zeta, 0.7 + 0.25 * random.next());
         let small = LongRun::from_start(ratios, far).unwrap();
         assert!(matches!(small, LongRun::Rest(_)), "{omega} {zeta}: {small:?}");
     }
 }
 
-/// The campaigns of docs/robustness.md, told of as they go: what is printed last is what has been done. This
-/// one goes on behind the parts, of a thousand motions each, that are done already: `DONE` of them.
+/// The campaigns of docs/robustness.md report their progress: the last line printed states the work done.
+/// `DONE` is the number of parts, of a thousand motions each, that are already done and skipped.
 #[test]
 #[ignore = "hours: the whole campaign"]
 fn campaign_of_velocity_zeros() {

@@ -1,4 +1,4 @@
-//! The answers to the inverse problems, put through the exact motion.
+//! The answers to the inverse problems, checked by the exact motion.
 
 use proptest::prelude::*;
 use stickslip::design;
@@ -11,12 +11,12 @@ fn motion(omega: f64, alpha: f64) -> SteadyState<f64> {
     *limit.steady_state().unwrap_or_else(|| panic!("({omega}, {alpha}): {limit:?}"))
 }
 
-/// Away from Ω = 1/n, where a motion settles slowly or not at all, by `gap` of a turn.
+/// Whether Ω is at least `gap` of a turn away from 1/n, where a motion settles slowly or not at all.
 fn settles(omega: f64, gap: f64) -> bool {
     ((1.0 / omega).round() * omega - 1.0).abs() > gap * omega
 }
 
-/// A₁ of a motion: its work over p₀²/(2k).
+/// A₁ of a motion: its work divided by p₀²/(2k).
 fn loop_size(omega: f64, alpha: f64) -> f64 {
     2.0 * motion(omega, alpha).energy_out / (alpha * alpha)
 }

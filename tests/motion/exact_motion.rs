@@ -16,7 +16,7 @@ fn steady(omega: f64, alpha: f64) -> SteadyState<f64> {
     }
 }
 
-/// Any start at (Ω, α): x and v of the order of the motion.
+/// A random start at (Ω, α), with x and v of the order of the motion.
 fn start(random: &mut Random, omega: f64, alpha: f64) -> State<f64> {
     let reach = 2.0 * (1.0 + alpha) / (1.0 + omega * omega);
     let (x, v) = (random.between(-reach, reach), random.between(-reach, reach) / omega);
@@ -40,7 +40,7 @@ fn reference_values_where_it_sticks() {
         );
         assert!((s.min_displacement.value + x).abs() < digits);
         assert_eq!((s.sticks_per_cycle, s.velocity_zeros_per_cycle), (sticks, zeros), "({omega}, {alpha})");
-        // The motion itself gets there: 500 cycles from rest, phase by phase.
+        // The motion itself reaches the limit: 500 cycles from rest, phase by phase.
         let motion = Trajectory::new(ratios(omega, alpha), State::default()).unwrap();
         let cycle: Vec<_> = motion
             .map(Result::unwrap)
@@ -62,9 +62,9 @@ fn multipliers_at_a_known_point() {
     assert_eq!((re2, im2), (re, -im));
 }
 
-/// The loss of digits that the problem itself brings: rounding a state costs ε (1 + 1/Ω) of its size, and
-/// half a turn leaves the part λ of any error, so that 1/(1 − λ) of it piles up; the closed form has
-/// α²/(α² − K²) of its own.
+/// The condition number of the problem itself. Rounding a state costs ε (1 + 1/Ω) of its size, and half a
+/// turn leaves the fraction λ of any error, so that the errors accumulate to 1/(1 − λ); the closed form has
+/// its own factor α²/(α² − K²).
 fn condition(cycle: &Cycle<f64>) -> f64 {
     let (omega, alpha) = (cycle.ratios.omega(), cycle.ratios.alpha());
     let k = PhaseFunction::new(omega).unwrap().value();
@@ -87,7 +87,7 @@ fn the_closed_forms_where_it_does_not_stick() {
         let least = Border::new(omega).unwrap().min_force_ratio;
         let Ok(cycle) = Cycle::new(ratios(omega, least * random.scale(1.001, 20.0))) else { continue };
         let condition = condition(&cycle);
-        // Beside Ω = 1/n a motion never settles, and beside 1/(2n+1) K is infinite.
+        // Near Ω = 1/n a motion never settles, and near 1/(2n+1) K is infinite.
         if cycle.contraction() > 1.0 - 1e-6 || condition > 1e8 {
             continue;
         }
@@ -160,7 +160,7 @@ fn every_motion_obeys_the_laws() {
                 assert!(phase.start().x.abs() <= 1.0 - alpha + 1e-12);
                 break;
             };
-            // One phase begins where the other ends.
+            // Each phase begins where the previous one ends.
             assert_eq!((first.phase, first.x), (before.phase, before.x));
             before = last;
             let duration = phase.duration().unwrap();
@@ -195,15 +195,15 @@ fn what_has_no_unique_limit_is_named() {
     assert!(matches!(run(1.0, 1.27), LongRun::Periodic(_)));
     let LongRun::Rest(rest) = run(0.7, 0.9) else { panic!() };
     assert_eq!((rest.position, rest.slides), (0.0, Some(0)));
-    // Thrown to x = 3 under a weak force: it comes to rest where it can stay.
+    // Released at x = 3 under a weak force, the body comes to rest where it can stay.
     let thrown = State::new(0.0, 3.0, 1.0).unwrap();
     let LongRun::Rest(rest) = LongRun::from_start(ratios(0.7, 0.6), thrown).unwrap() else { panic!() };
     assert!(rest.position.abs() <= 0.4 && rest.slides.is_some_and(|n| n >= 1), "{rest:?}");
-    // Just outside the places of rest it creeps to the edge for ever, and is not called settled there.
+    // Just outside the places of rest it creeps to the edge for ever, and does not count as settled there.
     let outside = State::new(0.0, -0.1001, 0.0).unwrap();
     let LongRun::Rest(rest) = LongRun::from_start(ratios(0.7, 0.9), outside).unwrap() else { panic!() };
     assert!((rest.position + 0.1).abs() < 1e-15 && rest.slides.is_none(), "{rest:?}");
-    // A budget too small for a slow motion is not called converged.
+    // If the budget is too small for a slow motion, the result is not converged.
     let far = State::new(0.0, 1e5, 0.0).unwrap();
     let short = LongRun::within(ratios(0.7, 0.6), far, 100, &mut || ControlFlow::Continue(())).unwrap();
     assert!(matches!(short, LongRun::NotConverged { .. }), "{short:?}");
@@ -224,8 +224,8 @@ fn a_family_keeps_what_the_start_gave_it() {
             assert!(((max - min) / 2.0 / amplitude - 1.0).abs() < 1e-12, "({omega}, {alpha}): {max} {min}");
             let offset = (max + min) / 2.0;
             assert!(offset.abs() <= room + 1e-9, "({omega}, {alpha}): {offset} of {room}");
-            // A thousand cycles from the same start end on the same member; near the edge they only creep
-            // there.
+            // A thousand cycles from the same start end on the same member; near the edge the motion only
+            // creeps towards it.
             let late = Trajectory::new(ratios(omega, alpha), from)
                 .unwrap()
                 .map(Result::unwrap)
@@ -280,8 +280,8 @@ fn bad_input_is_named() {
     assert!(LongRun::from_start(ratios(1e9, 2.0), State::default()).is_err());
 }
 
-/// Found by fuzzing: from so far outside that a cycle's loss is below rounding, a repeating cycle is no
-/// member of a family.
+/// Found by fuzzing: for a start so far out that the loss per cycle is below rounding, a repeating cycle is
+/// no member of a family.
 #[test]
 fn a_far_start_of_a_family_has_not_converged() {
     let start = State::new(0.0, 6.6e36, 1e12).unwrap();
@@ -289,7 +289,7 @@ fn a_far_start_of_a_family_has_not_converged() {
         LongRun::within(Ratios::new(0.5f64, 4.0).unwrap(), start, 100, &mut || ControlFlow::Continue(()))
             .unwrap();
     assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
-    // So large a force that friction is below the rounding of the motion.
+    // The force is so large that friction is below the rounding of the motion.
     let start = State::new(0.5, 64.0, 0.0).unwrap();
     let motion =
         LongRun::within(Ratios::new(0.5f64, 8.9e43).unwrap(), start, 100, &mut || ControlFlow::Continue(()))
@@ -297,8 +297,8 @@ fn a_far_start_of_a_family_has_not_converged() {
     assert!(matches!(motion, LongRun::NotConverged { .. }), "{motion:?}");
 }
 
-/// Found by fuzzing: a subnormal speed sent the search for velocity zeros from one subnormal time to the
-/// next.
+/// Found by fuzzing: a subnormal speed made the search for velocity zeros proceed from one subnormal time to
+/// the next.
 #[test]
 fn next_to_no_speed_is_rest() {
     for v in [f64::from_bits(2), -f64::from_bits(1), 1e-300, f64::MIN_POSITIVE] {
@@ -310,7 +310,8 @@ fn next_to_no_speed_is_rest() {
     }
 }
 
-/// One float off 1/(2n) there is no family: the closed-form cycle is the limit, however long the way there.
+/// One float away from 1/(2n) there is no family: the closed-form cycle is the limit, however slow the
+/// convergence.
 #[test]
 fn beside_a_family_the_limit_is_symmetric() {
     for omega in [0.5f64.next_down(), 0.5f64.next_up(), 1.0 / 6.0, 0.25 * (1.0 + 1e-14), 0.1] {
@@ -333,7 +334,7 @@ fn beside_a_family_the_limit_is_symmetric() {
     }
 }
 
-/// The outermost member of a family touches the bound of sticking: a stop of length zero is rounding.
+/// The outermost member of a family touches the bound of sticking: a stop of zero length is due to rounding.
 #[test]
 fn a_member_of_a_family_does_not_stop() {
     let from = State::new(0.0, 22.80238925562624, 29.1982727281998).unwrap();
@@ -342,7 +343,7 @@ fn a_member_of_a_family_does_not_stop() {
     assert_eq!((s.sticks_per_cycle, s.velocity_zeros_per_cycle, s.stick_fraction), (0, 2, 0.0), "{s:?}");
 }
 
-/// The work of the drive keeps its digits where a motion is small beside the force, too.
+/// The work of the drive remains accurate if a motion is small compared with the force.
 #[test]
 fn the_work_of_the_drive_keeps_its_digits() {
     let mut random = Random(13);
@@ -359,7 +360,7 @@ fn the_work_of_the_drive_keeps_its_digits() {
         let limit = LongRun::from_start(ratios(omega, alpha), State::default()).unwrap();
         let LongRun::Periodic(s) = limit else { continue };
         let scale = (1.0 + s.max_displacement.value) * (1.0 + 1.0 / omega);
-        // What the distance from the limit is worth.
+        // The effect of the distance from the limit.
         let open = 4.0 * (s.distance().0 + s.distance().1) * (1.0 + alpha);
         let error = ((s.energy_in - s.energy_out).abs() - open).max(0.0) / s.energy_out / scale;
         worst = if error > worst.0 { (error, (omega, alpha)) } else { worst };
@@ -367,8 +368,7 @@ fn the_work_of_the_drive_keeps_its_digits() {
     assert!(worst.0 < 1e-13, "{worst:?}");
 }
 
-/// A stop is counted once wherever the motion was cut, and no stop is without the velocity zero that it
-/// begins with.
+/// A stop is counted once wherever the cycle is cut, and every stop has the velocity zero at its beginning.
 #[test]
 fn a_stop_at_the_seam_is_one() {
     for (omega, alpha, x, v) in
@@ -380,7 +380,7 @@ fn a_stop_at_the_seam_is_one() {
     }
 }
 
-/// From starts all over the plane the motion comes to what it comes to from rest: those that do not.
+/// Starts all over the plane lead to the same motion as rest; the exceptions are returned.
 fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
     let mut random = Random(seed);
     let (mut compared, mut differ) = (0, Vec::new());

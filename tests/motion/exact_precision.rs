@@ -1,5 +1,5 @@
-//! The exact motion at any precision: against the closed forms where it does not stick, N bits against 2N
-//! where it does.
+//! The exact motion at any precision: compared with the closed forms where it does not stick, and N bits with
+//! 2N where it does.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -35,7 +35,7 @@ fn matches_the_closed_form<F: Float>() {
     ] {
         let ratios = ratios::<F>(omega, alpha);
         let cycle = Cycle::new(ratios).unwrap();
-        // The loss of digits by the contraction, as in `exact_motion`.
+        // The condition number due to the contraction, as in `exact_motion`.
         let condition = (1.0 + 1.0 / ratios.omega().to_f64()) * 8.0 / (1.0 - cycle.contraction().to_f64());
         for s in [
             steady(ratios, State::default()),
@@ -91,9 +91,9 @@ fn half_turns<F: Float>(ratios: Ratios<F>, (x, w): (f64, f64)) -> impl Iterator<
     samples.map(move |sample| sample.map(|s| (s.state.x, s.state.v * omega)).unwrap())
 }
 
-/// How two motions approach: the half turns until they are 10⁻²⁵ apart, if so within `most`, and how far
-/// apart they are then, as a part of the distance that they began with. Their distance never grows on the
-/// way. Where they meet the motion is symmetric.
+/// The approach of two motions: the number of half turns until they are 10⁻²⁵ apart, if within `most`, and
+/// their distance then as a fraction of the initial one. The distance must never grow, and where the motions
+/// meet, the motion must be symmetric.
 fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Option<usize>, f64) {
     let [one, other] = starts.map(|start| half_turns(ratios, start));
     let near = Mp::from(1e-25);
@@ -106,7 +106,7 @@ fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Opt
         if distance < near * size {
             let (x_before, w_before): (Mp<2>, Mp<2>) = before.unwrap_or((x, w));
             let apart = (x + x_before).hypot(w + w_before);
-            // Both are near the limit only where its own approach is no slower than that of the two.
+            // Both are close to the limit only where the convergence to it is no slower than that of the two.
             assert!(apart < Mp::from(1e-12) * size, "{ratios:?}: not symmetric by {apart}");
             return (Some(i), (distance / begin).to_f64());
         }
@@ -116,7 +116,8 @@ fn approach(ratios: Ratios<Mp<2>>, starts: [(f64, f64); 2], most: usize) -> (Opt
     (None, left)
 }
 
-/// One symmetric limit for α > 1 (docs/theory/stability.md), at 128 bits: two motions from anywhere meet.
+/// There is one symmetric limit for α > 1 (docs/theory/stability.md): at 128 bits, two motions from anywhere
+/// meet.
 #[test]
 fn two_motions_meet_in_a_symmetric_one() {
     let mut random = Random(81);
@@ -137,8 +138,8 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
     assert!(met * 10 > all * 8, "{met} of {all}");
     println!("{met} of {all} pairs of starts meet within 1500 half turns");
-    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. J odd and above 1: with
-    // stops, and of six reversals at 1/3. J even and J = 1: below the border.
+    // At Ω = 1/J to 128 bits, where a free vibration returns in step with the drive. For odd J > 1 there are
+    // cases with stops, and one of six reversals at 1/3. For even J and J = 1 they are below the border.
     for (inverse, alpha) in [
         (3, 1.5),
         (3, 20.0),
@@ -155,7 +156,7 @@ fn two_motions_meet_in_a_symmetric_one() {
         let (found, left) = meet(Mp::int(1) / Mp::int(inverse), alpha, 3000);
         assert!(found.is_some(), "(1/{inverse}, {alpha}): {left}");
     }
-    // The exceptions: a family at Ω = 1/(2n) from the border on, and no bounded motion at Ω = 1.
+    // The exceptions: a family at Ω = 1/(2n) at the border and above, and no bounded motion at Ω = 1.
     for (inverse, alpha) in [(2, 3.5), (4, 17.0), (1, 1.3)] {
         let ratios = Ratios::new(Mp::<2>::int(1) / Mp::int(inverse), Mp::from(alpha)).unwrap();
         let (found, left) = approach(ratios, [(0.3, 0.1), (-0.2, -0.3)], 400);
@@ -163,8 +164,8 @@ fn two_motions_meet_in_a_symmetric_one() {
     }
 }
 
-/// A chaotic motion at f64 follows that of 256 bits as long as its Lyapunov exponent allows: at 0.28 a turn
-/// rounding grows by e¹⁴, a millionfold, in 50 turns.
+/// A chaotic motion at f64 follows that of 256 bits as long as its Lyapunov exponent permits: at 0.28 per
+/// turn, rounding grows by e¹⁴, a millionfold, in 50 turns.
 #[test]
 fn fifty_turns_of_a_chaotic_motion() {
     fn turns<F: Float>() -> Vec<f64> {
@@ -181,7 +182,7 @@ fn fifty_turns_of_a_chaotic_motion() {
         let allowed = 1e-12 * (0.28 * turn as f64).exp();
         assert!(apart <= allowed, "turn {turn}: {apart:e} of {allowed:e}");
     }
-    // In the end the two have nothing to do with each other.
+    // In the end the two motions are unrelated.
     assert!(apart.iter().skip(150).any(|&apart| apart > 0.1), "{apart:?}");
     println!("turn 50: {:e}, 100: {:e}, 150: {:e}, 200: {:e}", apart[50], apart[100], apart[150], apart[200]);
 }

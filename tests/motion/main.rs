@@ -1,4 +1,5 @@
-//! The exact motion: independent values, laws, brute force, any input, and what closed forms say of it.
+//! The exact motion: independent values, laws, brute force, arbitrary input, and comparison with the closed
+//! forms.
 
 #[cfg(feature = "generators")]
 #[path = "../invariants/mod.rs"]

@@ -1,8 +1,8 @@
-//! No velocity zero is missed: random motions against brute force.
+//! No velocity zero is missed: random motions compared with brute force.
 //!
 //! Every slide is sampled at 10⁴ instants by the textbook solution (amplitudes of the forced and the free
-//! wave, turned on by rotations), which shares nothing with the library's own evaluation but the start of the
-//! slide. A velocity of the wrong sign before the end that the library found is a zero that it missed.
+//! wave, advanced by rotations), which shares only the start of the slide with the library's evaluation. A
+//! velocity of the wrong sign before the computed end is a missed zero.
 
 use crate::random::{Random, sampled};
 use stickslip::Ratios;
@@ -11,7 +11,7 @@ use stickslip::exact::{Kind, LongRun, Segment, State, Trajectory};
 const MOTIONS: u64 = 100_000;
 const SAMPLES: usize = 10_000;
 
-/// One motion: ratios and start. All of Ω from 1e-3 to 1e3, with a preference for where zeros crowd.
+/// One motion: ratios and start. Ω is in 1e-3 to 1e3, with a preference for ranges with many zeros.
 fn draw(random: &mut Random) -> (f64, f64, State<f64>) {
     let omega = match (random.next() * 4.0) as u32 {
         0 => random.scale(1e-3, 1e3),
@@ -26,7 +26,7 @@ fn draw(random: &mut Random) -> (f64, f64, State<f64>) {
     (omega, alpha, State::new(theta, x, v).unwrap())
 }
 
-/// The least velocity, in the direction of the slide, over its samples, and the size of its terms.
+/// The least sampled velocity in the direction of the slide, and the size of its terms.
 fn least_velocity(omega: f64, alpha: f64, phase: &Segment<f64>, sign: f64) -> (f64, f64) {
     let start = phase.start();
     let (sine, cosine) = start.phase.reduced().sin_cos();
@@ -39,7 +39,8 @@ fn least_velocity(omega: f64, alpha: f64, phase: &Segment<f64>, sign: f64) -> (f
     const BLOCK: usize = 50;
     let (mut least, f) = (f64::INFINITY, forced * omega * sign);
     let (step_drive, step_free) = ((omega * h * LANES as f64).sin_cos(), (h * LANES as f64).sin_cos());
-    // Rotations by LANES samples; each block of BLOCK starts afresh, so that rounding does not pile up.
+    // The samples advance by rotations in groups of LANES; each block of BLOCK starts afresh, so that
+    // rounding does not accumulate.
     let mut first = 0;
     while first < SAMPLES {
         let mut d = [(0.0, 0.0); LANES];
@@ -101,8 +102,8 @@ fn brute_force_finds_no_earlier_zero() {
     assert!(with_dips > 1000, "{with_dips}");
 }
 
-/// With static friction up to three times the kinetic one: no velocity zero is missed, the body stops where
-/// the force left over is at most η and nowhere else, and stays as long as that holds.
+/// With static friction up to three times the kinetic one, no velocity zero is missed. The body stops only
+/// where the excess force is at most η, and stays as long as that holds.
 #[test]
 fn brute_force_finds_no_other_stop_with_static_friction() {
     const MOTIONS: u64 = 20_000;
@@ -156,13 +157,13 @@ fn brute_force_finds_no_other_stop_with_static_friction() {
     assert!(stops > 5_000 && reversals > 5_000, "{stops} {reversals}");
 }
 
-/// Ω of the whole range, log-uniform, with a start anywhere or one that the slow wave carries along.
+/// Ω over the whole range, log-uniform, with any start or one carried along by the slow wave.
 fn draw_wide(random: &mut Random) -> (f64, f64, State<f64>) {
     let omega = 2f64.powf(random.between(-20.0, 20.0));
     let alpha = random.scale(1.001, 50.0);
     let theta = random.between(0.0, std::f64::consts::TAU);
     let forced = alpha / ((1.0 - omega) * (1.0 + omega));
-    // The free wave beside the forced one: anything from a thousandth of it to a thousand times.
+    // The free wave is from a thousandth of the forced one to a thousand times as large.
     let free = (forced * omega).abs() * random.scale(1e-3, 1e3);
     let turn = random.between(0.0, std::f64::consts::TAU);
     let w = forced * omega * theta.cos() + free * turn.cos();
@@ -171,8 +172,8 @@ fn draw_wide(random: &mut Random) -> (f64, f64, State<f64>) {
     (omega, alpha, State::new(theta, x, w / omega).unwrap())
 }
 
-/// Slides of the whole range of Ω, sampled where a zero could be missed: at both ends, at geometric distances
-/// from them, and anywhere.
+/// Slides over the whole range of Ω, sampled where a zero could be missed: at both ends, at geometric
+/// distances from them, and anywhere between.
 fn slides_are_positive(slides: u64, seed: u64) -> (f64, f64) {
     let mut random = Random(seed);
     let (mut longest, mut shortest) = (0.0f64, f64::INFINITY);
@@ -189,7 +190,7 @@ fn slides_are_positive(slides: u64, seed: u64) -> (f64, f64) {
         let usual = std::f64::consts::PI * (1.0 + 1.0 / omega);
         assert!(end <= usual * (1.0 + 1e-12), "slide {number} lasts {end} of {usual}: {phase:?}");
         (longest, shortest) = (longest.max(end / usual), shortest.min(end / usual));
-        // The rounding of the angles, with the amplitude of the wave that each is of.
+        // The rounding of the angles, times the amplitude of the respective wave.
         let terms = slide.size() + 1.0 + slide.forced.abs() + start.x.abs();
         let noise = 4e-15 * terms + 2e-16 * end * (slide.a.hypot(slide.b) + alpha * omega.min(1.0));
         let check = |phi: f64| {
@@ -227,8 +228,8 @@ fn no_slide_of_any_frequency_ends_early_or_late() {
     assert!(longest > 0.4 && shortest < 1e-3, "{longest} {shortest}");
 }
 
-/// Stops and velocity zeros of steady states of the whole range of Ω against dense sampling: how many were
-/// compared, and those that differ.
+/// Stops and velocity zeros of steady states over the whole range of Ω, compared with dense sampling: the
+/// number compared, and those that differ.
 fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, Vec<String>) {
     let mut random = Random(seed);
     let (mut compared, mut differ) = (0, Vec::new());
@@ -263,8 +264,8 @@ fn campaign() {
     assert!(compared > 1_900 && differ.is_empty(), "{differ:?} of {compared}");
 }
 
-/// Stops and velocity zeros where thousands make a cycle: a window without zeros left out too little of was
-/// called clear.
+/// Stops and velocity zeros where a cycle has thousands of them: a window from which too little had been
+/// excluded was once called clear.
 #[test]
 fn thousands_of_stops_a_cycle() {
     for (omega, alpha, stops) in

@@ -1,4 +1,4 @@
-//! What holds of every machine and every motion: symmetry, scale, the equation of motion, the bound on
+//! Properties of every machine and every motion: symmetry, scaling, the equation of motion, the bound on
 //! friction, growth with the force, and the same answer at f64 and at 256 or 512 bits.
 
 #[path = "../invariants/rounded.rs"]
@@ -12,7 +12,7 @@ use stickslip::float::Mp;
 use stickslip::generators::Point;
 use stickslip::{Border, Cycle, Drive, Float, Oscillator, Ratios, Response, Scales};
 
-/// Ω that is not 1 and ordinary, and α from the border up.
+/// Cycles at an ordinary Ω ≠ 1, with α at the border and above.
 fn cycles() -> impl Strategy<Value = Cycle<f64>> {
     (-6.0..6.0, 0.0..6.0).prop_filter_map("Ω = 1", |(e, over)| {
         let omega = f64::exp2(e);
@@ -28,12 +28,13 @@ fn motion(e: f64, a: f64, theta: f64, x: f64, v: f64) -> (Ratios<f64>, Vec<Segme
     (ratios, Trajectory::new(ratios, start).unwrap().take(8).map(Result::unwrap).collect())
 }
 
-/// A phase within a phase of the motion, `part` of the way through it, or of a turn where it never ends.
+/// A phase of the drive within a phase of the motion, at the fraction `part` of it, or of a turn if it never
+/// ends.
 fn within(phase: &Segment<f64>, part: f64) -> DrivePhase<f64> {
     let start = phase.start().phase;
     let on = part * phase.duration().unwrap_or(2.0 * PI);
     let later = DrivePhase::new(start.cycles(), start.reduced() + on).unwrap();
-    // Rounding of the sum may lead past the end.
+    // Rounding of the sum may exceed the end.
     match phase.end() {
         Some(end) if later - end.phase > 0.0 => end.phase,
         _ if later - start < 0.0 => start,
@@ -47,7 +48,7 @@ proptest! {
     #[test]
     fn half_a_period_on_it_is_upside_down(c in cycles(), theta in -7.0..7.0) {
         let (delta, speed) = (c.max_displacement, c.max_velocity);
-        // What the rounding of the phase is worth: the faster wave turns 1/Ω times as far.
+        // The effect of the rounding of the phase: the faster wave turns 1/Ω times as far.
         let slack = 1e-14 * (1.0 + 1.0 / c.ratios.omega());
         prop_assert!((c.displacement_at(theta) + c.displacement_at(theta + PI)).abs() <= slack * delta);
         prop_assert!((c.velocity_at(theta) + c.velocity_at(theta + PI)).abs() <= slack * speed);
@@ -58,7 +59,7 @@ proptest! {
         numbers in prop::array::uniform5(-8.0..8.0), shift in prop::array::uniform3(-20i32..20), base in any::<bool>(),
     ) {
         let [m, k, r, p, w] = numbers.map(f64::exp2);
-        // Mass, length and time in units that are powers of two: exact.
+        // Mass, length and time in units that are powers of two, so that the conversion is exact.
         let [mass, length, time] = shift.map(|n| 2f64.powi(n));
         let force = mass * length / (time * time);
         let answer = |m, k, r, p, w| {
@@ -131,13 +132,13 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(3_000))]
 
-    /// At f64 it is the value of 512 bits, rounded, to within the documented accuracy.
+    /// The value at f64 is that at 512 bits, rounded, to within the documented accuracy.
     #[test]
     fn borders_are_those_of_512_bits(bytes in prop::collection::vec(any::<u8>(), 16)) {
         rounded::borders(Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega);
     }
 
-    /// The regime at f64 is that of 512 bits but within rounding of a border.
+    /// The regime at f64 is that at 512 bits, except within rounding of a border.
     #[test]
     fn the_regime_is_that_of_512_bits(bytes in prop::collection::vec(any::<u8>(), 32)) {
         let Point { omega, alpha } = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
@@ -149,7 +150,7 @@ proptest! {
     }
 }
 
-/// Where the force hardly exceeds friction the body moves by next to nothing, at f64 as at 256 bits.
+/// Where the force hardly exceeds friction, the body moves very little, at f64 as at 256 bits.
 #[test]
 fn a_body_hardly_let_go_moves_as_at_256_bits() {
     let mut slides = 0;
@@ -170,8 +171,8 @@ fn a_body_hardly_let_go_moves_as_at_256_bits() {
             for (i, (ours, exact)) in narrow.iter().zip(&wide).enumerate() {
                 assert_eq!(ours.2, exact.2, "Ω = {omega}, α = 1 + 2^-{excess}, phase {i}");
                 slides += u32::from(!ours.2);
-                // The release is early by d = √(2(α − 1)), known to the rounding of a phase; its slide lasts
-                // 3d.
+                // The release is earlier than the crest by d = √(2(α − 1)), accurate to the rounding of a
+                // phase; its slide lasts 3d.
                 let slack = 1024.0 * f64::EPSILON / (2.0 * (alpha - 1.0)).sqrt();
                 let close = |a: f64, b: f64| (a - b).abs() <= slack * b.abs() + 1e-15;
                 assert!(
@@ -189,7 +190,7 @@ fn a_body_hardly_let_go_moves_as_at_256_bits() {
     assert!(slides > 200, "{slides}");
 }
 
-/// Length, place at the end, and whether it is a stop.
+/// Duration, place at the end, and whether it is a stop.
 fn of<F: Float>(phase: &Segment<F>) -> (f64, f64, bool) {
     let duration = phase.duration().map_or(f64::NAN, |d| d.to_f64());
     let x = phase.end().map_or(f64::NAN, |e| e.x.to_f64());

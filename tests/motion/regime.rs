@@ -1,4 +1,4 @@
-//! The verdict and the closed-form multipliers against the exact motion.
+//! The verdict and the closed-form multipliers, compared with the exact motion.
 
 use crate::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState};
@@ -8,7 +8,7 @@ fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
     Verdict::new(Ratios::new(omega, alpha).unwrap())
 }
 
-/// Whether the verdict is that of the motion from rest; `None` where one of them leaves it open.
+/// Whether the verdict agrees with the motion from rest; `None` where one of them is undecided.
 fn agrees(omega: f64, alpha: f64) -> Option<bool> {
     let ratios = Ratios::new(omega, alpha).unwrap();
     let motion = LongRun::from_start(ratios, State::default()).unwrap();
@@ -27,8 +27,8 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
     })
 }
 
-/// Whether the motion found is known less well than what would decide: inside a half cycle the velocity comes
-/// within `|α − α_min| sin τ*` of zero, and the motion says itself how far from the limit it may be.
+/// Whether the accuracy of the motion is too low to decide. Inside a half cycle the velocity comes within `|α
+/// − α_min| sin τ*` of zero, and the motion states its possible distance from the limit.
 fn hidden(answer: &Response<f64>, motion: &LongRun<f64>) -> bool {
     let border = answer.border;
     let miss = (answer.ratios.alpha() - border.min_force_ratio).abs() * border.touching_phase.sin();
@@ -72,7 +72,7 @@ fn a_billionth_from_the_border_the_motion_agrees() {
     assert!(open <= count / 100, "{open} of {count} not settled");
 }
 
-/// Beside a pole there is, below the border, a motion that does not stop: it reverses six times a cycle.
+/// Near a pole there is a motion below the border that does not stop: it reverses six times a cycle.
 #[test]
 fn beside_a_pole_below_the_border_it_may_reverse_instead_of_stopping() {
     for (omega, alpha) in [(0.334_325, 149.563), (0.330_15, 66.562), (0.198_7, 230.688), (0.090_71, 1362.534)]
@@ -82,14 +82,14 @@ fn beside_a_pole_below_the_border_it_may_reverse_instead_of_stopping() {
         let steady = motion.steady_state().unwrap();
         assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 6));
     }
-    // Just below the border the velocity touches zero with the force just within the friction bound: there it
-    // stops.
+    // Just below the border, the velocity touches zero while the force is just within the friction bound:
+    // there the body stops.
     let alpha = Border::new(0.334_325).unwrap().min_force_ratio * (1.0 - 1e-3);
     let motion = LongRun::from_start(Ratios::new(0.334_325, alpha).unwrap(), State::default()).unwrap();
     assert_eq!(motion.steady_state().map(|s| s.sticks_per_cycle), Some(2));
 }
 
-/// The closed form against the eigenvalues of the monodromy matrix of the motion itself.
+/// The closed form is compared with the eigenvalues of the monodromy matrix of the motion itself.
 #[test]
 fn the_multipliers_are_those_of_the_motion() {
     let mut random = Random(31);
@@ -104,10 +104,10 @@ fn the_multipliers_are_those_of_the_motion() {
         let (mut a, mut b) = (closed, steady.multipliers);
         a.sort_by(|x, y| y.partial_cmp(x).unwrap());
         b.sort_by(|x, y| y.partial_cmp(x).unwrap());
-        // Sum and product are smooth, the roots turn like a square root where they meet.
+        // Sum and product are smooth, while the roots behave like a square root where they meet.
         let sum = |m: [(f64, f64); 2]| m[0].0 + m[1].0;
         let product = |[(a, b), (c, d)]: [(f64, f64); 2]| a * c - b * d;
-        // The velocity at a reversal, which divides, is small near the border.
+        // The velocity at a reversal, which is a divisor, is small near the border.
         let slack = 1e-10 * (1.0 + 1.0 / omega).powi(3);
         assert!((sum(a) - sum(b)).abs() < slack, "{:?}: {a:?} {b:?}", cycle.ratios);
         assert!((product(a) - product(b)).abs() < slack, "{:?}: {a:?} {b:?}", cycle.ratios);
@@ -124,7 +124,7 @@ fn the_multipliers_are_those_of_the_motion() {
     );
 }
 
-/// Within a few floats of a pole Newton's step leads so far out that rounding hides what is left: that is no
+/// Within a few floats of a pole, Newton's step leads so far out that rounding hides the residual: that is no
 /// limit.
 #[test]
 fn a_few_floats_from_a_pole_the_motion_settles() {

@@ -1,5 +1,5 @@
-//! The regime beside the border and the multipliers against the exact motion, where f64 does not suffice; the
-//! stops per cycle. The whole plane at f64 is in `regime.rs`.
+//! The regime near the border and the multipliers, compared with the exact motion where f64 does not suffice;
+//! the stops per cycle. The whole plane at f64 is in `regime.rs`.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -9,7 +9,7 @@ use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Error, Float, Ratios, Regime, Verdict};
 use stickslip::{Stops, stops_per_cycle};
 
-/// What the exact motion does in the long run; `None` where it does not say.
+/// The regime of the exact motion from rest; `None` where it is undecided.
 fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
     match LongRun::from_start(ratios, State::default()).unwrap() {
         LongRun::Periodic(steady) | LongRun::Family(steady) => {
@@ -23,17 +23,17 @@ fn exact_regime<F: Float>(ratios: Ratios<F>) -> Option<Regime> {
     }
 }
 
-/// Counts points at which both sides have an answer, and at which one of them has none.
+/// Counts the points at which both sides have an answer, and those at which one of them has none.
 ///
-/// A body that nearly stops in the middle of a slide touches zero to within the rounding of its velocity:
-/// there the exact motion at f64 cannot tell a stop from none, and 192 bits decide, on both sides.
+/// A body that nearly stops in the middle of a slide touches zero to within the rounding of its velocity.
+/// There the exact motion at f64 cannot distinguish a stop from none, and 192 bits decide on both sides.
 #[derive(Default)]
 struct Count {
     agreed: u32,
     undecided: u32,
     unsettled: u32,
     wider: u32,
-    /// The furthest from the border, |α/α_min − 1|, at which f64 could not tell.
+    /// The greatest distance from the border, |α/α_min − 1|, at which f64 could not decide.
     furthest: f64,
 }
 
@@ -106,7 +106,7 @@ fn stops_per_cycle_and_what_has_none() {
         assert_eq!(sticks, verdict == Verdict::Sticking, "({omega}, {alpha})");
     }
     assert!(stops(1e-9, 2.0).is_err());
-    // A fifth below the border, beside the pole 1/15: it turns back and forth without a stop.
+    // A fifth below the border, near the pole 1/15, the body reverses without a stop.
     let below = Ratios::new(0.066_658_079_476_532_49, 42_358.137_294_718_49).unwrap();
     let wide = Ratios::new(Mp::<3>::from(below.omega()), Mp::from(below.alpha())).unwrap();
     assert!(below.alpha() < 0.8 * Border::of(&below).min_force_ratio);
@@ -115,7 +115,7 @@ fn stops_per_cycle_and_what_has_none() {
     }
 }
 
-/// The distance of the multipliers of a cycle in closed form from those of the exact motion.
+/// The difference between the multipliers of a cycle in closed form and those of the exact motion.
 fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
     let LongRun::Periodic(steady) = SteadyState::from_cycle(&cycle).unwrap() else {
@@ -131,7 +131,7 @@ fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     if straight < crossed { straight } else { crossed }
 }
 
-/// How far the discriminant is from zero: the multipliers turn like its root.
+/// The discriminant of the multipliers, which behave like its square root.
 fn discriminant(omega: f64, alpha: f64) -> f64 {
     let delta = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement;
     (omega * omega * delta * (std::f64::consts::PI / omega).sin()).abs() - 1.0

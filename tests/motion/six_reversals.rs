@@ -1,5 +1,5 @@
-//! The motion of six reversals beside the poles 1/(2n+1), against the exact motion; one verdict for one
-//! point.
+//! The motion of six reversals near the poles 1/(2n+1), compared with the exact motion; every command has the
+//! same verdict at a point.
 
 #![allow(clippy::print_stdout, reason = "the figures measured, shown with --nocapture")]
 
@@ -29,7 +29,7 @@ fn counts<F: Float>(ratios: Ratios<F>) -> Option<(u32, u32)> {
     motion.steady_state().map(|s| (s.sticks_per_cycle, s.velocity_zeros_per_cycle))
 }
 
-/// Frequency ratios beside the poles, with the edges there.
+/// Frequency ratios near the poles, with the edges there.
 fn beside_poles() -> impl Iterator<Item = (f64, f64, f64)> {
     let mut random = Random(61);
     let points = std::iter::from_fn(move || {
@@ -49,12 +49,12 @@ fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops
         assert!(high < border, "{omega}");
         let at = |alpha: f64| Ratios::new(omega, alpha).unwrap();
         for share in [1e-7, random.between(0.0, 1.0), 1.0 - 1e-7] {
-            // Evenly in the logarithm: the greatest may be 10⁶ times the least.
+            // Uniform in the logarithm: the greatest may be 10⁶ times the least.
             let alpha = low * (high / low).powf(share);
             assert_eq!(counts(at(alpha)), Some((0, 6)), "{omega} {alpha} of {low} to {high}");
         }
-        // In the gap below the border, and close to the pole, the motion takes longer to settle than it is
-        // followed.
+        // In the gap below the border and close to the pole, the motion may take longer to settle than the
+        // budget.
         let stops = |alpha: f64| counts(at(alpha)).map(|(stops, _)| stops > 0);
         let gap = [high * (1.0 + 1e-7), f64::midpoint(high, border), border * (1.0 - 1e-7)];
         for alpha in gap.into_iter().filter(|&alpha| alpha > high && alpha < border) {
@@ -67,7 +67,7 @@ fn within_its_edges_the_exact_motion_reverses_six_times_and_beyond_them_it_stops
     }
 }
 
-/// The cycle of the matching problem is the limit of the motion from rest, at 97 phases.
+/// The cycle of the matching problem is the limit of the motion from rest, checked at 97 phases.
 fn matching_problem_gives_the_exact_motion(ratios: Ratios<f64>) {
     let cycle = SixReversals::new(ratios).unwrap_or_else(|| panic!("{ratios:?}"));
     let motion = LongRun::from_start(ratios, State::default()).unwrap();
@@ -101,22 +101,22 @@ fn its_matching_problem_gives_the_exact_motion() {
     }
 }
 
-/// The error of a number at f64, in units of its last place.
+/// The error of a number at f64, in units in its last place.
 fn ulps(found: f64, exact: Mp<8>) -> f64 {
     ((Mp::from(found) - exact) / exact).to_f64().abs() / f64::EPSILON
 }
 
-/// Stops in 40 turns of the drive from a start.
+/// The number of stops in 40 turns of the drive from a start.
 fn stops_from<F: Float>(start: State<F>, omega: F, alpha: F) -> usize {
     let motion = Trajectory::new(Ratios::new(omega, alpha).unwrap(), start).unwrap().map(Result::unwrap);
     let turns = F::int(80) * F::pi();
     motion.take_while(|p| p.start().phase - start.phase < turns).filter(|p| p.kind == Kind::Stick).count()
 }
 
-/// The edges at f64 against those at 512 bits, and these against the exact motion at 512 bits: from the cycle
-/// next to an edge the motion never stops in 40 turns with a force within it, and stops with one beyond.
-/// Where that motion settles, it stops in every cycle; close to a pole, beyond the upper edge, it creeps for
-/// more than 500 periods from one stop to the next.
+/// The edges at f64 are compared with those at 512 bits, and these with the exact motion at 512 bits. From
+/// the cycle next to an edge, the motion never stops in 40 turns with a force inside the edge, and stops with
+/// one outside. Where that motion settles, it stops in every cycle. Close to a pole, above the upper edge, it
+/// creeps for more than 500 periods from one stop to the next.
 #[test]
 fn the_edges_are_sharp_at_any_precision() {
     let (mut worst, mut settled) = (0.0, 0);
@@ -124,7 +124,7 @@ fn the_edges_are_sharp_at_any_precision() {
         let wide = no_stop_force_ratios(Mp::<8>::from(omega), Mp::ZERO).unwrap();
         let (wide_low, wide_high) = wide.six_reversals.unwrap();
         let error = ulps(low, wide_low).max(ulps(high, wide_high));
-        // Where the two meet, a root of rounding.
+        // Where the two edges meet, their error is a square root of rounding.
         if high > low * 1.2 {
             assert!(error < 40.0, "{omega}: {error}");
             worst = f64::max(worst, error);
@@ -176,7 +176,7 @@ fn agree(omega: f64, alpha: f64) {
     }
 }
 
-/// A point below Ω = 1/2, of six in ten beside a pole.
+/// A point below Ω = 1/2; six in ten are near a pole.
 fn point(random: &mut Random, i: u32) -> (f64, f64) {
     let omega = if i % 10 < 6 {
         let pole = 3.0 + 2.0 * random.between(0.0, 6.0).floor();
@@ -210,7 +210,7 @@ fn one_verdict_for_one_point() {
     }
 }
 
-/// A border or edge as rounded, its neighbours and a little further.
+/// A rounded border or edge, its neighbours, and points slightly further away.
 #[test]
 fn one_verdict_on_a_border_and_beside_it() {
     let mut random = Random(65);
@@ -228,7 +228,7 @@ fn one_verdict_on_a_border_and_beside_it() {
     }
 }
 
-/// Points at which `response` said "sticking" and the exact motion "non-sticking", or the reverse.
+/// Points at which `response` once said "sticking" and the exact motion "non-sticking", or the reverse.
 #[test]
 fn found_points_have_one_verdict() {
     for (omega, alpha, expected) in [

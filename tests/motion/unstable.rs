@@ -1,4 +1,4 @@
-//! Unstable periodic motions at 128 and 256 bits: they come back by the motion itself, and their multipliers
+//! Unstable periodic motions at 128 and 256 bits: the motion itself returns to its start, and the multipliers
 //! are those of its differences.
 
 #![allow(clippy::print_stdout, reason = "what a campaign finds, shown with --nocapture")]
@@ -17,7 +17,7 @@ fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
     ratios.with_static_friction_ratio(F::from_f64(eta)).unwrap()
 }
 
-/// The unstable motion of that greatest displacement, from a start at f64.
+/// The unstable motion with that maximum displacement, from a start at f64.
 fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
     let found =
         periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();
@@ -25,7 +25,7 @@ fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64)
     found.into_iter().find(is).unwrap_or_else(|| panic!("{machine:?}: none of {most}"))
 }
 
-/// Where the motion from ω_d t = 0 is after so many half turns.
+/// The state of the motion from ω_d t = 0 after a number of half turns.
 fn after<F: Float>(ratios: Ratios<F>, start: State<F>, half_turns: i64) -> State<F> {
     let angle = if half_turns % 2 == 0 { F::int(0) } else { F::pi() };
     let target = DrivePhase::new(half_turns / 2, angle).unwrap();
@@ -47,8 +47,8 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
         let half = after(ratios, start, turns);
         assert!((half.x + start.x).hypot(half.v + start.v) < rounding, "{machine:?}");
     }
-    // Central differences over 2h: at h = 2^(−2n/5) of n bits rounding leaves 3n/5 of them, and h² a
-    // derivative of the third order less.
+    // Central differences over 2h: at h = 2^(−2n/5) with n bits, rounding leaves 3n/5 of them, and h² is the
+    // truncation error, which multiplies a third derivative.
     let bits = i32::try_from(F::PRECISION).unwrap();
     let (h, zero) = (F::exp2i(-2 * bits / 5), F::int(0));
     let moved = |dx: F, dv: F| after(ratios, State { x: start.x + dx, v: start.v + dv, ..start }, 2 * turns);
@@ -66,12 +66,12 @@ fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f
 #[test]
 fn unstable_motions_at_any_precision() {
     for (machine, turns, most) in [
-        // The symmetric motion beside a mirror pair.
+        // The symmetric motion between a mirror pair.
         ([0.5, 0.02, 1.3, 4.0], 1, 5.271_292_025),
         ([0.54, 0.03, 2.4, 4.2], 1, 6.110_469_521),
         // One of the pair between a symmetric motion and a stable pair.
         ([0.573, 0.005, 1.87, 3.92], 1, 5.813_694_182),
-        // In a chaotic motion: of one turn, and of four.
+        // Unstable motions inside a chaotic one: of one turn, and of four.
         ([0.45, 0.02, 3.0, 8.5], 1, 10.647_733_259),
         ([0.45, 0.02, 3.0, 8.5], 4, 11.526_201_120),
     ] {
@@ -90,7 +90,7 @@ fn unstable_motions_at_any_precision() {
     }
 }
 
-/// The force ratio at which symmetry breaks, at f64 and at 256 bits: there λ² = 1 to nearly all digits.
+/// The force ratio at which symmetry breaks, at f64 and at 256 bits; there λ² = 1 to nearly all digits.
 #[test]
 fn symmetry_breaks_at_any_precision() {
     fn found<F: Float>() -> (F, F) {
@@ -111,8 +111,8 @@ fn symmetry_breaks_at_any_precision() {
 
 type F256 = Mp<4>;
 
-/// Machines at random: every periodic limit of a few starts is among the motions that the search from them
-/// finds, and every unstable one of these comes back at 128 bits with its multipliers.
+/// Random machines: every periodic limit of several starts is among the motions that the search finds from
+/// them. Every unstable one of these repeats itself at 128 bits, with its multipliers.
 fn at_random(machines: u32) -> (u32, u32, u32) {
     let (mut limits, mut missed, mut unstable) = (0, 0, 0);
     for i in 1..=machines {

@@ -1,4 +1,4 @@
-//! Answers as names and values, from the library and from the text that the command writes.
+//! Answers as names and values, from the library and from the command's output.
 
 use serde_json::Value;
 use std::fmt::{Debug, LowerExp};
@@ -7,12 +7,13 @@ use stickslip::exact::{End, Kind, LongRun, Segment, SteadyState};
 use stickslip::no_stop_force_ratios;
 use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 
-/// A value: of numbers the digits of `{:e}`, which no two of a type share, the sign of zero included.
+/// A value. A number is stored as the digits of `{:e}`, which identify it within its type, including the sign
+/// of zero.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Cell {
     Text(String),
     Number(String),
-    /// What does not exist there.
+    /// A value that does not exist.
     Absent,
 }
 
@@ -32,7 +33,7 @@ impl Cell {
 
 pub(crate) type Named = Vec<(String, Cell)>;
 
-/// What text says as a number, or as a name under one of the columns of names.
+/// The value of a text: a number, or a name in the columns of names.
 fn read<F: FromStr + LowerExp>(name: &str, text: &str) -> (String, Cell)
 where
     F::Err: Debug,
@@ -53,11 +54,11 @@ pub(crate) fn of_csv<F: FromStr<Err: Debug> + LowerExp>(text: &str) -> Vec<Named
     reader.records().map(|found| row(found.unwrap())).collect()
 }
 
-/// An object of JSON.
+/// The values of a JSON object.
 pub(crate) fn of_json<F: FromStr<Err: Debug> + LowerExp>(object: &Value) -> Named {
     let value = |name: &str, value: &Value| match value {
         Value::Null => (name.to_owned(), Cell::Absent),
-        // As any reader of JSON has it, as f64.
+        // A JSON reader takes numbers as f64.
         Value::Number(number) => (name.to_owned(), Cell::of(number.as_f64().unwrap())),
         Value::String(text) => read::<F>(name, text),
         Value::Bool(flag) => (name.to_owned(), Cell::text(&flag.to_string())),
@@ -75,7 +76,7 @@ pub(crate) fn of_json<F: FromStr<Err: Debug> + LowerExp>(object: &Value) -> Name
     sorted(object.as_object().unwrap().iter().flat_map(fields).collect())
 }
 
-/// In the order of the names: an object of JSON has none.
+/// The values in the order of their names, since an object of JSON has no order.
 pub(crate) fn sorted(mut named: Named) -> Named {
     named.sort_by(|(a, _), (b, _)| a.cmp(b));
     named
@@ -125,9 +126,9 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
     ])
 }
 
-/// Regime, stops and reversals in a cycle by the counts of the exact motion. Where it has not settled, and
-/// within a billionth of a border, where a stop may be smaller than the rounding of the motion, by the
-/// borders.
+/// Regime, stops and reversals in a cycle as counted from the exact motion. The borders decide where it has
+/// not settled, and within a billionth of a border, where a stop may be smaller than the rounding of the
+/// motion.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) =
         (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
@@ -245,7 +246,7 @@ pub(crate) fn of_phase(phase: &Segment<f64>) -> Named {
     ])
 }
 
-/// A response in the units of a machine. What overflows there is infinite here.
+/// A response in the units of a machine; a value that overflows is infinite here.
 pub(crate) fn of_machine(
     response: &Response<f64>,
     body: &Oscillator<f64>,
@@ -276,7 +277,7 @@ pub(crate) fn of_machine(
         ("min_force_turning_point", scaled(Some(border.turning_point), scales.force)),
         ("energy_per_cycle", scaled(response.loop_size_stiffness, scales.energy_stiffness)),
         ("best_force", Some(best_force)),
-        // A₁ is stated per p₀²/(2k) of the force that it is the largest of.
+        // A₁ is stated in units of p₀²/(2k) for the best force.
         (
             "best_force_energy",
             scaled(response.best_loop_size, 0.5 * best_force * (best_force / body.stiffness())),
@@ -289,7 +290,7 @@ pub(crate) fn foot(drive: &Drive<f64>) -> Option<(&'static str, Option<f64>)> {
     drive.excitation().moves_foot().then(|| ("foot_displacement", Some(drive.amplitude())))
 }
 
-/// As cells.
+/// The values as cells.
 pub(crate) fn cells(values: &[(&'static str, Option<f64>)]) -> Named {
     values.iter().map(|&(name, value)| (name.to_owned(), Cell::or_absent(value))).collect()
 }

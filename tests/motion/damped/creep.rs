@@ -8,7 +8,8 @@ use stickslip::float::Mp;
 use stickslip::float::{Field, Float};
 use stickslip::{Border, Cycle};
 
-/// A start far outside on an overdamped spring creeps in for many turns of the drive: one slide.
+/// A start far outside on an overdamped spring creeps inwards during many turns of the drive, in a single
+/// slide.
 #[test]
 fn a_long_creep_is_one_slide() {
     let start = State::new(0.0, -1e6, 0.0).unwrap();
@@ -18,8 +19,8 @@ fn a_long_creep_is_one_slide() {
     assert!(first.kind != Kind::Stick);
 }
 
-/// A start so far out that the forced motion is below its rounding: the free vibration forgets it, and where
-/// the body then turns is known as well as from near by.
+/// The start is so far out that the forced motion is below its rounding. The free vibration forgets the
+/// start, and the place of the reversal is as accurate as from nearby.
 #[test]
 fn a_creep_from_far_out_keeps_its_digits() {
     type Wide = Mp<8>;
@@ -44,7 +45,7 @@ fn a_creep_from_far_out_keeps_its_digits() {
             let (ours, exact) = (ours.unwrap(), exact.unwrap());
             let (Some(a), Some(b)) = (ours.end(), exact.end()) else { break };
             let given = [omega, zeta, alpha, theta, far, speed];
-            // What is still left of the start, a slide long, as far as its rounding goes.
+            // The remaining influence of the start's rounding at the end of the slide.
             let left = ours.start().x.abs()
                 * 1e-14
                 * (-zeta.min(1.0 / zeta) * ours.duration().unwrap() / omega / 2.0).exp();
@@ -52,7 +53,7 @@ fn a_creep_from_far_out_keeps_its_digits() {
             let off = (Wide::from(a.x) - b.x).to_f64().abs();
             assert!(off <= unit, "{given:?}: {off:e} of {unit:e}, {ours:?} {exact:?}");
             compared += 1;
-            // A turn far out is where rounding decides what is next.
+            // If a reversal is far out, rounding decides the next event.
             if ours.start().x.abs() < 1e6 {
                 break;
             }
@@ -61,7 +62,7 @@ fn a_creep_from_far_out_keeps_its_digits() {
     assert!(compared > 300, "{compared}");
 }
 
-/// Beside ζ = 1 a fast drive leads to the closed-form cycle as it does elsewhere.
+/// Near ζ = 1, a fast drive leads to the closed-form cycle as elsewhere.
 #[test]
 fn fast_drives_settle_beside_critical_damping() {
     for omega in [1e2, 1e4, 1e5, 1e6] {
@@ -77,8 +78,8 @@ fn fast_drives_settle_beside_critical_damping() {
     }
 }
 
-/// A slow creep under a fast drive ends where its velocity has fallen to that of the drive: after up to 10¹⁰
-/// turns, of which floats no longer tell the phase.
+/// A slow creep under a fast drive ends when its velocity has decreased to that of the drive: after up to
+/// 10¹⁰ turns, when floats no longer resolve the phase.
 #[test]
 fn a_long_creep_under_a_fast_drive_is_one_slide() {
     let far = 2f64.powi(20);

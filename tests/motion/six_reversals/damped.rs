@@ -1,4 +1,4 @@
-//! Six reversals with a damper, against the exact motion.
+//! Six reversals with a damper, compared with the exact motion.
 
 use super::{counts, matching_problem_gives_the_exact_motion, ulps};
 use crate::random::Random;
@@ -6,7 +6,7 @@ use stickslip::float::Mp;
 use stickslip::no_stop_force_ratios;
 use stickslip::{Border, Ratios, Regime, Response};
 
-/// Frequency and damping ratios beside the poles with a cycle of six reversals, with its edges.
+/// Frequency and damping ratios near the poles with a cycle of six reversals, and its edges.
 fn damped_beside_poles(seed: u64) -> impl Iterator<Item = (Ratios<f64>, f64, f64)> {
     let mut random = Random(seed);
     let points = std::iter::from_fn(move || {
@@ -32,7 +32,7 @@ fn at_256_bits(ratios: Ratios<f64>) -> Ratios<Mp<4>> {
     at.with_damping_ratio(Mp::from(ratios.damping_ratio())).unwrap()
 }
 
-/// Both sides of each edge with damping, next to it and anywhere; what differs.
+/// Both sides of each edge with damping, next to it and anywhere; the differences are returned.
 fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<String>) {
     let (mut random, mut compared, mut unsettled, mut wrong) = (Random(seed + 1), 0, 0, Vec::new());
     for (ratios, low, high) in damped_beside_poles(seed).take(points) {
@@ -49,9 +49,10 @@ fn damped_edges_against_the_motion(points: usize, seed: u64) -> (u32, u32, Vec<S
             match counts(at) {
                 Some((0, 6)) if slides => compared += 1,
                 Some((1.., _)) if !slides => compared += 1,
-                // Behind an edge close to a pole it creeps from one stop to the next.
+                // Beyond an edge close to a pole, the motion creeps from one stop to the next.
                 None => unsettled += 1,
-                // Close to a pole the rounding of the motion is that of another Ω, and moves an edge by more.
+                // Close to a pole the rounding of the motion corresponds to another Ω, which moves an edge by
+                // more.
                 Some(other) => match counts(at_256_bits(at)) {
                     Some((0, 6)) if slides => compared += 1,
                     Some((1.., _)) if !slides => compared += 1,
@@ -84,7 +85,7 @@ fn campaign_of_six_reversals_with_a_damper() {
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
-/// Where the edges say that there is no cycle of six reversals with damping, the motion below the border
+/// Where there are no edges and therefore no cycle of six reversals with damping, the motion below the border
 /// stops.
 fn damped_elsewhere(points: usize, seed: u64) -> (u32, Vec<String>) {
     let (mut random, mut compared, mut wrong) = (Random(seed), 0, Vec::new());
@@ -135,7 +136,7 @@ fn with_a_damper_its_matching_problem_gives_the_exact_motion() {
     }
 }
 
-/// The edges at f64 against those at 512 bits.
+/// The edges at f64 are compared with those at 512 bits.
 #[test]
 fn with_a_damper_the_edges_are_known_to_rounding() {
     let mut worst = 0.0;
