@@ -1,4 +1,4 @@
-//! Boxes of ratios and machines with damping, against the same at 256 bits.
+//! Boxes of ratios and machines with damping, compared with the same at 256 bits.
 
 use crate::random::Random;
 use stickslip::float::Mp;
@@ -15,8 +15,7 @@ fn holds(interval: Interval<f64>, x: Wide) -> bool {
     Wide::from(interval.low()) <= x && x <= Wide::from(interval.high())
 }
 
-/// Ratios that are known exactly: the range is wider than the value at 256 bits by rounding, outward, at both
-/// ends.
+/// For exact ratios, the range exceeds the value at 256 bits at both ends by the outward rounding alone.
 #[test]
 fn what_is_known_exactly_is_rounded_outward() {
     let mut random = Random(81);
@@ -48,8 +47,7 @@ fn what_is_known_exactly_is_rounded_outward() {
     assert!(compared > 150, "{compared}");
 }
 
-/// A box that has the border inside is undecided; one that has it 1e-9 beside it is not, and neither is wider
-/// than it is.
+/// A box that contains the border is undecided, and one that is 1e-9 away from it is decided.
 #[test]
 fn the_verdict_changes_at_the_border() {
     let mut random = Random(82);
@@ -73,7 +71,7 @@ fn the_verdict_changes_at_the_border() {
         decided += 1;
     }
     assert!(decided > 20, "{decided}");
-    // Without a damper a motion has no bound at Ω = 1.
+    // Without a damper the motion at Ω = 1 is unbounded.
     let around_one = Interval::between(0.99, 1.01).unwrap();
     let whole = ratio_box(around_one, Interval::exactly(9.0), Interval::between(0.0, 0.5).unwrap());
     assert_eq!(whole.verdict().unwrap().regime(), None);
@@ -81,7 +79,7 @@ fn the_verdict_changes_at_the_border() {
     assert_eq!(damped.verdict(), Ok(Verdict::NonSticking));
 }
 
-/// The ratios of one machine with a damper, of 256 bits, are in the box of its ratios at f64.
+/// The ratios of one machine with a damper, at 256 bits, lie in the box of its ratios at f64.
 #[test]
 fn one_machine_with_a_damper_is_in_its_own_box() {
     let mut random = Random(83);
@@ -99,8 +97,8 @@ fn one_machine_with_a_damper_is_in_its_own_box() {
     }
 }
 
-/// Ranges with damping are sampled without balls, and lie within those that are proved, which close in on
-/// them as the box is cut.
+/// Without balls, ranges with damping are sampled. They lie inside the proved ranges, which approach them as
+/// the box is cut.
 #[test]
 fn sampled_ranges_are_within_the_proved_ones() {
     let whole = ratio_box(
@@ -119,7 +117,8 @@ fn sampled_ranges_are_within_the_proved_ones() {
             );
             proved.high - proved.low - (sampled.high - sampled.low)
         };
-        // A ball is as much too wide as the part is wide, and 64 times as many are a quarter as wide each way.
+        // The excess of a ball is proportional to the width of its part, and 64 times as many parts are a
+        // quarter as wide in each direction.
         let (few, many) = (excess(50), excess(3200));
         assert!(many < few / 4.0, "{output:?}: {few} {many}");
     }

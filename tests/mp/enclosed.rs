@@ -1,5 +1,5 @@
-//! Enclosures of the closed forms against the same outputs at 1024 bits, where they are sharp and where a
-//! decision is near.
+//! Enclosures of the closed forms, compared with the same outputs at 1024 bits, where they are sharp and
+//! where a decision is close.
 
 mod many;
 mod ranges;
@@ -10,24 +10,24 @@ use stickslip::enclosed::{self, Enclosure, Known, Regime};
 use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Float as _, Output, Ratios, Response};
 
-/// A number with no rounding to speak of.
+/// A number whose rounding is negligible.
 type Exact = Mp<16>;
 
 fn known<const L: usize>(x: Mp<L>) -> Known {
     Known::exactly(x).unwrap()
 }
 
-/// A double, exactly.
+/// A double, without rounding.
 fn double(x: f64) -> Known {
     known(Mp::<1>::from(x))
 }
 
-/// A ratio as written.
+/// A ratio exactly as written.
 fn text(ratio: &str) -> Known {
     ratio.parse().unwrap()
 }
 
-/// A whole number, exactly.
+/// An integer, without rounding.
 fn whole(n: i32) -> Known {
     known(Mp::<1>::from(n))
 }
@@ -46,19 +46,19 @@ fn reference(omega: Exact, alpha: Exact) -> Response<Exact> {
     Response::new(Ratios::new(omega, alpha).unwrap())
 }
 
-/// Distance of the value from the midpoint, in radii.
+/// The distance of the value from the midpoint, in radii.
 fn radii(found: &Enclosure, value: Exact) -> f64 {
     let distance = (value - Exact::from_rug(&found.mid)).abs();
     if distance == Exact::ZERO { 0.0 } else { (distance / Exact::from_rug(&found.rad)).to_f64() }
 }
 
-/// Radius in units of the last place of the bits asked for.
+/// The radius in units in the last place of the requested bits.
 fn units(found: &Enclosure) -> f64 {
     let unit = Exact::from_rug(&found.mid).abs().scale2(-(found.mid.prec() as i32));
     (Exact::from_rug(&found.rad) / unit).to_f64()
 }
 
-/// Every output that exists is in its enclosure; the widest, in units in the last place.
+/// Checks that every output lies in its enclosure; returns the widest enclosure in units in the last place.
 fn check(omega: f64, alpha: Exact, bits: u32) -> f64 {
     let found = response(&double(omega), &known(alpha), bits).unwrap();
     let exact = reference(Exact::from(omega), alpha);
@@ -95,7 +95,7 @@ fn expected(exact: &Response<Exact>) -> Regime {
     }
 }
 
-/// Frequency ratios of ordinary size, and beside 1 and 1/n.
+/// Frequency ratios of ordinary size, and close to 1 and 1/n.
 fn frequencies() -> impl Strategy<Value = f64> {
     let beside = (1u32..12, 4i32..50, any::<bool>()).prop_map(|(n, e, above)| {
         let distance = if above { 2f64.powi(-e) } else { -2f64.powi(-e) };
@@ -105,7 +105,7 @@ fn frequencies() -> impl Strategy<Value = f64> {
     prop_oneof![4 => (-4.0f64..4.0).prop_map(f64::exp), 3 => beside, 1 => poles]
 }
 
-/// α over the border, less 1.
+/// α divided by the border, minus 1.
 fn excesses() -> impl Strategy<Value = f64> {
     prop_oneof![3 => 1e-3f64..20.0, 2 => (3i32..60).prop_map(|e| 2f64.powi(-e)), 1 => -0.5f64..-1e-6]
 }
@@ -118,12 +118,12 @@ proptest! {
         let least = Border::new(Exact::from(omega)).unwrap().min_force_ratio;
         let alpha = Exact::rounded(Mp::<2>::rounded(least * (Exact::from(1) + Exact::from(excess))));
         let widest = check(omega, alpha, if wide { 256 } else { 64 });
-        // Half a unit in the last place is up to 1 of these, and two bits beyond those asked for leave
-        // another half.
+        // Half a unit in the last place is up to 1 of these units, and the two bits beyond those requested
+        // leave another half.
         prop_assert!(widest <= 1.5, "{omega} {alpha}: {widest} units");
     }
 
-    /// Every number of the intervals has its outputs in their enclosures.
+    /// The enclosures contain the outputs of every point of the intervals.
     #[test]
     fn intervals_have_the_outputs_of_all_their_numbers(
         omega in prop_oneof![0.52f64..0.95, 1.05f64..6.0, 0.35f64..0.45, 0.27f64..0.32],
@@ -160,7 +160,7 @@ proptest! {
     }
 }
 
-/// The closed forms with damping and static friction against the same outputs at 1024 bits.
+/// Checks the closed forms with damping and static friction against the same outputs at 1024 bits.
 fn check_damped(omega: f64, alpha: Exact, zeta: f64, eta: f64, bits: u32) -> f64 {
     let found = enclosed::response(&double(omega), &known(alpha), &double(zeta), &double(eta), bits).unwrap();
     let ratios = Ratios::new(Exact::from(omega), alpha).unwrap();
@@ -222,7 +222,7 @@ fn damping_and_static_friction_have_enclosures() {
     }
 }
 
-/// With ζ and η in intervals every number of them has its outputs in the enclosures.
+/// For intervals of ζ and η, the enclosures contain the outputs of every point.
 #[test]
 fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
     let about = |x: f64| Known::between(&double(x), &double(x * (1.0 + 2f64.powi(-20)))).unwrap();
@@ -242,7 +242,7 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
             assert!(displacement.rad.to_f64() < 1e-3, "{displacement}");
         }
     }
-    // Swinging and creeping in one interval, and a ratio outside its domain.
+    // An interval across critical damping, and a ratio outside its domain.
     let both = Known::between(&text("0.99"), &text("1.01")).unwrap();
     let found = enclosed::response(&text("0.7"), &text("3"), &both, &whole(1), 64).unwrap();
     assert_eq!((found.regime, found.get(Output::MaxDisplacement)), (None, None));
@@ -254,7 +254,7 @@ fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
 #[test]
 fn decimals_are_what_is_written() {
     let at = |omega: &str, alpha: &str| response(&text(omega), &text(alpha), 128).unwrap();
-    // A fifth is a pole, where no force is enough; the double beside it is not.
+    // 1/5 is a pole, where no force suffices; the double next to it is not.
     let pole = at("0.2", "1e6");
     assert_eq!((pole.regime, pole.get(Output::MinForceRatio)), (None, None));
     assert!(
@@ -263,16 +263,16 @@ fn decimals_are_what_is_written() {
             .get(Output::MinForceRatio)
             .is_some()
     );
-    // A sixth has K = 0 and the border 35 exactly; of a third of 1.5 nothing is rounded.
+    // At 1/6, K = 0 and the border is exactly 35; no value there is rounded.
     let sixth = enclosed::border(&text("1/6"), &whole(0), &whole(1), 64).unwrap();
     assert!(sixth.get(Output::MinForceRatio).unwrap().contains(&rug::Float::with_val(64, 35)));
     assert_eq!(sixth.get(Output::BestForceRatio).unwrap().to_string(), "0 ± 0");
     let half = at("0.5", "4");
     assert_eq!(half.regime, Some(Regime::NonSticking));
-    // α = 3 is the border at Ω = 1/2: that is not decided by any number of bits.
+    // α = 3 is the border at Ω = 1/2, which no number of bits decides.
     let border = at("0.5", "3");
     assert_eq!((border.regime, border.bits), (None, enclosed::MAX_BITS));
-    // Close to it, more bits decide.
+    // Close to the border, more bits decide.
     let above = at("0.5", &format!("3.{}1", "0".repeat(100)));
     assert!(above.regime == Some(Regime::NonSticking) && above.bits > 192, "{}", above.bits);
     assert_eq!(at("0.5", &format!("2.{}", "9".repeat(100))).regime, Some(Regime::BelowBorder));
@@ -283,7 +283,8 @@ fn decimals_are_what_is_written() {
     assert_eq!(at("0.7", "1").regime, Some(Regime::Stuck));
 }
 
-/// Resonance a hundred decimals away, on the border: the cancellation asks for more bits, which are taken.
+/// On the border, a hundred decimals away from resonance: the cancellation requires more bits, which are
+/// used.
 #[test]
 fn more_bits_are_taken_where_they_are_needed() {
     let omega = format!("1.{}1", "0".repeat(99));
@@ -295,7 +296,7 @@ fn more_bits_are_taken_where_they_are_needed() {
             + rug::Rational::from((1, rug::Integer::from(rug::Integer::u_pow_u(10, 100))))),
     );
     let exact = reference(near, Exact::from_rational(&"13/10".parse().unwrap()));
-    // The reference itself has lost some 660 of its 1024 bits.
+    // The reference itself has lost about 660 of its 1024 bits.
     let value = exact.cycle.as_ref().unwrap().max_displacement;
     assert!(((value - Exact::from_rug(&displacement.mid)) / value).abs().to_f64() < 1e-18);
 }

@@ -1,4 +1,4 @@
-//! nalgebra over `Mp`: matrices, and every function of its traits held against that of `f64`.
+//! nalgebra over `Mp`: matrices, and every function of its traits compared with that of `f64`.
 
 use crate::traits::{NUMBERS, same_rows};
 use approx::{AbsDiffEq, RelativeEq, UlpsEq};
@@ -15,7 +15,7 @@ fn a_hilbert_system_at_256_bits() {
     let solution = matrix.lu().solve(&right).unwrap();
     let residual = (matrix * solution - right).amax();
     assert!(residual < Number::from(1).scale2(-256 + 14), "{residual:e}");
-    // At f64 the same residual is some 200 bits larger: the solve did use the precision.
+    // At f64 the same residual is about 200 bits larger, so that the solution did use the precision.
     assert!(solution.amax() > Number::from(1000));
     // det = 1/266 716 800 000
     let determinant = matrix.determinant() * Number::from(266_716_800_000u64);
@@ -31,7 +31,7 @@ fn eigenvalues_and_singular_values() {
     assert!(near(matrix.svd(true, true).singular_values.amax(), 3));
 }
 
-/// Every function that nalgebra's numbers have, of x and y: what there is to be told of it as a number.
+/// Every function of nalgebra's number types at x and y, expressed as numbers.
 fn functions<T: RealField + Copy>(x: T, y: T) -> Vec<(&'static str, T)> {
     let truth = |is: bool| if is { T::one() } else { T::zero() };
     let or_two = |value: Option<T>| value.unwrap_or(T::one() + T::one());
@@ -52,11 +52,11 @@ fn functions<T: RealField + Copy>(x: T, y: T) -> Vec<(&'static str, T)> {
         ("is_finite", truth(ComplexField::is_finite(&x))),
         ("try_sqrt", or_two(x.try_sqrt())),
     ]);
-    // Of two equal zeros f64 may take either.
+    // For two equal zeros f64 may return either.
     if x != y {
         row.extend([("max", x.max(y)), ("min", x.min(y))]);
     }
-    // MPFR's fraction of a whole number has its sign, that of an infinity is zero.
+    // MPFR's fraction of an integer has its sign, and that of an infinity is zero.
     if ComplexField::is_finite(&x) {
         row.push(("fract", x.fract().abs()));
     }
@@ -100,7 +100,7 @@ fn functions_keep_all_digits() {
     assert_eq!(<Number as RealField>::two_pi(), Number::pi() + Number::pi());
 }
 
-/// One lane, whatever is asked of it.
+/// A number is a vector with one lane, for every operation.
 #[test]
 #[expect(unsafe_code, reason = "two functions of the trait are unsafe by name; there is one lane")]
 fn a_number_is_a_vector_of_one() {
@@ -136,10 +136,10 @@ fn close_is_what_approx_says() {
     let (step, away) = (x.ulp(), |steps: i32| x + x.ulp() * Number::from(steps));
     assert_eq!((Number::default_epsilon(), Number::default_max_relative()), (one.ulp(), one.ulp()));
     assert_eq!(Number::default_max_ulps(), 4);
-    // A distance.
+    // Comparison by distance.
     assert!(x.abs_diff_eq(&away(3), step.scale2(2)) && x.abs_diff_eq(&away(-4), step.scale2(2)));
     assert!(!x.abs_diff_eq(&away(5), step.scale2(2)) && !x.abs_diff_eq(&away(-5), step.scale2(2)));
-    // A distance, or a share of the larger.
+    // Comparison by distance, or by a fraction of the larger number.
     let share = |a: Number, b: Number, share: f64| a.relative_eq(&b, zero, Number::from(share));
     assert!(
         share(Number::from(-80), Number::from(-100), 0.2) && share(Number::from(100), Number::from(81), 0.2)
@@ -148,13 +148,13 @@ fn close_is_what_approx_says() {
         !share(Number::from(-79), Number::from(-100), 0.2) && !share(Number::from(2), Number::from(-2), 0.2)
     );
     assert!(Number::from(1).relative_eq(&Number::from(2), Number::from(1), zero));
-    // Units of the larger, on one side of zero.
+    // Comparison in units in the last place of the larger number, on one side of zero.
     let units = |a: Number, b: Number, count: u32| a.ulps_eq(&b, zero, count);
     assert!(units(x, away(3), 3) && units(away(-3), x, 3) && units(-x, -away(3), 3));
     assert!(!units(x, away(4), 3) && !units(away(-4), x, 3) && !units(x, -x, u32::MAX));
     let tiny = Number::from(1).scale2(-1000);
     assert!(!units(tiny, -tiny, 4) && tiny.ulps_eq(&-tiny, tiny.scale2(1), 0));
-    // What is equal is close, what is infinite to nothing else, NaN to nothing.
+    // Equal numbers are close, an infinity is close to no other number, and NaN to none.
     let infinite = Number::INFINITY;
     for close in [
         |a: &Number, b: &Number| a.abs_diff_eq(b, Number::from(1)),

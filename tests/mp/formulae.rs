@@ -1,12 +1,12 @@
-//! The formulae see of `Mp` what they see of `f64`: `Real`, `Float`, and the widths that an iteration begins
-//! at and is guarded by.
+//! The formulae get the same from `Mp` as from `f64`: `Real`, `Float`, and the widths for the start of an
+//! iteration and for guard digits.
 
 use crate::traits::{NUMBERS, same_rows};
 use stickslip::float::AtPrecision;
 use stickslip::float::Mp;
 use stickslip::{Field, Float, Real};
 
-/// Every function that the formulae are written with.
+/// Every function that the formulae use.
 fn of_the_formulae<T: Float>(x: T, y: T) -> Vec<(&'static str, T)> {
     let truth = |is: bool| T::int(i32::from(is));
     let (sine, cosine) = Real::sin_cos(x);
@@ -48,7 +48,7 @@ fn the_formulae_see_what_they_see_of_f64() {
     }
 }
 
-/// The widths at which starts are found and guard digits kept, in bits.
+/// The widths in bits at which starts are found and guard digits are kept.
 #[test]
 fn narrower_and_wider_types() {
     struct Width;
@@ -73,7 +73,7 @@ fn narrower_and_wider_types() {
         4: 2 5; 5: 3 7; 6: 3 7; 7: 3 9; 8: 3 9; 9: 5 13; 12: 5 13; 13: 5 17; 16: 5 17; 17: 9 25; 24: 9 25; 25: 9 33; 32: 9 33;
         33: 17 49; 48: 17 49; 49: 17 65; 64: 17 65; 65: 33 97; 96: 33 97; 97: 33 129; 128: 33 129;
     }
-    // A quarter of the digits and a guard to start from; the wider has a limb more at least.
+    // A start has a quarter of the digits and a guard limb; the wider type has at least one limb more.
     assert_eq!(
         (limbs(widths::<Mp<1>>()).1, limbs(widths::<Mp<2>>()).1, limbs(widths::<Mp<3>>()).1),
         (2.0, 3.0, 4.0)

@@ -1,9 +1,10 @@
-//! Ranges over boxes of machines, proved in balls: the outputs of every machine of the box are in them.
+//! Ranges over boxes of machines, proved by ball arithmetic: they contain the outputs of every machine of the
+//! box.
 
 use stickslip::uncertainty::{Interval, MachineBox, Range};
 use stickslip::{Drive, Oscillator, Output, Regime, Response, Scales, Verdict};
 
-/// m, k, r_y, the amplitude, ω_d and c, each with its share of uncertainty.
+/// m, k, r_y, the amplitude, ω_d and c, each with its relative uncertainty.
 type Machine = ([f64; 6], [f64; 6]);
 
 fn parts(base: bool, (values, shares): &Machine) -> MachineBox<f64> {
@@ -12,7 +13,7 @@ fn parts(base: bool, (values, shares): &Machine) -> MachineBox<f64> {
     of(m, k, r, a, w).unwrap().with_damping(c).unwrap()
 }
 
-/// An output of the machine at a place in each interval, from −1 to 1.
+/// An output of the machine at a position in each interval, from −1 to 1.
 fn value(base: bool, (values, shares): &Machine, places: [f64; 6], output: Output) -> Option<f64> {
     let [m, k, r, a, w, c] = core::array::from_fn(|i| values[i] * (1.0 + shares[i] * places[i]));
     let body = Oscillator::new(m, k, r).unwrap().with_damping(c).unwrap();
@@ -22,7 +23,7 @@ fn value(base: bool, (values, shares): &Machine, places: [f64; 6], output: Outpu
     Some(output.of(&response)? * output.unit(&Scales::new(&body, &drive).unwrap()))
 }
 
-/// Corners, the middle and places between.
+/// Corners, the middle and positions in between.
 fn places() -> Vec<[f64; 6]> {
     let corner = |n: u32| core::array::from_fn(|i| if n >> i & 1 == 1 { 1.0 } else { -1.0 });
     let between = |n: u32| {
@@ -67,8 +68,8 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
                 least <= low + rounding && high - rounding <= greatest,
                 "{base} {machine:?} {output:?}: {least} … {greatest}, but {low} … {high}"
             );
-            // Closer with more parts. What takes a search, cancels or hardly changes over the box stays wider
-            // for longer.
+            // More parts give a closer range. An output that takes a search, cancels or hardly changes over
+            // the box remains wider for longer.
             let more = whole.enclosed(output, 100).unwrap().unwrap();
             assert!(more.is_guaranteed() && more.high - more.low <= greatest - least, "{output:?} {more:?}");
             let wider = (more.high - more.low) - (high - low);
@@ -81,7 +82,7 @@ fn the_outputs_of_every_machine_are_in_the_range_of_the_box() {
 }
 
 /// A machine that is known exactly has its outputs to all digits; one on both sides of the border has a
-/// margin and no motion.
+/// margin and no proved motion.
 #[test]
 fn what_is_exact_is_sharp_and_what_may_stick_has_no_range() {
     let exact = ([50.0, 1000.0, 5.0, 12.0, 6.0, 20.0], [0.0; 6]);

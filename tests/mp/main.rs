@@ -1,5 +1,5 @@
-//! `Mp<LIMBS>` against `rug::Float` of the same precision: every operation, on ordinary numbers and on zeros
-//! of both signs, infinities, NaN, and the ends of the exponent range.
+//! `Mp<LIMBS>` compared with `rug::Float` of the same precision: every operation, on ordinary numbers and on
+//! zeros of both signs, infinities, NaN, and the ends of the exponent range.
 
 #[macro_use]
 #[path = "../invariants/multiple.rs"]
@@ -41,7 +41,7 @@ fn recipe() -> impl Strategy<Value = Recipe> {
     ]
 }
 
-/// Words all zero and all one make long carries and ties.
+/// Words of zeros or ones only cause long carries and ties.
 fn words() -> impl Strategy<Value = u64> {
     prop_oneof![2 => any::<u64>(), 1 => Just(0), 1 => Just(u64::MAX), 1 => Just(1u64 << 63)]
 }
@@ -103,7 +103,7 @@ proptest! {
         assert_same!(Mp::<1>::from_rational(&ratio), Float::with_val(64, &ratio), "{ratio}");
         let square = Integer::from(numerator) * denominator;
         assert_same!(Mp::<2>::from_rational(&Rational::from(&square)), Float::with_val(128, &square), "{square}");
-        // 2¹²⁷ · 2¹²⁷ fits, and comes back.
+        // 2¹²⁷ · 2¹²⁷ fits, and is returned unchanged.
         prop_assert_eq!(Mp::<4>::from_rational(&Rational::from(&square)).to_rational(), Some(Rational::from(square)));
     }
 }
@@ -136,7 +136,7 @@ fn constants_and_units() {
         assert_eq!(Mp::<L>::from(1) + epsilon.scale2(-1), Mp::from(1));
         assert_eq!(Mp::<L>::exp2i(-250).to_f64(), 2f64.powi(-250));
         assert_eq!(<Mp<L> as stickslip::Float>::PRECISION, bits);
-        // The derived constants are within a unit in the last place of the same at twice the bits.
+        // The derived constants are within one unit in the last place of those at twice the bits.
         let near =
             |ours: Mp<L>, exact: Mp<40>| (Mp::<40>::rounded(ours) - exact).abs() <= Mp::rounded(ours.ulp());
         macro_rules! constants {
@@ -187,7 +187,7 @@ fn rounding_between_widths_is_to_nearest_even() {
     assert_eq!(Mp::<1>::rounded(one + half_ulp), Mp::from(1));
     assert_eq!(Mp::<1>::rounded(one + half_ulp + half_ulp.scale2(-50)), Mp::from(1) + Mp::epsilon());
     assert_eq!(Mp::<1>::rounded(one + half_ulp * Mp::from(3)), Mp::from(1) + Mp::epsilon().scale2(1));
-    // From rug at another precision, and assigned back.
+    // From a rug number of another precision, and back.
     let mut third = Float::new(200);
     third.assign_round(Rational::from((1, 3)), rug::float::Round::Nearest);
     assert!(same(Mp::<1>::from_rug(&third), &Float::with_val(64, &third)));
@@ -200,7 +200,7 @@ fn rounding_between_widths_is_to_nearest_even() {
 fn numbers_cross_threads() {
     fn shareable<T: Copy + Send + Sync + 'static>() {}
     shareable::<Mp<7>>();
-    // π is cached by the thread: each has its own, and they agree.
+    // MPFR caches π per thread: each thread has its own, and they agree.
     let here = Mp::<8>::pi();
     let there: Vec<_> = (0..4).map(|_| std::thread::spawn(|| Mp::<8>::pi() * Mp::from(3))).collect();
     for thread in there {

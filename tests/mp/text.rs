@@ -22,7 +22,7 @@ fn text_as_people_write_it() {
     }
     assert_eq!(Mp::<1>::from_str_radix("-ff", 16).unwrap(), Mp::from(-255));
     assert!(Mp::<1>::from_str_radix("1", 1).is_err() && Mp::<1>::from_str_radix("1", 37).is_err());
-    // Below the least and above the greatest.
+    // Below the least number and above the greatest.
     assert_eq!(x("1e-999999999999").unwrap(), Mp::ZERO);
     assert_eq!(x("1e999999999999").unwrap(), Mp::INFINITY);
 }
@@ -50,14 +50,14 @@ fn text_as_f64_writes_it() {
             assert_eq!(format!("{x:.places$e}"), format!("{value:.places$e}"));
         }
     }
-    // No digit more than it takes.
+    // The text has no more digits than needed.
     for text in ["0.1", "0.7", "123.456", "9.999999999999999e-12", "1e-400"] {
         assert_eq!(text.parse::<Mp<1>>().unwrap().to_string(), text);
         assert_eq!(text.parse::<Mp<16>>().unwrap().to_string(), text);
     }
     assert_eq!(Mp::<1>::from(10).powi(30).to_string(), "1e30");
     assert_eq!(Mp::<1>::from(10).powi(20).to_string(), "100000000000000000000");
-    // Just below a power of ten that it reads back as.
+    // Numbers just below a power of ten that they round to.
     assert_eq!(format!("{:.1}", Mp::<1>::from(10).powi(30)), "1000000000000000000024696061952.0");
     assert_eq!(format!("{:.1}", Mp::<1>::from(10).powi(29)), "99999999999999999997315645440.0");
     assert_eq!(format!("{}", Mp::<1>::from(2f64.powi(-30))), "9.313225746154785156e-10");
@@ -92,7 +92,7 @@ mod serialised {
     }
 }
 
-/// Text is a number where `f64` says so, and nowhere else.
+/// Text is a number exactly where `f64` accepts it.
 #[test]
 fn the_grammar_is_that_of_f64() {
     let pieces = ["", "1", "-", "+", ".", "5", "e", "E", "3", " ", "_", "@", "inf", "NaN", "x", "0", "\n"];

@@ -1,10 +1,10 @@
-//! Generic code sees of `Mp` what it sees of `f64`: the functions of num-traits, and the comparison that
-//! those of nalgebra share.
+//! Generic code gets the same from `Mp` as from `f64`: the functions of num-traits, and the comparison that
+//! the tests of nalgebra share.
 
 use num_traits::{FromPrimitive, Inv, MulAdd, One, Pow, Signed, ToPrimitive, Zero};
 use stickslip::float::Mp;
 
-/// Doubles of every kind: of both signs, whole and not, ties, beyond the integers, without end, no number.
+/// Doubles of every kind: both signs, integers, fractions, ties, beyond the integers, infinite, NaN.
 pub(crate) const NUMBERS: [f64; 17] = [
     0.0,
     -0.0,
@@ -25,7 +25,7 @@ pub(crate) const NUMBERS: [f64; 17] = [
     f64::NAN,
 ];
 
-/// The same numbers under the same names, to within what the system's functions lose.
+/// Asserts the same values under the same names, to within the accuracy of the system's functions.
 pub(crate) fn same_rows<const L: usize>(of_f64: &[(&str, f64)], of_mp: &[(&str, Mp<L>)], at: &str) {
     assert_eq!(of_f64.len(), of_mp.len());
     for ((name, double), (_, wide)) in of_f64.iter().zip(of_mp) {
@@ -33,7 +33,7 @@ pub(crate) fn same_rows<const L: usize>(of_f64: &[(&str, f64)], of_mp: &[(&str, 
         let is_same = near == *double
             || (near.is_nan() && double.is_nan())
             || (near - double).abs() <= 4.0 * f64::EPSILON * double.abs()
-            // Beyond the doubles, where `Mp` has not ended yet.
+            // The double overflows or underflows, while `Mp` does not yet.
             || (double.is_infinite() && near.signum() == double.signum() && near.abs() >= f64::MAX)
             || (double.abs() < f64::MIN_POSITIVE && near.abs() < f64::MIN_POSITIVE);
         assert!(is_same, "{name} of {at}: {wide:e} for {double:e}");
@@ -125,6 +125,6 @@ fn casts_are_those_of_f64() {
         (Some(Mp::from(-m)), Some(Mp::from(u128::MAX)))
     );
     assert_eq!(<Mp<2> as num_traits::NumCast>::from(m), Some(Mp::from(m)));
-    // Whole, and beyond the integers.
+    // An integer beyond the range of the integer types.
     assert_eq!(<Mp<2> as num_traits::NumCast>::from(1e40f64), Some(Mp::from(1e40)));
 }

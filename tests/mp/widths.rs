@@ -1,6 +1,6 @@
-//! The widths that are tried.
+//! The widths that are tested.
 
-/// A function at 64, 128, 256 and 1024 bits.
+/// Calls a function at 64, 128, 256 and 1024 bits.
 macro_rules! at_widths {
     ($function:ident($($argument:expr),*)) => {{
         $function::<1>($($argument),*);

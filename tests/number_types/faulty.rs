@@ -1,11 +1,11 @@
-//! A double in a wrapper, with nothing but the methods that its traits require, and one of them wrong.
+//! A wrapped double with only the methods that its traits require, of which one is wrong.
 
 use core::cmp::Ordering;
 use core::fmt::{self, Display, Formatter, LowerExp};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use stickslip::{Field, Float, Real};
 
-/// Method and fault; `Faulty<0>` has none, `Faulty<n>` the n-th.
+/// Method and fault: `Faulty<0>` has none, and `Faulty<n>` has the n-th.
 pub(crate) const FAULTS: [(&str, &str); 28] = [
     ("PartialOrd::partial_cmp", "negative numbers in the order of their magnitudes"),
     ("PartialOrd::partial_cmp", "NaN is less than every number"),
@@ -41,14 +41,14 @@ pub(crate) const FAULTS: [(&str, &str); 28] = [
 pub(crate) struct Faulty<const FAULT: usize>(f64);
 
 impl<const FAULT: usize> Faulty<FAULT> {
-    /// The right or the wrong, as this type has the fault of this name or not.
+    /// The right or the wrong value, depending on whether this type has the fault.
     fn pick<T>(method: &str, what: &str, right: T, wrong: T) -> T {
         let is = FAULT > 0 && FAULTS[FAULT - 1].0 == method && FAULTS[FAULT - 1].1.starts_with(what);
         if is { wrong } else { right }
     }
 }
 
-/// The number next to it towards zero where it is not exact.
+/// The next number towards zero where the operation is not exact.
 fn cut_off(sum: f64, rest: f64) -> f64 {
     if rest * sum < 0.0 { f64::from_bits(sum.to_bits() - 1) } else { sum }
 }

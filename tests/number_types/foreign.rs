@@ -1,4 +1,4 @@
-//! Types of other crates: what the check says of them, and what they reach.
+//! Types of other crates: the result of the conformance check, and the accuracy that they reach.
 
 use super::octuple::Octuple;
 use ::f256::f256;
@@ -24,7 +24,7 @@ fn answers<F: Float>(omega: (i32, i32), alpha: (i32, i32)) -> [F; 6] {
 const POINTS: [((i32, i32), (i32, i32)); 5] =
     [((3, 2), (5, 2)), ((3, 4), (2, 1)), ((7, 16), (9, 1)), ((5, 1), (2, 1)), ((129, 128), (3, 2))];
 
-/// The largest relative difference, in powers of two.
+/// The largest relative difference, as a power of two.
 fn largest<F: Float>(of: impl Fn(F) -> Octuple) -> f64 {
     let mut most = 0.0f64;
     for (omega, alpha) in POINTS {
@@ -56,7 +56,7 @@ fn wrapped_doubles_are_doubles() {
 #[test]
 fn octuple_precision_is_reached_to_the_last_digits() {
     check::<Octuple>().unwrap();
-    // 39 digits that the documentation of another type has.
+    // The 39 digits that the documentation of another type states.
     let known = "1.65415227648207641780635849288984578644";
     let [_, velocity, ..] = answers::<Octuple>((3, 2), (5, 2));
     assert!(velocity.to_string().starts_with(known), "{velocity}");
@@ -71,8 +71,8 @@ fn octuple_precision_is_reached_to_the_last_digits() {
     }
 }
 
-/// A pair of doubles has no fixed number of digits, so that it does not round as the formulae need, and says
-/// 2.2e-308 for the unit of 1 besides. It is refused, and rightly: its answers have the digits of a double.
+/// A pair of doubles has no fixed number of digits, so that it does not round as the formulae need; it also
+/// states 2.2e-308 as the unit of 1. It is refused, and rightly: its answers have the accuracy of a double.
 #[test]
 fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     type Double = Foreign<TwoFloat, 106, 255>;
@@ -82,8 +82,8 @@ fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     assert!(error < 2f64.powi(-50) && error > 2f64.powi(-60), "{error:e}");
 }
 
-/// The fault that the check found in f256 0.11.3, and that `Octuple` goes round: when it is mended there,
-/// this says so.
+/// The fault that the check found in f256 0.11.3, and that `Octuple` avoids. This test fails when the crate
+/// fixes it.
 #[test]
 fn the_fault_in_the_other_crate_is_there() {
     let one = f256::from(1);

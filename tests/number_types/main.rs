@@ -1,5 +1,5 @@
-//! Own number types: the conformance check told right types from wrong ones, and what types of other crates
-//! reach.
+//! User-defined number types: the conformance check distinguishes right types from wrong ones, and types of
+//! other crates reach their accuracy.
 
 mod faulty;
 mod foreign;
@@ -24,7 +24,7 @@ fn the_types_of_the_crate_keep_their_promises() {
     check::<stickslip::float::Dual<2>>().unwrap();
 }
 
-/// What is found of the type with each fault.
+/// The result of the check for the type with each fault.
 fn found() -> Vec<Result<(), Broken>> {
     macro_rules! each {
         ($($n:literal)*) => { vec![$(check::<Faulty<$n>>()),*] };
@@ -32,7 +32,7 @@ fn found() -> Vec<Result<(), Broken>> {
     each! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 }
 }
 
-/// Each fault is told, under the name of the method that has it.
+/// Each fault is reported under the name of the method that has it.
 #[test]
 fn a_wrong_type_is_told_by_the_method_that_is_wrong() {
     assert_eq!(found().len(), FAULTS.len());

@@ -1,4 +1,4 @@
-//! A number type of our own: the 237 bits of IEEE 754's octuple precision, by the crate `f256`.
+//! A user-defined number type: the 237 bits of IEEE 754's octuple precision, by the crate `f256`.
 
 use ::f256::{consts::PI, f256};
 use core::fmt::{self, Display, Formatter, LowerExp};
@@ -79,7 +79,7 @@ impl Real for Octuple {
         Self(self.0.tan())
     }
     fn atan2(self, x: Self) -> Self {
-        // On the diagonals f256 0.11.3 gives ±π/2, which the conformance check found.
+        // On the diagonals f256 0.11.3 gives ±π/2, as the conformance check found.
         if self.abs() == x.abs() && self != Self::int(0) {
             let eighth = Self::pi() * Self::ratio(if x > Self::int(0) { 1 } else { 3 }, 4);
             return eighth.times_sign_of(self);
@@ -102,7 +102,7 @@ impl Float for Octuple {
         Self(f256::TWO.powi(e))
     }
     fn to_f64(self) -> f64 {
-        // The crate has no way to f64 but by digits.
+        // The crate converts to f64 only through decimal digits.
         format!("{:e}", self.0).parse().unwrap_or(f64::NAN)
     }
     fn from_f64(x: f64) -> Self {

@@ -1,4 +1,4 @@
-//! `docs/equations.md` names every equation, and every item it names exists.
+//! `docs/equations.md` lists every equation, and every item that it lists exists.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -14,7 +14,7 @@ fn rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The paths of a file's functions and types, methods and fields under their type.
+/// The paths of a file's functions and types; methods and fields are under their type.
 fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
     let source = syn::parse_file(&std::fs::read_to_string(file).unwrap()).unwrap();
     let mut add = |name: String| found.insert(format!("{module}::{name}"));
@@ -41,7 +41,7 @@ fn items(module: &str, file: &Path, found: &mut BTreeSet<String>) {
                     }
                 }
             }
-            // Property tests stand in a macro: take the names after `fn`.
+            // Property tests are in a macro: take the names after `fn`.
             syn::Item::Macro(m) => {
                 let text = m.mac.tokens.to_string();
                 for rest in text.split("fn ").skip(1) {
@@ -96,7 +96,7 @@ fn every_item_named_exists() {
     assert!(!known.contains("nonsticking::velocity::no_such_item"));
 }
 
-/// The numbers after each “eq.” of a text, ranges filled in: “eq. 21–25, 58 and 59”.
+/// The numbers after each “eq.” of a text, with ranges expanded: “eq. 21–25, 58 and 59”.
 fn equations_in(text: &str) -> BTreeSet<u32> {
     let mut found = BTreeSet::new();
     for list in text.to_lowercase().split("eq. ").skip(1) {
@@ -114,8 +114,8 @@ fn equations_in(text: &str) -> BTreeSet<u32> {
     found
 }
 
-/// The file of an item of the library names the equation that the item is said to implement: in words, or as
-/// the name of an identity.
+/// The file of a library item names the equation that the item implements, in words or as the name of an
+/// identity.
 #[test]
 fn every_item_says_which_equation_it_is() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");

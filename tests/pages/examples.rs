@@ -1,4 +1,5 @@
-//! The examples print what docs/examples.md shows, and the numbers that matter are checked another way.
+//! The examples print what docs/examples.md shows, and their most important numbers are verified in another
+//! way.
 
 #[path = "../../examples/damper.rs"]
 #[allow(dead_code, reason = "its main runs it as a program")]
@@ -22,7 +23,7 @@ use std::f64::consts::TAU;
 use stickslip::exact::{LongRun, State};
 use stickslip::{Drive, Oscillator, Ratios};
 
-/// What docs/examples.md shows of an example.
+/// The output of an example in docs/examples.md.
 fn shown(name: &str) -> String {
     let page = include_str!("../../docs/examples.md");
     let block = page
@@ -46,7 +47,7 @@ fn numbers(line: &str) -> Vec<f64> {
     line.split_whitespace().filter_map(|word| word.parse().ok()).collect()
 }
 
-/// Maximum displacement of the exact motion, from rest, in units of length; and its stops in a cycle.
+/// Maximum displacement of the exact motion from rest, in units of length, and its stops in a cycle.
 fn exact(body: &Oscillator<f64>, force: f64, frequency: f64) -> (f64, u32) {
     let ratios: Ratios<f64> = Drive::force(force, frequency).unwrap().ratios(body).unwrap();
     let motion = LongRun::from_start(ratios, State::default()).unwrap();
@@ -65,7 +66,8 @@ fn the_page_shows_what_they_print() {
     assert_eq!(printed(sensitivities::answer), shown("sensitivities"));
 }
 
-/// A percent below the least force the exact motion sticks, with 20 % more it shakes as far as is said.
+/// At one percent below the minimum force the exact motion sticks; at 20 % above, its displacement is the
+/// stated one.
 #[test]
 fn the_dither_is_the_least() {
     let spool = Oscillator::new(0.050, 20e3, 6.0).unwrap();
@@ -79,8 +81,7 @@ fn the_dither_is_the_least() {
     }
 }
 
-/// The cabinet and the floor in the frame of the room, by small steps of Heun's method: nothing of the
-/// library.
+/// The cabinet and the floor in the fixed frame, by small steps of Heun's method, independent of the library.
 #[test]
 fn the_cabinet_slides_as_far_in_the_frame_of_the_room() {
     for line in shown("isolator").lines().skip(1).take(3) {
@@ -114,7 +115,7 @@ fn the_cabinet_slides_as_far_in_the_frame_of_the_room() {
     }
 }
 
-/// The energies are the exact motion's, and no other slip load takes out more.
+/// The energies are those of the exact motion, and no other slip load dissipates more.
 #[test]
 fn the_damper_eats_most_at_the_best_slip_load() {
     let page = shown("damper");
@@ -134,7 +135,7 @@ fn the_damper_eats_most_at_the_best_slip_load() {
     }
 }
 
-/// By differences of the exact motion, which knows nothing of dual numbers.
+/// Compared with differences of the exact motion, which does not use dual numbers.
 #[cfg(feature = "dual")]
 #[test]
 fn the_sensitivities_are_differences() {

@@ -1,7 +1,7 @@
-//! Figure 3 of the paper again: its error measures after a finite time from rest, and of the settled motion.
+//! Figure 3 of the paper: its error measures after a finite time from rest, and those of the settled motion.
 //!
-//! Holds the table of `docs/figure-3.md` against the library.
-//! `STICKSLIP_WRITE=1 cargo test --test pages figure_3` writes it.
+//! The table of `docs/figure-3.md` is compared with the library. `STICKSLIP_WRITE=1 cargo test --test pages
+//! figure_3` writes it.
 
 use stickslip::exact::{ErrorMeasures, LongRun, State, errors_after};
 use stickslip::{Cycle, Ratios};
@@ -13,8 +13,8 @@ fn all(e: &ErrorMeasures<f64>) -> [f64; 4] {
     [e.error_1, e.error_2.abs(), e.error_3, e.error_4.abs()]
 }
 
-/// The rows: Ω, 1/α, contraction per cycle, errors 1–4 after 20 cycles from rest, greatest error of the
-/// settled motion.
+/// The rows: Ω, 1/α, contraction per cycle, errors 1–4 after 20 cycles from rest, and the greatest error of
+/// the settled motion.
 fn rows() -> Vec<(f64, f64, [f64; 6])> {
     let mut rows = Vec::new();
     for inverse in [0.3, 0.4, 0.5] {
@@ -78,7 +78,7 @@ fn the_contraction_explains_the_errors() {
         if omega == 1.0 {
             continue;
         }
-        // What 20 cycles leave of the start, within the ups and downs of a complex pair.
+        // The remaining influence of the start after 20 cycles, with the fluctuation of a complex pair.
         let left = contraction.powi(CYCLES as i32);
         for error in [e1, e3] {
             assert!(error < 10.0 * left + 1e-13, "Ω = {omega}, 1/α = {inverse}: {error:e} of {left:e}");

@@ -1,4 +1,4 @@
-//! The pictures in `docs/figures` and the page that shows them are what the library gives.
+//! The pictures in `docs/figures` and the page that shows them agree with the library.
 //!
 //! `STICKSLIP_WRITE=1 cargo test --all-features --test pages figures` writes them.
 
@@ -44,7 +44,7 @@ fn page() -> String {
     page
 }
 
-/// The errors of figure `accuracy` need multiple precision to be known.
+/// The errors in figure `accuracy` require multiple precision.
 fn is_complete(figure: &Figure) -> bool {
     figure.name != "accuracy" || cfg!(feature = "mp")
 }
@@ -57,8 +57,8 @@ fn the_kept_pictures_are_what_the_library_draws() {
         let drawn = figure.svg().unwrap();
         let kept = files.at(&file, &drawn);
         if figure.name == "3" {
-            // Its settled errors are rounding, which any change of an operation's order moves, and the axis
-            // with them: `tests/pages/figure_3.rs` has its numbers.
+            // Its settled errors are rounding, which changes with the order of operations, and the axis with
+            // them; `tests/pages/figure_3.rs` checks its numbers.
             assert!(
                 kept.len().abs_diff(drawn.len()) * 5 < kept.len(),
                 "{} against {}",
@@ -118,7 +118,7 @@ fn figure_2_measures_the_cycle_it_draws() {
     let path = &series(&figure, "steady motion, Ω = 0.7, α = 2").points;
     let cycle = Ratios::new(0.7, 2.0).and_then(Cycle::new).unwrap();
     let greatest = |part: fn(&(f64, f64)) -> f64| path.iter().map(part).fold(0.0, f64::max);
-    // 240 points a cycle miss a maximum by (π/240)²/2 of it.
+    // With 240 points per cycle, a maximum is missed by at most (π/240)²/2 of its value.
     assert!((greatest(|p| p.0) / cycle.max_displacement - 1.0).abs() < 1e-4);
     assert!((greatest(|p| p.1) / cycle.max_velocity - 1.0).abs() < 1e-4);
     let lengths: Vec<f64> = figure.panels[0]
@@ -131,7 +131,7 @@ fn figure_2_measures_the_cycle_it_draws() {
     for due in [cycle.deviation(), cycle.max_velocity, cycle.max_displacement] {
         assert_eq!(lengths.iter().filter(|l| (**l - due).abs() < 1e-12).count(), 2, "{due} of {lengths:?}");
     }
-    // It goes round as its arrows say: to the right above.
+    // The arrows show the direction: to the right in the upper half.
     let ways: Vec<_> =
         figure.panels[0].series.iter().filter(|s| s.style == Style::Arrow && s.index == 2).collect();
     assert_eq!(ways.len(), 4);
@@ -141,8 +141,8 @@ fn figure_2_measures_the_cycle_it_draws() {
     }
 }
 
-/// The lines of damping against the closed forms where the body does not stick, and its border; without a
-/// damper resonance has a gap.
+/// The lines of damping agree with the closed forms where the body does not stick, and with the border;
+/// without a damper there is a gap at resonance.
 #[test]
 fn damping_bounds_resonance_and_the_poles() {
     let figure = figure("damping").unwrap();
@@ -174,8 +174,8 @@ fn damping_bounds_resonance_and_the_poles() {
     }
 }
 
-/// Each curve of figure 3 against a simulation of its own (`tests/data/figure_3.py`), and the settled motion
-/// symmetric to rounding.
+/// Each curve of figure 3 agrees with an independent simulation (`tests/data/figure_3.py`), and the settled
+/// motion is symmetric to rounding.
 #[test]
 fn figure_3_shows_each_error_under_its_name() {
     let figure = figure("3").unwrap();
@@ -189,8 +189,8 @@ fn figure_3_shows_each_error_under_its_name() {
             let name = format!("1/α = {inverse}, 20 cycles from rest");
             let series = panel.series.iter().find(|series| series.name == name).unwrap();
             let (_, drawn) = series.points.iter().find(|(x, _)| (x - omega).abs() < 1e-9).unwrap();
-            // Rounding is 1e-15 of the displacement in each slide; an instant is known to the root of ε where
-            // it is flat.
+            // The rounding is 1e-15 of the displacement in each slide; the time of a flat extremum is known
+            // to the square root of ε.
             assert!(
                 (drawn - due).abs() < 1e-5 * due + 1e-12,
                 "{title}{name}, Ω = {omega}: {drawn} for {due}"
@@ -218,7 +218,7 @@ fn figure_4_marks_lie_on_the_exact_lines() {
             let after = line.iter().position(|(x, _)| x > omega).unwrap();
             let ((a, ya), (b, yb)) = (line[after - 1], line[after]);
             let between = ya + (yb - ya) * (omega - a) / (b - a);
-            // Away from the peak a straight piece of 0.005 is good to 1 %.
+            // Away from the peak, linear interpolation over 0.005 is accurate to 1 %.
             if (omega - 1.0).abs() > 0.05 {
                 assert!((between / mark - 1.0).abs() < 0.01, "{name}, Ω = {omega}: {between} {mark}");
                 compared += 1;
@@ -258,11 +258,12 @@ fn figure_8_has_a_dot_wherever_alpha_is_above_the_exact_border() {
         let (omega, alpha) = (lattice(i, 0.1725, 1.9725, 61), lattice(j, 0.5, 15.5, 51));
         alpha > Border::new(omega).unwrap().min_force_ratio
     });
-    // At Ω = 1 itself there is no steady motion to have a dot; the lattice keeps off it.
+    // At Ω = 1 itself there is no steady motion for a dot; the grid avoids it.
     assert_eq!(above.count(), dots.len());
 }
 
-/// A picture has its size, is mostly paper, and has words: with no font they would be missing.
+/// A picture has the requested size, is mostly blank, and contains text, which would be missing without a
+/// font.
 #[cfg(feature = "png")]
 #[test]
 fn a_png_is_drawn_with_its_words() {
@@ -282,7 +283,7 @@ fn a_png_is_drawn_with_its_words() {
     };
     let paper = pixels.pixels().iter().filter(|p| p.red() == 255).count();
     assert!(paper * 10 > 9 * pixels.pixels().len(), "{paper}");
-    // The title alone is above the frame.
+    // Only the title is above the frame.
     assert!((200..5000).contains(&dark(0, 35)), "{}", dark(0, 35));
     assert!(figure.png(0).is_err());
 }

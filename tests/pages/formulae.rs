@@ -1,4 +1,5 @@
-//! The formulae of the documentation: what is committed is what their TeX gives, and every page renders.
+//! The formulae of the documentation: the committed renderings are those of their TeX, and every page
+//! renders.
 
 #[path = "../../docs/mathml/render.rs"]
 mod render;
@@ -14,7 +15,7 @@ fn each_rendering_is_that_of_its_source() {
         let name = formula.html.display();
         assert!(kept == formula.rendered, "{name}: `cargo run --example mathml -- src/formulae`");
     }
-    // No rendering without a source.
+    // Every rendering has a source.
     let files = std::fs::read_dir(&folder).unwrap().count();
     assert_eq!(files, 2 * formulae.len());
 }
@@ -40,8 +41,8 @@ fn every_page_renders() {
     assert!(formulae > 100, "{formulae} formulae");
 }
 
-/// The numbers that the theory gives its formulae, `44`, `40, 41`, `11–14`, are those of the paper, none left
-/// out.
+/// The numbers of the formulae in the theory, `44`, `40, 41`, `11–14`, are those of the paper, and none is
+/// missing.
 #[test]
 fn every_equation_is_in_the_theory() {
     let mut numbers = Vec::new();

@@ -1,4 +1,4 @@
-//! What README.md, docs/ and examples/ say and show is what is there and what happens.
+//! The statements of README.md, docs/ and examples/ are compared with the code and its output.
 
 #[path = "../book_pages/mod.rs"]
 mod book_pages;

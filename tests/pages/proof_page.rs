@@ -1,4 +1,4 @@
-//! `docs/proof.md` has every equation, and every test it names exists.
+//! `docs/proof.md` lists every equation, and every test that it names exists.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,11 +1,11 @@
-//! What README.md and docs/ show is what happens: commands and their output, code, links.
+//! README.md and docs/ show real behaviour: commands and their output, code, links.
 
 use assert_cmd::cargo::cargo_bin;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The commands that no test runs, by how they begin, and why.
+/// Commands that no test runs, by their beginning, and the reason.
 const NOT_RUN: &[(&str, &str)] = &[
     (".ci/test", "it runs this"),
     ("cargo test ", "it runs this, or its like"),
@@ -18,7 +18,7 @@ const NOT_RUN: &[(&str, &str)] = &[
     ("mdbook ", "the book's own program need not be there; tests/pages/formulae.rs renders every page"),
 ];
 
-/// The fenced blocks of a page: what they are and what they say. Fences begin a line.
+/// The fenced blocks of a page: their kind and content. Fences begin a line.
 fn blocks(page: &str) -> Vec<(String, String)> {
     let mut found = Vec::new();
     let mut lines = page.lines();
@@ -50,7 +50,7 @@ fn is_not_run(command: &str) -> bool {
     NOT_RUN.iter().any(|(begins, _)| command.starts_with(begins) || command == begins.trim_end())
 }
 
-/// The command as it is run here, by the program this test was built with.
+/// The command in the form in which it runs here, with the program of this test's build.
 fn resolved(command: &str) -> String {
     let mut resolved = command.to_owned();
     for features in ["cli", "cli,mp"] {
@@ -60,7 +60,7 @@ fn resolved(command: &str) -> String {
     resolved
 }
 
-/// Runs a command of a page in the page's folder: whether it succeeded, and what it printed.
+/// Runs a command of a page in the page's folder; returns whether it succeeded, and its output.
 fn run(command: &str, folder: &Path) -> (bool, String) {
     let program = cargo_bin("stickslip");
     let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap());
@@ -82,7 +82,7 @@ fn folder(page: &str) -> PathBuf {
     folder
 }
 
-/// Pictures that are kept beside the figures, and drawn by a command on their page.
+/// Pictures that are kept with the figures and drawn by a command on their page.
 const KEPT: [&str; 2] = ["basins.svg", "limits.svg"];
 
 #[test]
@@ -100,7 +100,7 @@ fn every_command_prints_what_is_shown() {
                     continue;
                 }
                 let (success, printed) = run(&command, &folder);
-                // Bad input is shown with its one line, which begins with the program's name.
+                // Bad input is shown with its one-line message, which begins with the program's name.
                 assert_eq!(success, !shown.starts_with("stickslip: "), "{page}: {command}\n{printed}");
                 for name in KEPT.into_iter().filter(|name| command.ends_with(&format!("--out {name}"))) {
                     let drawn = std::fs::read_to_string(folder.join(name)).unwrap();
@@ -134,7 +134,7 @@ fn every_block_is_of_a_kind_that_is_tested() {
                     assert!(tested.contains(&format!("\"../{page}\"")), "src/pages.rs does not run {page}")
                 }
                 "math" | "text" => {}
-                // `every_snippet_of_another_language_runs`.
+                // These are run by `every_snippet_of_another_language_runs`.
                 "python" | "matlab" => {}
                 _ => panic!("{page}: a block of an unknown kind: {kind}"),
             }
@@ -142,8 +142,8 @@ fn every_block_is_of_a_kind_that_is_tested() {
     }
 }
 
-/// Python runs as it is. Of MATLAB, which is not at hand, the commands run, and the columns and keys that it
-/// reads are there.
+/// Python snippets run as they are. MATLAB is not available: its commands run, and the columns and keys that
+/// it reads must exist.
 #[test]
 fn every_snippet_of_another_language_runs() {
     let program = cargo_bin("stickslip");
@@ -186,7 +186,7 @@ fn every_snippet_of_another_language_runs() {
     assert!(tried >= 3, "{tried}");
 }
 
-/// What the commands that are not run name exists: tests, examples, with the features they need.
+/// Tests, examples and features named in commands that are not run must exist.
 #[test]
 fn commands_not_run_name_what_exists() {
     let manifest = include_str!("../../Cargo.toml");
@@ -215,7 +215,7 @@ fn commands_not_run_name_what_exists() {
     }
 }
 
-/// The anchor of a heading, as forges and mdBook make it.
+/// The anchor of a heading, as code forges and mdBook generate it.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || [' ', '-', '_'].contains(c));
     kept.map(|c| if c == ' ' { '-' } else { c }).collect::<String>().to_lowercase()
@@ -226,7 +226,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     headings.map(|line| anchor(line.trim_start_matches('#').trim())).collect()
 }
 
-/// The targets of a page's links and pictures, code aside.
+/// The targets of a page's links and pictures, outside code.
 fn links(text: &str) -> Vec<String> {
     let mut prose = String::new();
     let mut fenced = false;

@@ -1,4 +1,4 @@
-//! No test file is left out: each one beside a `main.rs` of `tests/`, or in a folder that is a part of the
+//! Every test file is compiled: each file next to a `main.rs` of `tests/`, or in a folder that belongs to the
 //! unit tests, is a module there.
 
 use std::path::Path;

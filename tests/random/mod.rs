@@ -1,4 +1,4 @@
-//! Random numbers for the tests of the exact motion: SplitMix64, the same everywhere.
+//! Random numbers for the tests of the exact motion: SplitMix64, with the same sequence on every machine.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 

@@ -1,15 +1,15 @@
-//! The motion by dense sampling: the textbook solution of a slide, looked at 64 times in each period of its
+//! The motion by dense sampling: the textbook solution of a slide, sampled 64 times in each period of its
 //! faster wave.
 //!
-//! It shares nothing with the library: amplitudes of the forced and the free wave, signs of samples,
-//! bisection.
+//! It shares no code with the library: it uses amplitudes of the forced and the free wave, signs of samples,
+//! and bisection.
 
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use std::f64::consts::{PI, TAU};
 
-/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`, with damping the
-/// same with a lag δ of the forced wave, `x = A sin(θ − δ) − s + e^{−ζφ} [b cos dφ + (a + ζb) sin(dφ)/d]`.
+/// A slide from (θ, x, w = x′/ω_n) in the direction s: `w = F cos θ + a cos φ − b sin φ`. With damping, the
+/// forced wave also has a lag δ, `x = A sin(θ − δ) − s + e^{−ζφ} [b cos dφ + (a + ζb) sin(dφ)/d]`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slide {
     pub(crate) omega: f64,
@@ -77,7 +77,7 @@ impl Slide {
         (self.forced * self.omega).abs() + self.a.abs() + self.b.abs()
     }
 
-    /// A sixty-fourth of the faster period.
+    /// A sixty-fourth of the shorter period.
     pub(crate) fn step(&self) -> f64 {
         TAU / 64.0 / self.omega.max(1.0).max(2.0 * self.zeta)
     }
@@ -93,7 +93,7 @@ impl Slide {
             if now < 0.0 {
                 return self.crossing(phi, next);
             }
-            // A sample lower than both its neighbours: the dip between them.
+            // A sample below both its neighbours: search the minimum between them.
             if last < before && last <= now && last < 0.02 * self.size() {
                 let (mut low, mut high) = (phi - h, next);
                 while high - low > 1e-7 * h {
@@ -111,7 +111,7 @@ impl Slide {
 
     fn crossing(&self, low: f64, high: f64) -> Option<f64> {
         let (mut low, mut high) = (low, high);
-        // The slide may begin at rest: the first instant that moves, if there is one.
+        // The slide may begin at rest: find the first instant at which it moves, if there is one.
         if low == 0.0 {
             let mut start = high / 2.0;
             while self.speed(start) <= 0.0 {
@@ -131,7 +131,7 @@ impl Slide {
 }
 
 /// Stops and velocity zeros in a cycle of the periodic motion through (θ, x, w), counted from the middle of a
-/// slide on.
+/// slide.
 pub(crate) fn counts(omega: f64, alpha: f64, start: (f64, f64, f64)) -> (u32, u32) {
     damped_counts([omega, 0.0, alpha], start)
 }
@@ -153,7 +153,7 @@ pub(crate) fn damped_counts([omega, zeta, alpha]: [f64; 3], start: (f64, f64, f6
                 if seam.is_some_and(|seam| theta > seam + TAU) {
                     break;
                 }
-                // Shorter than a millionth of a natural unit of time it is rounding.
+                // A stop shorter than a millionth of the natural unit of time is rounding.
                 if release - theta > 1e-6 * omega.min(1e-3) {
                     stops += u32::from(seam.is_some());
                 }
@@ -177,7 +177,7 @@ pub(crate) fn damped_counts([omega, zeta, alpha]: [f64; 3], start: (f64, f64, f6
     (stops, zeros)
 }
 
-/// When friction gives way to α sin θ at the place x, and in which direction.
+/// The phase at which friction yields to α sin θ at the place x, and the direction.
 fn release(alpha: f64, theta: f64, x: f64) -> (f64, f64) {
     let later = |angle: f64| angle + TAU * ((theta - 1e-12 - angle) / TAU).ceil();
     let forward = if x + 1.0 < alpha { later(((x + 1.0) / alpha).asin()) } else { f64::INFINITY };

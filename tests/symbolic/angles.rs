@@ -1,4 +1,4 @@
-//! An angle as a combination of the named ones.
+//! An angle as a linear combination of the named ones.
 
 use super::polynomial::Polynomial;
 use super::scalar::{Angle, Symbol, named_angles};
@@ -15,7 +15,7 @@ pub(crate) fn combination(size: Symbol) -> Vec<(i32, Angle)> {
             *least = (*least).max(power);
         }
     }
-    // Echelon form of the angles over the common denominator, each row with what it is made of.
+    // Row echelon form of the angles over the common denominator; each row keeps its combination.
     let mut rows: Vec<(Polynomial, Vec<BigRational>)> = Vec::new();
     let reduce = |mut p: Polynomial, mut of: Vec<BigRational>, rows: &[(Polynomial, Vec<BigRational>)]| {
         for (row, parts) in rows {

@@ -1,4 +1,4 @@
-//! The form of eq. 21–25 that Newton's method solves: the same equations, and its Jacobian.
+//! The form of eq. 21–25 that Newton's method solves is equivalent to them, and its Jacobian is correct.
 
 use super::ideal::Ideal;
 use super::scalar::{Symbol, angle, free, reset};
@@ -9,7 +9,7 @@ use stickslip::nonsticking::matching::Unknowns;
 use stickslip::nonsticking::matching::balanced::Balanced;
 use stickslip::phase_function::one_minus_square;
 
-/// The system and its unknowns in symbols; the angles are named, β = π/2Ω and so π₁ = 2β among them.
+/// The system and its unknowns in symbols; the angles β = π/2Ω, and therefore π₁ = 2β, are named.
 fn system() -> (Balanced<Symbol>, Unknowns<Symbol>) {
     reset();
     let [v, delta, deviation, friction] = ["v", "d", "e", "κ"].map(free);
@@ -42,7 +42,7 @@ fn it_is_equations_21_to_25_times_a_regular_matrix() {
         ideal.assert_exactly(name, row);
     }
     assert!(!ideal.holds(twice * f2 + (e21 - e22)));
-    // Eq. 59 in units of A, p₀/k = A(1 − Ω²) with k = A = 1: the force left over is the friction, downwards.
+    // Eq. 59 in units of A, p₀/k = A(1 − Ω²) with k = A = 1: the excess force equals the friction, downwards.
     let b = system.given().friction_displacement;
     let sine = u.displacement_phase.sin();
     let force = slip_excess(system.one_minus_square, sine, int(1), u.max_displacement, b) + b;

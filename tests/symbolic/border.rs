@@ -17,7 +17,7 @@ fn equation_60_follows_from_40_41_and_59() {
     // Friction bound 1: stiffness 1/B, force α.
     let e59 = slip_excess(alpha, sine, int(1) / b, delta, int(1));
     let e60 = turning_point_residual(b, alpha, omega, m.tangent());
-    // |y| = 1 as y² = 1: α sin ω_d t₂ − Δ₀/B, with sin ω_d t₂ = Δ₀/A put in.
+    // |y| = 1 as y² = 1: α sin ω_d t₂ − Δ₀/B, with sin ω_d t₂ = Δ₀/A substituted.
     let force = alpha * sine - delta / b;
     let circle = sine * sine + cosine * cosine - int(1);
     let magnitude = e59 + int(1);
@@ -30,7 +30,7 @@ fn equation_60_follows_from_40_41_and_59() {
     let ideal = Ideal::new(&[e42], &[]);
     ideal.assert_exactly("60", (e60 - omega * omega * (with_40 * with_40 - int(1))).numerator().into());
     assert!(Ideal::new(&[m.equation_40(), m.equation_41(), circle], &[]).holds(e42));
-    // On the cycle the force left over is Ω²Δ₀/B exactly: eq. 59 is Δ₀/B = 1/Ω².
+    // On the cycle the excess force is exactly Ω²Δ₀/B: eq. 59 is Δ₀/B = 1/Ω².
     assert!((with_40 + omega * omega * delta / b).is_zero());
 }
 
@@ -42,7 +42,7 @@ fn equations_60_and_61_are_equivalent() {
     let q = one_minus_square(omega);
     let e60 = turning_point_residual(b, alpha, omega, tan);
     let border = turning_point_border(k, one_minus_square(omega), omega);
-    // (1 − Ω²)² times eq. 60 is Ω⁶ (α² − α₆₁²): each is zero where the other is, Ω ≠ 0, 1.
+    // (1 − Ω²)² times eq. 60 is Ω⁶ (α² − α₆₁²): one vanishes exactly where the other does, for Ω ≠ 0, 1.
     let difference = alpha * alpha - border * border;
     let six = |x: Symbol| x * x * x * x * x * x;
     let ideal = Ideal::new(&[], &[border]);
@@ -61,6 +61,6 @@ fn equations_60_and_61_are_equivalent() {
     let fourth = omega * omega * omega * omega;
     let with_delta = Ideal::new(&[], &[border, delta]);
     assert!(with_delta.holds(q * q * reserve - fourth * difference), "62");
-    // A slip in eq. 60, 1 for Ω² on the right, is not equivalent.
+    // Eq. 60 with an error, 1 for Ω² on the right, is not equivalent.
     assert!(!ideal.holds(q * q * (e60 + omega * omega - int(1)) - six(omega) * difference));
 }

@@ -1,10 +1,10 @@
-//! The cycle with viscous damping by exact algebra, as far as it is algebra: what its closed forms say of
-//! half a cycle.
+//! The cycle with viscous damping by exact algebra, as far as it is algebraic: the closed forms for half a
+//! cycle.
 //!
-//! C and S are cosh ζT and sinh ζT, c and r are cos dT and sin(dT)/d, with `C² − S² = 1` and
-//! `c² + (1 − ζ²) r² = 1`, so that it holds for ζ below, at and above 1 alike. The exponential of the free
-//! vibration over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`. The formulae are those of
-//! docs/theory/damping.md; that the library's numbers are theirs is for `verify`.
+//! C and S are cosh ζT and sinh ζT, c and r are cos dT and sin(dT)/d, with `C² − S² = 1` and `c² + (1 − ζ²)
+//! r² = 1`. The algebra therefore holds for ζ below, at and above 1. The exponential of the free vibration
+//! over half a period is then `M = (C − S) [[c + ζr, r], [−r, c − ζr]]`. The formulae are those of
+//! docs/theory/damping.md; `verify` checks that the library's numbers agree with them.
 
 use super::ideal::Ideal;
 use super::scalar::{Symbol, free, reset};
@@ -53,30 +53,31 @@ impl HalfPeriod {
     }
 }
 
-/// The free part of the rising half goes from (1 + G, b) to (1 − G, −b), which is what brings the body from
-/// −Δ₀ at rest to Δ₀ at rest.
+/// The free part of the rising half goes from (1 + G, b) to (1 − G, −b), which takes the body from rest at
+/// −Δ₀ to rest at Δ₀.
 #[test]
 fn the_shift_and_the_quadrature_solve_the_matching_conditions() {
     let half = HalfPeriod::new();
     let (x, w) = half.after((int(1) + half.shift, half.b));
     assert!(half.holds(x - (int(1) - half.shift)) && half.holds(w + half.b));
-    // From −1 − a cos Ωτ − H sin Ωτ + h and its derivative: −Δ₀ and Δ₀ = a − G, at rest.
+    // The motion from −1 − a cos Ωτ − H sin Ωτ + h and its derivative: at rest at −Δ₀ and at Δ₀ = a − G.
     let a = free("a");
     assert!(half.holds((int(-1) - a + (int(1) + half.shift)) + (a - half.shift)));
     assert!(half.holds((int(-1) + a + x) - (a - half.shift)) && half.holds(half.b + w));
-    // Not with another sign, and not without the decay.
+    // This fails with another sign, and without the decay.
     let (x, w) = half.after((int(1) - half.shift, half.b));
     assert!(!half.holds(x - (int(1) + half.shift)) && !half.holds(w + half.b));
 }
 
-/// `s = (R − 1)/(R + 1)`, R = Ω²a − G − 2ζΩH, is the acceleration after the reversal over that before it.
+/// `s = (R − 1)/(R + 1)`, R = Ω²a − G − 2ζΩH, is the ratio of the accelerations after and before the
+/// reversal.
 #[test]
 fn the_reversal_ratio_and_the_characteristic_polynomial() {
     let half = HalfPeriod::new();
     let (a, lambda) = (free("a"), free("λ"));
     let two = int(2);
     let r = half.omega * half.omega * a - half.shift - two * half.zeta * half.b;
-    // x″(T) = −Ω²a + h″, h″ = −h − 2ζh′ from (1 − G, −b); friction turns round by 2.
+    // x″(T) = −Ω²a + h″, h″ = −h − 2ζh′ from (1 − G, −b); at the reversal friction changes by 2.
     let before = -(half.omega * half.omega * a) - (int(1) - half.shift) + two * half.zeta * half.b;
     let after = before + two;
     assert!(half.holds(before + r + int(1)) && half.holds(after + r - int(1)));
@@ -91,8 +92,8 @@ fn the_reversal_ratio_and_the_characteristic_polynomial() {
     assert!(!half.holds(determinant - polynomial - (s * decay - s * decay * decay)));
 }
 
-/// The force left over at the turning point, `Ω²a ≥ 1 + G + 2ζΩH`, and why that is above 1:
-/// `G + 2ζΩH = [sinh ζT + (ζ/d) sin dT]/N`.
+/// The excess force at the turning point, `Ω²a ≥ 1 + G + 2ζΩH`, and the reason why that is above 1: `G + 2ζΩH
+/// = [sinh ζT + (ζ/d) sin dT]/N`.
 #[test]
 fn the_turning_point_holds_more_than_without_damping() {
     let half = HalfPeriod::new();
@@ -102,8 +103,8 @@ fn the_turning_point_holds_more_than_without_damping() {
     assert!(!half.holds(holding - (sinh - half.zeta * r) / (cosh + c)));
 }
 
-/// `g′ = −D p` with the drive gone, p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh: on symbols for h, h′, cos Ωτ and
-/// sin Ωτ.
+/// `g′ = −D p` does not contain the drive, with p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh; in symbols for h,
+/// h′, cos Ωτ and sin Ωτ.
 #[test]
 fn the_drive_drops_out_of_the_border_s_derivative() {
     let half = HalfPeriod::new();
@@ -118,7 +119,7 @@ fn the_drive_drops_out_of_the_border_s_derivative() {
     let slope = n2 * d - n * d2;
     let p = (omega * omega + int(4) * zeta * zeta - int(1)) * h1 + two * zeta * h;
     assert!(half.holds(slope + d * p) && half.holds(p - (h3 + omega * omega * h1)));
-    // p is free vibration itself.
+    // p is itself a free vibration.
     let (p1, p2) = (h4 + omega * omega * h2, -h3 - two * zeta * h4 + omega * omega * h3);
     assert!(half.holds(p2 + two * zeta * p1 + p));
     assert!(!half.holds(slope - d * p));
@@ -130,7 +131,7 @@ fn the_best_force_ratio_is_where_the_derivative_changes_its_sign() {
     reset();
     let [y, shift, k, dy] = ["y", "qG", "K", "dy"].map(free);
     let size = |y: Symbol| (y - shift) / (y * y + k * k);
-    // The difference quotient less its limit is a multiple of dy.
+    // The difference quotient minus its limit is a multiple of dy.
     let numerator = (size(y + dy) - size(y)) * (y * y + k * k) * ((y + dy) * (y + dy) + k * k);
     let slope = k * k + int(2) * shift * y - y * y;
     let ideal = Ideal::without_relations(&[dy * dy], &[numerator - dy * slope]);

@@ -6,7 +6,7 @@ use super::setting::{Matching, int};
 use stickslip::Real;
 use stickslip::nonsticking::den_hartog::{FallingHalf, cosine_coefficient, phase_lag, sine_coefficient};
 
-/// The half cycle with φ = ω_d t₂ − π/2 and C₁, C₂ free.
+/// The half cycle with φ = ω_d t₂ − π/2 and with free C₁ and C₂.
 fn half(m: &Matching) -> FallingHalf<Symbol> {
     FallingHalf {
         amplitude: m.given.amplitude,
@@ -18,7 +18,7 @@ fn half(m: &Matching) -> FallingHalf<Symbol> {
     }
 }
 
-/// Eq. 50–53, left less right sides.
+/// Eq. 50–53, left sides minus right sides.
 fn conditions(m: &Matching, half: &FallingHalf<Symbol>) -> [Symbol; 4] {
     let delta = m.unknowns.max_displacement;
     let end = Symbol::pi();
@@ -72,7 +72,7 @@ fn den_hartogs_displacement_and_phase_are_equations_42_and_43() {
     ideal.assert_exactly("41", m.equation_41());
     ideal.assert_exactly("40", m.one_plus() * m.equation_40());
     assert!(!ideal.holds(m.equation_40()));
-    // Conversely eq. 40, 41 with C₁ and C₂ satisfy all four.
+    // Conversely, eq. 40 and 41 with C₁ and C₂ satisfy all four.
     let back = Ideal::new(
         &[
             m.equation_40(),

@@ -1,8 +1,8 @@
-//! Quotients of polynomials, the denominator kept as a product of factors.
+//! Quotients of polynomials, with the denominator kept as a product of factors.
 //!
-//! No greatest common divisors: a factor of the denominator is cancelled where it divides the numerator. So
-//! the numerator is the claim of an identity without spurious factors, and the denominator says what must not
-//! vanish for it.
+//! There are no greatest common divisors: a factor of the denominator is cancelled where it divides the
+//! numerator. The numerator is then the claim of an identity without spurious factors, and the denominator
+//! contains the quantities that must not vanish.
 
 use super::polynomial::Polynomial;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fraction {
     pub(crate) numerator: Polynomial,
-    /// Factors, none of them constant, and their powers.
+    /// The nonconstant factors and their powers.
     pub(crate) denominator: BTreeMap<Polynomial, u32>,
 }
 
@@ -24,7 +24,7 @@ fn expanded(factors: &BTreeMap<Polynomial, u32>) -> Polynomial {
     product
 }
 
-/// What `factors` lacks to be `multiple`.
+/// The product of the factors that `factors` lacks compared with `multiple`.
 fn lacking(factors: &BTreeMap<Polynomial, u32>, multiple: &BTreeMap<Polynomial, u32>) -> Polynomial {
     let rest = multiple.iter().map(|(f, n)| (f.clone(), n - factors.get(f).copied().unwrap_or(0)));
     expanded(&rest.collect())
@@ -82,7 +82,7 @@ impl Fraction {
         Self { numerator: &self.numerator * &other.numerator, denominator }.cancelled()
     }
 
-    /// `1/self`: the numerator becomes a product of its generators, the factors in `known` and what is left.
+    /// `1/self`: the numerator becomes a product of its generators, the factors in `known` and the remainder.
     pub(crate) fn inverse(&self, known: &[Polynomial]) -> Self {
         assert!(!self.numerator.is_zero(), "division by zero");
         let (mut rest, mut denominator) = (self.numerator.clone(), BTreeMap::new());
@@ -102,7 +102,7 @@ impl Fraction {
         Self { numerator: expanded(&self.denominator).scaled(&unit), denominator }.cancelled()
     }
 
-    /// `numerator · c` over the common multiple of both denominators: equal fractions have equal ones.
+    /// The numerator over the common multiple of both denominators: equal fractions have equal ones.
     pub(crate) fn over(&self, multiple: &BTreeMap<Polynomial, u32>) -> Polynomial {
         &self.numerator * &lacking(&self.denominator, multiple)
     }

@@ -1,7 +1,7 @@
-//! Whether a polynomial follows from others, with the cofactors that show it.
+//! Decides whether a polynomial follows from others, and finds the cofactors that prove it.
 //!
-//! `groebner` finds the cofactors; that they are right is one expansion by [`super::polynomial`], which
-//! shares no code with it.
+//! `groebner` finds the cofactors. [`super::polynomial`], which shares no code with it, verifies them by one
+//! expansion.
 
 use super::polynomial::{Polynomial, rational, trimmed};
 use super::scalar::{Symbol, relations, written};
@@ -9,7 +9,7 @@ use groebner::{LiftBasis, Monomial, MonomialOrder};
 use num_rational::BigRational;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Hypotheses, made ready for many claims.
+/// Hypotheses, prepared for many claims.
 pub(crate) struct Ideal {
     generators: Vec<Polynomial>,
     indices: Vec<usize>,
@@ -23,7 +23,7 @@ pub(crate) struct Certificate {
 }
 
 impl Certificate {
-    /// One expansion: the products sum up to the claim.
+    /// Verifies the certificate by one expansion: the products sum to the claim.
     pub(crate) fn shows(&self, claim: &Polynomial) -> bool {
         let products = self.generators.iter().zip(&self.cofactors).map(|(g, h)| g * h);
         products.fold(Polynomial::zero(), |sum, p| &sum + &p) == *claim
@@ -50,14 +50,14 @@ fn from_dense(p: &Dense, indices: &[usize]) -> Polynomial {
     }))
 }
 
-/// Numerators and factors of denominators.
+/// The numerators and the factors of the denominators.
 fn mentioned<'a>(symbols: impl Iterator<Item = &'a Symbol>) -> Vec<Polynomial> {
     symbols.flat_map(|s| std::iter::once(s.numerator()).chain(s.denominator())).collect()
 }
 
 impl Ideal {
-    /// What follows from the vanishing of the numerators of `hypotheses`, with the relations of all their
-    /// generators and of those of `others`.
+    /// The ideal of the numerators of `hypotheses`, with the relations of all their generators and of those
+    /// of `others`.
     pub(crate) fn new(hypotheses: &[Symbol], others: &[Symbol]) -> Self {
         let mut generators: Vec<Polynomial> = hypotheses.iter().map(|h| h.numerator()).collect();
         let all = mentioned(hypotheses.iter().chain(others));
@@ -65,7 +65,7 @@ impl Ideal {
         Self::of(generators, &all)
     }
 
-    /// What follows from the hypotheses alone.
+    /// The ideal of the hypotheses alone.
     pub(crate) fn without_relations(hypotheses: &[Symbol], others: &[Symbol]) -> Self {
         let generators: Vec<Polynomial> = hypotheses.iter().map(|h| h.numerator()).collect();
         Self::of(generators, &mentioned(hypotheses.iter().chain(others)))
@@ -79,10 +79,10 @@ impl Ideal {
         Self { generators, indices, lift }
     }
 
-    /// The certificate that `claim` vanishes where the hypotheses do; `None` where it is not in the ideal.
+    /// The certificate that `claim` vanishes where the hypotheses do; `None` if it is not in the ideal.
     ///
-    /// Free generators that no hypothesis has are coefficients: what stands with each power of them is lifted
-    /// by itself.
+    /// Free generators that occur in no hypothesis act as coefficients: the factor of each of their powers is
+    /// lifted separately.
     pub(crate) fn certificate(&self, claim: &Polynomial) -> Option<Certificate> {
         let (mut parts, known) =
             (BTreeMap::<Vec<u32>, Polynomial>::new(), |i: &usize| self.indices.contains(i));
@@ -117,12 +117,12 @@ impl Ideal {
         Some(certificate)
     }
 
-    /// Whether the numerator of `claim` is in the ideal, certified.
+    /// Whether the numerator of `claim` is in the ideal, with a certificate.
     pub(crate) fn holds(&self, claim: Symbol) -> bool {
         self.certificate(&claim.numerator()).is_some()
     }
 
-    /// `claim` is in the ideal, and no longer is when any one of its terms has the other sign.
+    /// Asserts that `claim` is in the ideal, and that it is not if the sign of any one term is changed.
     pub(crate) fn assert_exactly(&self, name: &str, claim: Symbol) {
         let claim = claim.numerator();
         assert!(self.certificate(&claim).is_some(), "eq. {name} does not follow: {}", written(&claim));

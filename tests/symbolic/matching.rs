@@ -1,4 +1,4 @@
-//! Eq. 1–41 and 45: what follows from the matching conditions.
+//! Eq. 1–41 and 45: the consequences of the matching conditions.
 
 use super::ideal::Ideal;
 use super::polynomial::Polynomial;
@@ -14,7 +14,7 @@ fn the_symbols_rho_and_x_are_the_librarys() {
     let m = Matching::new();
     assert_eq!(m.given.rho(&m.unknowns).value(), m.rho.value());
     assert_eq!(m.given.offset(&m.unknowns).value(), m.offset.value());
-    // What eq. 40 and 41 divide by.
+    // The divisors of eq. 40 and 41.
     assert_eq!(m.equation_40().denominator().len(), 1);
     assert_eq!(m.equation_40().numerator(), (m.height - m.unknowns.max_displacement).numerator());
     let e41 = m.rate * m.one_plus() - m.given.friction_displacement * m.pi_1.0;
@@ -41,7 +41,7 @@ fn equations_1_to_20_are_identities() {
     ] {
         assert!(zero.is_zero(), "{name}: {zero:?}");
     }
-    // At any phase, with the branch's own angle named.
+    // At any phase, with the angle of the branch named.
     let phase = free("τ");
     let _ = (angle("τ", phase), angle("ω_n(t − t₁)", (phase - t1) / g.omega));
     let q = one_minus_square(g.omega);
@@ -58,7 +58,7 @@ fn equations_1_to_20_are_identities() {
         assert!(!(one + friction).is_zero());
     }
     assert!((g.falling_displacement(u, later) + g.rising_displacement(u, phase)).is_zero(), "symmetry");
-    // Eq. 25 says that eq. 1 at t₁, where x = Δ₁, leaves no acceleration.
+    // Eq. 25 states that in eq. 1 at t₁, where x = Δ₁, the acceleration is zero.
     let acceleration = g.amplitude * q * m.t1.0 - u.deviation - g.friction_displacement;
     assert!((acceleration + m.residuals()[4]).is_zero(), "25");
 }
@@ -78,7 +78,8 @@ fn equations_28_and_29_are_differences_and_32_an_identity_of_the_circle() {
     assert_eq!(g.squared_rho(u).denominator(), [m.one_plus().numerator()]);
 }
 
-/// (name, left less right side) of eq. 28–45 as far as they follow from eq. 21–24 plainly.
+/// The name, and the left side minus the right side, of those of eq. 28–45 that follow directly from eq.
+/// 21–24.
 fn plain_consequences(m: &Matching) -> Vec<(&'static str, Symbol)> {
     let (g, u, (s, c)) = (&m.given, &m.unknowns, m.lag);
     let (a, b) = (g.coefficient_a(u), g.coefficient_b(u));
@@ -114,7 +115,7 @@ fn equation_40_follows_times_one_plus_cos_pi_1() {
     assert_eq!(m.equation_40().numerator(), e40.numerator());
     assert!(!ideal.holds(e40), "plainly it does not follow");
     ideal.assert_exactly("40", m.one_plus() * e40);
-    // Where 1 + cos π₁ has an inverse, it does.
+    // Where 1 + cos π₁ has an inverse, the claim follows.
     let inverse = free("1/(1 + cos π₁)");
     let mut hypotheses = m.first_four();
     hypotheses.push(inverse * m.one_plus() - int(1));
@@ -179,7 +180,7 @@ fn equations_24_and_22_add_nothing_but_36() {
     let mut m = Matching::without_lag(None);
     let (g, friction) = (m.given, m.given.friction_displacement);
     let e36 = m.rho * m.rho - g.squared_rho(&m.unknowns);
-    // Eq. 38–41 put in: P, Q and the angle are what these say.
+    // Substitute eq. 38–41 for P, Q and the angle.
     let (sine, cosine) = (g.sin_lag(&m.unknowns), g.cos_lag(&m.unknowns));
     let t2 = free("t₂ of 40, 41");
     angle_with(
@@ -196,7 +197,7 @@ fn equations_24_and_22_add_nothing_but_36() {
     with_36.assert_exactly("22", e22);
     with_36.assert_exactly("21", e21);
     with_36.assert_exactly("23", e23);
-    // And each gives eq. 36 back: eq. 24 plainly, eq. 22 times sin π₁.
+    // Each gives eq. 36 back: eq. 24 directly, eq. 22 times sin π₁.
     Ideal::new(&[e24], &[m.pi_1.0]).assert_exactly("36", friction * e36);
     let from_22 = Ideal::new(&[e22], &[m.pi_1.0]);
     assert!(!from_22.holds(e36), "where sin π₁ = 0, eq. 22 says nothing");
@@ -230,7 +231,7 @@ fn wrong_equations_are_rejected() {
     for (what, claim) in wrong {
         assert!(!ideal.holds(claim), "{what} follows");
     }
-    // A certificate is not taken on trust: with one cofactor changed it shows nothing.
+    // A certificate is not trusted: with one cofactor changed it proves nothing.
     let claim = g.cos_lag(u) - c;
     let mut certificate = ideal.certificate(&claim.numerator()).unwrap();
     let at = certificate.cofactors.iter().position(|h| !h.is_zero()).unwrap();

@@ -1,10 +1,10 @@
-//! What is proved is what runs: a formula has one text, so that none asks how many digits its numbers have,
-//! and none does by hand what the arithmetic of `float` does.
+//! The proved functions are those that run: a formula has a single source. No formula therefore depends on
+//! the number of digits of its type, or reimplements the arithmetic of `float`.
 
 use std::fs::{read_dir, read_to_string};
 use std::path::{Path, PathBuf};
 
-/// The files under `folder`, with what their names end in after `src/`.
+/// The files under `folder`, with their paths after `src/`.
 fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -16,7 +16,7 @@ fn files(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// The files of the library, without the command, of which `asks` is true: the lines of code before their
+/// The files of the library, without the command, for which `asks` is true of some line of code before the
 /// tests.
 fn files_that(asks: impl Fn(&str) -> bool) -> Vec<String> {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
@@ -36,7 +36,7 @@ fn files_that(asks: impl Fn(&str) -> bool) -> Vec<String> {
     names
 }
 
-/// The arithmetic itself and the reduction of the argument may ask and split.
+/// The arithmetic itself and the reduction of the argument may depend on the precision and split numbers.
 fn is_arithmetic(name: &str) -> bool {
     ["float.rs", "float/", "phase_function.rs", "phase_function/"].iter().any(|room| name.starts_with(room))
 }
@@ -46,7 +46,7 @@ fn only_the_choice_of_a_start_asks_how_many_digits_there_are() {
     let asking = files_that(|line| line.contains("PRECISION") && line.contains("MANTISSA_DIGITS"));
     let asking: Vec<_> = asking.into_iter().filter(|name| !is_arithmetic(name)).collect();
     let starts = [
-        // How an error writes its numbers.
+        // The text of numbers in errors.
         "error/number.rs",
         "nonsticking/border/near.rs",
         "nonsticking/border/stationary.rs",
@@ -65,6 +65,6 @@ fn the_transformations_without_error_stay_in_the_arithmetic() {
     let splitting = files_that(|line| names.iter().any(|name| line.contains(&format!("Pair::{name}"))));
     let outside: Vec<_> = splitting.iter().filter(|name| !is_arithmetic(name)).collect();
     assert!(outside.is_empty(), "{outside:?}");
-    // What is looked for is what is there.
+    // The search finds a file that is known to match.
     assert!(splitting.iter().any(|name| name == "phase_function/excess.rs"), "{splitting:?}");
 }

@@ -1,4 +1,4 @@
-//! Arithmetic of symbols: that of their rational functions.
+//! Arithmetic of symbols, by that of their rational functions.
 
 use super::polynomial::Polynomial;
 use super::scalar::{Symbol, inverse, stored};

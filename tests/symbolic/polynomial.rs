@@ -1,14 +1,14 @@
-//! Exact polynomials over ℚ: all that is needed to expand a certificate.
+//! Exact polynomials over ℚ, with the operations needed to expand a certificate.
 
 use num_rational::BigRational;
 use num_traits::{FromPrimitive, One, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// Exponents of the generators, without trailing zeros: their order as vectors is the lexicographic one.
+/// Exponents of the generators, without trailing zeros, so that their order as vectors is lexicographic.
 pub(crate) type Exponents = Vec<u32>;
 
-/// A sum of monomials with rational coefficients, none of them zero.
+/// A sum of monomials with nonzero rational coefficients.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Polynomial(BTreeMap<Exponents, BigRational>);
 
@@ -51,7 +51,7 @@ impl Polynomial {
         Self::constant(rational(n))
     }
 
-    /// The generator of a number.
+    /// The generator with this index.
     pub(crate) fn generator(index: usize) -> Self {
         let mut exponents = vec![0; index];
         exponents.push(1);
@@ -79,7 +79,7 @@ impl Polynomial {
         self.0.iter()
     }
 
-    /// The term greatest in lexicographic order.
+    /// The greatest term in lexicographic order.
     pub(crate) fn leading(&self) -> Option<(&Exponents, &BigRational)> {
         self.0.last_key_value()
     }
@@ -93,7 +93,7 @@ impl Polynomial {
         self.0.keys().all(Vec::is_empty).then(|| self.coefficient(&[]))
     }
 
-    /// The generators that occur.
+    /// The generators that occur in the polynomial.
     pub(crate) fn generators(&self) -> BTreeSet<usize> {
         let indices = self.0.keys().flat_map(|e| e.iter().enumerate().filter(|(_, n)| **n > 0));
         indices.map(|(i, _)| i).collect()
@@ -103,7 +103,7 @@ impl Polynomial {
         Self::from_terms(self.0.iter().map(|(e, a)| (e.clone(), a * c)))
     }
 
-    /// Partial derivative by one generator.
+    /// The partial derivative with respect to one generator.
     pub(crate) fn partial(&self, index: usize) -> Self {
         let terms = self.0.iter().filter_map(|(e, c)| {
             let n = e.get(index).copied().filter(|n| *n > 0)?;
@@ -114,7 +114,7 @@ impl Polynomial {
         Self::from_terms(terms)
     }
 
-    /// `self/divisor`, where the division leaves nothing.
+    /// `self/divisor`, if there is no remainder.
     pub(crate) fn exact_quotient(&self, divisor: &Self) -> Option<Self> {
         let (lead, c) = divisor.leading()?;
         let (mut rest, mut result) = (self.clone(), Self::zero());
@@ -126,7 +126,7 @@ impl Polynomial {
         Some(result)
     }
 
-    /// The same polynomial with one term's sign changed: a slip of the pen.
+    /// The same polynomial with the sign of one term changed, as by a writing error.
     pub(crate) fn with_sign_flipped(&self, exponents: &[u32]) -> Self {
         Self::from_terms(
             self.0.iter().map(|(e, c)| (e.clone(), if e == exponents { -c.clone() } else { c.clone() })),

@@ -1,9 +1,9 @@
-//! A number that is a formula: the library's own generic functions run on it.
+//! A number that is a formula, on which the library's own generic functions run.
 //!
-//! A [`Symbol`] is an index into an arena of rational functions over ℚ, so that it is `Copy` as the library
-//! wants its numbers. Generators are free, or the root of a rational function, or the sine or cosine of an
-//! angle. An angle that is a combination with integer coefficients of the named ones has its sine and cosine
-//! by the addition theorems.
+//! A [`Symbol`] is an index into an arena of rational functions over ℚ, so that it is `Copy` like the
+//! library's other numbers. Generators are free, or the root of a rational function, or the sine or cosine of
+//! an angle. If an angle is a linear combination of named angles with integer coefficients, its sine and
+//! cosine follow from the addition theorems.
 
 use super::angles::combination;
 use super::fraction::Fraction;
@@ -17,15 +17,15 @@ use stickslip::{Field, Real};
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Symbol(usize);
 
-/// What a generator is.
+/// The definition of a generator.
 #[derive(Clone)]
 enum Rule {
     Free,
-    /// Its square is this.
+    /// The root of this fraction.
     Root(Fraction),
-    /// Sine of an angle; the generator after it is the cosine.
+    /// The sine of an angle; the next generator is the cosine.
     Sine(Symbol),
-    /// Cosine of an angle; the generator before it is the sine.
+    /// The cosine of an angle; the previous generator is the sine.
     Cosine(Symbol),
 }
 
@@ -60,7 +60,7 @@ pub(crate) fn stored(value: Fraction) -> Symbol {
     })
 }
 
-/// `1/of`, its denominator in the factors known so far; new ones become known.
+/// `1/of`, with its denominator in the factors known so far; new factors are added to them.
 pub(crate) fn inverse(of: Symbol) -> Fraction {
     let known = arena(|a| a.factors.clone());
     let inverse = of.value().inverse(&known);
@@ -76,7 +76,7 @@ fn generator(name: String, rule: Rule) -> Symbol {
     stored(Polynomial::generator(index).into())
 }
 
-/// Forgets every symbol of this thread: each test starts with it.
+/// Removes all symbols of this thread; each test starts with this call.
 pub(crate) fn reset() {
     arena(|a| *a = Arena::default());
 }
@@ -94,7 +94,7 @@ pub(crate) fn angle(name: &str, size: Symbol) -> (Symbol, Symbol) {
     (sine, cosine)
 }
 
-/// Names an angle whose sine and cosine are these.
+/// Names an angle with the given sine and cosine.
 pub(crate) fn angle_with(size: Symbol, sine: Symbol, cosine: Symbol) {
     arena(|a| a.angles.push(Angle { size, sine, cosine }));
 }
@@ -103,7 +103,7 @@ pub(crate) fn named_angles() -> Vec<Angle> {
     arena(|a| a.angles.clone())
 }
 
-/// Makes a polynomial known as a factor of denominators.
+/// Adds a polynomial to the known factors of denominators.
 pub(crate) fn factor(of: Symbol) {
     let polynomial = of.numerator();
     if polynomial.as_constant().is_none() {
@@ -111,7 +111,7 @@ pub(crate) fn factor(of: Symbol) {
     }
 }
 
-/// What holds of the generators that occur in `polynomials`, and of those that occur in that.
+/// The relations of the generators that occur in `polynomials`, and of those that occur in the relations.
 pub(crate) fn relations(polynomials: &[Polynomial]) -> Vec<Polynomial> {
     let (mut seen, mut found) = (BTreeSet::new(), Vec::new());
     let mut open: Vec<usize> = polynomials.iter().flat_map(Polynomial::generators).collect();
@@ -136,7 +136,7 @@ pub(crate) fn relations(polynomials: &[Polynomial]) -> Vec<Polynomial> {
     found
 }
 
-/// `polynomial` as text.
+/// The polynomial as text.
 pub(crate) fn written(polynomial: &Polynomial) -> String {
     let names = arena(|a| a.rules.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>());
     let term = |(e, c): (&Vec<u32>, &BigRational)| {
@@ -154,12 +154,12 @@ impl Symbol {
         arena(|a| a.values[self.0].clone())
     }
 
-    /// The numerator: zero where the symbol is, if the denominator is not.
+    /// The numerator: it is zero where the symbol is, if the denominator is not.
     pub(crate) fn numerator(self) -> Polynomial {
         self.value().numerator
     }
 
-    /// The denominator's factors: what must not vanish.
+    /// The factors of the denominator, which must not vanish.
     pub(crate) fn denominator(self) -> Vec<Polynomial> {
         self.value().denominator.into_keys().collect()
     }
@@ -168,7 +168,7 @@ impl Symbol {
         self.numerator().is_zero()
     }
 
-    /// The only generator it is made of.
+    /// The index of the only generator of the symbol.
     fn index(self) -> usize {
         let value = self.value();
         let mut generators = value.numerator.generators().into_iter();
@@ -177,7 +177,7 @@ impl Symbol {
         index
     }
 
-    /// The derivative by a free symbol, through roots and angles.
+    /// The derivative with respect to a free symbol, through roots and angles.
     pub(crate) fn derivative(self, by: Symbol) -> Symbol {
         let Fraction { numerator, denominator } = self.value();
         let divisor = denominator.iter().fold(Fraction::int(1), |product, (factor, power)| {
@@ -193,7 +193,7 @@ impl Symbol {
     }
 }
 
-/// The derivative of a generator by a free symbol.
+/// The derivative of a generator with respect to a free symbol.
 fn generator_slope(index: usize, by: Symbol) -> Symbol {
     let itself = stored(Polynomial::generator(index).into());
     let neighbour = |i| stored(Polynomial::generator(i).into());
@@ -218,7 +218,7 @@ impl Field for Symbol {
         stored(Fraction::int(n))
     }
 
-    /// A generator whose square is `self`; which of the two roots is not said.
+    /// A generator whose square is `self`; the sign of the root is left open.
     fn sqrt(self) -> Self {
         let of = self.value();
         let known = arena(|a| a.rules.iter().position(|(_, rule)| matches!(rule, Rule::Root(f) if *f == of)));
@@ -234,7 +234,7 @@ impl Field for Symbol {
 }
 
 impl Real for Symbol {
-    /// π is a free generator; of the angle π/2 the sine is 1 and the cosine 0.
+    /// π is a free generator; the angle π/2 has the sine 1 and the cosine 0.
     fn pi() -> Self {
         if let Some(pi) = arena(|a| a.pi) {
             return pi;

@@ -1,7 +1,7 @@
 //! The matching problem in symbols, on which the library's functions run.
 //!
-//! ρ and X = B + Δ₁ − A sin ω_d t₁ are taken as symbols in place of V₀ and Δ₁, and P = A Ω cos ω_d t₂ and
-//! Q = A sin ω_d t₂ in place of the sine and cosine: a change of variables, so that the algebra stays small.
+//! ρ and X = B + Δ₁ − A sin ω_d t₁ are used as symbols in place of V₀ and Δ₁, and P = A Ω cos ω_d t₂ and Q =
+//! A sin ω_d t₂ in place of the sine and cosine. This change of variables keeps the algebra small.
 
 use super::scalar::{Symbol, angle, angle_with, factor, free, reset};
 use stickslip::nonsticking::matching::{Given, Unknowns, pi_1};
@@ -32,15 +32,15 @@ pub(crate) struct Matching {
 }
 
 impl Matching {
-    /// With the angle ω_n(t₂ − t₁) and P, Q free.
+    /// The problem with a named angle ω_n(t₂ − t₁) and free P and Q.
     pub(crate) fn new() -> Self {
         let mut m = Self::without_lag(None);
         m.lag = angle("θ", m.given.lag(&m.unknowns));
         m
     }
 
-    /// With rational sines and cosines for π₁ and ω_n(t₂ − t₁): eq. 21–24 are linear then. What does not
-    /// follow here does not follow in general.
+    /// The problem with rational sines and cosines for π₁ and ω_n(t₂ − t₁), for which eq. 21–24 are linear. A
+    /// claim that does not follow here does not follow in general.
     pub(crate) fn at_rational_angles() -> Self {
         let mut m = Self::without_lag(Some((3, 4, 5)));
         m.lag = (Symbol::ratio(5, 13), Symbol::ratio(12, 13));
@@ -48,7 +48,7 @@ impl Matching {
         m
     }
 
-    /// With no angle named for ω_n(t₂ − t₁).
+    /// The problem without a named angle for ω_n(t₂ − t₁).
     pub(crate) fn without_lag(sin_cos_pi_1: Option<(i32, i32, i32)>) -> Self {
         reset();
         let [rate, height, offset, rho, delta] = ["P", "Q", "X", "ρ", "Δ₀"].map(free);
@@ -105,14 +105,14 @@ impl Matching {
         phase_function_of_tangent(self.given.omega, self.tangent())
     }
 
-    /// Eq. 40 in units of B: sin ω_d t₂ less the library's form of it.
+    /// Eq. 40 in units of B: sin ω_d t₂ minus the library's form of it.
     pub(crate) fn equation_40(&self) -> Symbol {
         let delta = self.unknowns.max_displacement / self.given.friction_displacement;
         self.unknowns.displacement_phase.sin()
             - sin_displacement_phase(delta, self.alpha(), one_minus_square(self.given.omega))
     }
 
-    /// Eq. 41: cos ω_d t₂ less the library's form of it, K/α.
+    /// Eq. 41: cos ω_d t₂ minus the library's form of it, K/α.
     pub(crate) fn equation_41(&self) -> Symbol {
         self.unknowns.displacement_phase.cos() - cos_displacement_phase(self.phase_function(), self.alpha())
     }

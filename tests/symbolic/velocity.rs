@@ -10,7 +10,7 @@ use stickslip::nonsticking::{
 use stickslip::phase_function::one_minus_square;
 use stickslip::{Field, Real};
 
-/// Eq. 46 of the library.
+/// Eq. 46 in the library's form.
 fn equation_46(m: &Matching) -> Symbol {
     let g = &m.given;
     velocity_phase_residual(
@@ -22,7 +22,7 @@ fn equation_46(m: &Matching) -> Symbol {
     )
 }
 
-/// Eq. 47: Δ₁/B less the library's form of it.
+/// Eq. 47: Δ₁/B minus the library's form of it.
 fn equation_47(m: &Matching) -> Symbol {
     m.unknowns.deviation / m.given.friction_displacement - deviation(m.alpha(), m.t1.0)
 }
@@ -36,18 +36,18 @@ fn equations_42_to_44_follow_from_40_and_41() {
     let by_42 = max_displacement_from_amplitude(a, b, m.tangent(), omega);
     let by_44 = max_displacement(m.phase_function(), m.alpha(), one_minus_square(omega));
     let delta = m.unknowns.max_displacement;
-    // Squares: a root is known but for its sign, and both sides are positive.
+    // Compare the squares: a root is known up to its sign, and both sides are positive.
     let squares = |root: Symbol| root * root;
     let radicand = a * a - squares(b * m.tangent() / omega);
     let ideal = Ideal::new(&hypotheses, &[]);
     let e42 = (squares(delta) - radicand).numerator();
     ideal.assert_exactly("42", e42.clone().into());
-    // The library's two forms are each the root of that, by the relation of their roots alone.
+    // Each of the library's two forms is the root of that, by the relation of its root alone.
     let forms = Ideal::new(&[], &[by_42, by_44]);
     assert!(forms.holds(squares(by_42) - radicand), "42");
     assert!(forms.holds(squares(b * by_44) - radicand), "44");
     assert!(!forms.holds(squares(by_44) - radicand), "44 without its unit");
-    // Wrong: a plus sign under the root.
+    // A plus sign under the root is wrong.
     let plus = a * a + squares(b * m.tangent() / omega);
     assert!(!ideal.holds(squares(delta) - plus));
 }
@@ -56,16 +56,16 @@ fn equations_42_to_44_follow_from_40_and_41() {
 fn equations_46_and_47_follow_from_25() {
     let m = Matching::new();
     let e25 = m.residuals()[4];
-    // Eq. 47 is eq. 25 over B.
+    // Eq. 47 is eq. 25 divided by B.
     assert_eq!(equation_47(&m).numerator(), e25.numerator());
-    // Eq. 46 is eq. 45 with eq. 25 in it, and so follows from 21–25.
+    // Eq. 46 is eq. 45 with eq. 25 substituted, and therefore follows from 21–25.
     let ideal = Ideal::new(&[m.given.combined_lag(&m.unknowns), e25], &[]);
     ideal.assert_exactly("46", equation_46(&m));
     let mut all = m.first_four();
     all.push(e25);
     let ideal = Ideal::new(&all, &[]);
     assert!(ideal.holds(equation_46(&m)));
-    // Eq. 46 without eq. 25, or with Ω for Ω², does not.
+    // Eq. 46 does not follow without eq. 25, nor with Ω in place of Ω².
     assert!(!Ideal::new(&m.first_four(), &[m.t1.0]).holds(equation_46(&m)));
     let short = m.given.amplitude * m.given.omega * (m.given.omega - int(1)) * m.one_plus() * m.t1.0;
     assert!(!ideal.holds(equation_46(&m) * m.given.friction_displacement - short));
@@ -82,7 +82,7 @@ fn the_second_radicand_of_48_is_that_of_36() {
 }
 
 /// Eq. 49, corrected and as printed, where ρ has the sign `of_rho` of its root and A cos ω_d t₁ the sign
-/// `of_first` of its own; |1 − Ω²| is (1 − Ω²) times the sign of 1 − Ω, `of_rho`.
+/// `of_first` of its root; |1 − Ω²| is (1 − Ω²) times the sign `of_rho` of 1 − Ω.
 fn equation_49(of_rho: i32, of_first: i32) -> (bool, bool) {
     let m = Matching::new();
     let (b, omega, alpha) = (m.given.friction_displacement, m.given.omega, m.alpha());
@@ -93,7 +93,7 @@ fn equation_49(of_rho: i32, of_first: i32) -> (bool, bool) {
         max_velocity_from_phase(m.given.amplitude / b, omega, m.pi_1.1, m.t1, dimensionless, int(of_rho));
     let as_printed = printed::max_velocity(omega, alpha, m.pi_1.1, dimensionless);
 
-    // The roots are known up to their sign: that of ρ, and that of α cos ω_d t₁.
+    // The roots are known up to sign: that of ρ, and that of α cos ω_d t₁.
     let second = m.rho * int(of_rho) / b;
     let first = alpha * m.t1.1 * int(of_first * of_rho);
     let root_of_rho = (int(2) / m.one_plus() - (m.offset / b) * (m.offset / b)).sqrt();
@@ -101,7 +101,8 @@ fn equation_49(of_rho: i32, of_first: i32) -> (bool, bool) {
     let printed_second = (int(2) / (omega * omega * m.one_plus()) - inner * inner).sqrt();
     let printed_first = (alpha * alpha - (int(1) + dimensionless) * (int(1) + dimensionless)).sqrt();
     let holds = |claim: Symbol, hypotheses: &[Symbol]| {
-        // Linear hypotheses: their own relations are not needed, and are checked to agree below.
+        // The hypotheses are linear: their own relations are not needed, and are checked for consistency
+        // below.
         Ideal::without_relations(hypotheses, &[claim]).holds(claim)
     };
     let corrected_holds = holds(velocity - corrected, &[root_of_rho - second]);
@@ -109,7 +110,7 @@ fn equation_49(of_rho: i32, of_first: i32) -> (bool, bool) {
         velocity - as_printed,
         &[printed_second - second / omega, printed_first - first, q.abs() - q * int(of_rho)],
     );
-    // Each hypothesis agrees with the relation of its root where eq. 25 and 36 hold.
+    // Each hypothesis is consistent with the relation of its root where eq. 25 and 36 hold.
     let e36 = m.rho * m.rho - m.given.squared_rho(&m.unknowns);
     let consistent = Ideal::new(&[m.residuals()[4], e36], &[]);
     let square = |x: Symbol| x * x;
@@ -123,18 +124,18 @@ fn equation_49(of_rho: i32, of_first: i32) -> (bool, bool) {
 
 #[test]
 fn equation_49_corrected_holds_for_every_sign_and_the_printed_one_for_one_of_four() {
-    // Below the natural frequency, A cos ω_d t₁ positive: both.
+    // Below the natural frequency, with A cos ω_d t₁ positive, both forms hold.
     assert_eq!(equation_49(1, 1), (true, true));
-    // Above it, ρ is negative: the printed second root is wrong.
+    // Above it, ρ is negative, and the printed second root is wrong.
     assert_eq!(equation_49(-1, 1), (true, false));
-    // Near the border, A cos ω_d t₁ negative: the printed first root is wrong.
+    // Near the border, A cos ω_d t₁ is negative, and the printed first root is wrong.
     assert_eq!(equation_49(1, -1), (true, false));
     assert_eq!(equation_49(-1, -1), (true, false));
 }
 
 #[test]
 fn the_printed_range_of_43_is_one_of_two() {
-    // π/2 + arccos(Δ₀/A) has the sine of eq. 40, and the cosine of eq. 41 but for its sign.
+    // π/2 + arccos(Δ₀/A) has the sine of eq. 40, and the cosine of eq. 41 up to its sign.
     let m = Matching::new();
     let ratio = free("Δ₀/A");
     let phase = printed::displacement_phase(ratio);

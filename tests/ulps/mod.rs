@@ -1,12 +1,12 @@
-//! Errors in units in the last place: of what, in which unit, and how many are allowed.
+//! Errors in units in the last place: the outputs, their units, and the allowed errors.
 //!
-//! One table for the harness (`benches/accuracy.rs`) and the test (`tests/closed_forms/accuracy.rs`).
+//! This table serves the harness (`benches/accuracy.rs`) and the test (`tests/closed_forms/accuracy.rs`).
 
 pub(crate) mod points;
 pub(crate) mod reference;
 pub(crate) mod worst;
 
-/// What one unit in the last place is taken of.
+/// The quantity to which one unit in the last place refers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unit {
     /// The output itself.
@@ -23,10 +23,10 @@ pub(crate) struct Output {
     pub(crate) name: &'static str,
     pub(crate) symbol: &'static str,
     pub(crate) unit: Unit,
-    /// What the design asks for, where it asks for something.
+    /// The required accuracy, if there is a requirement.
     pub(crate) goal: Option<f64>,
-    /// What no point of harness or test exceeds, in ulp. Infinite for the contraction, which turns like a
-    /// square root at its double root.
+    /// The greatest error in ulp at any point of harness or test. It is infinite for the contraction, which
+    /// behaves like a square root at its double root.
     pub(crate) allowed: f64,
 }
 

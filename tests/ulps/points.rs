@@ -1,4 +1,4 @@
-//! Where to look: (Ω, α) random in several measures, and chosen where the formulae have the least to go on.
+//! Test points (Ω, α): random in several measures, and chosen where the formulae are most sensitive.
 
 use super::reference::{Narrow, border_from_above};
 use stickslip::{Border, PhaseFunction};
@@ -14,15 +14,15 @@ impl Random {
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         z ^ (z >> 31)
     }
-    /// In [low, high).
+    /// A number in [low, high).
     fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * ((self.bits() >> 11) as f64 / (1u64 << 53) as f64)
     }
-    /// In low..=high.
+    /// An integer in low..=high.
     fn integer(&mut self, low: i64, high: i64) -> i64 {
         low + (self.bits() % (high - low + 1) as u64) as i64
     }
-    /// 2⁻ᵏ u, k below the digits of the number and u in [−1, 1).
+    /// 2⁻ᵏ u, with k below the number of digits and u in [−1, 1).
     fn tiny<F: Narrow>(&mut self) -> f64 {
         self.between(-1.0, 1.0) * 2f64.powi(-(self.integer(0, i64::from(F::PRECISION) - 1) as i32))
     }
@@ -34,7 +34,7 @@ const GREATEST: f64 = 1e3;
 type Omega<F> = fn(&mut Random) -> F;
 type Alpha<F> = fn(&mut Random, F, F) -> F;
 
-/// The measures of Ω, and of α.
+/// The measures of Ω and of α.
 pub(crate) const OMEGAS: [&str; 9] = [
     "uniform in (0, 4)",
     "log-uniform",
@@ -87,7 +87,7 @@ const fn omegas<F: Narrow>() -> [Omega<F>; 9] {
     ]
 }
 
-/// Each is given Ω and the border, rounded up.
+/// Each function gets Ω and the border, rounded up.
 const fn alphas<F: Narrow>() -> [Alpha<F>; 6] {
     [
         |_, _, border| border,
@@ -109,7 +109,7 @@ const fn alphas<F: Narrow>() -> [Alpha<F>; 6] {
     ]
 }
 
-/// A point of the given measures on which the number and its reference agree that the body does not stick.
+/// A point of the given measures that does not stick according to both the number and its reference.
 pub(crate) fn point<F: Narrow>(random: &mut Random, omega: usize, alpha: usize) -> Option<(F, F)> {
     let omega = omegas::<F>()[omega](random);
     if omega == F::int(1) || omega < F::from_f64(LEAST) || omega > F::from_f64(GREATEST) {
@@ -117,7 +117,8 @@ pub(crate) fn point<F: Narrow>(random: &mut Random, omega: usize, alpha: usize) 
     }
     let border = border_from_above(omega)?;
     let own = Border::new(omega).ok()?.min_force_ratio;
-    // Within its error the number may put the border above the true one, and name such an α sticking.
+    // Within its error the number's border may exceed the true one, so that such an α would count as
+    // sticking.
     let least = if own > border && own < border.stepped(64) { own } else { border };
     Some((omega, alphas::<F>()[alpha](random, omega, border).or_larger(least)))
 }

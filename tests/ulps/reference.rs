@@ -1,18 +1,18 @@
-//! The outputs at f64 and at f32, the same at 128 bits and at f64, and the distance between them.
+//! The outputs at f64 and at f32, their references at 128 bits and at f64, and the error between them.
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
-/// A number whose errors are looked for.
+/// A number type whose errors are measured.
 pub(crate) trait Narrow: Float {
-    /// The number of the reference.
+    /// The number type of the reference.
     type Wide: Float;
     fn widened(self) -> Self::Wide;
     fn nearest(wide: Self::Wide) -> Self;
-    /// The number so many steps further on.
+    /// The number that many steps away.
     fn stepped(self, steps: i64) -> Self;
-    /// Of two positive numbers, one at random.
+    /// A random number between two positive ones.
     fn of_bits_between(least: Self, greatest: Self, integer: impl FnOnce(i64, i64) -> i64) -> Self;
     /// The exponent of the binade of |x|.
     fn exponent(x: Self::Wide) -> i32;
@@ -42,10 +42,10 @@ macro_rules! narrow {
     };
 }
 
-// The reference's own cancellation is 2²⁰ at most (closer to Ω = 1 the difference is formed to three times
-// the digits), so that more than a hundred bits of it are right.
+// The cancellation in the reference is at most 2²⁰ (closer to Ω = 1 the difference is formed to three times
+// the digits), so that more than a hundred of its bits are correct.
 narrow!(f64, Mp<2>, u64);
-// Good to a few units in its last place, 2⁻²⁹ of those of f32.
+// Accurate to a few units in its last place, which are 2⁻²⁹ of those of f32.
 narrow!(f32, f64, u32);
 
 /// Every output at (Ω, α) in the order of [`OUTPUTS`]; `None` where there is no cycle.
@@ -77,14 +77,14 @@ pub(crate) fn border_from_above<F: Narrow>(omega: F) -> Option<F> {
     Some(if nearest.widened() < border { nearest.stepped(1) } else { nearest })
 }
 
-/// Size of one unit in the last place of a narrow number as large as `x`.
+/// The size of one unit in the last place of a narrow number as large as `x`.
 fn ulp<F: Narrow>(x: F::Wide) -> F::Wide {
-    // A power of two rounded up from below counts for the coarser binade: at most a factor of two, on one
-    // float.
+    // A power of two that was rounded up from below counts for the coarser binade, which costs at most a
+    // factor of two on one float.
     F::Wide::exp2i(F::exponent(x).max(-960) + 1 - F::PRECISION as i32)
 }
 
-/// The error of each output at (Ω, α), in its unit; `None` where there is no cycle at either precision.
+/// The error of each output at (Ω, α) in its unit; `None` where neither precision has a cycle.
 pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     let narrow = answers(omega, alpha)?;
     let wide = answers(omega.widened(), alpha.widened())?;
@@ -92,7 +92,7 @@ pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     let mut errors = [0.0; COUNT];
     for (((error, output), narrow), wide) in errors.iter_mut().zip(OUTPUTS).zip(narrow).zip(wide) {
         let (Some(narrow), Some(wide)) = (narrow, wide) else {
-            // What does not exist must not exist at either precision.
+            // An output must exist at both precisions or at neither.
             *error = if narrow.is_some() == wide.is_some() { 0.0 } else { f64::INFINITY };
             continue;
         };
@@ -111,7 +111,7 @@ pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
         let is_exact_zero = wide == zero && difference == zero;
         *error = if is_exact_zero { 0.0 } else { (difference / ulp::<F>(unit)).to_f64() };
     }
-    // Of two maxima that are equal but for rounding either may be found.
+    // If two maxima are equal except for rounding, either may be found.
     let mut excused = [false; COUNT];
     if is_other_maximum(omega, alpha, narrow[3]?, wide[3]?, speed) {
         [excused[3], excused[4]] = [true; 2];
@@ -124,9 +124,9 @@ pub(crate) fn errors<F: Narrow>(omega: F, alpha: F) -> Option<[f64; COUNT]> {
     Some(errors)
 }
 
-/// Whether `phase` is that of the other of two maxima of the velocity that are equal but for rounding: below
-/// Ω = 1/2 there are such points, on either side of which another is the greatest. As there are for the
-/// border's supremum.
+/// Whether `phase` is that of another maximum of the velocity that is equal except for rounding. Below Ω =
+/// 1/2 there are points on whose two sides different maxima are the greatest; the same holds for the border's
+/// supremum.
 fn is_other_maximum<F: Narrow>(omega: F, alpha: F, phase: F, right: F::Wide, speed: F::Wide) -> bool {
     let is_elsewhere = (phase.widened() - right).abs() > F::Wide::ratio(1, 100);
     is_elsewhere

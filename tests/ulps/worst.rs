@@ -1,4 +1,4 @@
-//! The worst error of each output over many points, and where it is.
+//! The worst error of each output over many points, and its place.
 
 use super::COUNT;
 use super::points::{ALPHAS, OMEGAS, Random, point};
@@ -10,7 +10,7 @@ pub(crate) struct Worst {
     pub(crate) error: f64,
     pub(crate) omega: f64,
     pub(crate) alpha: f64,
-    /// Indices of the measures it was found in.
+    /// Indices of the measures of the point.
     pub(crate) measures: (usize, usize),
 }
 
@@ -52,7 +52,7 @@ impl Survey {
         }
     }
 
-    /// Both together.
+    /// Combines two surveys.
     pub(crate) fn merge(mut self, other: &Self) -> Self {
         self.points += other.points;
         for (mine, its) in self.worst.iter_mut().zip(other.worst) {
@@ -64,7 +64,7 @@ impl Survey {
     }
 }
 
-/// NaN is the worst of all.
+/// NaN counts as the worst error.
 fn is_worse(error: f64, known: f64) -> bool {
     error > known || error.is_nan()
 }

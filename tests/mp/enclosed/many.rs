@@ -6,8 +6,9 @@ use stickslip::enclosed::MAX_BITS;
 use stickslip::float::Mp;
 use stickslip::{Border, Field as _, Float as _, Output, Ratios, Response};
 
-/// A million points, half of them adversarial: no value outside; widths and times for `docs/accuracy.md`.
-/// `STICKSLIP_SEED`, `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` say which, how many and for how long at most.
+/// A million points, half of them adversarial: every value must lie in its enclosure. Prints widths and times
+/// for `docs/accuracy.md`. `STICKSLIP_SEED`, `STICKSLIP_POINTS` and `STICKSLIP_SECONDS` select the points,
+/// their number and the greatest duration.
 #[test]
 #[ignore = "minutes; .ci/slow enclosures"]
 #[allow(clippy::print_stdout, reason = "the figures are what it is run for")]
@@ -38,8 +39,7 @@ fn a_million_points() {
         let alpha = match i % 3 {
             0 => least * (1.0 + 20.0 * random()),
             1 => least * (1.0 + 2f64.powf(-52.0 * random())),
-            // Below the border only where no motion of six reversals has to be looked for, which has no
-            // enclosure.
+            // Below the border only where there can be no motion of six reversals, which has no enclosure.
             _ => least * (1.0 + if omega < 0.5 { 1.0 } else { sign } * 2f64.powf(-4.0 - 48.0 * random())),
         };
         let begun = Instant::now();
@@ -63,7 +63,7 @@ fn a_million_points() {
                 assert!(distance <= rad, "{omega:e} {alpha:e} {output:?}: {value} {enclosure}");
                 values += 1;
                 if value != Mp::ZERO {
-                    // Both ends, in units in the last place of 64 bits.
+                    // The width between both ends, in units in the last place of 64 bits.
                     widths.push(
                         (rad.scale2(1) / Mp::<4>::rounded(Mp::<1>::rounded(value).ulp())).to_f64() as f32
                     );

@@ -1,12 +1,12 @@
-//! Ranges over boxes of ratios: the guaranteed ones at f64, and those proved in balls.
+//! Ranges over boxes of ratios: the guaranteed ones at f64, and those proved by ball arithmetic.
 
 use super::{Exact, at_point};
 use stickslip::uncertainty::{Interval, RatioBox};
 use stickslip::{Border, Float as _, Output, Ratios, Response};
 
-/// The guaranteed ranges of `uncertainty` at f64 in boxes of one point, where nothing but their margin for
-/// rounding lies between the two ends: how many have the enclosed value in them, and the largest part of a
-/// margin that rounding takes.
+/// The guaranteed ranges of `uncertainty` at f64 in boxes of a single point, where only the margin for
+/// rounding lies between the two ends. Returns the number of ranges that contain the enclosed value, and the
+/// largest fraction of a margin used by rounding.
 fn margins_hold(count: u32, seed: f64) -> (u32, f64) {
     let outputs = [
         Output::MaxDisplacement,
@@ -62,8 +62,8 @@ fn margins_of_many_ranges() {
     println!("{count} points, {compared} ranges with their value, at most {largest:.3} of a margin taken");
 }
 
-/// Ranges proved in balls have the outputs of points of the box, whatever the output, and close in on them as
-/// the box is cut into more parts.
+/// Proved ranges contain the outputs at points of the box, for every output, and approach them as the box is
+/// cut into more parts.
 #[test]
 fn proved_ranges_have_the_outputs_of_the_box() {
     let outputs = [
@@ -104,7 +104,8 @@ fn proved_ranges_have_the_outputs_of_the_box() {
             );
         }
     }
-    // A box on both sides of the border, of a pole or of Ω = 1 has no proved displacement, but a border.
+    // A box on both sides of the border, of a pole or of Ω = 1 has no proved displacement, but it has a
+    // border.
     for (o1, o2, a1, a2) in [(0.7, 0.71, 1.0, 2.0), (0.33, 0.34, 9.0, 9.5), (0.99, 1.01, 2.0, 2.0)] {
         let interval = |low, high| Interval::between(low, high).unwrap();
         let ratios = RatioBox::new(interval(o1, o2), interval(a1, a2)).unwrap();

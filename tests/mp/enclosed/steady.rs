@@ -1,4 +1,4 @@
-//! Proofs that steady motions exist, against the exact solver.
+//! Proofs that steady motions exist, compared with the exact solver.
 
 use super::text;
 use stickslip::enclosed::{self, Enclosure, Event, Known, Unproved};
@@ -6,8 +6,8 @@ use stickslip::exact::{LongRun, State};
 use stickslip::float::Mp;
 use stickslip::{Field as _, Float as _, Ratios};
 
-/// The motions of the exact solver at 256 bits, each proved to exist: place, stops, extrema and multipliers
-/// in their enclosures.
+/// The motions of the exact solver at 256 bits are all proved to exist, with place, stops, extrema and
+/// multipliers in their enclosures.
 #[test]
 fn steady_motions_are_proved() {
     for (omega, alpha, zeta, eta, sticks) in [
@@ -35,7 +35,7 @@ fn steady_motions_are_proved() {
         let run = LongRun::from_start(ratios, State::default()).unwrap();
         let exact = run.steady_state().unwrap();
         let near = |enclosure: &Enclosure, value: Mp<4>, name: &str| {
-            // At least 30 digits, and the solver's value within its own 60.
+            // The enclosure has at least 30 digits, and contains the solver's value to within its own 60.
             let off = (value - Mp::from_rug(&enclosure.mid)).abs().to_f64();
             assert!(enclosure.rad.to_f64() < 1e-30, "{omega} {alpha} {zeta} {name}: {enclosure}");
             assert!(
@@ -69,7 +69,7 @@ fn steady_motions_are_proved() {
     }
 }
 
-/// What only touches is not claimed: the reason is given, and at a decision the event.
+/// Grazing events are not claimed: the reason is returned, and for a decision the event.
 #[test]
 fn what_cannot_be_proved_is_not_claimed() {
     let with = |[omega, alpha, zeta, eta]: [&str; 4]| {
@@ -80,8 +80,8 @@ fn what_cannot_be_proved_is_not_claimed() {
     assert_eq!(reason("1", "2"), Unproved::NotPeriodic);
     assert_eq!(reason("1e-4", "3"), Unproved::TooManySlides);
     assert_eq!(reason("0.5", "3"), Unproved::Family);
-    // Force ratios on both sides of the border: the slides of some end earlier than those of others, and no
-    // number of bits tells which.
+    // Force ratios on both sides of the border: some slides end earlier than others, and no number of bits
+    // decides which.
     let both = Known::between(&text("1.5679"), &text("1.5681")).unwrap();
     let both = enclosed::steady(&text("0.7"), &both, &text("0.05"), &text("1"), 64).unwrap();
     let Err(Unproved::Undecided { event, bits, .. }) = both else { panic!("{both:?}") };
