@@ -1,8 +1,8 @@
-//! The worst error of every output at f64 and at f32, and where it is.
+//! The worst error of every output at f64 and at f32, and its place.
 //!
-//! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` looks at about POINTS points (a million
-//! unless told) of each type on all cores, against 128 bits and against f64, and prints the tables; with
-//! `--write` it puts them into `docs/accuracy.md`.
+//! `cargo bench --features mp --bench accuracy -- [POINTS [SEED]]` evaluates about POINTS points (by default
+//! a million) of each type on all cores, against 128 bits and against f64, and prints the tables. With
+//! `--write` it inserts them into `docs/accuracy.md`.
 
 #![allow(clippy::print_stdout, reason = "a program of its own: what it prints is its answer")]
 
@@ -26,7 +26,7 @@ fn main() {
     }
 }
 
-/// The survey of one type, on all cores.
+/// Surveys one type, on all cores.
 fn survey<F: Narrow>(points: u64, seed: u64) -> Survey {
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u64);
     let count = points.div_ceil(threads * (OMEGAS.len() * ALPHAS.len()) as u64);
@@ -68,7 +68,7 @@ fn rows(survey: &Survey) -> String {
     text
 }
 
-/// Puts the tables between their two marks in `docs/accuracy.md`.
+/// Inserts the tables between their two marks in `docs/accuracy.md`.
 fn write(tables: &str) {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/accuracy.md");
     let page = std::fs::read_to_string(path).expect("docs/accuracy.md");

@@ -1,10 +1,10 @@
-//! Calls of the f64 interface with random bits, as many as asked for:
-//! `cargo bench --features generators --bench any_bits -- 1e9`.
+//! Calls of the f64 interface with random bits, in any number: `cargo bench --features generators --bench
+//! any_bits -- 1e9`.
 //!
-//! No panic, no NaN or infinity where a value is due, an error where and only where the input is outside the
-//! domain. Half of the inputs are any bits at all, a quarter any bits within the domain's exponents, a
-//! quarter from `stickslip::generators`. All threads; the same inputs for the same number of threads. Prints
-//! how many calls there were, and of what.
+//! There must be no panic, no NaN or infinity in place of a value, and an error exactly where the input is
+//! outside the domain. Half of the inputs have arbitrary bits, a quarter has arbitrary bits with exponents in
+//! the domain, and a quarter comes from `stickslip::generators`. The run uses all threads, and the inputs
+//! depend only on the number of threads. It prints the number of calls by kind.
 
 #![allow(clippy::print_stdout, reason = "a bench prints what it counted")]
 
@@ -20,12 +20,12 @@ use stickslip::{
 mod random;
 use random::Random;
 
-/// The domain of Ω, and of α where it moves the body: 2⁻²⁵⁰ to 2²⁵⁰.
+/// The domain of Ω, and of an α that moves the body: 2⁻²⁵⁰ to 2²⁵⁰.
 fn in_domain(x: f64) -> bool {
     (2f64.powi(-250)..=2f64.powi(250)).contains(&x)
 }
 
-/// Calls that gave a value, and calls that were refused.
+/// The numbers of calls that gave a value and of calls that were refused.
 #[derive(Default, Clone, Copy)]
 struct Count {
     answered: u64,
@@ -37,7 +37,7 @@ impl Count {
         self.answered + self.refused
     }
 
-    /// Counts a call that has to give a finite value if and only if `due`.
+    /// Counts a call that must give a finite value if and only if `due` is true.
     fn value(&mut self, name: &str, input: [f64; 3], found: Result<f64, Error>, due: Option<bool>) {
         match found {
             Ok(x) => {
@@ -54,14 +54,14 @@ impl Count {
     }
 }
 
-/// The next three numbers.
+/// The next three input numbers.
 fn numbers(random: &mut Random) -> [f64; 3] {
     let kind = random.bits();
     match kind & 3 {
         0 | 1 => [(); 3].map(|()| f64::from_bits(random.bits())),
         2 => [(); 3].map(|()| {
             let bits = random.bits();
-            // The exponent within 2⁻²⁵⁶ … 2²⁵⁵, the sign kept once in eight.
+            // The exponent is in 2⁻²⁵⁶ … 2²⁵⁵, and the sign is kept once in eight.
             let exponent = (bits >> 52 & 0x1ff) + 1023 - 256;
             let sign = if bits >> 61 == 0 { bits & 1 << 63 } else { 0 };
             f64::from_bits(sign | exponent << 52 | bits & ((1 << 52) - 1))
@@ -121,7 +121,7 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
     count.answered += 1;
 }
 
-/// A machine of any numbers.
+/// A machine with arbitrary numbers.
 fn machine(count: &mut Count, random: &mut Random) {
     let mut bytes = [0; 64];
     for chunk in bytes.chunks_mut(8) {
@@ -147,7 +147,7 @@ fn machine(count: &mut Count, random: &mut Random) {
     count.value("friction", input, design::max_friction(&body, &drive), None);
 }
 
-/// Calls of one thread until there are `most`.
+/// The calls of one thread, until there are `most`.
 fn run(seed: u64, most: u64) -> Count {
     let mut random = Random(seed);
     let mut count = Count::default();

@@ -1,5 +1,4 @@
-//! Time a point of the batches, with every set of instructions the processor has, and of the exact steady
-//! state.
+//! Time per point of the batches, with every instruction set of the processor, and of the exact steady state.
 
 mod columns;
 mod points;

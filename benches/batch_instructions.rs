@@ -1,5 +1,5 @@
-//! One batch over many points and nothing else, to be run under an instruction counter:
-//! `batch_instructions KERNEL N` runs KERNEL over 128,000 points N times. The counter's processor decides the
+//! One batch over many points and nothing else, to be run under an instruction counter: `batch_instructions
+//! KERNEL N` runs KERNEL over 128,000 points N times. The counter's emulated processor selects the
 //! instructions: AVX2 under valgrind.
 #![allow(
     clippy::print_stdout,

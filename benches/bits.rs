@@ -1,9 +1,10 @@
-//! One number that the bits of many answers at f64 come to: the same for every target the program is compiled
+//! A hash of the bits of many answers at f64, which must be the same for every target the program is compiled
 //! for.
 //!
-//! `bits [POINTS]` prints it for points alone, and compares with them batches of every level the processor
-//! has, in slices of several lengths. Ω is uniform, beside 1 and beside 1/n; α on the border, beside it and
-//! away from it. Where a batch has other bits it names the first such point, and ends with status 1.
+//! `bits [POINTS]` prints it for single points, and compares these with batches of every level of the
+//! processor, in slices of several lengths. Ω is uniform, close to 1 and close to 1/n; α is on the border,
+//! close to it and away from it. Where a batch has other bits, the program names the first such point, and
+//! exits with status 1.
 
 #![allow(
     clippy::print_stdout,
@@ -14,9 +15,9 @@
 use stickslip::batch::{Batch, Columns, LengthMismatch, Level};
 use stickslip::{Border, Output, Ratios, Response};
 
-/// Points whose answers are kept at a time.
+/// The number of points whose answers are kept at a time.
 const CHUNK: usize = 100_000;
-/// The outputs that loops have, in the order of the hash.
+/// The outputs that the loops compute, in the order of the hash.
 const OUTPUTS: [Output; 9] = [
     Output::MaxDisplacement,
     Output::DisplacementPhase,
@@ -28,7 +29,8 @@ const OUTPUTS: [Output; 9] = [
     Output::LoopSizeStiffness,
     Output::LoopSizeInertia,
 ];
-/// Sets of them, between which every loop is left out once: which loops run may not change a bit.
+/// Sets of outputs, chosen so that every loop is omitted in one of them: the loops that run must not change a
+/// bit.
 const SETS: [&[usize]; 7] =
     [&[0, 5, 7], &[0, 5, 7, 2, 3], &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[8], &[4], &[6, 1], &[2, 6, 8]];
 
@@ -44,7 +46,8 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Ω uniform, beside 1 and beside 1/n; α on the border, just above it, up to four times it, and below.
+    /// Ω is uniform, close to 1 or close to 1/n; α is on the border, just above it, up to four times it, or
+    /// below it.
     fn point(&mut self, i: usize) -> (f64, f64) {
         let beside = (0.5 - self.uniform()) / (1u64 << (i % 50)) as f64;
         let omega = match i % 4 {
@@ -72,18 +75,18 @@ fn hash(state: u64, bits: u64) -> u64 {
         .fold(state, |state, &byte| (state ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
 }
 
-/// The bits of a number; those of any NaN are the same.
+/// The bits of a number; all NaNs count as the same.
 fn bits(x: f64) -> u64 {
     if x.is_nan() { u64::MAX } else { x.to_bits() }
 }
 
-/// All outputs of a point alone, NaN where one does not exist.
+/// All outputs of a single point; NaN where one does not exist.
 fn alone(omega: f64, alpha: f64) -> [f64; OUTPUTS.len()] {
     let response = Ratios::new(omega, alpha).map(Response::new);
     OUTPUTS.map(|output| response.as_ref().ok().and_then(|at| output.of(at)).unwrap_or(f64::NAN))
 }
 
-/// The outputs of a set by a batch, in slices of `length`.
+/// The outputs of a set, computed by a batch in slices of `length`.
 fn batched(
     batch: Batch,
     set: &[usize],
@@ -105,13 +108,14 @@ fn batched(
     Ok(found)
 }
 
-/// The hash of the answers of a chunk, from `state` on; `None` where a batch has other bits than its points.
+/// The hash of the answers of a chunk, starting from `state`; `None` where a batch has other bits than the
+/// single points.
 fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, LengthMismatch> {
     let due: Vec<_> = points.iter().map(|&(omega, alpha)| alone(omega, alpha)).collect();
     let (omega, alpha): (Vec<_>, Vec<_>) = points.iter().copied().unzip();
     let mut is_same = true;
     for level in Level::ALL.into_iter().filter(|level| level.is_available()) {
-        // Blocks are filled up, so that short slices cost as much as long ones: a few are enough.
+        // Blocks are padded, so that short slices cost as much as long ones, and a few of them suffice.
         for (n, length) in [(points.len(), CHUNK), (points.len(), 129), (points.len().min(1000), 7)] {
             for set in SETS {
                 let batch = Batch::new().at_level(level);

@@ -1,4 +1,4 @@
-//! Time a point of the closed forms.
+//! Time per point of the closed forms.
 
 mod kernels;
 mod points;

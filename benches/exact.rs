@@ -6,11 +6,12 @@ use criterion::{BenchmarkId, Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
 use stickslip::{Cycle, Ratios};
 
-/// Non-sticking, the first three those of the peers' programs; beside resonance; sticking.
+/// Non-sticking points, of which the first three are those of the peers' programs; near resonance; sticking
+/// points.
 const POINTS: [(f64, f64); 8] =
     [(1.5, 2.5), (0.7, 3.0), (1.02, 2.0), (1.0001, 2.0), (2.5, 3.0), (0.6, 4.0), (0.4, 6.0), (0.7, 1.2)];
 
-/// With stops, (Ω, α, ζ).
+/// Motions with stops as (Ω, α, ζ).
 const WITH_STOPS: [(f64, f64, f64); 8] = [
     (0.7, 1.2, 0.0),
     (0.4, 6.0, 0.0),

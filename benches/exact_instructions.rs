@@ -1,6 +1,6 @@
 //! One kernel of the exact motion over many points and nothing else, to be run under an instruction counter:
-//! `exact_instructions KERNEL N`. Apart from the closed forms' own program, so that neither changes what is
-//! inlined in the other.
+//! `exact_instructions KERNEL N`. It is separate from the program of the closed forms, so that neither
+//! changes the inlining in the other.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -13,13 +13,14 @@ mod points;
 use std::hint::black_box;
 use stickslip::{Cycle, Ratios};
 
-/// Motions with stops, (Ω, α, ζ): the numbers of a kernel's name.
+/// A motion with stops, whose (Ω, α, ζ) are the numbers in the kernel's name.
 fn with_stops(kernel: &str) -> Option<(f64, f64, f64)> {
     let mut numbers = kernel.strip_prefix("steady-with-stops-")?.split('-').map(|n| n.parse().ok());
     Some((numbers.next()??, numbers.next()??, numbers.next()??))
 }
 
-/// Cells of a map of 1,000 × 500 steady states, Ω from 0.1 to 2 and α from 1.05 to 10: every 97th, in order.
+/// Every 97th cell, in order, of a map of 1,000 × 500 steady states with Ω from 0.1 to 2 and α from 1.05 to
+/// 10.
 #[cfg(feature = "batch")]
 fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
     let cell = |i: usize| ((97 * i) / 500 % 1000, 97 * i % 500);
@@ -30,7 +31,7 @@ fn map(n: usize) -> (Vec<f64>, Vec<f64>) {
     (0..n).map(at).unzip()
 }
 
-/// Their greatest displacements, summed.
+/// The sum of their maximum displacements.
 #[cfg(feature = "batch")]
 #[inline(never)]
 fn steady_map(omega: &[f64], alpha: &[f64]) -> f64 {

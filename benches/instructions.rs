@@ -1,7 +1,7 @@
 //! One kernel over many points and nothing else, to be run under an instruction counter.
 //!
-//! `instructions KERNEL N` evaluates KERNEL at N points; `benches/instructions.sh` takes the difference of
-//! two N, so that start-up does not count.
+//! `instructions KERNEL N` evaluates KERNEL at N points. `benches/instructions.sh` takes the difference
+//! between two values of N, which removes the start-up.
 
 #![allow(
     clippy::print_stdout,

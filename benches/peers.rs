@@ -1,6 +1,6 @@
-//! The library's side of `benches/peers.sh`: `peers points FILE N LEAST` writes N points with Ω uniform from
-//! LEAST to 2.5, and `peers FILE` times them, the best of many runs, in nanoseconds a point;
-//! `peers threads N` times N points on one thread and on all.
+//! The library's side of `benches/peers.sh`. `peers points FILE N LEAST` writes N points with Ω uniform from
+//! LEAST to 2.5. `peers FILE` prints their time in nanoseconds per point, the best of many runs. `peers
+//! threads N` times N points on one thread and on all threads.
 #![allow(
     clippy::print_stdout,
     clippy::print_stderr,
@@ -54,7 +54,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
         });
         println!("{name}\t{kernel}\t{:.2}", best / omega.len() as f64 * 1e9);
     };
-    // One point after the other, by the functions for a point.
+    // Point by point, with the functions for a single point.
     let mut sum = 0.0;
     let points = || omega.iter().zip(alpha);
     report("stickslip, a point alone", "triple", &mut || {
@@ -81,7 +81,7 @@ fn time(omega: &[f64], alpha: &[f64]) {
     }
 }
 
-/// One thread and all, in turn, so that what else the machine does falls on both.
+/// One thread and all threads in turn, so that other load on the machine affects both.
 #[cfg(feature = "rayon")]
 fn threads(omega: &[f64], alpha: &[f64]) {
     let mut room = Room::new(omega.len());

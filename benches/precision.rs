@@ -1,4 +1,4 @@
-//! Time a point of the closed forms at 256, 1024 and 4096 bits.
+//! Time per point of the closed forms at 256, 1024 and 4096 bits.
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use std::hint::black_box;
@@ -10,7 +10,7 @@ fn triple<F: Float>(omega: F, alpha: F) -> Option<[F; 3]> {
     let p = PhaseFunction::new(omega).ok()?;
     let (k, one) = (p.value(), F::int(1));
     let q = (one - omega) * (one + omega);
-    // As they stand on the page, at the precision of the type.
+    // The formulae as written, at the precision of the type.
     let delta = alpha.leg(k) / q.abs();
     Some([delta, k.hypot(q / omega.square()), (delta / alpha / alpha).times(8)])
 }

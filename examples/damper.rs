@@ -1,12 +1,12 @@
-//! At which slip load does a friction damper eat most?
+//! The slip load at which a friction damper dissipates most.
 //!
 //! A floor of 20 t on columns of 8 MN/m (3.2 Hz) carries a machine that shakes it with 30 kN at 4 Hz. A
-//! friction brace is to take out as much energy as it can. Too tight, it hardly slides; too loose, it slides
-//! with no force. The best slip load is eq. 65, α = √2 |K|, as long as the brace still slides all the time
-//! there; `design` checks that against the exact border, and takes the border where it does not.
+//! friction brace is to dissipate as much energy as possible. Too tight, it hardly slides; too loose, it
+//! slides without force. The best slip load is that of eq. 65, α = √2 |K|, as long as the brace slides all
+//! the time there. `design` checks this against the exact border, and takes the border otherwise.
 //!
-//! The answer: 15.3 kN, which take 280 J out of every cycle. Half of that takes out a third less, a quarter
-//! more a sixth less; 10 % either way cost 2 %.
+//! The answer is 15.3 kN, which dissipate 280 J per cycle. Half of that load dissipates a third less, and a
+//! quarter more load a sixth less; a deviation of 10 % costs 2 %.
 
 use std::f64::consts::TAU;
 use std::io::Write;

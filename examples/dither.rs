@@ -1,13 +1,13 @@
-//! How strong a dither keeps a valve spool from sticking?
+//! The dither that keeps a valve spool from sticking.
 //!
 //! A spool of 50 g between springs of 20 kN/m sticks in its bore with 6 N, and small commands are lost. A
 //! dither, a small force at a frequency above the useful ones, is to keep it sliding all the time. What
-//! amplitude does that take, and how far does the spool then shake? A margin of 20 % covers the scatter of
-//! the friction.
+//! amplitude is needed, and how far does the spool then move? A margin of 20 % covers the scatter of the
+//! friction.
 //!
-//! The natural frequency is 101 Hz. The answer: 7.3 N at 90 Hz do, where resonance helps, and 10 N at 200 Hz;
-//! but with the margin the spool shakes nine times as far at 90 Hz. Low frequencies are the wrong place: at
-//! 40 Hz, Ω = 0.4, it takes 43 N.
+//! The natural frequency is 101 Hz. At 90 Hz, where resonance helps, 7.3 N suffice, and at 200 Hz 10 N; but
+//! with the margin the spool moves nine times as far at 90 Hz. Low frequencies are a bad choice: 40 Hz, Ω =
+//! 0.4, needs 43 N.
 
 use std::f64::consts::TAU;
 use std::io::Write;

@@ -1,16 +1,16 @@
-//! What does a sliding isolator let through?
+//! The acceleration that a sliding isolator transmits.
 //!
-//! A server cabinet of 800 kg stands on sliding bearings: friction coefficient 0.06, so 471 N, and springs
-//! that bring it back with a natural period of 2.5 s. The floor shakes harmonically with 2 m/s². How far does
-//! the cabinet slide over the floor, and what acceleration does it feel itself?
+//! A server cabinet of 800 kg stands on sliding bearings with a coefficient of friction of 0.06 (471 N), and
+//! on springs that give it a natural period of 2.5 s. The floor shakes harmonically with 2 m/s². How far does
+//! the cabinet slide over the floor, and what acceleration does it experience?
 //!
-//! Springs and bearings are both on the floor, so x is the displacement over the floor and the drive is the
-//! inertia of the floor's acceleration: p₀ = m ω_d² u_g0, the mass times the acceleration. The greatest
-//! acceleration of the cabinet is just before it turns: (k Δ₀ + r_y)/m.
+//! Springs and bearings both stand on the floor. Hence x is the displacement relative to the floor, and the
+//! drive is the inertia force of the floor's acceleration: p₀ = m ω_d² u_g0, the mass times the acceleration.
+//! The maximum acceleration of the cabinet occurs just before it reverses: (k Δ₀ + r_y)/m.
 //!
-//! The answer: at 0.6 Hz the cabinet feels what the floor does, from 1 Hz up less than half of it, and the
-//! gap it needs falls from 0.23 m at 0.6 Hz to 12 mm at 2 Hz. If the floor shook with less than 1.025 m/s² at
-//! 1 Hz, it would stick in every cycle.
+//! At 0.6 Hz the cabinet experiences the acceleration of the floor, and from 1 Hz less than half of it. The
+//! gap it needs decreases from 0.23 m at 0.6 Hz to 12 mm at 2 Hz. At 1 Hz, the cabinet sticks in every cycle
+//! if the floor shakes with less than 1.025 m/s².
 
 use std::f64::consts::TAU;
 use std::io::Write;

@@ -1,19 +1,19 @@
-//! How does the motion go through resonance, to 200 digits?
+//! The motion through resonance, to 200 digits.
 //!
-//! At Ω = 1 eq. 44 is infinity less infinity, and a sweep at f64 by the formula as printed is noise there. By
-//! the phase function K it is smooth: the displacement grows as √(α² − (4/π)²)/|1 − Ω²|, and the border
-//! passes through 4/π with the slope 2/π. Here Ω − 1 runs from −10⁻¹ to −10⁻¹⁵⁰ and up again, at 768 bits,
-//! for a force half as large again as the friction.
+//! At Ω = 1 eq. 44 is infinity minus infinity, and a sweep at f64 by the printed formula gives noise there.
+//! In terms of the phase function K it is smooth: the displacement grows as √(α² − (4/π)²)/|1 − Ω²|, and the
+//! border passes through 4/π with the slope 2/π. Here Ω − 1 runs from −10⁻¹ to −10⁻¹⁵⁰ and back on the other
+//! side, at 768 bits, for a force 1.5 times the friction.
 //!
-//! The answer: the displacement times |1 − Ω²| is off its limit, 0.7930…, by 1.29 times the distance from
-//! resonance, below and above it alike. So far out it never settles in practice: a disturbance halves in
-//! 0.69/(1 − |λ|) half cycles.
+//! The displacement times |1 − Ω²| differs from its limit, 0.7930…, by 1.29 times the distance from
+//! resonance, both below and above it. So close to resonance the motion never settles in practice: a
+//! disturbance halves in 0.69/(1 − |λ|) half cycles.
 
 use std::io::Write;
 use stickslip::float::Mp;
 use stickslip::{Border, Cycle, Field, Float as _, Ratios, Real as _};
 
-/// 231 digits.
+/// A number with 231 digits.
 type Number = Mp<12>;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -47,7 +47,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
     Ok(())
 }
 
-/// Five digits, and an exponent that f64 need not have.
+/// Five digits, with an exponent that may exceed the range of f64.
 fn short(x: Number) -> String {
     format!("{x:.4e}")
 }

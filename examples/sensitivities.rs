@@ -1,12 +1,12 @@
-//! Which tolerance matters most for the stroke of a shaker table?
+//! The tolerance that matters most for the stroke of a shaker table.
 //!
-//! A table of 120 kg on springs of 90 kN/m rubs with 400 N and is shaken by 900 N at 3.4 Hz, below its 4.4
-//! Hz. The drawing gives each parameter with a tolerance. Which one decides how well the stroke is known, and
-//! how well is that? Derivatives by dual numbers: the formulae themselves differentiated, no step size to
-//! choose.
+//! A table of 120 kg on springs of 90 kN/m has a friction of 400 N and is driven by 900 N at 3.4 Hz, below
+//! its natural 4.4 Hz. The drawing gives each parameter with a tolerance. Which of them determines the
+//! uncertainty of the stroke, and how large is that uncertainty? The derivatives are dual numbers: the
+//! formulae themselves are differentiated, without a step size.
 //!
-//! The answer: the springs, known to 3 %, move the stroke by 7.2 %; the friction, known to 15 % only, by 4.3
-//! %. All together (independent, root of the sum of squares) the stroke is known to 8.9 %. It is the springs
+//! The springs, known to 3 %, change the stroke by 7.2 %; the friction, known only to 15 %, by 4.3 %. With
+//! all parameters (independent, root of the sum of squares) the stroke is known to 8.9 %. It is the springs
 //! that should be measured better.
 
 use std::f64::consts::TAU;

@@ -1,10 +1,10 @@
-//! Slices for the batches to write to.
+//! Slices for the results of batches.
 
 use std::hint::black_box;
 use stickslip::batch::{Batch, Columns, FixedOmega};
 use stickslip::{Output, Regime};
 
-/// {Δ₀, α_min, A₁}, which one loop has, and those that take more.
+/// {Δ₀, α_min, A₁}, which one loop computes, and the outputs that need further loops.
 const OUTPUTS: [Output; 9] = [
     Output::MaxDisplacement,
     Output::MinForceRatio,
@@ -16,10 +16,10 @@ const OUTPUTS: [Output; 9] = [
     Output::Contraction,
     Output::LoopSizeInertia,
 ];
-/// How many of them, from the first on.
+/// Numbers of outputs, counted from the first.
 pub(crate) const THREE: usize = 3;
 pub(crate) const FIVE: usize = 5;
-/// All of them and the regime.
+/// All outputs and the regime.
 pub(crate) const ALL: usize = OUTPUTS.len();
 
 pub(crate) struct Room {

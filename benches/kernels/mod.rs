@@ -1,4 +1,4 @@
-//! The library's side of the comparison, one function a kernel.
+//! The library's side of the comparison, with one function per kernel.
 
 use stickslip::float::Task;
 use stickslip::nonsticking::Reversal;
@@ -39,7 +39,7 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
     }
 }
 
-/// The whole answer at a point.
+/// The complete answer at a point.
 #[allow(dead_code, reason = "not every program measures it")]
 #[inline(never)]
 pub(crate) fn response(omega: f64, alpha: f64) -> [f64; 3] {
@@ -66,7 +66,8 @@ pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
     }
 }
 
-/// {Δ₀, A₁, V₀, t₁} of a checked [`Cycle`], whose check is the border: what the C program's five are.
+/// {Δ₀, A₁, V₀, t₁} of a checked [`Cycle`], whose check computes the border: these are the C program's five
+/// outputs.
 #[allow(dead_code, reason = "not every program measures it")]
 #[inline(never)]
 pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
@@ -76,7 +77,7 @@ pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
     }
 }
 
-/// [`cycle`] where the static friction is 1.2 times the kinetic one.
+/// [`cycle`] for a static friction of 1.2 times the kinetic one.
 #[allow(dead_code, reason = "not every program measures it")]
 #[inline(never)]
 pub(crate) fn cycle_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {
@@ -87,7 +88,7 @@ pub(crate) fn cycle_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {
     }
 }
 
-/// The whole answer where the static friction is 1.2 times the kinetic one.
+/// The complete answer for a static friction of 1.2 times the kinetic one.
 #[allow(dead_code, reason = "not every program measures it")]
 #[inline(never)]
 pub(crate) fn response_with_static_friction(omega: f64, alpha: f64) -> [f64; 3] {

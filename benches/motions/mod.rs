@@ -1,9 +1,9 @@
-//! The exact motion's kernels.
+//! The kernels of the exact motion.
 
 use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
 use stickslip::{Cycle, Ratios};
 
-/// What a steady state is compared by.
+/// The results by which steady states are compared.
 fn answer(motion: &LongRun<f64>) -> [f64; 4] {
     match motion.steady_state() {
         Some(s) => [
@@ -41,7 +41,7 @@ pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
     SteadyState::from_cycle(cycle).map_or([f64::NAN; 4], |motion| answer(&motion))
 }
 
-/// Twenty slides from rest: ten periods where the motion does not stop.
+/// Twenty slides from rest, which are ten periods if the motion does not stop.
 #[inline(never)]
 pub(crate) fn twenty_slides(omega: f64, alpha: f64) -> [f64; 1] {
     match Ratios::new(omega, alpha).and_then(|r| Trajectory::new(r, State::default())) {

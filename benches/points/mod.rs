@@ -1,4 +1,4 @@
-//! Points for the benches: Ω uniform in (0.5, 2.5) but not within 0.02 of 1, α from 1.05 to 4.05 times the
+//! Points for the benches: Ω uniform in (0.5, 2.5) except within 0.02 of 1, and α from 1.05 to 4.05 times the
 //! border.
 
 use stickslip::Border;
@@ -9,11 +9,11 @@ pub(crate) fn points(n: usize) -> Vec<(f64, f64)> {
     points_from(n, 0.5)
 }
 
-/// The same with Ω from `least` on: from 0.35 on 7 % are below 1/2.
+/// The same with Ω from `least`: from 0.35 on, 7 % of the points are below 1/2.
 #[allow(dead_code, reason = "not every program chooses the least Ω")]
 pub(crate) fn points_from(n: usize, least: f64) -> Vec<(f64, f64)> {
     let mut state = 7u64;
-    // The generator SplitMix64: enough for benches, the same everywhere.
+    // The generator SplitMix64, with the same sequence on every machine.
     let mut uniform = move || {
         state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = state;

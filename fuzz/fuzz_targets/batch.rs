@@ -1,5 +1,5 @@
-//! Points, how many of them and where their slice begins: batches of every level against each other and
-//! against one point.
+//! Points, their number and the start of their slice: batches of every level are compared with each other and
+//! with single points.
 #![no_main]
 
 #[path = "../../tests/invariants/batches.rs"]

@@ -1,4 +1,4 @@
-//! Ω: what depends on it alone, at f64 against 512 bits.
+//! Ω: the quantities that depend on it alone, at f64 compared with 512 bits.
 #![no_main]
 
 #[path = "../../tests/invariants/rounded.rs"]

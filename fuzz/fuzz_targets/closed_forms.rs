@@ -1,4 +1,4 @@
-//! Ω, α, ζ and a phase.
+//! Ω, α, ζ and a phase: the closed forms.
 #![no_main]
 
 #[path = "../../tests/invariants/mod.rs"]

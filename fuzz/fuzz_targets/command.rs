@@ -1,6 +1,6 @@
-//! A command line and a file of points: what the command makes of them, short of answers that take long.
+//! A command line and a file of points: the command's answer, except for computations that take long.
 //!
-//! The command's own modules are compiled in; what one of them comes to use has to be named here.
+//! The command's own modules are compiled in; any further module that they use must be listed here.
 #![no_main]
 
 #[allow(dead_code, unused_imports, reason = "the subcommands that are left out need them")]
@@ -39,11 +39,11 @@ use failure::Failure;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Where the points of a run go.
+/// The file with the points of a run.
 static POINTS: LazyLock<PathBuf> =
     LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-fuzz-{}.csv", std::process::id())));
 
-/// Has the points read from the input instead of the file named.
+/// Replaces the named file of points by one with the points of the input.
 fn redirect(output: &mut OutputArgs, content: &[u8]) {
     if output.points.is_some() {
         std::fs::write(&*POINTS, content).expect("a temporary file");
@@ -51,7 +51,7 @@ fn redirect(output: &mut OutputArgs, content: &[u8]) {
     }
 }
 
-/// Runs a parsed command into `out`; `None` where that could take long.
+/// Runs a parsed command into `out`; `None` for commands that could take long.
 fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failure::Outcome> {
     Some(match command {
         Command::Response(args) => {
@@ -63,7 +63,7 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
             border::run(args, out)
         }
         Command::Decay(args) => decay::run(args, out),
-        // As many bands as the range has, and searches, are not short.
+        // Bands, whose number is not bounded, and searches take long.
         Command::Design(Question::Bands(_) | Question::Dissipation(_) | Question::Stiffness(_)) => {
             return None;
         }
@@ -92,7 +92,7 @@ fn run(command: &mut Command, content: &[u8], out: &mut Vec<u8>) -> Option<failu
     })
 }
 
-/// A grid has its own ends, and nothing outside of them.
+/// A grid contains its own ends, and nothing outside them.
 fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome> {
     let grid = match grid {
         Ok(grid) => grid,
@@ -108,7 +108,7 @@ fn check_grid(grid: Result<grid::Grid<f64>, Failure>) -> Option<failure::Outcome
     None
 }
 
-/// A failure is one line that says something, and that a terminal can show.
+/// A failure is a single nonempty line that a terminal can show.
 fn is_one_line(failure: &Failure) {
     let text = failure.message();
     assert!(
@@ -119,7 +119,8 @@ fn is_one_line(failure: &Failure) {
 }
 
 libfuzzer_sys::fuzz_target!(|input: &[u8]| {
-    // The command line up to a NUL, its words apart by white space; what follows is the file of points.
+    // The command line ends at the first NUL, with its words separated by white space; the rest is the file
+    // of points.
     let (line, content) = match input.iter().position(|byte| *byte == 0) {
         Some(end) => (&input[..end], &input[end + 1..]),
         None => (input, &[][..]),
@@ -143,7 +144,7 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
         }
         Some(Err(failure)) => {
             is_one_line(&failure);
-            // The rows before a bad one are whole.
+            // The rows before a bad one are complete.
             assert!(out.is_empty() || out.ends_with(b"\n"));
         }
     }

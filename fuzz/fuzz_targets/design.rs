@@ -1,4 +1,4 @@
-//! What the questions asked backwards are asked with.
+//! The arguments of the inverse problems.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]

@@ -1,4 +1,4 @@
-//! Ω of the whole range of the exact motion, α and a state: the motion from there and what it tends to.
+//! Ω over the whole range of the exact motion, α and a state: the motion from there and its steady state.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]

@@ -1,4 +1,4 @@
-//! Three numbers of every kind: `Mp<LIMBS>` against `rug::Float`.
+//! Three numbers of every kind: `Mp<LIMBS>` compared with `rug::Float`.
 #![no_main]
 
 #[macro_use]
@@ -8,7 +8,8 @@ mod multiple;
 use arbitrary::{Arbitrary, Result, Unstructured};
 use multiple::{END, Recipe, binary, ternary, text, unary};
 
-/// A number special, whole or with any significand, its exponent ordinary, large, or at an end of the range.
+/// A number that is special, an integer or one with any significand, with an ordinary, large or extreme
+/// exponent.
 struct Number(Recipe);
 
 impl<'a> Arbitrary<'a> for Number {
@@ -27,7 +28,7 @@ impl<'a> Arbitrary<'a> for Number {
             4 => exponent * 16,
             _ => exponent / 16,
         };
-        // Words all zero and all one make long carries and ties.
+        // Words of zeros or ones only cause long carries and ties.
         let mut words = Vec::new();
         for _ in 0..u.int_in_range(1..=3)? {
             words.push(match u.int_in_range(0..=3)? {

@@ -1,4 +1,4 @@
-//! Mass, stiffness, friction bound, amplitude and frequency.
+//! Mass, stiffness, friction bound, amplitude and frequency: the answers in physical units.
 #![no_main]
 
 #[path = "../../tests/invariants/mod.rs"]

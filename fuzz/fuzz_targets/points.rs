@@ -1,7 +1,7 @@
-//! Any bytes as a file of points: each row is answered as the command answers its values given as arguments,
-//! up to the first row that cannot be, and nothing but one line says what is wrong with that.
+//! Any bytes as a file of points. Each row has the answer that the command gives to its values as arguments,
+//! up to the first invalid row, for which a single line states the error.
 //!
-//! The command's own modules are compiled in; what one of them comes to use has to be named here.
+//! The command's own modules are compiled in; any further module that they use must be listed here.
 #![no_main]
 
 #[allow(dead_code, unused_imports, reason = "the subcommands that are left out need them")]
@@ -40,12 +40,12 @@ use serde_json::Value;
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Where the points of a run are.
+/// The file with the points of a run.
 static FILE: LazyLock<PathBuf> =
     LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-points-{}", std::process::id())));
 
 const COMMANDS: [&str; 4] = ["response", "border", "response --units kN,mm", "border --units kN,mm"];
-/// Headers to begin with, the first none: then the bytes have their own.
+/// Headers before the input bytes; the first is empty, so that the bytes have their own header.
 const HEADERS: [&str; 6] = [
     "",
     "omega,alpha\n",
@@ -54,10 +54,10 @@ const HEADERS: [&str; 6] = [
     "mass,period,friction_coefficient,frequency,base_acceleration\n",
     "\u{feff}\"omega\" , \"alpha\"\n",
 ];
-/// Rows to begin with, of which the bytes are what comes after.
+/// Rows before the input bytes.
 const ROWS: [&str; 4] = ["", "1.5,2.5\n", "a,3,0.4,0.05\n", "1,8,3,2,12\n"];
 
-/// Runs a command line into text.
+/// Runs a command line; returns its output as text.
 fn run<'a>(words: impl Iterator<Item = &'a str>) -> (Outcome, String) {
     let mut out = Vec::new();
     let outcome = match args::parse(std::iter::once("stickslip").chain(words)) {
@@ -69,7 +69,7 @@ fn run<'a>(words: impl Iterator<Item = &'a str>) -> (Outcome, String) {
     (outcome, String::from_utf8(out).expect("text"))
 }
 
-/// The fault is in the input, and one line that a terminal can show says so.
+/// The error is one of the input, and is stated in a single line that a terminal can show.
 fn is_one_line(failure: &Failure) {
     let text = failure.message();
     assert!(
@@ -79,14 +79,14 @@ fn is_one_line(failure: &Failure) {
     assert!(matches!(failure, Failure::Input(_)), "{text}");
 }
 
-/// The rows as another reader has them, up to the first that is none.
+/// The rows according to another reader, up to the first invalid one.
 fn rows(content: &[u8]) -> (StringRecord, Vec<StringRecord>) {
     let mut reader = ReaderBuilder::new().trim(Trim::All).from_reader(content);
     let header = reader.headers().cloned().unwrap_or_default();
     (header, reader.records().map_while(Result::ok).collect())
 }
 
-/// The arguments that say what a row says, of those that the command has.
+/// The arguments that correspond to the values of a row, of those that the command accepts.
 fn arguments(used: &[given::Parameter], header: &StringRecord, row: &StringRecord) -> Vec<String> {
     let option = |(name, text): (&str, &str)| {
         let name = name.trim_start_matches('\u{feff}').trim();
@@ -107,7 +107,7 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     let mut content = HEADERS[usize::from(*header) % HEADERS.len()].as_bytes().to_vec();
     content.extend_from_slice(ROWS[usize::from(*first) % ROWS.len()].as_bytes());
     content.extend_from_slice(rest);
-    // A row that does not end, longer than any that is read.
+    // A row without an end, longer than the reader accepts.
     if rest.ends_with(b"\0\0") {
         content.extend(std::iter::repeat_n(b'1', 1 << 19));
     }

@@ -1,7 +1,7 @@
-//! A sweep that is gone on with from any file: it becomes the sweep that was not broken off, or is left as it
-//! is.
+//! A sweep that is resumed from any file: either it is completed as if it had not been interrupted, or the
+//! file is left as it is.
 //!
-//! The command's own modules are compiled in; what one of them comes to use has to be named here.
+//! The command's own modules are compiled in; any further module that they use must be listed here.
 #![no_main]
 
 #[allow(dead_code, unused_imports, unexpected_cfgs, reason = "the subcommands that are left out need them")]
@@ -41,11 +41,11 @@ use command::{
 use std::path::PathBuf;
 use std::sync::LazyLock;
 
-/// Where the file of a run is.
+/// The file of a run.
 static FILE: LazyLock<PathBuf> =
     LazyLock::new(|| std::env::temp_dir().join(format!("stickslip-resume-{}", std::process::id())));
 
-/// Sweeps with their grid among the columns and without, as rows and as lines, whole and in part.
+/// Sweeps with and without their grid among the columns, as CSV and as JSON lines, with all outputs or some.
 const SWEEPS: [&str; 5] = [
     "border --omega 0.5:2:4",
     "response --omega 0.4:1.5:3 --alpha 2,6 --outputs alpha,max_displacement,omega",
@@ -76,7 +76,7 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     let [which, cut, changes @ ..] = input else { return };
     let which = usize::from(*which) % SWEEPS.len();
     let whole = &WHOLE[which];
-    // The beginning of the sweep's own file, then bytes changed, then bytes of the input.
+    // The beginning of the sweep's own file, then changed bytes, then bytes of the input.
     let mut kept = whole[..usize::from(*cut) * whole.len() / 255].to_vec();
     if let [changed, place, rest @ ..] = changes {
         let length = kept.len().max(1);

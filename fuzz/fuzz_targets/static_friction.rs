@@ -1,4 +1,4 @@
-//! Ω, α, ζ, η and a state: the motion from there, and what it tends to.
+//! Ω, α, ζ, η and a state: the motion from there and its steady state.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]

@@ -1,4 +1,4 @@
-//! Ω, α, ζ and a state: what the motion from there tends to.
+//! Ω, α, ζ and a state: the steady state of the motion from there.
 #![no_main]
 
 #[path = "../../tests/invariants/motion.rs"]

@@ -1,5 +1,5 @@
 //! A motion with stops and damping from rest until it repeats, by diffsol: slides are integrated with root
-//! finding on the velocity, the end of a stop is its arcsine.
+//! finding on the velocity, and the end of a stop follows from an arcsine.
 //!
 //! `sticking OMEGA ALPHA ZETA RTOL REFERENCE RUNS` prints the least time of the runs in microseconds and the
 //! relative error of the maximum displacement.
@@ -11,7 +11,7 @@ use std::time::Instant;
 
 type Matrix = NalgebraMat<f64>;
 
-/// From rest at x: when the body slides, and which way.
+/// The time and the direction in which a body at rest at x starts to slide.
 fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
     let force = alpha * (omega * t).sin() - x;
     if force.abs() > 1.0 {
@@ -36,9 +36,9 @@ fn released(omega: f64, alpha: f64, t: f64, x: f64) -> (f64, f64) {
     (first.0 / omega, first.1)
 }
 
-/// The greatest displacement of a turn of the drive, once two turns have the same to 1e-12.
+/// The greatest displacement in a turn of the drive, once it agrees to 1e-12 in two successive turns.
 fn settled(omega: f64, alpha: f64, zeta: f64, rtol: f64) -> Result<f64, Box<dyn Error>> {
-    // The direction is a third variable, which does not change along a slide. A velocity of 1e-13 keeps its
+    // The direction is a third variable, which is constant during a slide. A velocity of 1e-13 prevents the
     // zero at the start from being found.
     let problem = OdeBuilder::<Matrix>::new()
         .rtol(rtol)
