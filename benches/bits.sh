@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# The bits of answers at f64 do not depend on the target they are compiled for, nor on being asked alone or in a batch: builds
-# benches/bits.rs for x86-64, x86-64-v3 and this processor, and compares what they print. POINTS (100000) as first argument.
+# Checks that the bits of answers at f64 depend neither on the compilation target nor on batches: builds
+# benches/bits.rs for x86-64, x86-64-v3 and this processor, and compares the outputs. The first argument is
+# POINTS (100000).
 set -euo pipefail
-# Compiled in half the time; the bits do not depend on it.
+# Compilation takes half the time; the bits do not depend on it.
 export CARGO_PROFILE_BENCH_LTO=off CARGO_PROFILE_BENCH_CODEGEN_UNITS=16
 cd "$(dirname "$0")/.."
 points=${1:-100000}

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# Instructions a call of each kernel (a point, for batches), callees included, counted by valgrind's callgrind: one line a kernel, after
-# a line of the conditions. Needs valgrind.
-# With --check: compared with benches/instructions.txt, and an error where one is more than 3 % off, or is missing. Where the compiler,
-# the libraries or valgrind are others than that was written with, 25 % are allowed: their code differs, the library's does not.
+# Instructions per call of each kernel (per point for batches), including callees, counted by valgrind's
+# callgrind: one line per kernel, after a line with the conditions. It requires valgrind. With --check, the
+# counts are compared with benches/instructions.txt, and a deviation of more than 3 % or a missing kernel is
+# an error. With another compiler, libraries or valgrind than in that file, 25 % are allowed, because their
+# code differs while that of the library does not.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 program() {
@@ -23,7 +24,7 @@ report() { echo "$1 $(($2 / $3)).$(($2 * 10 / $3 % 10))"; } # KERNEL TOTAL CALLS
 all() {
     closed=$(program instructions)
     for kernel in triple five cycle cycle-low response {cycle,response}-static-friction damped; do
-        # The difference of two numbers of points, so that start-up does not count; the loop over the points does.
+        # The difference of two numbers of points removes the start-up, but not the loop over the points.
         once=$(collected "$closed" "$kernel" 10000)
         report "$kernel" $(($(collected "$closed" "$kernel" 30000) - once)) 20000
     done
@@ -41,7 +42,7 @@ all() {
     report steady-map "$(count '*steady_map*' "$exact" steady-map 5000)" 5000
     batch=$(program batch_instructions)
     for kernel in batch-{triple,peaks,cycles}{,-fixed,-low}; do
-        # The difference of two numbers of rounds, so that start-up does not count.
+        # The difference of two numbers of rounds removes the start-up.
         once=$(collected "$batch" "$kernel" 1)
         report "$kernel" $(($(collected "$batch" "$kernel" 3) - once)) $((2 * 128000))
     done

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# The same closed forms in C (plain, and vectorised with the mathematics library's vector functions), numpy and numba
-# beside ours, over the same points in one run. Needs gcc; python3 with numpy, and numba, where they are to take part ($PYTHON).
-# Prints nanoseconds a point and how many times as long as plain C they take, the best of many runs each.
+# The same closed forms in C (plain, and vectorised with the vector functions of the mathematics library),
+# numpy and numba, compared with the library over the same points in one run. It requires gcc; numpy and numba
+# take part if $PYTHON has them. It prints nanoseconds per point and the ratio to plain C, each the best of
+# many runs.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 n=${1:-10000} # few, so that the best of many runs is one that nothing interrupted

@@ -1,9 +1,8 @@
 #!/usr/bin/env bash
-# A motion with stops and damping, from rest until it repeats to 1e-12: ours, CVODE, diffsol, SciPy and closed-form
-# slides in numba, one after the other in one run. Prints microseconds, how many times as long as ours they take,
-# and the relative error of the maximum displacement.
-# Needs gcc with SUNDIALS for CVODE (Debian: libsundials-dev), and $PYTHON with scipy and numba; a missing one is
-# left out.
+# A motion with stops and damping, from rest until it repeats to 1e-12, by the library, CVODE, diffsol, SciPy
+# and closed-form slides in numba, one after the other in one run. It prints microseconds, the ratio to the
+# library's time, and the relative error of the maximum displacement. It requires gcc with SUNDIALS for CVODE
+# (Debian: libsundials-dev), and $PYTHON with scipy and numba; a missing one is omitted.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 work=$(mktemp -d)
@@ -16,8 +15,8 @@ diffsol=target/peers/release/sticking
 CARGO_TARGET_DIR=target/peers cargo build --quiet --release --manifest-path benches/peers/diffsol/Cargo.toml ||
     echo "without diffsol"
 
-# Ω, α, ζ and the maximum displacement, by the two equations for the length of a slide and its end, solved at 40
-# digits.
+# Ω, α, ζ and the maximum displacement, from the two equations for the length of a slide and its end, solved
+# at 40 digits.
 for point in \
     '0.7 1.2 0.05 0.8155618393813455' '0.4 6 0.05 6.641909108352287' '0.15 3 0.05 2.1870119014886273'; do
     read -r omega alpha zeta reference <<<"$point"
@@ -25,7 +24,7 @@ for point in \
     at=("$omega" "$alpha" "$zeta")
     {
         printf 'stickslip\t%s\n' "$("$ours" "${at[@]}" "$reference" 20000)"
-        # At larger tolerances CVODE's own errors keep the extrema from repeating.
+        # At larger tolerances CVODE's own errors prevent the extrema from repeating.
         [ ! -x "$work/cvode" ] ||
             printf 'CVODE, Adams, 1e-12\t%s\n' "$("$work/cvode" "${at[@]}" 1e-12 "$reference" 10)"
         [ ! -x "$diffsol" ] ||
