@@ -200,3 +200,28 @@ fn the_best_friction_is_the_best() {
         }
     }
 }
+
+/// The border's peaks at dT = 3π, 5π, … are as narrow as the damping is small: no band reaches over one that is
+/// higher than α, by little or by much.
+#[test]
+fn no_band_reaches_over_a_peak() {
+    for zeta in [1e-2, 1e-3, 1e-5, 1e-7, 1e-10] {
+        for n in 1..=6 {
+            let pole = (1.0f64 - zeta * zeta).sqrt() / f64::from(2 * n + 1);
+            let peak = least(pole, zeta);
+            for below in [1e-3, 0.3] {
+                let alpha = peak * (1.0 - below);
+                for (low, high) in [(0.8 * pole, 1.2 * pole), (pole * (1.0 - 1e-3), pole * 1.3)] {
+                    for band in all(alpha, zeta, low, high) {
+                        assert!(band.high < pole || band.low > pole, "{zeta} {n} {below}: {band:?}");
+                    }
+                }
+            }
+            assert!(
+                all(peak * 1.001, zeta, 0.999 * pole, 1.001 * pole)
+                    .iter()
+                    .any(|b| b.low < pole && pole < b.high)
+            );
+        }
+    }
+}

@@ -6,7 +6,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 use stickslip::{Field, Float, Real};
 
 /// Method and fault: `Faulty<0>` has none, and `Faulty<n>` has the n-th.
-pub(crate) const FAULTS: [(&str, &str); 28] = [
+pub(crate) const FAULTS: [(&str, &str); 45] = [
     ("PartialOrd::partial_cmp", "negative numbers in the order of their magnitudes"),
     ("PartialOrd::partial_cmp", "NaN is less than every number"),
     ("Field::int", "integers by way of 12 bits"),
@@ -35,6 +35,23 @@ pub(crate) const FAULTS: [(&str, &str); 28] = [
     ("Float::RATIO_EXPONENT", "half of the exponents' range"),
     ("Float::PRECISION", "52 bits"),
     ("LowerExp::fmt", "without an exponent's sign"),
+    ("Float::RATIO_EXPONENT", "a little more than a third of the exponents' range"),
+    ("Float::round", "by a half added first"),
+    ("PartialEq::eq", "zeros by their signs"),
+    ("Field::square", "a unit too large"),
+    ("Field::times", "three times is a unit too large"),
+    ("Field::ratio", "in single precision"),
+    ("Field::hypot", "the sum"),
+    ("Field::leg", "the difference"),
+    ("Real::sin", "sines of ten digits"),
+    ("Real::cos", "cosines of ten digits"),
+    ("Float::exp", "powers of ten digits"),
+    ("Float::exp_m1", "by subtraction"),
+    ("Float::angle_of", "angles below a right one only"),
+    ("Float::times_sign_of", "the number itself"),
+    ("Float::with_sign_of", "times the sign"),
+    ("Float::or_larger", "the larger magnitude"),
+    ("Display::fmt", "three decimals"),
 ];
 
 #[derive(Debug, Clone, Copy)]
@@ -61,7 +78,8 @@ fn rest_of_sum(a: f64, b: f64) -> f64 {
 
 impl<const F: usize> PartialEq for Faulty<F> {
     fn eq(&self, other: &Self) -> bool {
-        self.0 == other.0
+        let by_sign = self.0 == other.0 && self.0.is_sign_negative() == other.0.is_sign_negative();
+        Self::pick("PartialEq::eq", "zeros", self.0 == other.0, by_sign)
     }
 }
 
@@ -116,7 +134,8 @@ impl<const F: usize> Neg for Faulty<F> {
 
 impl<const F: usize> Display for Faulty<F> {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        Display::fmt(&self.0, f)
+        let (text, short) = (self.0.to_string(), format!("{:.3}", self.0));
+        f.write_str(Self::pick("Display::fmt", "three", &text, &short))
     }
 }
 
@@ -141,6 +160,26 @@ impl<const F: usize> Field for Faulty<F> {
     fn abs(self) -> Self {
         Self(Self::pick("Field::abs", "negative", self.0.abs(), self.0))
     }
+    fn ratio(p: i32, q: i32) -> Self {
+        let single = f64::from(p as f32 / q as f32);
+        Self(Self::pick("Field::ratio", "in single", f64::from(p) / f64::from(q), single))
+    }
+    fn square(self) -> Self {
+        let square = self.0 * self.0;
+        Self(Self::pick("Field::square", "a unit", square, square * (1.0 + f64::EPSILON)))
+    }
+    fn hypot(self, other: Self) -> Self {
+        Self(Self::pick("Field::hypot", "the sum", self.0.hypot(other.0), self.0.abs() + other.0.abs()))
+    }
+    fn leg(self, other: Self) -> Self {
+        let leg = ((self.0 - other.0) * (self.0 + other.0)).sqrt();
+        Self(Self::pick("Field::leg", "the difference", leg, self.0 - other.0))
+    }
+    fn times(self, n: i32) -> Self {
+        let times = f64::from(n) * self.0;
+        let wrong = if n == 3 { times * (1.0 + f64::EPSILON) } else { times };
+        Self(Self::pick("Field::times", "three", times, wrong))
+    }
 }
 
 impl<const F: usize> Real for Faulty<F> {
@@ -154,6 +193,14 @@ impl<const F: usize> Real for Faulty<F> {
         let wrong = Real::sin_cos(self.0 - (self.0 / turn).round() * turn);
         let (s, c) = Self::pick("Real::sin_cos", "the argument", (s, c), wrong);
         (Self(s), Self(c))
+    }
+    fn sin(self) -> Self {
+        let sine = self.sin_cos().0.0;
+        Self(Self::pick("Real::sin", "sines", sine, sine * (1.0 + 1e-10)))
+    }
+    fn cos(self) -> Self {
+        let cosine = self.sin_cos().1.0;
+        Self(Self::pick("Real::cos", "cosines", cosine, cosine * (1.0 + 1e-10)))
     }
     fn tan(self) -> Self {
         let tangent = Real::tan(self.0);
@@ -169,7 +216,12 @@ impl<const F: usize> Real for Faulty<F> {
 
 impl<const FAULT: usize> Float for Faulty<FAULT> {
     const PRECISION: u32 = if FAULT == 27 { 52 } else { 53 };
-    const RATIO_EXPONENT: i32 = if FAULT == 26 { 511 } else { 255 };
+    const RATIO_EXPONENT: i32 = match FAULT {
+        26 => 511,
+        // Three times it overflows, and does not underflow.
+        29 => 350,
+        _ => 255,
+    };
 
     fn pi_rest() -> (Self, Self) {
         let (second, third) = <f64 as Float>::pi_rest();
@@ -192,9 +244,33 @@ impl<const FAULT: usize> Float for Faulty<FAULT> {
         Self(Self::pick("Float::floor", "towards", self.0.floor(), self.0.trunc()))
     }
     fn round(self) -> Self {
-        Self(Self::pick("Float::round", "down", self.0.round(), self.0.floor()))
+        let round = Self::pick("Float::round", "down", self.0.round(), self.0.floor());
+        Self(Self::pick("Float::round", "by a half", round, (self.0 + 0.5).floor()))
     }
     fn is_finite(self) -> bool {
         Self::pick("Float::is_finite", "NaN", self.0.is_finite(), !self.0.is_infinite())
+    }
+    fn exp(self) -> Self {
+        let power = Float::exp(self.0);
+        Self(Self::pick("Float::exp", "powers", power, power * (1.0 + 1e-10)))
+    }
+    fn exp_m1(self) -> Self {
+        Self(Self::pick("Float::exp_m1", "by sub", Float::exp_m1(self.0), Float::exp(self.0) - 1.0))
+    }
+    fn angle_of(sine: Self, cosine: Self) -> Self {
+        let angle = Real::atan2(sine.0, cosine.0);
+        Self(Self::pick("Float::angle_of", "angles below", angle, sine.0.asin()))
+    }
+    fn or_larger(self, other: Self) -> Self {
+        let by_size = if other.0.abs() > self.0.abs() { other.0 } else { self.0 };
+        Self(Self::pick("Float::or_larger", "the larger", self.0.max(other.0), by_size))
+    }
+    fn times_sign_of(self, sign: Self) -> Self {
+        let times = if sign.0 < 0.0 { -self.0 } else { self.0 };
+        Self(Self::pick("Float::times_sign_of", "the number", times, self.0))
+    }
+    fn with_sign_of(self, sign: Self) -> Self {
+        let (times, sized) = if sign.0 < 0.0 { (-self.0, -self.0.abs()) } else { (self.0, self.0.abs()) };
+        Self(Self::pick("Float::with_sign_of", "times", sized, times))
     }
 }

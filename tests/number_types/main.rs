@@ -29,7 +29,8 @@ fn found() -> Vec<Result<(), Broken>> {
     macro_rules! each {
         ($($n:literal)*) => { vec![$(check::<Faulty<$n>>()),*] };
     }
-    each! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28 }
+    each! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28
+    29 30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 }
 }
 
 /// Each fault is reported under the name of the method that has it.
