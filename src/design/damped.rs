@@ -113,21 +113,30 @@ impl<F: Float> Search<F> {
         self.alpha - border(&half_period_at(omega, self.damper.ratio(omega))).min_force_ratio
     }
 
+    /// The next point of the mesh.
+    fn advance(&mut self) -> Option<Node<F>> {
+        let omega = self.next?;
+        let high = self.range.1;
+        let after = self.damper.next(omega);
+        self.next = (omega < high).then(|| if after < high { after } else { high });
+        let found = Node { omega, excess: self.excess(omega) };
+        let least = self.alpha - found.excess;
+        self.least = Some(self.least.map_or(least, |old| if least < old { least } else { old }));
+        Some(found)
+    }
+
     /// The next point; it includes extrema between points, where these may be on the other side of α.
     fn node(&mut self) -> Option<Node<F>> {
         loop {
             if let Some(node) = self.ready.pop_front() {
                 return Some(node);
             }
-            let Some(omega) = self.next else { return self.waiting.take() };
-            let high = self.range.1;
-            let after = self.damper.next(omega);
-            self.next = (omega < high).then(|| if after < high { after } else { high });
-            let found = Node { omega, excess: self.excess(omega) };
-            let least = self.alpha - found.excess;
-            self.least = Some(self.least.map_or(least, |old| if least < old { least } else { old }));
-            let Some(middle) = self.waiting.replace(found) else { continue };
-            let hidden = self.last.and_then(|first| self.hidden(first, middle, found));
+            let found = self.advance();
+            let Some(middle) = core::mem::replace(&mut self.waiting, found) else {
+                found?;
+                continue;
+            };
+            let hidden = self.hidden(self.last, middle, found);
             self.last = Some(middle);
             match hidden {
                 Some(extremum) if extremum.omega < middle.omega => self.ready.extend([extremum, middle]),
@@ -137,19 +146,20 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// The extremum between three points on one side of α, of which the middle one is nearest to it, if the
-    /// extremum is on the other side of α.
-    fn hidden(&self, first: Node<F>, middle: Node<F>, last: Node<F>) -> Option<Node<F>> {
+    /// The extremum beside the middle one of three points on one side of α, if the middle one is nearest to
+    /// it and the extremum is on the other side of α. At an end of the range one of the neighbours is missing.
+    fn hidden(&self, first: Option<Node<F>>, middle: Node<F>, last: Option<Node<F>>) -> Option<Node<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;
         let sign = F::int(if slides { 1 } else { -1 });
         let is_side = |node: Node<F>| (node.excess >= zero) == slides;
         let is_nearer = |node: Node<F>| sign * middle.excess <= sign * node.excess;
-        if !(is_side(first) && is_side(last) && is_nearer(first) && is_nearer(last)) {
+        if !first.into_iter().chain(last).all(|node| is_side(node) && is_nearer(node)) {
             return None;
         }
         let depth = |omega: F| -(sign * self.excess(omega));
-        let omega = highest(first.omega, last.omega, depth, |depth| depth > zero);
+        let place = |node: Option<Node<F>>| node.unwrap_or(middle).omega;
+        let omega = highest(place(first), place(last), depth, |depth| depth > zero);
         let found = Node { omega, excess: self.excess(omega) };
         (!is_side(found)).then_some(found)
     }
