@@ -1,4 +1,4 @@
-//! What can be typed.
+//! The command line.
 
 mod attractors;
 mod closed;
@@ -137,14 +137,14 @@ pub(crate) enum Command {
     Man(ManArgs),
 }
 
-/// Why there is no command to run.
+/// The reason why there is no command to run.
 pub(crate) enum NoCommand {
     /// Help or the version was asked for.
     Answered(clap::Error),
     Failed(Failure),
 }
 
-/// The command that the words name, once each of its options has a use there.
+/// The command of the given words, if all of its options apply.
 pub(crate) fn parse(
     words: impl IntoIterator<Item = impl Into<OsString> + Clone>,
 ) -> Result<CommandLine, NoCommand> {
@@ -156,7 +156,7 @@ pub(crate) fn parse(
     CommandLine::from_arg_matches(&matches).map_err(refuse)
 }
 
-/// All that can be typed; help shows of each question the options that it uses.
+/// The complete grammar; the help of each command shows the options that it uses.
 pub(crate) fn grammar() -> clap::Command {
     CommandLine::command()
         .mut_subcommands(|command| used::hide_unused(command, ""))

@@ -19,10 +19,10 @@ use std::io::Write;
 use stickslip::Ratios;
 use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyState};
 
-/// Starts, at most: their limits are kept in memory.
+/// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a AttractorsArgs, &'a mut W);
 
 pub(crate) fn run(args: &AttractorsArgs, out: &mut impl Write) -> Outcome {
@@ -77,13 +77,13 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-/// How far the starts reach.
+/// The range of the starts.
 pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
     let Some(text) = text else { return Ok(Spread::around(ratios).reach()) };
     spread(input::number("--reach", text)?).map(|spread| spread.reach())
 }
 
-/// The start of that number.
+/// The start with this number.
 pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
     Ok(spread(reach)?.get(number))
 }
@@ -92,7 +92,7 @@ fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
     Spread::within(reach).ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
 }
 
-/// The share of the starts that lead to a limit.
+/// The fraction of the starts that lead to a limit.
 fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
     limit.starts as f64 / all.of_start.len() as f64
 }
@@ -118,7 +118,7 @@ fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
     .record()
 }
 
-/// What is told of a limit, or of a motion that no start leads to.
+/// The data of a limit, or of a motion that no start leads to.
 pub(crate) struct Row<'a, F> {
     pub(crate) number: usize,
     pub(crate) limit: &'static str,
@@ -250,7 +250,7 @@ pub(crate) fn shape<F: Value>(steady: &SteadyState<F>) -> String {
     }
 }
 
-/// What a limit is, in words.
+/// A description of a limit.
 pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
     let mirror = match found.mirror {
         Some(place) => format!(", the mirror image of {}", place + 1),

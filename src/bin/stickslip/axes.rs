@@ -1,4 +1,4 @@
-//! Points over grids: what was given, each argument one value or a grid of them.
+//! Points over grids: each argument is a single value or a grid of values.
 
 use crate::args::{ForceArgs, MachineArgs};
 use crate::bits::Value;
@@ -8,14 +8,14 @@ use crate::grid::Grid;
 use crate::note;
 use stickslip::units::Reader;
 
-/// The points of all grids, each made from its number alone: the last grid is the fast one.
+/// The points of all grids, each computed from its number alone; the last grid varies fastest.
 pub(crate) struct Axes<F> {
     fixed: Given<F>,
     grids: Vec<(Parameter, Grid<F>)>,
 }
 
 impl<F: Value> Axes<F> {
-    /// What was typed, of the parameters that are of use.
+    /// The typed parameters that the command uses.
     pub(crate) fn new(machine: &MachineArgs, force: &ForceArgs, reader: &Reader) -> Result<Self, Failure> {
         let (mut fixed, mut grids) = (Given::empty(reader.system()), Vec::new());
         for (parameter, text) in Given::<F>::typed(machine, force) {
@@ -29,27 +29,27 @@ impl<F: Value> Axes<F> {
         Ok(Self { fixed, grids })
     }
 
-    /// How many points there are.
+    /// The number of points.
     pub(crate) fn len(&self) -> u64 {
         self.grids.iter().fold(1, |product, (_, grid)| product.saturating_mul(grid.len()))
     }
 
-    /// The grids, the slow one first.
+    /// The grids, slowest first.
     pub(crate) fn grids(&self) -> &[(Parameter, Grid<F>)] {
         &self.grids
     }
 
-    /// Whether any of its points is of a machine.
+    /// Whether the points are those of a machine.
     pub(crate) fn is_physical(&self) -> bool {
         self.fixed.is_physical() || self.grids.iter().any(|(parameter, _)| parameter.is_physical())
     }
 
-    /// Whether it is given, as one value or as many.
+    /// Whether a parameter is given, as one value or as a grid.
     pub(crate) fn has(&self, parameter: Parameter) -> bool {
         self.fixed.has(parameter) || self.grids.iter().any(|(p, _)| *p == parameter)
     }
 
-    /// Has a grid where one value, or none, was.
+    /// Replaces a single value, or none, by a grid.
     pub(crate) fn make_grid(&mut self, parameter: Parameter, grid: Grid<F>) {
         if let Some(value) = self.fixed.take(parameter) {
             self.grids.push((parameter, Grid::List(vec![value])));
@@ -63,14 +63,14 @@ impl<F: Value> Axes<F> {
         self.grids = grids.into();
     }
 
-    /// What is given at a point below [`Axes::len`].
+    /// The given quantities at a point below [`Axes::len`].
     pub(crate) fn at(&self, point: u64) -> Given<F> {
         let mut given = self.fixed.clone();
         self.each(point, |parameter, value| given.set(parameter, value));
         given
     }
 
-    /// The same with each value as text, for a message.
+    /// The same with each value as text, for messages.
     pub(crate) fn named_at(&self, point: u64) -> Given<F> {
         let mut given = self.fixed.clone();
         self.each(point, |parameter, value| {
@@ -87,10 +87,10 @@ impl<F: Value> Axes<F> {
         }
     }
 
-    /// Holds a check against the points that bound all others: every combination of the ends of the grids.
+    /// Applies a check to every combination of the ends of the grids.
     ///
-    /// Ω, α and the scales rise or fall with each parameter, and their domains are intervals: so these points
-    /// decide.
+    /// Ω, α and the scales are monotone in each parameter, and their domains are intervals, so that these
+    /// points suffice.
     pub(crate) fn at_ends(&self, mut check: impl FnMut(&Given<F>) -> Outcome) -> Outcome {
         for corner in 0..1u64 << self.grids.len() {
             let mut given = self.fixed.clone();

@@ -15,11 +15,11 @@ use stickslip::exact::{Attractors, State};
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 use stickslip::units::Kind;
 
-/// Values of a grid that is not given.
+/// The number of values of a grid that is not given.
 const COUNT: u64 = 101;
-/// Starts, at most: their limits are kept in memory.
+/// The greatest number of starts, whose limits are kept in memory.
 const MOST: u64 = 1_000_000;
-/// Names in the key of a picture, at most: the last stands for all others.
+/// The greatest number of names in the key of a picture; the last one stands for all others.
 const MOST_NAMES: usize = 7;
 
 /// The starts and the limits that they lead to.
@@ -29,7 +29,7 @@ struct Basins<F> {
     all: Attractors<F>,
 }
 
-/// The values along an axis, in the units they were given in.
+/// The values along an axis, in the units in which they were given.
 struct Axed<F> {
     grid: Grid<F>,
     /// B, or B ω_d, in those units.
@@ -38,7 +38,7 @@ struct Axed<F> {
     column: String,
 }
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a BasinsArgs, &'a mut W);
 
 pub(crate) fn run(args: &BasinsArgs, out: &mut impl Write) -> Outcome {
@@ -149,11 +149,11 @@ impl<F: Value> Basins<F> {
         })
     }
 
-    /// A limit by its number and what tells it from the others: its extrema.
+    /// A limit by its number and its extrema.
     fn name(&self, place: usize) -> Option<String> {
         let limit = self.all.limits.get(place)?.limit;
         let kind = limit.name();
-        // Four digits of B tell two limits apart.
+        // Four digits of B distinguish two limits.
         let in_units = |x: F| digits((x.to_f64() * 1e4).round() / 1e4 * self.x.scale.to_f64());
         Some(match limit.extrema() {
             Some((low, high)) => {

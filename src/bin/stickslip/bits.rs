@@ -5,17 +5,17 @@ use num_traits::Pow;
 use std::str::FromStr;
 use stickslip::nonsticking::Solvable;
 
-/// A number the command can read, write and space evenly.
+/// A number type that the command can read, write and space evenly.
 pub(crate) trait Value: Solvable + FromStr + Pow<Self, Output = Self> + Send + Sync {}
 
 impl<F: Solvable + FromStr + Pow<Self, Output = Self> + Send + Sync> Value for F {}
 
-/// A command, whatever the number.
+/// A command for any number type.
 pub(crate) trait Task {
     fn run<F: Value>(self) -> Outcome;
 }
 
-/// Runs the task at f64, or at no fewer than the bits asked for.
+/// Runs the task at f64, or with at least the requested bits.
 pub(crate) fn run(bits: Option<u32>, task: impl Task) -> Outcome {
     match bits {
         None => task.run::<f64>(),

@@ -12,7 +12,7 @@ use std::io::Write;
 use stickslip::{Error, Ratios, Response};
 use stickslip::{NoStop, no_stop_force_ratios};
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a BorderArgs, &'a mut W);
 
 pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
@@ -22,10 +22,10 @@ pub(crate) fn run(args: &BorderArgs, out: &mut impl Write) -> Outcome {
     bits::run(args.output.bits, Run(args, out))
 }
 
-/// The answer at a point, with the forces without a stop where they were asked for, and its record.
+/// The answer at a point, with the forces without a stop if requested, and its record.
 type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
-/// The forces without any stop; nothing is known of them with a static friction above the kinetic one.
+/// The forces without any stop; they are unknown for a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
     if ratios.has_higher_static_friction() {
         let static_friction_ratio = ratios.static_friction_ratio().into();
@@ -34,7 +34,7 @@ fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
     no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
 }
 
-/// The answer at a point, with the forces without a stop where they were asked for, and its record.
+/// The answer at a point, with the forces without a stop if requested, and its record.
 pub(crate) fn record<F: Value>(
     given: &Given<F>,
     point: &BorderPoint<F>,

@@ -20,9 +20,10 @@ use std::io::Write;
 use stickslip::Response;
 use stickslip::units::{Reader, System};
 
-/// Curves in a picture: with the border, the resonance and the dashes its key has eight lines.
+/// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then
+/// has eight lines.
 const MOST_CURVES: u64 = 5;
-/// Frequencies of a curve.
+/// The greatest number of frequencies of a curve.
 const MOST_POINTS: u64 = 100_000;
 
 /// One frequency of a curve.
@@ -31,7 +32,7 @@ struct Place {
     frequency: f64,
     regime: &'static str,
     sticks: bool,
-    /// How far it is above the border: α/α_min.
+    /// The margin to the border, α/α_min.
     margin: f64,
     value: Option<f64>,
 }
@@ -39,13 +40,13 @@ struct Place {
 struct Line {
     name: String,
     places: Vec<Place>,
-    /// Where it meets the border of sticking.
+    /// The points at which the curve meets the border of sticking.
     border: Vec<(f64, f64)>,
-    /// Ω = 1 on its axis.
+    /// The position of Ω = 1 on the axis.
     natural: f64,
 }
 
-/// What is asked: the quantity over one axis, for each of the values of another.
+/// The request: the quantity over one axis, for each value of another.
 struct Asked {
     what: Curve,
     axis: P,
@@ -170,8 +171,8 @@ impl Asked {
         Ok(Place { frequency: self.on_axis(point), regime, sticks, margin, value })
     }
 
-    /// Where the curve meets the border between two frequencies on either side of it: by halves, to the last
-    /// bit.
+    /// The point where the curve meets the border, between two frequencies on either side of it: by
+    /// bisection, to the last bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
         let at = |x: f64| {
             let mut given = given.clone();
@@ -190,14 +191,14 @@ impl Asked {
         }
     }
 
-    /// The frequency in hertz of a machine, and Ω of ratios.
+    /// The position on the axis: the frequency in hertz for a machine, Ω for ratios.
     fn on_axis(&self, point: &Point<f64>) -> f64 {
         point.machine.as_ref().map_or(point.ratios.omega(), |m| m.drive.angular_frequency() / TAU)
     }
 
-    /// Where Ω = 1, if the axis has it.
+    /// The position of Ω = 1, if the axis has one.
     fn natural(&self, first: &Point<f64>, natural: f64) -> f64 {
-        // A machine that is tuned to each frequency has no one natural frequency.
+        // A machine that is tuned to each frequency has no single natural frequency.
         if first.machine.is_some() && self.axis == P::Omega { f64::NAN } else { natural }
     }
 

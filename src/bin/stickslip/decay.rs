@@ -12,7 +12,7 @@ use stickslip::Quantity;
 use stickslip::exact::FreeDecay;
 use stickslip::units::{Kind, System};
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);
 
 pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
@@ -26,7 +26,7 @@ struct Scales<F> {
     system: System,
 }
 
-/// The ratios ζ and η, each where it is given.
+/// The ratios ζ and η, where given.
 struct Frictions<F> {
     damping: Option<F>,
     static_friction: Option<F>,
@@ -109,7 +109,7 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions:
     record
 }
 
-/// The scales of the machine, where there is one, and what it has of damping and static friction.
+/// The scales of the machine, if there is one, and its damping and static friction.
 fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>), Failure> {
     let (zeta, eta) = (given.get(P::DampingRatio), given.get(P::StaticFrictionRatio));
     if !given.is_physical() {

@@ -17,7 +17,7 @@ use stickslip::{Error, Excitation, Oscillator};
 
 use asked::Asked;
 
-/// The question and where its answer goes.
+/// The question and its output.
 struct Run<'a, W>(&'a Question, &'a mut W);
 
 pub(crate) fn run(question: &Question, out: &mut impl Write) -> Outcome {
@@ -39,7 +39,7 @@ const fn arguments(question: &Question) -> &QuestionArgs {
 /// A row of an answer: name, kind and value of each number.
 type Row<F> = Vec<(&'static str, Kind, Cell<F>)>;
 
-/// An answer: what it says in a sentence, and its numbers.
+/// An answer: a sentence and its numbers.
 struct Answer<F> {
     sentence: String,
     rows: Vec<Row<F>>,
@@ -87,7 +87,7 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-/// A row as JSON: in physical units with the kind of base motion and the unit of each value.
+/// A row as JSON; in physical units it includes the kind of base motion and the unit of each value.
 struct Named<'a, F> {
     row: &'a Row<F>,
     system: Option<System>,
@@ -184,7 +184,7 @@ impl<F: Value> Asked<'_, F> {
         let (found, unit) = if self.physical {
             let body = self.body(true, true)?;
             searched = body.damping() > F::int(0);
-            // The frequency of the drive is what is asked for: its amplitude alone counts.
+            // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
             (design::frequency_bands(&body, &drive, low, high), "frequency")
         } else {
@@ -258,7 +258,7 @@ impl<F: Value> Asked<'_, F> {
     }
 }
 
-/// A force, and the amplitude of either kind of base motion that is this force on the body.
+/// A force, and the amplitude of either kind of base motion that exerts this force on the body.
 fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F) -> Row<F> {
     let acceleration = force / body.mass();
     vec![
@@ -269,7 +269,7 @@ fn force_and_base_motions<F: Value>(body: &Oscillator<F>, frequency: F, force: F
     ]
 }
 
-/// Of an answer that no proof shows to be the only one or the best: with a damper.
+/// The field that marks an answer found by search, without a proof that it is the only one or the best.
 const fn searched_field<F>() -> (&'static str, Kind, Cell<F>) {
     ("found_by", Kind::Ratio, Cell::Text("search"))
 }

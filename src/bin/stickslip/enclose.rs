@@ -1,4 +1,4 @@
-//! `--enclose`: each output as digits that are certain, then ±.
+//! `--enclose`: each output as certain digits, then ±.
 
 #[cfg(feature = "mp")]
 mod found;
@@ -9,7 +9,7 @@ use crate::args::{MachineArgs, OutputArgs};
 use crate::failure::{Failure, Outcome};
 use std::io::Write;
 
-/// The ratio that was typed, or a complaint that it is missing.
+/// The typed ratio, or an error if it is missing.
 fn typed<'a>(option: &str, text: &'a Option<String>) -> Result<&'a str, Failure> {
     text.as_deref().ok_or_else(|| Failure::Input(format!("{option} is missing")))
 }
@@ -41,7 +41,7 @@ pub(crate) fn steady(
     enclosed_steady(ratios, others(machine), output, out)
 }
 
-/// The damping ratio and the ratio of frictions as they were typed.
+/// The damping ratio and the static friction ratio as typed.
 type Others<'a> = (Option<&'a str>, Option<&'a str>);
 
 fn others(machine: &MachineArgs) -> Others<'_> {

@@ -1,4 +1,4 @@
-//! How the command ends when it cannot answer.
+//! Failures of the command and its exit status.
 
 use std::io;
 use std::process::ExitCode;
@@ -6,22 +6,22 @@ use std::process::ExitCode;
 /// The end of a command.
 pub(crate) type Outcome = Result<(), Failure>;
 
-/// Why a command stopped.
+/// The reason why a command stopped.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
-    /// The input is at fault: exit status 2.
+    /// The input is wrong: exit status 2.
     #[error("{0}")]
     Input(String),
-    /// What was to be shown does not hold: exit status 1.
+    /// A statement to be verified does not hold: exit status 1.
     #[error("{0}")]
     Verdict(String),
-    /// The system is: exit status 1.
+    /// The system failed: exit status 1.
     #[error("{0}")]
     System(io::Error),
-    /// Ctrl-C. Exit status 130, as of a program ended by the signal.
+    /// Ctrl-C: exit status 130, as for a program that the signal ended.
     #[error("interrupted; the output ends at a complete record")]
     Interrupted,
-    /// Nobody reads on: a quiet end.
+    /// The reader closed the pipe: a quiet end.
     #[error("closed pipe")]
     ClosedPipe,
 }
@@ -30,12 +30,12 @@ impl Failure {
     /// The exit status of an interrupted command.
     pub(crate) const INTERRUPTED: u8 = 130;
 
-    /// What the user is told, on one line that a terminal can show.
+    /// The message to the user, on one line that a terminal can show.
     pub(crate) fn message(&self) -> String {
         on_one_line(&self.to_string())
     }
 
-    /// The same, where the input is at fault behind the argument and the file that it is about.
+    /// The same; if the input is wrong, the argument or the file concerned precedes the message.
     pub(crate) fn about(self, what: &str) -> Self {
         if let Self::Input(text) = self { Self::Input(format!("{what}: {text}")) } else { self }
     }
@@ -50,7 +50,7 @@ impl Failure {
     }
 }
 
-/// What the library says while it computes. What is wrong with an argument is said where its name is known.
+/// The library's errors during a computation. Errors of an argument are reported where its name is known.
 impl From<stickslip::Error> for Failure {
     fn from(error: stickslip::Error) -> Self {
         if error == stickslip::Error::Interrupted {
@@ -89,7 +89,7 @@ impl From<csv::Error> for Failure {
     }
 }
 
-/// What the parser takes for what was meant.
+/// The parser's suggestion.
 fn meant(error: &clap::Error) -> Option<String> {
     use clap::error::{ContextKind, ContextValue};
     let kinds = [ContextKind::SuggestedSubcommand, ContextKind::SuggestedArg, ContextKind::SuggestedValue];
@@ -98,12 +98,12 @@ fn meant(error: &clap::Error) -> Option<String> {
         if let ContextValue::String(text) = found {
             return Some(text.clone());
         }
-        // The best one comes last.
+        // The best suggestion comes last.
         if let ContextValue::Strings(texts) = found { texts.last().cloned() } else { None }
     })
 }
 
-/// The parser's own message on one line, with what it takes for meant, without its usage.
+/// The parser's own message on one line, with its suggestion and without the usage.
 impl From<clap::Error> for Failure {
     fn from(error: clap::Error) -> Self {
         if error.kind() == clap::error::ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -121,18 +121,18 @@ impl From<clap::Error> for Failure {
     }
 }
 
-/// Most characters of a word that a user typed, and of a message.
+/// The greatest number of characters of a typed word, and of a message.
 const WORD: usize = 100;
 const MESSAGE: usize = 1_000;
 
-/// The text without control characters, which would act on a terminal, and of a length that can be read.
+/// The text without control characters, which would act on a terminal, and of a readable length.
 fn on_one_line(text: &str) -> String {
     let printable = |c: char| if c.is_control() { c.escape_default().to_string() } else { c.to_string() };
     let words = text.split(' ').map(|word| cut(&word.chars().map(printable).collect::<String>(), WORD));
     cut(&words.collect::<Vec<_>>().join(" "), MESSAGE)
 }
 
-/// The text, or its beginning and its end where it is longer.
+/// The text, or its beginning and its end if it is too long.
 fn cut(text: &str, most: usize) -> String {
     let length = text.chars().count();
     if length <= most {

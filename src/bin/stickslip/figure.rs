@@ -10,7 +10,7 @@ use std::io::Write;
 use std::path::Path;
 use stickslip::figures::{self, Figure};
 
-/// Pixels of a PNG from left to right.
+/// The width of a PNG in pixels.
 #[cfg(feature = "png")]
 const WIDTH: u32 = 1600;
 
@@ -38,7 +38,7 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
     fs::create_dir_all(folder).map_err(|e| Failure::Input(format!("--dir {}: {e}", folder.display())))?;
     let extension = args.format.extension();
     let place = |name: &str| folder.join(format!("{name}.{extension}"));
-    // All or none.
+    // Either all files are written or none.
     figures::NAMES.iter().try_for_each(|name| {
         let place = place(name);
         output::refuse_existing(&place, &place.display().to_string(), args.overwrite)
@@ -50,7 +50,7 @@ pub(crate) fn run_all(args: &FiguresArgs, out: &mut impl Write) -> Outcome {
     Ok(writeln!(out, "{} figures in {}", figures::NAMES.len(), folder.display())?)
 }
 
-/// What is to be in `--out FILE`, by the end of its name.
+/// The content of `--out FILE`, by the extension of its name.
 pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
     let name = file.display();
     let known = Picture::value_variants().iter().copied();
@@ -62,7 +62,7 @@ pub(crate) fn picture_of(file: &Path) -> Result<Picture, Failure> {
     Ok(picture)
 }
 
-/// Complains of a PNG where the build has none.
+/// Fails for a PNG if the build does not support it.
 fn check(picture: Picture, argument: &str) -> Outcome {
     if picture != Picture::Png || cfg!(feature = "png") {
         return Ok(());
@@ -72,7 +72,7 @@ fn check(picture: Picture, argument: &str) -> Outcome {
     )))
 }
 
-/// Where rows or a picture of them go: known before the work begins.
+/// The destination of rows or of a picture, which is known before the work begins.
 pub(crate) struct Target<'a> {
     file: Option<&'a Path>,
     picture: Picture,
@@ -80,7 +80,7 @@ pub(crate) struct Target<'a> {
 }
 
 impl<'a> Target<'a> {
-    /// Rows to standard output without a file; otherwise as the end of its name says.
+    /// Rows on standard output without a file; otherwise the extension of its name decides.
     pub(crate) fn new(file: Option<&'a Path>, overwrite: bool) -> Result<Self, Failure> {
         let picture = file.map_or(Ok(Picture::Csv), picture_of)?;
         if let Some(file) = file {
@@ -104,7 +104,7 @@ impl<'a> Target<'a> {
     }
 }
 
-/// The file of `--out FILE`, before what is drawn in it.
+/// The temporary file for `--out FILE`, opened before drawing.
 pub(crate) fn beside(file: &Path, overwrite: bool) -> Result<Beside, Failure> {
     Beside::create(file, &format!("--out {}", file.display()), overwrite)
 }

@@ -1,4 +1,4 @@
-//! What is given of a machine and its drive: by arguments, by the columns of a file, by grids.
+//! The given quantities of a machine and its drive: from arguments, columns of a file, or grids.
 
 mod parameter;
 
@@ -11,7 +11,7 @@ use stickslip::units::{Reader, System};
 use Parameter as P;
 pub(crate) use parameter::Parameter;
 
-/// The quantities that are given, in one system of units, with the text of those that were typed.
+/// The given quantities in one system of units, with the text of those that were typed.
 #[derive(Debug, Clone)]
 pub(crate) struct Given<F> {
     pub(crate) system: System,
@@ -34,7 +34,7 @@ impl<F: Value> Given<F> {
         Self { system, values: Vec::new() }
     }
 
-    /// What was typed, in order.
+    /// The typed quantities, in order.
     pub(crate) fn typed<'a>(
         machine: &'a MachineArgs,
         force: &'a ForceArgs,
@@ -42,7 +42,7 @@ impl<F: Value> Given<F> {
         Parameter::ALL.into_iter().filter_map(move |p| Some((p, typed(machine, force, p)?.as_str())))
     }
 
-    /// Gives a value that was typed.
+    /// Sets a typed value.
     pub(crate) fn set_typed(&mut self, parameter: Parameter, value: F, text: &str) {
         self.set(parameter, value);
         if let Some((.., typed)) = self.values.iter_mut().find(|(p, ..)| *p == parameter) {
@@ -54,13 +54,13 @@ impl<F: Value> Given<F> {
         self.values.iter().find(|(p, ..)| *p == parameter).map(|(_, value, _)| *value)
     }
 
-    /// Takes a value back.
+    /// Removes and returns a value.
     pub(crate) fn take(&mut self, parameter: Parameter) -> Option<F> {
         let place = self.values.iter().position(|(p, ..)| *p == parameter)?;
         Some(self.values.swap_remove(place).1)
     }
 
-    /// Gives a value that was not typed: of a row, or of a place in a grid.
+    /// Sets a value that was not typed, from a row or a grid.
     pub(crate) fn set(&mut self, parameter: Parameter, value: F) {
         match self.values.iter_mut().find(|(p, ..)| *p == parameter) {
             Some((_, old, text)) => (*old, *text) = (value, None),
@@ -72,17 +72,17 @@ impl<F: Value> Given<F> {
         self.get(parameter).is_some()
     }
 
-    /// The value, or a complaint that it is missing.
+    /// The value, or an error if it is missing.
     pub(crate) fn required(&self, parameter: Parameter) -> Result<F, Failure> {
         self.get(parameter).ok_or_else(|| Failure::Input(format!("{} is missing", parameter.option())))
     }
 
-    /// Whether it is of a machine in physical units, and not of ratios alone.
+    /// Whether the quantities include those of a machine in physical units.
     pub(crate) fn is_physical(&self) -> bool {
         self.values.iter().any(|(p, ..)| p.is_physical())
     }
 
-    /// Why a damper or a static friction in units does not do where all else are ratios.
+    /// The error for a damper or a static friction in physical units where all else are ratios.
     pub(crate) fn in_units_beside_ratios(&self) -> Option<Failure> {
         let mut physical = self.values.iter().map(|&(p, ..)| p).filter(|p| p.is_physical());
         let (found, others) = (physical.next()?, physical.next());
@@ -99,7 +99,7 @@ impl<F: Value> Given<F> {
         )))
     }
 
-    /// The one that is given of several that say the same, if any.
+    /// The given one of several equivalent quantities, if any.
     pub(crate) fn one_of(&self, several: &[Parameter]) -> Result<Option<(Parameter, F)>, Failure> {
         let mut found = several.iter().filter_map(|&p| Some((p, self.get(p)?)));
         match (found.next(), found.next()) {
@@ -112,7 +112,7 @@ impl<F: Value> Given<F> {
         }
     }
 
-    /// A value that the library sees in a product only, where its sign would be lost.
+    /// Checks a value that the library uses only in a product, where its sign would be lost.
     pub(crate) fn positive(&self, parameter: Parameter, value: F) -> Result<F, Failure> {
         let broken = if value.is_finite() { "> 0" } else { "finite" };
         if value > F::int(0) && value.is_finite() {
@@ -122,18 +122,18 @@ impl<F: Value> Given<F> {
         Err(Failure::Input(format!("{name}: {symbol} = {value} must be {broken}")))
     }
 
-    /// The argument as it was typed.
+    /// The argument as typed.
     fn label(&self, parameter: Parameter) -> String {
         let found = self.values.iter().find(|(p, ..)| *p == parameter);
         found.and_then(|(.., text)| text.clone()).unwrap_or_else(|| parameter.option().to_owned())
     }
 
-    /// All that was typed: what an answer beyond the largest number in these units comes from.
+    /// All typed arguments: the cause of an answer that overflows in these units.
     pub(crate) fn all_typed(&self) -> String {
         self.values.iter().filter_map(|(.., text)| text.as_deref()).collect::<Vec<_>>().join(" ")
     }
 
-    /// The failure behind all that was typed, if anything was.
+    /// The failure, preceded by all typed arguments, if there are any.
     pub(crate) fn behind_all(&self, failure: Failure) -> Failure {
         match self.all_typed() {
             arguments if arguments.is_empty() => failure,
@@ -141,7 +141,7 @@ impl<F: Value> Given<F> {
         }
     }
 
-    /// The library's error behind the argument, or arguments, that it comes from.
+    /// The library's error, preceded by the argument or arguments that caused it.
     pub(crate) fn at_fault(&self, error: Error) -> Failure {
         let quantity = error.quantity();
         let blamed = |p: &Parameter| quantity.is_some_and(|q| p.quantities().contains(&q));
@@ -149,9 +149,9 @@ impl<F: Value> Given<F> {
             let some = self.values.iter().filter(move |(p, ..)| !is_its_own || blamed(p));
             some.filter_map(|(_, _, text)| text.as_deref()).collect::<Vec<_>>().join(" ")
         };
-        // Where none decides on it alone, all do.
+        // If no argument alone is the cause, all of them are.
         match if typed(true).is_empty() { typed(false) } else { typed(true) } {
-            // The values of a file or a grid, which the caller names.
+            // The caller names the values of a file or a grid.
             arguments if arguments.is_empty() => Failure::Input(error.to_string()),
             arguments => Failure::Input(format!("{arguments}: {error}")),
         }

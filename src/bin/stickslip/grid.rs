@@ -12,7 +12,7 @@ pub(crate) enum Grid<F> {
     List(Vec<F>),
 }
 
-/// Most values of one argument.
+/// The greatest number of values of one argument.
 const MOST: u64 = 1_000_000_000;
 
 impl<F: Value> Grid<F> {
@@ -25,7 +25,7 @@ impl<F: Value> Grid<F> {
         Self::read(name, text, number)
     }
 
-    /// The same of values that may have units: all of them, or none.
+    /// The same for values with units: all of them have units, or none.
     pub(crate) fn with_units(name: &str, text: &str, reader: &Reader, kind: Kind) -> Result<Self, Failure> {
         let ends: Vec<&str> = match text.split_once(':') {
             Some((from, rest)) => [from].into_iter().chain(rest.split(':').next()).collect(),
@@ -70,7 +70,7 @@ impl<F: Value> Grid<F> {
         }
     }
 
-    /// The value at a place below [`Grid::len`], made from its number: the same whatever was asked before.
+    /// The value at a place below [`Grid::len`], which depends on the place alone.
     pub(crate) fn value(&self, place: u64) -> F {
         match self {
             Self::List(values) => values.get(place as usize).copied().unwrap_or(F::int(0)),
@@ -99,7 +99,7 @@ impl<F: Value> Grid<F> {
         })
     }
 
-    /// Whether equal steps are equal ratios.
+    /// Whether the grid is logarithmic.
     pub(crate) const fn is_logarithmic(&self) -> bool {
         matches!(self, Self::Even { logarithmic: true, .. })
     }

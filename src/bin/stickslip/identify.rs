@@ -22,7 +22,7 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let name = args.file.display().to_string();
     let curve = measurements(&args.file, &name, &reader)?;
     let found = design::identify(&body, force, &curve).map_err(|e| {
-        // Of the arguments where they are at fault, otherwise of the file.
+        // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
             Some(_) => given.at_fault(e).about(&name),
             None => Failure::Input(format!("{name}: {e}")),
@@ -41,14 +41,14 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     }
 }
 
-/// Mass and spring; friction is what is asked for.
+/// Mass and spring; friction is unknown.
 fn body(given: &Given<f64>) -> Result<Oscillator<f64>, Failure> {
     let missing = || Failure::Input("--stiffness (or --period) is missing".to_owned());
     let stiffness = given.stiffness()?.ok_or_else(missing)?;
     Oscillator::new(given.mass()?, stiffness, 1.0).map_err(|e| given.at_fault(e))
 }
 
-/// The amplitude of the force, which is to be the same at every frequency.
+/// The amplitude of the force, which must be the same at every frequency.
 fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
     match given.one_of(&P::DRIVES)? {
         Some((P::BaseVelocity | P::BaseDisplacement, _)) => Err(Failure::Input(
@@ -56,12 +56,12 @@ fn force(given: &Given<f64>, body: &Oscillator<f64>) -> Result<f64, Failure> {
              --base-acceleration"
                 .to_owned(),
         )),
-        // The frequency plays no part in the others.
+        // For the other excitations, the force does not depend on the frequency.
         _ => Ok(given.drive(body, 1.0)?.force_amplitude(body)),
     }
 }
 
-/// A column of measurements: where it is, and its unit if the header has one.
+/// A column of measurements: its index, and its unit if the header has one.
 struct Column {
     place: usize,
     name: &'static str,
@@ -99,7 +99,7 @@ impl Column {
     }
 }
 
-/// The measurements of a CSV file: `frequency` and `amplitude`, and `phase` where it was measured.
+/// The measurements of a CSV file: `frequency` and `amplitude`, and `phase` if it was measured.
 fn measurements(file: &Path, name: &str, reader: &Reader) -> Result<Vec<Measurement>, Failure> {
     let source: Box<dyn Read> = if file == Path::new("-") {
         Box::new(io::stdin().lock())
@@ -132,7 +132,7 @@ fn measurements(file: &Path, name: &str, reader: &Reader) -> Result<Vec<Measurem
     Ok(curve)
 }
 
-/// An estimate as JSON has it.
+/// An estimate in JSON.
 #[derive(Serialize)]
 struct Found {
     value: f64,

@@ -1,4 +1,4 @@
-//! From the arguments to the ratios and, where given, the machine.
+//! From the arguments to the ratios and, if given, the machine.
 
 use crate::args::StartArgs;
 use crate::bits::Value;
@@ -9,19 +9,19 @@ use stickslip::exact::State;
 use stickslip::units::{self, Kind, Reader, System};
 use stickslip::{Drive, Quantity, Ratios, Scales};
 
-/// What `response` is asked: the ratios and, in physical units, the machine.
+/// The input of `response`: the ratios and, in physical units, the machine.
 pub(crate) struct Point<F> {
     pub(crate) ratios: Ratios<F>,
     pub(crate) machine: Option<Machine<F>>,
 }
 
-/// What `border` is asked: Ω and ζ, at α = 1, and, in physical units, r_y and ω_d.
+/// The input of `border`: Ω and ζ, at α = 1, and, in physical units, r_y and ω_d.
 pub(crate) struct BorderPoint<F> {
     pub(crate) ratios: Ratios<F>,
     pub(crate) physical: Option<BorderScales<F>>,
 }
 
-/// The scales a border has: force r_y, length B, time 1/ω_d, and ω_d itself.
+/// The scales of a border: force r_y, length B, time 1/ω_d, and ω_d itself.
 #[derive(Clone, Copy)]
 pub(crate) struct BorderScales<F> {
     pub(crate) length: F,
@@ -42,7 +42,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     let drive = given.drive(&oscillator, given.required(P::Frequency)?)?;
     let ratios = drive.ratios(&oscillator).map_err(named)?;
     let scales = Scales::new(&oscillator, &drive).map_err(named)?;
-    // What was given as a ratio stays as it was typed, without the rounding of the way through k and p₀.
+    // A given ratio is used as typed, without the rounding of a conversion by k and p₀.
     let omega = given.get(P::Omega).unwrap_or(ratios.omega());
     let alpha = given.get(P::Alpha).unwrap_or(ratios.alpha());
     let zeta = given.get(P::DampingRatio).unwrap_or(ratios.damping_ratio());
@@ -62,7 +62,7 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
     Ok(Point { ratios, machine: Some(machine) })
 }
 
-/// The ratios with the damping and the static friction that are given.
+/// The ratios with the given damping and static friction.
 pub(crate) fn completed<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result<Ratios<F>, Failure> {
     let zeta = given.get(P::DampingRatio).unwrap_or(F::int(0));
     let eta = given.get(P::StaticFrictionRatio).unwrap_or(F::int(1));
@@ -72,14 +72,14 @@ pub(crate) fn completed<F: Value>(given: &Given<F>, ratios: Ratios<F>) -> Result
         .map_err(|e| given.at_fault(e))
 }
 
-/// The state at ω_d t = 0 that `--x0` and `--v0` name, in the units of the point.
+/// The state at ω_d t = 0 given by `--x0` and `--v0`, in the units of the point.
 pub(crate) fn start<F: Value>(
     start: &StartArgs,
     machine: Option<&Machine<F>>,
     reader: &Reader,
 ) -> Result<State<F>, Failure> {
     let read = |name: &str, text: &Option<String>, kind: Kind| match text {
-        // Without a machine there are ratios only.
+        // Without a machine there are only ratios.
         Some(text) => reader.value(name, text, if machine.is_some() { kind } else { Kind::Ratio }),
         None => Ok(F::int(0)),
     };
@@ -99,12 +99,12 @@ pub(crate) fn start<F: Value>(
     })
 }
 
-/// The periods to follow a motion for.
+/// The greatest number of periods of a motion.
 pub(crate) fn periods(most: u32) -> Result<u32, Failure> {
     if most >= 1 { Ok(most) } else { Err(Failure::Input("--max-periods 0: must be ≥ 1".to_owned())) }
 }
 
-/// A whole number of at least 1, as typed.
+/// An integer of at least 1.
 pub(crate) fn count(name: &str, text: &str, greatest: u64) -> Result<u64, Failure> {
     match text.trim().parse() {
         Ok(n) if (1..=greatest).contains(&n) => Ok(n),
@@ -142,7 +142,7 @@ pub(crate) fn border_point<F: Value>(given: &Given<F>) -> Result<BorderPoint<F>,
     })
 }
 
-/// A number as typed.
+/// A typed number.
 pub(crate) fn number<F: Value>(name: &str, text: &str) -> Result<F, Failure> {
     Ok(units::number(name, text)?)
 }

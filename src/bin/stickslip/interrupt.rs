@@ -1,8 +1,8 @@
-//! Interrupts: heard within 0.3 s, wherever the command is.
+//! Interrupts take effect within 0.3 s, whatever the command is doing.
 //!
-//! The first signal asks for an orderly end: work is left at the next point, and what is complete is written.
-//! Work that does not ask in time, or waits for input, is ended from here, never in the middle of a write. A
-//! second signal ends the command at once.
+//! The first signal asks for an orderly end: work stops at the next point, and complete records are written.
+//! Work that does not check in time, or waits for input, is ended by a thread here, never in the middle of a
+//! write. A second signal ends the command at once.
 
 use crate::failure::{Failure, Outcome};
 use std::io::{IsTerminal, Write};
@@ -15,15 +15,15 @@ use std::time::{Duration, Instant};
 static ASKED_TO_STOP: AtomicBool = AtomicBool::new(false);
 static HEARD: AtomicBool = AtomicBool::new(false);
 static WRITING: AtomicBool = AtomicBool::new(false);
-/// Writes that have begun.
+/// The number of writes that have begun.
 static WRITES: AtomicU32 = AtomicU32::new(0);
 
-/// Time to hear an interrupt before the command is ended from here.
+/// The time within which the command must notice an interrupt before it is ended from here.
 const GRACE: Duration = Duration::from_millis(150);
-/// Time to end a write that has begun: one to a pipe that nobody reads may never end.
+/// The time to finish a write that has begun; a write to a pipe without a reader may never end.
 const LAST_WRITE: Duration = Duration::from_millis(50);
 
-/// From now on Ctrl-C, SIGTERM and SIGHUP are interrupts.
+/// Installs the handler of Ctrl-C, SIGTERM and SIGHUP.
 pub(crate) fn listen() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -33,17 +33,17 @@ pub(crate) fn listen() {
             }
             thread::spawn(watch);
         };
-        // Where the system refuses a handler, its own way of stopping stays.
+        // If the system refuses a handler, its own behaviour remains.
         let _ = ctrlc::set_handler(hear);
     });
 }
 
-/// Whether the user has asked to stop: for work in parallel, which leaves the rest undone.
+/// Whether the user has asked to stop; parallel work checks this and leaves the rest undone.
 pub(crate) fn asked() -> bool {
     ASKED_TO_STOP.load(Ordering::SeqCst)
 }
 
-/// Fails once the user has asked to stop; the caller then ends in order, at its own pace.
+/// Fails once the user has asked to stop; the caller then ends in order.
 pub(crate) fn check() -> Outcome {
     if asked() {
         HEARD.store(true, Ordering::SeqCst);
@@ -52,7 +52,7 @@ pub(crate) fn check() -> Outcome {
     Ok(())
 }
 
-/// A write, which an interrupt does not cut.
+/// Performs a write that an interrupt does not cut.
 pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
     WRITES.fetch_add(1, Ordering::SeqCst);
     WRITING.store(true, Ordering::SeqCst);
@@ -61,9 +61,9 @@ pub(crate) fn uncut<T>(write: impl FnOnce() -> T) -> T {
     done
 }
 
-/// Ends the command unless it has heard of the interrupt in time, and where its last words find no reader.
+/// Ends the command unless it has noticed the interrupt in time, and also if nobody reads its last output.
 ///
-/// By the clock and not by a number of sleeps, each of which a busy machine makes longer.
+/// It measures time by the clock and not by a number of sleeps, which take longer on a busy machine.
 fn watch() {
     thread::sleep(GRACE);
     let (mut writes, mut since) = (WRITES.load(Ordering::SeqCst), Instant::now());
@@ -73,7 +73,7 @@ fn watch() {
             break;
         }
         let now = WRITES.load(Ordering::SeqCst);
-        // What has heard and goes on may take its time.
+        // A command that has noticed the interrupt and makes progress may take its time.
         if heard && (!writing || now != writes) {
             since = Instant::now();
         }
@@ -85,7 +85,7 @@ fn watch() {
 
 fn end() -> ! {
     let mut out = anstream::stderr();
-    // The line of a progress bar that was being drawn.
+    // Clears the line of a progress bar.
     let clear = if std::io::stderr().is_terminal() { "\r\u{1b}[K" } else { "" };
     let _ = writeln!(out, "{clear}{} {}", crate::style::label(), Failure::Interrupted);
     process::exit(i32::from(Failure::INTERRUPTED));

@@ -1,4 +1,4 @@
-//! From what is given to the library's oscillator, drive and ratios.
+//! From the given quantities to the library's oscillator, drive and ratios.
 
 use crate::bits::Value;
 use crate::failure::Failure;
@@ -12,16 +12,15 @@ pub(crate) struct Machine<F> {
     pub(crate) drive: Drive<F>,
     pub(crate) scales: Scales<F>,
     pub(crate) system: System,
-    /// Whether damping was given, be it 0.
+    /// Whether damping was given, even if zero.
     pub(crate) has_damper: bool,
-    /// Whether static friction was given, be it the kinetic one.
+    /// Whether static friction was given, even if equal to the kinetic one.
     pub(crate) has_static_friction: bool,
-    /// The coefficient of friction, where friction was given by it.
+    /// The coefficient of friction, if friction was given by it.
     pub(crate) friction_coefficient: Option<F>,
 }
 
-/// The transmitted force in r_y and the transmissibility of a machine, from the force of a body that is
-/// shaken otherwise.
+/// The transmitted force in r_y and the transmissibility of a machine, from those of a body under a force.
 pub(crate) fn transmitted<F: Value>(
     machine: Option<&Machine<F>>,
     (omega, alpha): (F, F),
@@ -32,14 +31,14 @@ pub(crate) fn transmitted<F: Value>(
     excitation.transmitted(omega, alpha, force, acceleration)
 }
 
-/// Which kind of base motion it is, and what x then is; nothing for a force.
+/// The kind of base motion, and the meaning of x; `None` for a force.
 pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
         Excitation::Force => None,
         Excitation::FootMotion | Excitation::DampedFootMotion => {
             Some("of the spring's foot over a surface that stays: p₀ = k u₀, x over the surface")
         }
-        // The library may come to know more kinds of a base that carries the surface.
+        // The library may add kinds of motion of a base that carries the surface.
         Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
             Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
         }
@@ -51,7 +50,7 @@ impl<F: Value> Given<F> {
         self.required(P::Mass).map_err(|missing| self.in_units_beside_ratios().unwrap_or(missing))
     }
 
-    /// k, by itself or by the natural period; `None` where neither is given.
+    /// The stiffness, given directly or by the natural period; `None` where neither is given.
     pub(crate) fn stiffness(&self) -> Result<Option<F>, Failure> {
         Ok(match self.one_of(&[P::Stiffness, P::Period])? {
             Some((P::Period, period)) => {
@@ -63,7 +62,7 @@ impl<F: Value> Given<F> {
         })
     }
 
-    /// r_y, by itself or as µ m g; `None` where neither is given.
+    /// The friction bound, given directly or as µ m g; `None` where neither is given.
     pub(crate) fn friction(&self) -> Result<Option<F>, Failure> {
         let found = self.one_of(&[P::Friction, P::FrictionCoefficient])?;
         if let Some((P::FrictionCoefficient, coefficient)) = found {
@@ -99,7 +98,7 @@ impl<F: Value> Given<F> {
         .and_then(|body| self.with_damper(body))
     }
 
-    /// The body with its damper, if it has one, and its static friction.
+    /// The body with its damper and its static friction, if given.
     pub(crate) fn with_damper(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Failure> {
         self.one_of(&P::STATIC_FRICTIONS)?;
         match self.one_of(&P::DAMPERS)? {
@@ -111,7 +110,7 @@ impl<F: Value> Given<F> {
         .map_err(|e| self.at_fault(e))
     }
 
-    /// The body with its static friction, if that is given.
+    /// The body with its static friction, if given.
     fn with_static_friction(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Error> {
         match (self.get(P::StaticFrictionRatio), self.get(P::StaticFriction)) {
             (Some(ratio), _) => body.with_static_friction_ratio(ratio),
@@ -120,17 +119,17 @@ impl<F: Value> Given<F> {
         }
     }
 
-    /// Whether static friction is given, be it the kinetic one.
+    /// Whether static friction is given, even if equal to the kinetic one.
     pub(crate) fn has_static_friction(&self) -> bool {
         P::STATIC_FRICTIONS.into_iter().any(|p| self.has(p))
     }
 
-    /// Whether damping is given, be it 0.
+    /// Whether damping is given, even if zero.
     pub(crate) fn has_damper(&self) -> bool {
         P::DAMPERS.into_iter().any(|p| self.has(p))
     }
 
-    /// What shakes the body, and its amplitude.
+    /// The excitation and its amplitude.
     pub(crate) fn drive(&self, body: &Oscillator<F>, frequency: F) -> Result<Drive<F>, Failure> {
         let Some((parameter, amplitude)) = self.one_of(&P::DRIVES)? else {
             return Err(Failure::Input(

@@ -67,7 +67,7 @@ fn main() -> ExitCode {
             progress::of_time();
             ended(run(&line.command))
         }
-        // Help and version, which a closed pipe may cut short.
+        // Help and version; a closed pipe may cut them short.
         Err(args::NoCommand::Answered(help)) => {
             ended(help.print().and_then(|()| io::stdout().flush()).map_err(Failure::from))
         }

@@ -23,7 +23,7 @@ use stickslip::{Output, Response};
 
 pub(crate) use picture::capital;
 
-/// A value, with its kind where it is in the machine's units.
+/// A value, with its kind if it is in the machine's units.
 type Found = (Option<Kind>, Cell<f64>);
 
 /// Quantity to map.
@@ -67,7 +67,7 @@ impl<'a> Quantity<'a> {
         }
     }
 
-    /// The value at a point, with the kind of those in the machine's units; `None` where there is no such
+    /// The value at a point, with the kind of values in the machine's units; `None` if there is no such
     /// output.
     fn at(&self, given: &Given<f64>) -> Result<Option<Found>, Failure> {
         if matches!(self, Self::Margin) {
@@ -89,7 +89,7 @@ impl<'a> Quantity<'a> {
         Ok(found.filter(|(_, cell)| !matches!(cell, Cell::Pairs(_) | Cell::Intervals(_))))
     }
 
-    /// Where there is no value, and why, as a key has it.
+    /// The reason for a missing value, as text for a key.
     const fn absence(&self) -> &'static str {
         match self.question() {
             Swept::Response => "white: it sticks or rests",
@@ -98,10 +98,10 @@ impl<'a> Quantity<'a> {
     }
 }
 
-/// A quantity over two grids, the first across.
+/// A quantity over two grids, of which the first is horizontal.
 struct Map<'a> {
     quantity: Quantity<'a>,
-    /// Of the values, where they are in the machine's units.
+    /// The kind of the values, if they are in the machine's units.
     kind: Option<Kind>,
     axes: Axes<f64>,
     across: (P, Grid<f64>),
@@ -109,7 +109,7 @@ struct Map<'a> {
     system: System,
 }
 
-/// The grids of a map that is asked without any.
+/// The default grids of a map.
 const DEFAULT: [(P, &str); 2] = [(P::Omega, "0.0525:1.9975:390"), (P::Alpha, "0.025:7.975:160")];
 
 pub(crate) fn run(args: &MapArgs, out: &mut impl Write) -> Outcome {
@@ -143,7 +143,7 @@ impl<'a> Map<'a> {
                 )));
             }
         };
-        // Row by row: the one that goes across is the fast one.
+        // Points are computed row by row: the horizontal grid varies fastest.
         axes.order([up.clone(), across.clone()]);
         rows::check(quantity.question(), &axes)?;
         let Some((kind, _)) = quantity.at(&axes.at(0))? else {
@@ -153,7 +153,7 @@ impl<'a> Map<'a> {
         Ok(Self { quantity, kind, axes, across, up, system: reader.system() })
     }
 
-    /// The points in order, row by row.
+    /// Computes the points in order, row by row.
     fn cells(&self, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
         progress::in_order(
             0..self.axes.len(),
@@ -172,7 +172,7 @@ impl<'a> Map<'a> {
         )
     }
 
-    /// The unit of a parameter on an axis, and what a value of it is there.
+    /// The unit of a parameter on an axis, and the scale of its values.
     fn on_axis(&self, parameter: P) -> (String, f64) {
         let kind = parameter.kind();
         if kind == Kind::Ratio {

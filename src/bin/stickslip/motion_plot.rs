@@ -11,9 +11,9 @@ use stickslip::exact::{Instant, LongRun, Trajectory};
 use stickslip::figures::{Axis, Figure, Panel, Series, Style};
 use stickslip::units::Kind;
 
-/// Samples in a cycle.
+/// The number of samples in a cycle.
 const PER_CYCLE: u32 = 600;
-/// Cycles that are drawn.
+/// The number of cycles drawn.
 const CYCLES: u32 = 2;
 
 pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
@@ -55,7 +55,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let over_time = |value: &dyn Fn(&Instant<f64>) -> f64| -> Vec<(f64, f64)> {
         samples.iter().enumerate().map(|(i, s)| (time(i), value(s))).collect()
     };
-    // Stops are drawn in the colour that means rest in every picture of ours.
+    // Stops have the colour that means rest in all pictures.
     let stops = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
         let rests = |s: &Instant<f64>| s.state.v == 0.0 && s.acceleration == 0.0;
         samples
@@ -109,7 +109,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     }
 }
 
-/// An axis that holds all values, with some room beyond them.
+/// An axis that contains all values, with a margin.
 fn axis(label: &str, values: impl Iterator<Item = f64>, room: f64) -> Axis {
     let (low, high) = values
         .filter(|v| v.is_finite())

@@ -1,4 +1,4 @@
-//! The answer as an engineer's note: the regime first, then the numbers, then the force it would need.
+//! The answer as a note: the regime first, then the numbers, then the necessary force.
 
 mod force;
 
@@ -12,7 +12,7 @@ use stickslip::{Cycle, PhaseFunction, Regime, Response};
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
 
-/// Seven significant digits at f64, without the zeros that say nothing; all digits of a wider number.
+/// Seven significant digits at f64, without trailing zeros; all digits of a wider number.
 pub(crate) fn digits<F: Value>(x: F) -> String {
     if F::PRECISION > f64::MANTISSA_DIGITS {
         return x.to_string();
@@ -26,13 +26,13 @@ pub(crate) fn digits<F: Value>(x: F) -> String {
     }
 }
 
-/// All digits, with a power of ten where it would take many zeros.
+/// All digits, with a power of ten where there would be many zeros.
 pub(crate) fn all_digits<F: Value>(x: F) -> String {
     let size = x.to_f64().abs();
     if size == 0.0 || (1e-5..1e16).contains(&size) { x.to_string() } else { format!("{x:e}") }
 }
 
-/// A number in its dimensionless unit and, where there is a machine, in the user's.
+/// A number in its dimensionless unit and, if there is a machine, in the user's unit.
 pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> String {
     let own = format!("{} {unit}", digits(x));
     match scale {
@@ -41,7 +41,7 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
     }
 }
 
-/// What the body does, in one sentence.
+/// The verdict in one sentence.
 fn verdict<F: Value>(response: &Response<F>) -> String {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
     let margin = digits(alpha / response.border.min_force_ratio);
@@ -122,7 +122,7 @@ pub(crate) fn response<F: Value>(
     needed_force(response, machine, units, out)
 }
 
-/// The machine and its drive, so that a reader sees how the arguments were understood.
+/// The machine and its drive, which show how the arguments were understood.
 pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io::Result<()> {
     let Machine { oscillator, drive, scales, system, has_damper, .. } = machine;
     let (force, length) = (system.force(), system.length());
@@ -203,7 +203,7 @@ fn motion<F: Value>(
     writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
 }
 
-/// The share of a disturbance that is left after a time.
+/// The fraction of a disturbance that remains after a time.
 pub(crate) fn decay<F: Value>(left: F, time: &str) -> String {
     let left = digits(left);
     if left == "1" { "does not decay".to_owned() } else { format!("decays to {left} of its size in {time}") }

@@ -1,5 +1,5 @@
-//! Where answers go: standard output and files that get whole lines, and files that appear whole or not at
-//! all.
+//! Destinations of answers: standard output and files that receive complete lines, and files that appear
+//! complete or not at all.
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -10,14 +10,14 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Bytes that are gathered before they are written.
+/// The number of bytes that are gathered before a write.
 const GATHERED: usize = 1 << 14;
 
-/// Bytes without the end of a line that are no text.
+/// The greatest number of bytes without the end of a line; beyond it the output is no text.
 const NO_LINE: usize = 1 << 20;
 
-/// A stream that gets whole lines only, so that it ends at a complete record whenever the command ends; its
-/// errors name it.
+/// A stream that receives only complete lines, so that it ends at a complete record whenever the command
+/// ends. Its errors contain its name.
 pub(crate) struct Lines<W> {
     out: W,
     name: String,
@@ -58,12 +58,12 @@ impl<W: Write> Write for Lines<W> {
     }
 }
 
-/// The error with the name of what it is about.
+/// The error with the name of the file or stream.
 pub(crate) fn named(name: &str, error: io::Error) -> io::Error {
     io::Error::new(error.kind(), format!("{name}: {error}"))
 }
 
-/// A file that is written beside its place, under a name of its own, and takes its place once it is whole.
+/// A file that is written under a temporary name in the same directory, and renamed when complete.
 pub(crate) struct Beside {
     place: PathBuf,
     beside: PathBuf,
@@ -72,12 +72,12 @@ pub(crate) struct Beside {
 }
 
 impl Beside {
-    /// Opens the file, before the work that it is for.
+    /// Opens the temporary file before the work begins.
     ///
-    /// `argument` names the place in errors. What is there already is kept, unless it is to be overwritten.
+    /// `argument` names the place in errors. An existing file is kept, unless it is to be overwritten.
     pub(crate) fn create(place: &Path, argument: &str, overwrite: bool) -> Result<Self, Failure> {
         refuse_existing(place, argument, overwrite)?;
-        // What a link points to is replaced, not the link.
+        // The target of a link is replaced, not the link.
         let place = if overwrite { fs::canonicalize(place) } else { Err(ErrorKind::NotFound.into()) }
             .unwrap_or_else(|_| place.to_owned());
         let bad = |e| Failure::Input(format!("{argument}: {e}"));
@@ -91,12 +91,12 @@ impl Beside {
         }
     }
 
-    /// Has it filled and puts it into its place. Where either fails, nothing is left of it.
+    /// Fills the file and renames it. If either fails, the temporary file is removed.
     pub(crate) fn fill(self, fill: impl FnOnce(&mut Lines<&File>) -> Outcome) -> Outcome {
         self.fill_with(|mut out| fill(&mut out).map(|()| out))
     }
 
-    /// The same for what takes the stream and gives it back.
+    /// The same for a function that takes the stream and returns it.
     pub(crate) fn fill_with(
         self,
         fill: impl FnOnce(Lines<&File>) -> Result<Lines<&File>, Failure>,
@@ -106,7 +106,7 @@ impl Beside {
             let mut out = fill(Lines::new(&self.file, name.clone()))?;
             out.flush()?;
             self.file.sync_all().map_err(|e| named(&name, e))?;
-            // Between asking and replacing, a file of that name may have come to be.
+            // A file of that name may have appeared since it was checked.
             let put = if self.overwrite { fs::rename(&self.beside, &self.place) } else { self.put_new() };
             put.map_err(|e| named(&name, e))?;
             Ok(())
@@ -122,8 +122,8 @@ impl Beside {
     }
 }
 
-/// Moves a file to a place where none must be. A second name tells if there is one; not all file systems have
-/// such.
+/// Moves a file to a place that must be free. A hard link detects an existing file; not all file systems
+/// support it.
 pub(crate) fn put_new(from: &Path, to: &Path) -> io::Result<()> {
     match fs::hard_link(from, to) {
         Ok(()) => fs::remove_file(from),
@@ -133,21 +133,21 @@ pub(crate) fn put_new(from: &Path, to: &Path) -> io::Result<()> {
     }
 }
 
-/// A name beside a place that nobody else uses.
+/// A unique name in the same directory.
 fn unique(place: &Path) -> PathBuf {
     static COUNT: AtomicU32 = AtomicU32::new(0);
     let count = COUNT.fetch_add(1, Ordering::Relaxed);
     with_suffix(place, &format!(".{}-{count}.part", process::id()))
 }
 
-/// The path with something more at the end of its name.
+/// The path with a suffix added to its name.
 pub(crate) fn with_suffix(place: &Path, suffix: &str) -> PathBuf {
     let mut name = place.as_os_str().to_owned();
     name.push(suffix);
     name.into()
 }
 
-/// Complains of a file that is there and not to be overwritten, and of what is no file.
+/// Fails for an existing file that is not to be overwritten, and for a path that is no file.
 pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> Outcome {
     match fs::metadata(place) {
         Ok(found) if !found.is_file() => {
@@ -160,7 +160,7 @@ pub(crate) fn refuse_existing(place: &Path, argument: &str, overwrite: bool) -> 
     }
 }
 
-/// Takes a file for this command alone, where the system knows how.
+/// Locks a file for this command, if the system supports it.
 pub(crate) fn take(file: &File, argument: &str) -> Outcome {
     match file.try_lock() {
         Err(TryLockError::WouldBlock) => {

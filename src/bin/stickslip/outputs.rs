@@ -1,4 +1,4 @@
-//! The one table of outputs: every column and key, its unit and what it is.
+//! The table of outputs: every column and key, with its unit and its meaning.
 
 use crate::failure::Outcome;
 use std::fmt::Write as _;
@@ -7,7 +7,7 @@ use std::io::Write;
 /// Name, unit and meaning of an output.
 pub(crate) type Entry = (&'static str, &'static str, &'static str);
 
-/// The outputs in ratios, by the command that has them first.
+/// The outputs in ratios, by the first command that has them.
 pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
     (
         "What was asked",
@@ -158,7 +158,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
     ),
 ];
 
-/// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets behind the
+/// The outputs of a machine, under `physical` in JSON: in the units named there, or in brackets after the
 /// column's name.
 pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("drive", "the drive: a force, the spring's foot, or a base that carries the surface"),
@@ -184,7 +184,7 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("followed_for", "time for which the exact motion was followed"),
 ];
 
-/// Words for the title of a picture, where the name itself would not say it.
+/// Text for the title of a picture, where the name itself is not clear.
 const TITLES: &[(&str, &str)] = &[
     ("omega", "frequency ratio Ω"),
     ("alpha", "force ratio α"),
@@ -216,7 +216,7 @@ const TITLES: &[(&str, &str)] = &[
     ("periods", "periods of the drive followed"),
 ];
 
-/// The name of an output in words, as a title has it.
+/// The name of an output as text for a title.
 pub(crate) fn in_words(name: &str) -> String {
     match TITLES.iter().find(|(own, _)| *own == name) {
         Some((_, words)) => (*words).to_owned(),
@@ -229,7 +229,7 @@ pub(crate) fn entry(name: &str) -> Option<&'static Entry> {
     GROUPS.iter().flat_map(|(_, entries)| *entries).find(|(own, ..)| *own == name)
 }
 
-/// The unit of an output in ratios, by its name; nothing for words and counts.
+/// The unit of an output in ratios, by its name; `None` for text and counts.
 pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
     let whole = entry(name).or_else(|| {
         // Parts of a pair or of an interval.
@@ -239,7 +239,7 @@ pub(crate) fn unit_of(name: &str) -> Option<&'static str> {
     whole.map(|(_, unit, _)| *unit).filter(|unit| !unit.is_empty())
 }
 
-/// A unit in letters that every program reads, as the columns of a table have it.
+/// A unit in plain characters, for the columns of a table.
 pub(crate) fn plain(unit: &str) -> String {
     unit.replace("ω_d", "wd").replace('π', "pi").replace('²', "^2").replace('·', "*")
 }

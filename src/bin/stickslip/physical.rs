@@ -1,4 +1,4 @@
-//! The answer in the machine's units: names that say what each value then is, and its unit.
+//! The answer in the machine's units: the physical names of the values, and their units.
 
 use crate::bits::Value;
 use crate::input::BorderScales;
@@ -13,7 +13,7 @@ use stickslip::units::{Kind, System};
 #[derive(Debug, Clone)]
 pub(crate) struct Physical<F> {
     system: System,
-    /// What shakes the body.
+    /// The kind of excitation.
     drive: Option<&'static str>,
     pub(crate) values: Vec<(&'static str, Kind, Cell<F>)>,
 }
@@ -25,12 +25,12 @@ impl<F> Default for Physical<F> {
 }
 
 impl<F: Value> Physical<F> {
-    /// In a system of units, without values.
+    /// A system of units without values.
     pub(crate) const fn of(system: System) -> Self {
         Self { system, drive: None, values: Vec::new() }
     }
 
-    /// The machine and its drive: what was given and what follows from it.
+    /// The machine and its drive: the given quantities and those that follow from them.
     pub(crate) fn of_machine(machine: &Machine<F>) -> Self {
         let Machine { oscillator, drive, scales, system, has_damper, has_static_friction, .. } = machine;
         let p0 = drive.force_amplitude(oscillator);
@@ -60,7 +60,7 @@ impl<F: Value> Physical<F> {
             Excitation::FootMotion | Excitation::DampedFootMotion => {
                 add("foot_displacement", Kind::Length, drive.amplitude());
             }
-            // The library may come to know more kinds of a base that carries the surface.
+            // The library may add kinds of motion of a base that carries the surface.
             Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
                 let acceleration = p0 / oscillator.mass();
                 add("base_displacement", Kind::Length, acceleration * scales.time.square());
@@ -80,7 +80,7 @@ impl<F: Value> Physical<F> {
         physical
     }
 
-    /// With each number of `fields` that has a name, a kind and a scale here.
+    /// Adds each number of `fields` that has a name, a kind and a scale here.
     pub(crate) fn with(
         mut self,
         fields: &[(&'static str, Cell<F>)],
@@ -105,7 +105,7 @@ impl<F: Value> Physical<F> {
         self.values.iter().any(|(name, kind, _)| self.is_called(name, *kind, wanted))
     }
 
-    /// Whether a value is meant by this name, with its unit in brackets or without.
+    /// Whether this name refers to a value, with its unit in brackets or without.
     fn is_called(&self, name: &str, kind: Kind, wanted: &str) -> bool {
         match wanted.split_once('[') {
             Some((own, unit)) => {
@@ -116,7 +116,7 @@ impl<F: Value> Physical<F> {
         }
     }
 
-    /// The values of these names alone, in this order.
+    /// Only the values with these names, in this order.
     pub(crate) fn only<'a>(self, wanted: impl Iterator<Item = &'a str>) -> Self {
         let found = |wanted: &str| {
             self.values.iter().find(|(name, kind, _)| self.is_called(name, *kind, wanted)).copied()
@@ -129,7 +129,7 @@ impl<F: Value> Physical<F> {
         self.values.is_empty()
     }
 
-    /// Each name with its unit in brackets, as a column of a table has it.
+    /// Each name with its unit in brackets, as for a column of a table.
     pub(crate) fn names(&self) -> impl Iterator<Item = String> + '_ {
         self.values.iter().flat_map(|(name, kind, cell)| {
             let unit = plain(&self.system.name(*kind));
@@ -152,7 +152,7 @@ impl<F: Value> Serialize for Physical<F> {
     }
 }
 
-/// The unit of each value under the value's name.
+/// The unit of each value, under the name of the value.
 struct Units<'a, F>(&'a Physical<F>);
 
 impl<F: Value> Serialize for Units<'_, F> {

@@ -16,26 +16,26 @@ use std::io::{self, ErrorKind, Read, Write};
 use std::path::Path;
 use stickslip::units::{Factor, Reader};
 
-/// Bytes of a row, at most: some hundred numbers of 8192 bits.
+/// The greatest length of a row in bytes: some hundred numbers of 8192 bits.
 const LONGEST_ROW: u64 = 1 << 18;
 
-/// What a file of points is asked with.
+/// The request for a file of points.
 pub(crate) struct Asked<'a, F> {
     pub(crate) file: &'a Path,
     pub(crate) output: &'a OutputArgs,
     pub(crate) reader: &'a Reader,
-    /// What every row has in common.
+    /// The quantities that all rows share.
     pub(crate) given: Given<F>,
-    /// The columns that are read; all others are left alone.
+    /// The columns that are read; all others are ignored.
     pub(crate) used: &'a [Parameter],
-    /// Those that a file of ratios cannot do without.
+    /// The columns that a file of ratios requires.
     pub(crate) ratios: &'a [Parameter],
 }
 
-/// Answers each row of a file with the record that `answer` makes of what is given in it.
+/// Answers each row of a file with the record that `answer` makes of its quantities.
 ///
-/// At a row that cannot be answered it stops: the rows before it are written whole, and the failure names the
-/// line and the value.
+/// It stops at a row that cannot be answered: the rows before it are complete, and the failure names the line
+/// and the value.
 pub(crate) fn run<F: Value>(
     asked: Asked<'_, F>,
     out: &mut impl Write,
@@ -67,7 +67,7 @@ struct Column {
     parameter: Parameter,
     place: usize,
     name: String,
-    /// Of the unit in its header; without one a value may have its own.
+    /// The factor of the unit in its header; without one, a value may have its own unit.
     factor: Option<Factor>,
 }
 
@@ -144,14 +144,14 @@ fn answer_all<F: Value, W: Write>(
         interrupt::check()?;
     }
     if !any {
-        // Rows without a point still have a header. Any point has the same.
+        // A file without rows still has a header, which is the same for any point.
         columns.iter().for_each(|column| given.set(column.parameter, F::int(2)));
         sink.borrow_mut().write_header(&answer(&given)?)?;
     }
     Ok(())
 }
 
-/// The columns that are read, each there once, and none of what an argument gives.
+/// The columns that are read; each must occur once, and none may also be an argument.
 fn columns<F: Value>(
     header: &StringRecord,
     name: &str,
@@ -169,7 +169,7 @@ fn columns<F: Value>(
         let plain = own.replace('-', "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
         let Some(&parameter) = used.iter().find(|p| p.column() == plain) else {
-            // A misspelt column must not be left out in silence.
+            // A misspelt column must not be ignored silently.
             match used.iter().find(|p| is_misspelt(&plain, &p.column())) {
                 Some(p) => return refused(&format!("is unknown; spell it {}, or rename it", p.column())),
                 None => continue,
@@ -189,7 +189,7 @@ fn columns<F: Value>(
     Ok(columns)
 }
 
-/// Whether `text` looks like a slip of the pen for `column`: one edit in ten letters, two in more.
+/// Whether `text` looks like a misspelling of `column`: one edit in ten letters, two in more.
 fn is_misspelt(text: &str, column: &str) -> bool {
     let allowed = match column.len() {
         0..5 => 0,
@@ -199,7 +199,7 @@ fn is_misspelt(text: &str, column: &str) -> bool {
     text.len() <= column.len() + 2 && strsim::osa_distance(&text.to_lowercase(), column) <= allowed
 }
 
-/// What the reader could not make a row of.
+/// The failure for input that the reader cannot parse as a row.
 fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
     let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
@@ -211,18 +211,18 @@ fn unreadable(name: &str, error: csv::Error) -> Failure {
     if let csv::ErrorKind::Io(error) = error.into_kind()
         && error.kind() != ErrorKind::InvalidData
     {
-        // Answers that nobody reads, or has room for, are no fault of the input.
+        // A closed pipe or a full disk is no error of the input.
         return error.into();
     }
     fault
 }
 
-/// Flushes the answers before each wait for more input, so that a live pipe sees them at once; and gives up
-/// on a row that does not end.
+/// Flushes the answers before each wait for more input, so that a live pipe sees them at once, and fails on a
+/// row without an end.
 struct FlushFirst<'a, R, W: Write> {
     source: R,
     sink: &'a RefCell<Sink<W>>,
-    /// Bytes that were read since the last whole row.
+    /// The number of bytes read since the last complete row.
     ahead: &'a Cell<u64>,
 }
 
@@ -234,7 +234,7 @@ impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
         }
         self.sink.borrow_mut().flush()?;
         let count = self.source.read(bytes).map_err(|e| {
-            // A call that a signal broke off is made again.
+            // A call that a signal interrupted is repeated.
             let again = e.kind() == ErrorKind::Interrupted;
             if again { e } else { io::Error::new(ErrorKind::InvalidData, e.to_string()) }
         })?;

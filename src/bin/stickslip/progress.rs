@@ -1,4 +1,4 @@
-//! Progress and time left on a terminal; work done in parallel and written in order.
+//! Progress and remaining time on a terminal; parallel work whose results are written in order.
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -13,20 +13,20 @@ use std::time::{Duration, Instant};
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// From now on nobody is told of progress.
+/// Suppresses progress.
 pub(crate) fn silence() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Points that one thread answers at a stretch, at most.
+/// The greatest number of points that one thread answers in a batch.
 const STRETCH: u64 = 64;
-/// How long a round of stretches may take before the next has shorter ones: in between an interrupt is heard,
-/// and what was answered is written.
+/// The greatest duration of a round of batches, after which batches become shorter. Between rounds,
+/// interrupts are checked and answers written.
 const ROUND: Duration = Duration::from_millis(100);
 
-/// Answers the points of a range, a stretch at a time, and hands the answers on in order.
+/// Answers the points of a range in batches, and passes the answers on in order.
 ///
-/// No more stretches are in memory than a few for each thread.
+/// Only a few batches per thread are in memory.
 pub(crate) fn in_order<T: Send>(
     points: Range<u64>,
     answer: impl Fn(Range<u64>) -> Result<T, Failure> + Sync,
@@ -56,12 +56,12 @@ pub(crate) fn in_order<T: Send>(
     Ok(())
 }
 
-/// A bar of `count` things done and the time left, on standard error where that is a terminal.
+/// A progress bar with the remaining time, on standard error if that is a terminal.
 pub(crate) fn bar(count: u64, things: &str) -> ProgressBar {
     styled(ProgressBar::new(count), &format!("{{bar:40}} {{human_pos}}/{{human_len}} {things}, {{eta}} left"))
 }
 
-/// Things done of nobody knows how many: on a terminal, where the answers go elsewhere.
+/// A counter without a known total, on a terminal to which no answers are written.
 pub(crate) fn counter(things: &str) -> ProgressBar {
     let bar = ProgressBar::no_length();
     if io::stdout().is_terminal() {
@@ -81,7 +81,7 @@ fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
     }
 }
 
-/// The time that passes, where a command has nothing else to show.
+/// The elapsed time, for a command that shows nothing else.
 struct Elapsed {
     over: AtomicBool,
     bar: Mutex<Option<ProgressBar>>,
@@ -89,7 +89,7 @@ struct Elapsed {
 
 static OTHERWISE: Elapsed = Elapsed { over: AtomicBool::new(false), bar: Mutex::new(None) };
 
-/// From a second on, shows the time until there is something else to show.
+/// Shows the elapsed time after one second, until there is something else to show.
 pub(crate) fn of_time() {
     if QUIET.load(Ordering::Relaxed) || !io::stderr().is_terminal() {
         return;
@@ -107,7 +107,7 @@ pub(crate) fn of_time() {
     });
 }
 
-/// The first answer on a terminal takes the place of the time.
+/// The first answer on a terminal replaces the elapsed time.
 pub(crate) fn answered() {
     if !OTHERWISE.over.load(Ordering::Relaxed) && io::stdout().is_terminal() {
         OTHERWISE.end();
@@ -123,7 +123,7 @@ impl Elapsed {
     }
 }
 
-/// Removes what is shown, before the last words.
+/// Removes the progress display before the final message.
 pub(crate) fn end() {
     OTHERWISE.end();
 }

@@ -33,7 +33,7 @@ fn physical_name(wanted: &str) -> &str {
     wanted.strip_prefix("physical.").unwrap_or(wanted)
 }
 
-/// The outputs that take a search, or another cycle, of their own.
+/// The outputs that need a search, or another cycle, of their own.
 pub(crate) const PEAKS: [&str; 4] =
     ["max_acceleration", "transmitted_force", "transmissibility", "max_absolute_displacement"];
 
@@ -58,8 +58,8 @@ impl<F: Value> Serialize for Record<F> {
 }
 
 impl<F: Value> Record<F> {
-    /// All outputs of a response; `None` in the cells that a regime does not have, and in those of the peaks
-    /// where nobody asks for them.
+    /// All outputs of a response; `None` for outputs that the regime does not have, and for the peaks if they
+    /// are not requested.
     pub(crate) fn of_response(response: &Response<F>, peaks: bool) -> Self {
         let (ratios, border, cycle) = (response.ratios, response.border, response.cycle.as_ref());
         let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
@@ -93,7 +93,7 @@ impl<F: Value> Record<F> {
         }
     }
 
-    /// With ζ behind the other ratios, and the work of the damper in a cycle.
+    /// Adds ζ after the other ratios, and the work of the damper in a cycle.
     pub(crate) fn with_damping(mut self, response: &Response<F>) -> Self {
         self = self.with_damping_ratio(response.ratios.damping_ratio());
         if self.fields.iter().any(|(name, _)| *name == "alpha") {
@@ -103,7 +103,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// With ζ behind the other ratios.
+    /// Adds ζ after the other ratios.
     pub(crate) fn with_damping_ratio(mut self, damping_ratio: F) -> Self {
         let is_ratio = |(name, _): &(&'static str, Cell<F>)| matches!(*name, "omega" | "alpha");
         let place = self.fields.iter().take_while(|field| is_ratio(field)).count();
@@ -111,7 +111,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// With η behind the other ratios.
+    /// Adds η after the other ratios.
     pub(crate) fn with_static_friction_ratio(mut self, static_friction_ratio: F) -> Self {
         let is_ratio =
             |(name, _): &(&'static str, Cell<F>)| matches!(*name, "omega" | "alpha" | "damping_ratio");
@@ -120,8 +120,8 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// Whether it has an output of this name: a field, or of the machine's units `physical.NAME` or
-    /// `NAME[unit]`, or NAME where no field is called so.
+    /// Whether there is an output of this name: a field, or in the machine's units `physical.NAME`,
+    /// `NAME[unit]`, or NAME where no field has that name.
     pub(crate) fn has(&self, wanted: &str) -> bool {
         self.fields.iter().any(|(name, _)| *name == wanted) || self.physical.has(physical_name(wanted))
     }
@@ -132,7 +132,7 @@ impl<F: Value> Record<F> {
         own.chain(self.physical.values.iter().map(|(name, ..)| format!("physical.{name}"))).collect()
     }
 
-    /// These outputs alone, in this order, those in the machine's units last.
+    /// Only these outputs, in this order, with those in the machine's units last.
     pub(crate) fn only(mut self, wanted: &[String]) -> Self {
         let field = |wanted: &String| self.fields.iter().find(|(name, _)| name == wanted).copied();
         let fields: Vec<_> = wanted.iter().filter_map(field).collect();
@@ -143,7 +143,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// The border at Ω and the best force ratio there, of a response at any α.
+    /// The border at Ω and the best force ratio there, from a response at any α.
     pub(crate) fn of_border(response: &Response<F>) -> Self {
         let border = response.border;
         Self {
@@ -159,20 +159,20 @@ impl<F: Value> Record<F> {
         }
     }
 
-    /// The same with the force ratios without any stop.
+    /// Adds the force ratios without any stop.
     pub(crate) fn with_no_stop(mut self, no_stop: &NoStop<F>) -> Self {
         self.fields.push(("no_stop_force_ratios", Self::intervals(no_stop)));
         self
     }
 
-    /// Its intervals as a value.
+    /// The intervals as a value.
     pub(crate) fn intervals(no_stop: &NoStop<F>) -> Cell<F> {
         let mut intervals = no_stop.intervals();
         Cell::Intervals([intervals.next(), intervals.next()])
     }
 
-    /// With what the surroundings of this machine feel: the fields are those of a force, or of a base that
-    /// carries the surface.
+    /// Adds the loads on the surroundings of this machine. The fields are those for a force, or for a base
+    /// that carries the surface.
     pub(crate) fn felt_around(mut self, machine: &Machine<F>) -> Self {
         if !machine.drive.excitation().moves_foot() {
             return self;
@@ -198,7 +198,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// With the machine and the answer in its units; both loop sizes are the energy of a cycle.
+    /// Adds the machine and the answer in its units; both loop sizes are the energy of a cycle.
     pub(crate) fn with_machine(self, machine: &Machine<F>) -> Self {
         let mut record = self.felt_around(machine);
         record.physical = record.in_units(machine);
@@ -212,7 +212,7 @@ impl<F: Value> Record<F> {
             Some(Cell::Number(Some(ratio))) => ratio * scales.force,
             _ => F::int(0),
         };
-        // The loop of that force: A₁ is stated per p₀²/(2k) of it.
+        // The energy of the largest loop: A₁ is stated in units of p₀²/(2k) for that force.
         let best_energy = F::ratio(1, 2) * best_force * (best_force / machine.oscillator.stiffness());
         Physical::of_machine(machine).with(&self.fields, |name| match name {
             "max_displacement" => Some(("max_displacement", Kind::Length, scales.length)),
@@ -251,7 +251,7 @@ impl<F: Value> Record<F> {
         self
     }
 
-    /// The record, where each of its numbers is one. Units that are too small make infinity of a motion,
+    /// The record, if all its numbers are finite. In units that are too small a motion overflows to infinity,
     /// which JSON does not have.
     pub(crate) fn finite(self) -> Result<Self, Failure> {
         let physical = self.physical.values.iter().map(|&(name, _, cell)| (name, cell));

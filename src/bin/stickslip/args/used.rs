@@ -1,10 +1,10 @@
-//! Which options a command uses, by what it is asked for. An option that would change nothing is refused.
+//! The options that a command uses in each mode. An option without an effect is refused.
 
 use crate::failure::{Failure, Outcome};
 use clap::ArgMatches;
 use clap::parser::ValueSource;
 
-/// How a command is asked.
+/// The mode of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Mode {
     /// By Ω and α.
@@ -45,7 +45,8 @@ const MACHINE: [&str; 14] = [
     "foot_displacement",
 ];
 
-/// The options that a command uses in a mode. What is not here has one mode and uses all that it has.
+/// The options that a command uses in a mode. A command that is not listed has one mode and uses all of its
+/// options.
 const USED: &[(&str, Mode, &str)] = &[
     ("response", Ratios, "omega alpha damping_ratio static_friction_ratio enclose format bits"),
     ("response", Machine, "omega alpha BODY STATIC frequency DRIVE format bits units"),
@@ -138,7 +139,7 @@ const USED: &[(&str, Mode, &str)] = &[
     ),
 ];
 
-/// The single options that an entry names, its groups written out.
+/// The single options of an entry, with its groups expanded.
 fn options(used: &str) -> impl Iterator<Item = &str> {
     used.split(' ').flat_map(|name| match name {
         "BODY" => {
@@ -150,10 +151,10 @@ fn options(used: &str) -> impl Iterator<Item = &str> {
     })
 }
 
-/// The arguments that have a place and no name.
+/// The positional arguments.
 const PLACES: [&str; 4] = ["question", "quantity", "what", "file"];
 
-/// Fails at the first option that has no use in what is asked.
+/// Fails at the first option that the command does not use.
 pub(super) fn check(matches: &ArgMatches) -> Outcome {
     let (mut command, mut matches) = (String::new(), matches);
     while let Some((name, inner)) = matches.subcommand() {
@@ -161,14 +162,14 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
         matches = inner;
     }
     let typed = |id: &&str| matches.value_source(id) == Some(ValueSource::CommandLine);
-    // Of those that are one group the parser makes an entry, too.
+    // The parser adds an entry for each group of options.
     let given: Vec<&str> = matches
         .ids()
         .map(clap::Id::as_str)
         .filter(typed)
         .filter(|id| !id.contains(char::is_uppercase))
         .collect();
-    // It is asked in the mode in which the fewest options are of no use; a file of points leaves no choice.
+    // Select the mode in which the fewest options are unused; a file of points leaves no choice.
     let unused = |used: &str| {
         let of_use = |id: &&str| *id == "quiet" || options(used).any(|option| option == *id);
         given.iter().copied().filter(|id| !of_use(id)).collect::<Vec<_>>()
@@ -188,7 +189,7 @@ pub(super) fn check(matches: &ArgMatches) -> Outcome {
     Ok(())
 }
 
-/// The option as it is typed.
+/// The option as typed.
 fn option(id: &str) -> String {
     format!("--{}", id.replace('_', "-"))
 }
@@ -197,7 +198,7 @@ fn option(id: &str) -> String {
 fn written(id: &str, matches: &ArgMatches) -> String {
     let values = matches.get_raw(id).into_iter().flatten();
     let values: Vec<String> = values.map(|value| value.to_string_lossy().into_owned()).collect();
-    // A flag has the value that it is there.
+    // A flag has the value true if it is present.
     if values.is_empty() || values == ["true"] {
         option(id)
     } else {
@@ -205,8 +206,7 @@ fn written(id: &str, matches: &ArgMatches) -> String {
     }
 }
 
-/// Leaves the options that a command does not use out of its help; `before` is the command that it is a
-/// question of.
+/// Hides the options that a command does not use from its help; `before` is the name of its parent command.
 pub(super) fn hide_unused(command: clap::Command, before: &str) -> clap::Command {
     let name = format!("{before} {}", command.get_name()).trim_start().to_owned();
     let command = command.mut_subcommands(|question| hide_unused(question, &name));

@@ -14,14 +14,14 @@ use stickslip::exact::{
     Attractors, LongRun, PeriodicMotions, Signature, State, SteadyState, periodic_motions_from,
 };
 
-/// A motion that is no limit of a start, its number and that of its mirror image.
+/// A motion that no start leads to, with its number and that of its mirror image.
 struct Other<F> {
     number: usize,
     mirror: Option<usize>,
     steady: SteadyState<F>,
 }
 
-/// All that were found.
+/// All such motions that were found.
 pub(super) struct Others<F>(Vec<Other<F>>);
 
 impl<F: Value> Others<F> {
@@ -29,7 +29,7 @@ impl<F: Value> Others<F> {
         Self(Vec::new())
     }
 
-    /// By Newton's method from the starts, in parallel; numbered on from the limits.
+    /// Searches by Newton's method from the starts, in parallel; the numbers continue those of the limits.
     pub(super) fn search(
         all: &Attractors<F>,
         ratios: Ratios<F>,

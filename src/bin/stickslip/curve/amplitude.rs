@@ -10,7 +10,7 @@ use stickslip::units::Kind;
 use stickslip::{Error, Regime, Response};
 
 impl Asked {
-    /// The value at a point, in the machine's units or in those of p₀: `None` where it grows without bound.
+    /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound.
     pub(super) fn value(
         &self,
         point: &Point<f64>,
@@ -84,7 +84,7 @@ impl Asked {
         Ok((peaks.map(|x| x * unit), regime, sticks))
     }
 
-    /// The name of the quantity with its unit, as an axis has it.
+    /// The name of the quantity with its unit, for an axis.
     pub(super) fn label(&self) -> String {
         let kind = match self.what {
             Curve::Displacement | Curve::Absolute => Kind::Length,

@@ -6,12 +6,12 @@ use crate::map::capital;
 use crate::note::digits;
 use stickslip::figures::{Axis, Figure, Panel, Series, Style};
 
-/// Decades of the upward axis: what is lower is at rest for all that can be seen.
+/// The range of the vertical axis; a value below it looks like rest.
 const DECADES: f64 = 1e4;
-/// Colours and marks of the curves: those whose colours are close to colour-blind eyes are not among them,
-/// and black is for what is the same in every picture, the border and the resonance.
+/// Colours and marks of the curves. Colours that are similar with colour blindness are omitted, and black is
+/// reserved for the border and the resonance, which all pictures have.
 const INDICES: [usize; 5] = [2, 1, 4, 5, 6];
-/// Marks of a curve.
+/// The number of marks on a curve.
 const MARKS: usize = 12;
 
 impl Asked {
@@ -44,7 +44,7 @@ impl Asked {
         for (line, index) in lines.iter().zip(INDICES) {
             let part = |sticks: bool| {
                 let points = line.places.iter().enumerate().map(move |(i, place)| {
-                    // Both parts reach to the place where one ends, so that no gap is between them.
+                    // Both parts include the point where they meet, so that there is no gap.
                     let beside = line.places.get(i + 1).is_some_and(|next| next.sticks == sticks);
                     let shown = place.sticks == sticks || (sticks && beside);
                     let value = place.value.filter(|v| shown && *v >= low).unwrap_or(f64::NAN);
@@ -52,7 +52,7 @@ impl Asked {
                 });
                 points.collect::<Vec<_>>()
             };
-            // The marks of two curves that lie on each other must not.
+            // Offset so that the marks of coinciding curves do not coincide.
             let style =
                 if lines.len() > 1 { Style::Marked(line.places.len() / MARKS + index) } else { Style::Line };
             series.push(Series::new(line.name.clone(), style, index, part(false)));
@@ -80,7 +80,7 @@ impl Asked {
         })
     }
 
-    /// The ends of the upward axis, and whether a pole is cut off.
+    /// The ends of the vertical axis, and whether a pole is cut off.
     fn range(&self, lines: &[Line]) -> (f64, f64, bool) {
         let mut values: Vec<f64> = lines
             .iter()
@@ -89,7 +89,7 @@ impl Asked {
             .collect();
         values.sort_by(f64::total_cmp);
         let most = values.last().copied().unwrap_or(1.0);
-        // What exceeds nine tenths of all points a hundredfold is a pole.
+        // A value that exceeds nine tenths of all points a hundredfold is due to a pole.
         let usual = values.get(values.len() * 9 / 10).copied().unwrap_or(most);
         let unbounded = lines.iter().flat_map(|line| &line.places).any(|place| place.regime == "unbounded");
         let high = if most > 100.0 * usual { 100.0 * usual } else { most };

@@ -1,4 +1,4 @@
-//! The arguments of a question, read as its answer needs them.
+//! The arguments of a question.
 
 use super::{Answer, Named, Row};
 use crate::args::QuestionArgs;
@@ -13,7 +13,7 @@ use std::io::Write;
 use stickslip::units::{Kind, Reader, System};
 use stickslip::{Border, Drive, Error, Excitation, Oscillator, Quantity, Ratios};
 
-/// The arguments of a question, ready to be read as its answer needs them.
+/// The arguments of a question, read on demand.
 pub(super) struct Asked<'a, F> {
     pub(super) args: &'a QuestionArgs,
     pub(super) reader: &'a Reader,
@@ -33,7 +33,7 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(Self { args, reader, given, physical, one: F::int(1) })
     }
 
-    /// The sentence, what base motion it is about, and a line for each number with its unit.
+    /// The sentence, the kind of base motion, and a line for each number with its unit.
     pub(super) fn text(&self, answer: &Answer<F>, out: &mut impl Write) -> Outcome {
         writeln!(out, "{}", answer.sentence)?;
         if let Some(base) = self.base_motion() {
@@ -58,7 +58,7 @@ impl<'a, F: Value> Asked<'a, F> {
         Named { row, system: self.physical.then(|| *self.system()), base_motion: self.base_motion() }
     }
 
-    /// Which kind of base motion the question is about, if any.
+    /// The kind of base motion of the question, if any.
     pub(super) fn base_motion(&self) -> Option<&'static str> {
         let given = |several: &[P]| several.iter().any(|p| self.given.has(*p));
         if given(&[P::FootDisplacement]) {
@@ -70,12 +70,12 @@ impl<'a, F: Value> Asked<'a, F> {
         }
     }
 
-    /// The error behind the arguments of the machine, the range and the target that it comes from.
+    /// The error, preceded by the arguments of the machine, the range or the target that caused it.
     pub(super) fn fail(&self, error: Error) -> Failure {
         use Quantity as Q;
         let QuestionArgs { from, to, target, .. } = self.args;
         let quantity = error.quantity();
-        // The range is of what is asked for, which no other argument gives.
+        // The range is that of the unknown, which no other argument gives.
         let of_range = [Q::FrequencyRatio, Q::AngularFrequency, Q::Stiffness];
         let targets = [Q::MaxDisplacement, Q::MaxDisplacementRatio, Q::MaxVelocity, Q::MaxVelocityRatio];
         let own: [(&str, &Option<String>, &[Q]); 3] =
@@ -104,12 +104,12 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.required(P::Omega)
     }
 
-    /// The damping ratio that is given, or none.
+    /// The given damping ratio, or zero.
     pub(super) fn damping_ratio(&self) -> F {
         self.given.get(P::DampingRatio).unwrap_or(F::int(0))
     }
 
-    /// Refuses a static friction above the kinetic one, where it is not known what it does.
+    /// Refuses a static friction above the kinetic one where its effect is not known.
     pub(super) fn one_friction(&self) -> Result<(), Failure> {
         if let Some(eta) = self.given.get(P::StaticFrictionRatio).filter(|eta| *eta != self.one) {
             return Err(self.fail(Error::StaticFriction { static_friction_ratio: eta.into() }));
@@ -117,7 +117,7 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(())
     }
 
-    /// The border at Ω with the damping ratio and the static friction ratio that are given.
+    /// The border at Ω with the given damping ratio and static friction ratio.
     pub(super) fn border(&self, omega: F) -> Result<Border<F>, Failure> {
         let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
         Ok(Border::of(&completed(&self.given, ratios)?))
@@ -131,7 +131,7 @@ impl<'a, F: Value> Asked<'a, F> {
         self.given.required(P::Frequency)
     }
 
-    /// `--from` and `--to`, in units of this kind where the question is physical.
+    /// `--from` and `--to`, in units of this kind if the question is physical.
     pub(super) fn range(&self, kind: Kind) -> Result<(F, F), Failure> {
         Ok((self.read("--from", &self.args.from, kind)?, self.read("--to", &self.args.to, kind)?))
     }
@@ -149,7 +149,7 @@ impl<'a, F: Value> Asked<'a, F> {
         }
     }
 
-    /// The body; what the question does not need may be missing, and is then 1.
+    /// The body; a quantity that the question does not need may be missing, and is then 1.
     pub(super) fn body(&self, needs_stiffness: bool, needs_friction: bool) -> Result<Oscillator<F>, Failure> {
         let or_one = |found: Option<F>, needed: bool, names: &str| match found {
             None if needed => Err(Failure::Input(format!("{names} is missing"))),

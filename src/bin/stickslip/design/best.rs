@@ -1,4 +1,4 @@
-//! `stickslip design dissipation` and `stiffness`: what dissipates most, and why it is the best.
+//! `stickslip design dissipation` and `stiffness`: the optimum, and the reason why it is one.
 
 use super::{Answer, Asked, Row, searched_field, some};
 use crate::bits::Value;
@@ -27,7 +27,7 @@ impl<F: Value> Asked<'_, F> {
         Ok(self.best("Most", &place, ("friction", Kind::Force, best.at), best.value, None, best.kind))
     }
 
-    /// The same with sticking allowed: by exact motions, with a bound on what any friction dissipates.
+    /// The same with sticking allowed: by exact motions, with a bound on the dissipation with any friction.
     fn dissipation_of_all(&self) -> Result<Answer<F>, Failure> {
         let tolerance = F::ratio(1, 1_000_000);
         if !self.physical {
@@ -91,7 +91,7 @@ impl<F: Value> Asked<'_, F> {
         format!("with a friction bound of {} {}", digits(friction), self.system().force())
     }
 
-    /// What dissipates most in physical units: at which place, how much, and why it is the best.
+    /// The optimum in physical units: its place, its value, and the reason why it is one.
     fn best(
         &self,
         most: &str,
@@ -142,7 +142,7 @@ fn name(optimum: OptimumKind) -> &'static str {
         OptimumKind::Border => "border",
         OptimumKind::RangeEnd => "end-of-range",
         OptimumKind::Sticking => "sticking",
-        // The library may come to know more kinds.
+        // The library may add kinds.
         _ => "other",
     }
 }

@@ -1,4 +1,4 @@
-//! `stickslip design force --no-stop` and `bands --no-stop`: whatever the number of reversals.
+//! `stickslip design force --no-stop` and `bands --no-stop`, for any number of reversals.
 
 use super::{Answer, Asked, force_and_base_motions, some};
 use crate::bits::Value;
@@ -40,7 +40,7 @@ impl<F: Value> Asked<'_, F> {
         let (low, high) = self.range(kind)?;
         let (found, names) = if self.physical {
             let body = self.body(true, true)?;
-            // The frequency of the drive is what is asked for: its amplitude alone counts.
+            // The frequency of the drive is unknown: only its amplitude counts.
             let drive = self.drive(&body, self.one)?;
             let found = design::frequency_bands_without_stop(&body, &drive, low, high);
             (found, ["frequency_from", "frequency_to"])

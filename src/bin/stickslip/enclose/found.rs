@@ -1,4 +1,4 @@
-//! `--enclose`: each output as digits that are certain, then ±.
+//! `--enclose`: each output as certain digits, then ±.
 
 use super::Others;
 use crate::args::{Format, OutputArgs};
@@ -11,10 +11,10 @@ use std::io::Write;
 use stickslip::enclosed::{self, Known, Regime, Response};
 use stickslip::{Error, Output, Quantity};
 
-/// The bits of an enclosure where none are asked for.
+/// The default number of bits of an enclosure.
 pub(crate) const BITS: u32 = 64;
 
-/// What was typed, and what it comes to.
+/// The typed ratios and the answer.
 struct Answer<'a> {
     typed: Vec<(&'static str, &'a str)>,
     found: Response,
@@ -22,19 +22,19 @@ struct Answer<'a> {
     has_regime: bool,
 }
 
-/// The damping ratio and the ratio of frictions, zero and one where none were typed.
+/// The damping ratio and the static friction ratio; zero and one by default.
 pub(super) fn known_others((zeta, eta): Others<'_>) -> Result<(Known, Known), Failure> {
     let zeta = known("--damping-ratio", zeta.unwrap_or("0"))?;
     Ok((zeta, known("--static-friction-ratio", eta.unwrap_or("1"))?))
 }
 
-/// What was typed of them, with options or as keys of JSON.
+/// Those that were typed, as options or as keys of JSON.
 pub(super) fn typed_others<'a>((zeta, eta): Others<'a>) -> impl Iterator<Item = (&'static str, &'a str)> {
     let zeta = zeta.map(|zeta| ("damping_ratio", zeta));
     zeta.into_iter().chain(eta.map(|eta| ("static_friction_ratio", eta)))
 }
 
-/// The options as they were typed, for a complaint.
+/// The options as typed, for messages.
 pub(super) fn options(typed: &[(&'static str, &str)]) -> String {
     let option = |(name, text): &(&str, &str)| format!("--{} {text}", name.replace('_', "-"));
     typed.iter().map(option).collect::<Vec<_>>().join(" ")
@@ -76,7 +76,7 @@ pub(super) fn bits(output: &OutputArgs) -> u32 {
     output.bits.unwrap_or(BITS)
 }
 
-/// What is at fault: the ratios that were typed, or the bits.
+/// The failure, which names its cause: the typed ratios, or the bits.
 pub(super) fn fault(ratios: &str, output: &OutputArgs, error: &Error) -> Failure {
     match error.quantity() {
         Some(Quantity::Precision) => Failure::Input(format!("--bits {}: {error}", bits(output))),
@@ -84,7 +84,7 @@ pub(super) fn fault(ratios: &str, output: &OutputArgs, error: &Error) -> Failure
     }
 }
 
-/// The ratio that is written, exactly.
+/// The ratio exactly as written.
 pub(super) fn known(option: &str, text: &str) -> Result<Known, Failure> {
     text.parse().map_err(|e| Failure::Input(format!("{option} {text}: {e}")))
 }

@@ -10,7 +10,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::enclosed::{self, Enclosure, Steady, Unproved};
 
-/// What was typed, and the motion, or why it is not proved.
+/// The typed ratios and the motion, or the reason why it is not proved.
 struct Answer<'a> {
     omega: &'a str,
     alpha: &'a str,

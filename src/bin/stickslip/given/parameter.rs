@@ -1,4 +1,4 @@
-//! What can be given: each quantity with its option, symbol, kind and column.
+//! The parameters: each quantity with its option, symbol, kind and column.
 
 use stickslip::Quantity;
 use stickslip::units::Kind;
@@ -50,7 +50,7 @@ impl Parameter {
         P::FootDisplacement,
     ];
 
-    /// The argument, and as a column without its dashes.
+    /// The option; without its dashes it is the name of a column.
     pub(crate) const fn option(self) -> &'static str {
         match self {
             P::Omega => "--omega",
@@ -79,12 +79,12 @@ impl Parameter {
         self.option().trim_start_matches('-').replace('-', "_")
     }
 
-    /// Whether it is of a machine in physical units.
+    /// Whether it is a quantity of a machine in physical units.
     pub(crate) const fn is_physical(self) -> bool {
         !matches!(self, P::Omega | P::Alpha | P::DampingRatio | P::StaticFrictionRatio)
     }
 
-    /// What it is called where it is checked here and not by the library.
+    /// Its symbol in checks that are made here and not by the library.
     pub(crate) const fn symbol(self) -> &'static str {
         match self {
             P::Omega => "frequency ratio Ω",
@@ -125,7 +125,7 @@ impl Parameter {
         }
     }
 
-    /// The quantities of the library that it decides.
+    /// The quantities of the library that it determines.
     pub(super) const fn quantities(self) -> &'static [Quantity] {
         use Quantity as Q;
         match self {
@@ -157,7 +157,7 @@ impl Parameter {
         }
     }
 
-    /// What the border of sticking depends on.
+    /// The parameters that the border of sticking depends on.
     pub(crate) const BORDER: [Self; 12] = [
         P::Omega,
         P::Mass,
@@ -179,7 +179,7 @@ impl Parameter {
     /// Static friction above the kinetic one, by its ratio or its force.
     pub(crate) const STATIC_FRICTIONS: [Self; 2] = [P::StaticFrictionRatio, P::StaticFriction];
 
-    /// What a machine and its drive take: one of each of these.
+    /// The parameters of a machine and its drive: one of each of these groups.
     pub(crate) const OF_A_MACHINE: [&'static [Self]; 5] = [
         &[P::Mass],
         &[P::Stiffness, P::Period, P::Omega],
@@ -188,7 +188,7 @@ impl Parameter {
         &Self::DRIVES,
     ];
 
-    /// What shakes the body: exactly one of these is given.
+    /// The excitations: exactly one of these is given.
     pub(crate) const DRIVES: [Self; 6] =
         [P::Force, P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement, P::FootDisplacement, P::Alpha];
 }

@@ -1,4 +1,4 @@
-//! How many limits a machine has, from a few starts.
+//! The number of limits of a machine, from several starts.
 
 use crate::attractors::{reach, start};
 use crate::failure::Failure;
@@ -6,9 +6,9 @@ use crate::starts::follow;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, SteadyState};
 
-/// Starts that are followed for each point, those of `stickslip attractors`.
+/// The number of starts for each point, which are those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;
-/// Periods of the drive that each is followed for.
+/// The greatest number of periods for each start.
 const PERIODS: u32 = 2000;
 
 const ONE: &str = "one, symmetric";
@@ -16,10 +16,10 @@ const PAIR: &str = "a mirror pair";
 const SEVERAL: &str = "several";
 const IRREGULAR: &str = "irregular among them";
 
-/// What the limits can be, from the lightest colour to the darkest; others as they come.
+/// The kinds of limits, from the lightest colour to the darkest; others are appended.
 pub(super) const NAMES: [&str; 4] = [ONE, PAIR, SEVERAL, IRREGULAR];
 
-/// The limits of those starts in words, a motion and its mirror image counted once.
+/// A description of the limits of those starts, where a motion and its mirror image count once.
 pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
     let reach = reach(None, &ratios)?;
     let limits = (0..STARTS)

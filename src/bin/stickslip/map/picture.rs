@@ -12,7 +12,7 @@ use stickslip::Response;
 use stickslip::figures::{Axis, Figure, Panel, Plane, Scale, Series, Style};
 
 impl Map<'_> {
-    /// What the colours stand for, in words, with the unit.
+    /// The meaning of the colours, in words, with the unit.
     fn label(&self) -> (String, String) {
         let words = match self.quantity {
             Quantity::Regime => "regime".to_owned(),
@@ -29,7 +29,7 @@ impl Map<'_> {
         (words, label)
     }
 
-    /// The border of sticking, where the picture has α upwards, or what α is proportional to: from the border
+    /// The border of sticking, if the vertical axis is α or proportional to it; computed from the border
     /// itself.
     fn border(&self) -> Vec<(f64, f64)> {
         let up = self.up.0;
@@ -56,8 +56,7 @@ impl Map<'_> {
         points
     }
 
-    /// The light end of the shades is for what moves, as in every picture of ours: the part of the time at
-    /// rest goes the other way.
+    /// As in all pictures, light shades mean motion: the fraction of time at rest has the reverse scale.
     fn lit(&self, scale: Scale) -> Scale {
         match scale {
             Scale::Shades { low, high, logarithmic } if self.quantity.name() == "stick_fraction" => {
@@ -67,7 +66,7 @@ impl Map<'_> {
         }
     }
 
-    /// Fails where a picture would be too large.
+    /// Fails if a picture would be too large.
     fn drawable(&self) -> Outcome {
         let (points, (x, y)) = (self.axes.len(), (self.across.0.option(), self.up.0.option()));
         if points > MOST {
@@ -110,8 +109,8 @@ impl Map<'_> {
             let (x, y) = (self.across.0.option(), self.up.0.option());
             return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
         };
-        // From the lightest, for a body that never stops, to the darkest, for one at rest; other names as
-        // they come.
+        // The names from the lightest colour, for a body that never stops, to the darkest, for one at rest;
+        // others are appended.
         let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
         let known = if matches!(self.quantity, Quantity::Limits) { limits::NAMES } else { regimes };
         let mut names: Vec<String> = known.map(str::to_owned).to_vec();
@@ -179,23 +178,23 @@ impl Map<'_> {
     }
 }
 
-/// Most points of a picture, and most from one side to the other: it has to be in memory, and nobody sees
-/// more.
+/// The greatest number of points of a picture, in total and in one direction: it must fit in memory, and more
+/// would not be visible.
 const MOST: u64 = 4_000_000;
 const MOST_ACROSS: u64 = 20_000;
-/// The count that stands for all above it, too.
+/// The count that stands for all greater ones.
 const MOST_NAMES: f64 = 7.0;
-/// Points of the border, more than a picture can show.
+/// The number of points of the border, more than a picture can show.
 const BORDER_POINTS: u32 = 1000;
-/// Shades beyond this many times the values of nearly all points are those of a pole.
+/// Shades for values that exceed nearly all others by this factor are cut off as those of a pole.
 const POLE: f64 = 100.0;
 
-/// A name for each count, the last one for all above: a key of more lines is not read.
+/// A name for each count, the last one for all greater counts, because a longer key is hard to read.
 fn counted(values: &mut [f64]) -> Scale {
     let most = values.iter().copied().filter(|v| v.is_finite()).fold(0.0, f64::max);
     let mut names: Vec<String> = (0..=most.min(MOST_NAMES) as u64).map(|n| n.to_string()).collect();
     if most > MOST_NAMES {
-        // What is not a number stays none.
+        // NaN remains without a name.
         values.iter_mut().filter(|value| **value > MOST_NAMES).for_each(|value| *value = MOST_NAMES);
         if let Some(last) = names.last_mut() {
             last.push_str(" or more");
@@ -204,7 +203,7 @@ fn counted(values: &mut [f64]) -> Scale {
     Scale::Names(names)
 }
 
-/// The shades without what is close to a pole, which the title then says.
+/// The shades without values close to a pole; the title mentions the cut-off.
 fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
     let Scale::Shades { low, high, logarithmic: true } = scale else { return scale };
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
@@ -231,13 +230,13 @@ fn round(value: f64) -> f64 {
     10f64.powf(value.log10().round())
 }
 
-/// The text with a capital.
+/// The text with an initial capital.
 pub(crate) fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or(String::new(), |first| first.to_uppercase().chain(letters).collect())
 }
 
-/// The first and the last value, where all are ascending.
+/// The first and the last value, if the values are ascending.
 fn ends(values: &[f64]) -> Option<(f64, f64)> {
     let ascending = values.windows(2).all(|pair| matches!(pair, [a, b] if a < b));
     match values {
@@ -246,7 +245,7 @@ fn ends(values: &[f64]) -> Option<(f64, f64)> {
     }
 }
 
-/// The place of a name in the list, at its end where it is new.
+/// The index of a name in the list; a new name is appended.
 fn place_of(name: &str, names: &mut Vec<String>) -> f64 {
     let place = names.iter().position(|n| n == name).unwrap_or_else(|| {
         names.push(name.to_owned());

@@ -1,4 +1,4 @@
-//! The line of a picture of the limits at which the symmetric motion is lost.
+//! The line on which the symmetric motion is lost, in a picture of the limits.
 
 use super::{Map, Quantity};
 use crate::failure::Failure;
@@ -9,7 +9,7 @@ use crate::progress;
 use stickslip::exact::{Loss, SymmetryBreak, symmetry_breaks};
 use stickslip::{Error, Ratios};
 
-/// Where a stable symmetric motion is lost, and at how many values across that is not known.
+/// The points at which a stable symmetric motion is lost, and the number of columns where the search failed.
 #[derive(Default)]
 pub(super) struct Breaks {
     pub(super) by_multiplier: Vec<(f64, f64)>,
@@ -18,8 +18,8 @@ pub(super) struct Breaks {
 }
 
 impl Map<'_> {
-    /// Where a stable symmetric motion is lost, by a multiplier of −1 and in another way, of a picture of the
-    /// limits with the force upwards.
+    /// The points at which a stable symmetric motion is lost, by a multiplier of −1 or otherwise, for a
+    /// picture of the limits whose vertical axis is the force.
     pub(super) fn breaks(&self) -> Result<Breaks, Failure> {
         let up = self.up.0;
         let ((left, right), (low, high)) = (self.across.1.ends(), self.up.1.ends());
@@ -67,8 +67,8 @@ impl Map<'_> {
     }
 }
 
-/// Where a stable symmetric motion of one turn is lost on the way from a part of the force to all of it, as
-/// parts of it: at a multiplier of −1, and by a jump or a fold. `None` where the search passed its bound.
+/// The fractions of the force at which a stable symmetric motion of one turn is lost: at a multiplier of −1,
+/// and by a jump or a fold. `None` if the search exceeded its bound.
 fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>; 2]>, Failure> {
     let high = ratios.alpha();
     let low = (from * high).max(LEAST);
@@ -77,7 +77,7 @@ fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>
         return Ok(Some([Vec::new(), Vec::new()]));
     }
     let found = match symmetry_breaks(ratios, low, high, steps) {
-        // A long map is drawn without a point of a line, and says so.
+        // A large map is drawn without this point of the line, and a note says so.
         Err(Error::SearchBound { .. }) => return Ok(None),
         found => found.map_err(|e| Failure::Input(e.to_string()))?,
     };
@@ -87,9 +87,9 @@ fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>
     Ok(Some([by_multiplier, others].map(shares)))
 }
 
-/// A force ratio next above those where nothing moves.
+/// A force ratio just above those at which nothing moves.
 const LEAST: f64 = 1.001;
 
-/// Values across at which the loss of symmetry is sought, and steps upwards.
+/// The greatest number of columns in which the loss of symmetry is searched, and of steps upwards.
 const MOST_COLUMNS: u64 = 400;
 const MOST_STEPS: u32 = 200;

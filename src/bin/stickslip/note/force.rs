@@ -1,4 +1,4 @@
-//! The note on forces: the minimum without sticking, that of most dissipation, and the border.
+//! The note on forces: the minimum without sticking, the optimum for dissipation, and the border.
 
 use super::{both, digits};
 use crate::bits::Value;
@@ -74,20 +74,19 @@ pub(super) fn needed_force<F: Value>(
     }
 }
 
-/// Beyond this a force ratio or a loop size is that of a pole, which no machine's frequency comes so close
-/// to.
+/// A greater force ratio or loop size belongs to a pole, closer than the frequency of any machine.
 const ABSURD: f64 = 1e6;
 
-/// Says so where Ω is so close to a pole that no machine can be held there.
+/// Adds a remark if Ω is too close to a pole for any machine.
 fn not_to_be_held<F: Value>(omega: F, border: F, out: &mut impl Write) -> io::Result<()> {
-    // Away from the poles the border is 1/Ω² or a few times that.
+    // Away from the poles the border is a few times 1/Ω².
     if border.to_f64() * omega.to_f64() * omega.to_f64() > ABSURD {
         writeln!(out, "    (Ω is too close to 1/(2n+1), where the border is infinite, for any machine)")?;
     }
     Ok(())
 }
 
-/// With which forces the body does not stop, as the end of a sentence.
+/// The forces with which the body does not stop, as the end of a sentence.
 pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     let border = digits(found.border);
     match found.six_reversals {
@@ -101,13 +100,13 @@ pub(crate) fn no_stop<F: Value>(found: &NoStop<F>, unit: &str) -> String {
     }
 }
 
-/// From here on the turning point decides the border, `√(1 − ζ²)/2`.
+/// The Ω from which the turning point decides the border, `√(1 − ζ²)/2`.
 fn exact_from<F: Value>(ratios: Ratios<F>) -> F {
     let (one, zeta) = (F::int(1), ratios.damping_ratio());
     if zeta < one { ((one - zeta) * (one + zeta)).sqrt() / F::int(2) } else { F::int(0) }
 }
 
-/// The note on a border, with the forces of six reversals a cycle where they were asked for.
+/// The note on a border, with the forces of six reversals a cycle if requested.
 pub(crate) fn border<F: Value>(
     answer: &Response<F>,
     found: Option<&NoStop<F>>,

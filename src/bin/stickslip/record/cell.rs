@@ -1,4 +1,4 @@
-//! One value of a record, as each format writes it.
+//! One value of a record, in each format.
 
 use crate::bits::Value;
 use crate::failure::{Failure, Outcome};
@@ -9,20 +9,20 @@ use serde::ser::{Serialize, Serializer};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Cell<F> {
     Text(&'static str),
-    /// `None` for what does not exist there.
+    /// A number; `None` where it does not exist.
     Number(Option<F>),
-    /// A whole number.
+    /// An integer.
     Count(Option<u64>),
-    /// Whether something holds.
+    /// A truth value.
     Flag(bool),
-    /// Two intervals at most, the greatest of the last one missing.
+    /// At most two intervals; the last may have no greatest value.
     Intervals([Option<(F, Option<F>)>; 2]),
     /// Two complex numbers, each as its real and imaginary part.
     Pairs(Option<[(F, F); 2]>),
 }
 
 impl<F: Value> Cell<F> {
-    /// A failure under that name where a number is infinite.
+    /// An error with that name if a number is infinite.
     pub(crate) fn finite(&self, name: &str) -> Outcome {
         let one = |x: F| {
             let text = format!("{name} = {x} must be finite: it is beyond the largest number in these units");
@@ -41,7 +41,7 @@ impl<F: Value> Cell<F> {
         }
     }
 
-    /// As a reader wants it: seven digits at f64, a dash for what does not exist.
+    /// Text for a reader: seven digits at f64, and a dash for a missing value.
     pub(crate) fn text(&self) -> String {
         let dash = || "–".to_owned();
         match self {
@@ -64,8 +64,7 @@ impl<F: Value> Cell<F> {
 }
 
 impl<F: Value> Cell<F> {
-    /// The cells of one value each that it is written as in a row: four for a pair of complex numbers or two
-    /// intervals.
+    /// The cells, of one value each, in a row: four for a pair of complex numbers or two intervals.
     pub(super) fn parts(self) -> [Option<Self>; 4] {
         match self {
             Self::Pairs(pairs) => {
@@ -91,7 +90,7 @@ impl<F: Value> Cell<F> {
         }
     }
 
-    /// The names of these.
+    /// The names of these cells.
     pub(crate) fn part_names(&self, name: &str) -> Vec<String> {
         let parts = match self {
             Self::Pairs(_) => ["_1_re", "_1_im", "_2_re", "_2_im"].as_slice(),
@@ -102,7 +101,7 @@ impl<F: Value> Cell<F> {
     }
 }
 
-/// A number at f64; a string with all digits of a wider one, which a reader of JSON would round.
+/// A number at f64; a string with all digits of a wider one, which a JSON reader would otherwise round.
 impl<F: Value> Serialize for Cell<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
