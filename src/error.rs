@@ -1,4 +1,4 @@
-//! What can be wrong with an input: which quantity, its value, the inequality it breaks.
+//! Errors of the input: the quantity, its value, and the condition that it violates.
 
 mod number;
 mod quantity;
@@ -7,7 +7,7 @@ pub use number::Number;
 pub(crate) use number::written;
 pub use quantity::Quantity;
 
-/// Why there is no answer. Values are printed with all the digits that tell them apart.
+/// The reason why there is no answer. Values are printed with all the digits that identify them.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -113,7 +113,7 @@ pub enum Error {
     TargetSticks {
         /// The quantity.
         quantity: Quantity,
-        /// The value asked for.
+        /// The requested value.
         value: Number,
         /// The least value without sticking.
         least: Number,
@@ -128,7 +128,7 @@ pub enum Error {
     Undecided {
         /// Force ratio α.
         alpha: Number,
-        /// The least of the border.
+        /// The minimum of the border.
         least: Number,
         /// The frequency ratio of that minimum.
         omega: Number,
@@ -147,7 +147,7 @@ pub enum Error {
         "response curve: {count} of {of} measurements are of motion without sticking; at least 3 must be"
     )]
     TooFewMeasurements {
-        /// Their number.
+        /// The number of these measurements.
         count: usize,
         /// The number of all measurements.
         of: usize,
@@ -170,7 +170,7 @@ pub enum Error {
          stiffness"
     )]
     BaseMotion,
-    /// A motion that had not settled when the periods allowed were over.
+    /// A motion that did not settle within the permitted number of periods.
     #[error(
         "force ratio α = {alpha} must be followed for more periods at Ω = {omega}: the motion did not \
          settle within those allowed"
@@ -187,13 +187,13 @@ pub enum Error {
          the search stopped at that bound"
     )]
     SearchBound {
-        /// What was searched for.
+        /// The object of the search.
         search: &'static str,
         /// Frequency ratio Ω.
         omega: Number,
         /// Force ratio α.
         alpha: Number,
-        /// Phase ω_d t (radians) that the search began at.
+        /// The phase ω_d t (radians) at which the search began.
         phase: Number,
         /// The bound.
         bound: &'static str,
@@ -213,7 +213,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The quantity whose value alone is at fault; `None` where two values conflict.
+    /// The quantity whose value alone is wrong; `None` where two values conflict.
     #[must_use]
     pub const fn quantity(&self) -> Option<Quantity> {
         match self {

@@ -1,8 +1,8 @@
-//! Inputs that are hard on purpose, for property tests and fuzzing: made of random bytes by
-//! [`arbitrary`](https://docs.rs/arbitrary), for a fuzzer and for proptest alike.
+//! Adversarial inputs for property tests and fuzzing, made from random bytes by
+//! [`arbitrary`](https://docs.rs/arbitrary), for fuzzers and for proptest alike.
 //!
-//! Random bits rarely meet the places where formulae break. About one number in eight here is any double at
-//! all; the others are at such a place, or some floats or a small part of themselves beside it:
+//! Random bits rarely reach the points where formulae break. About one number in eight here is an arbitrary
+//! double; the others are at such a point, or some floats or a small fraction of themselves away from it:
 //!
 //! | number | where it is put |
 //! |---|---|
@@ -12,8 +12,8 @@
 //! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; next to no speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //!
-//! Nothing is left out: what a type holds need not be valid input. Fewer bytes than a value takes are filled
-//! up with zeros.
+//! Arbitrary values are included, so that an input need not be valid. If there are fewer bytes than a value
+//! needs, they are padded with zeros.
 //!
 //! ```
 //! use arbitrary::{Arbitrary, Unstructured};
@@ -54,8 +54,8 @@ impl<'a> Arbitrary<'a> for Point {
     }
 }
 
-/// A damping ratio. Where no bytes are left it is 0, so that inputs kept from before it was asked for mean
-/// what they did.
+/// A damping ratio. Where no bytes are left it is 0, so that inputs from before it existed keep their
+/// meaning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DampingRatio(pub f64);
 
@@ -86,7 +86,7 @@ impl<'a> Arbitrary<'a> for Start {
     }
 }
 
-/// A body and its drive, in physical units that fit together or do not.
+/// A body and its drive, in physical units that may be inconsistent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Machine {
     /// Mass m.
@@ -121,7 +121,7 @@ impl<'a> Arbitrary<'a> for Machine {
 pub struct Question {
     /// Frequency ratio Ω and force ratio α.
     pub point: Point,
-    /// What is to be reached, in units of B or B ω_d.
+    /// The target, in units of B or B ω_d.
     pub target: f64,
     /// Lower end of a range of Ω.
     pub low: f64,

@@ -2,15 +2,16 @@
 //!
 #![doc = include_str!("formulae/motion.html")]
 //!
-//! in closed form: whether the body sticks, how far and how fast it moves and when, how much force keeps it
-//! from sticking, how much it dissipates; and its exact motion, stops included. Written once over a number
-//! type ([`Float`]), after H.-K. Hong and C.-S. Liu, “Non-sticking oscillation formulae for Coulomb friction
-//! under harmonic loading”, *Journal of Sound and Vibration* **244** (2001) 883–898, whose equation numbers
-//! are used throughout, and exact where the paper is not (`docs/errata.md`).
+//! in closed form: whether the body sticks, how far, how fast and when it moves, the force that keeps it from
+//! sticking, and the energy it dissipates. The crate also computes its exact motion, stops included. All
+//! formulae are generic over a number type ([`Float`]). They follow H.-K. Hong and C.-S. Liu, “Non-sticking
+//! oscillation formulae for Coulomb friction under harmonic loading”, *Journal of Sound and Vibration*
+//! **244** (2001) 883–898, whose equation numbers are used throughout, and are exact where the paper is not
+//! (`docs/errata.md`).
 //!
 //! ```
 //! use stickslip::{Drive, Oscillator, Regime, Response, Scales};
-//! // 50 kN s²/m on 1000 kN/m, friction bound 5 kN, shaken with 12 kN at 2π rad/s
+//! // 50 kN s²/m on 1000 kN/m, friction bound 5 kN, driven by 12 kN at 2π rad/s
 //! let body = Oscillator::new(50.0, 1000.0, 5.0)?;
 //! let drive = Drive::force(12.0, std::f64::consts::TAU)?;
 //! let answer = Response::new(drive.ratios(&body)?);
@@ -29,7 +30,8 @@
 //!
 //! # The closed forms
 //!
-//! All in units of B = r_y/k. One function of Ω carries them, smooth through Ω = 1 ([`PhaseFunction`]):
+//! All lengths are in units of B = r_y/k. The formulae depend on Ω through one function, smooth through Ω = 1
+//! ([`PhaseFunction`]):
 //!
 #![doc = include_str!("formulae/phase_function.html")]
 //!
@@ -38,26 +40,26 @@
 #![doc = include_str!("formulae/displacement.html")]
 #![doc = include_str!("formulae/displacement_phase.html")]
 //!
-//! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]); its
-//! greatest value is V₀, at t₁ ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), which eq. 49 gives too
-//! with the signs of its roots corrected:
+//! The velocity on the half cycle from the minimum to the maximum, `|ψ| ≤ π/2Ω` ([`Cycle::velocity_at`]). Its
+//! maximum is V₀, at t₁ ([`Cycle::max_velocity`], [`Cycle::velocity_phase`]), as also given by eq. 49 with
+//! the signs of its roots corrected:
 //!
 #![doc = include_str!("formulae/velocity.html")]
 #![doc = include_str!("formulae/max_velocity.html")]
 #![doc = include_str!("formulae/deviation.html")]
 //!
-//! The minimum force ratio without sticking ([`Border`]). Eq. 61 is this with S = 1/Ω², which it is for
-//! Ω ≥ 1/2 (proof in `src/nonsticking/border.rs`):
+//! The minimum force ratio without sticking ([`Border`]). Eq. 61 is the special case S = 1/Ω², which holds
+//! for Ω ≥ 1/2 (proof in `src/nonsticking/border.rs`):
 //!
 #![doc = include_str!("formulae/border.html")]
 //!
-//! The dissipation in a cycle, per static energy, and where A₁ is largest ([`Cycle::loop_size_stiffness`],
-//! [`Cycle::loop_size_inertia`], [`Response::best_force_ratio`]):
+//! The dissipation per cycle in units of the static energy, and the force ratio that maximises A₁
+//! ([`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`], [`Response::best_force_ratio`]):
 //!
 #![doc = include_str!("formulae/dissipation.html")]
 #![doc = include_str!("formulae/best_force_ratio.html")]
 //!
-//! What half a cycle leaves of a disturbance, max |λ| ([`nonsticking::Multipliers`]):
+//! The contraction of a disturbance in half a cycle, max |λ| ([`nonsticking::Multipliers`]):
 //!
 #![doc = include_str!("formulae/multipliers.html")]
 //!
@@ -119,8 +121,7 @@
     )
 )]
 
-// Tests of the formulae by their own names, which are not public: written as users write, with the crate's
-// name.
+// Tests of the formulae by their internal names, written with the crate's name as users write it.
 #[cfg(test)]
 extern crate self as stickslip;
 #[cfg(test)]
@@ -201,7 +202,7 @@ pub mod units;
 #[cfg(feature = "matching")]
 pub mod verify;
 
-/// The crates whose types and traits stand in this API, in the versions that it takes.
+/// The crates whose types and traits occur in this API, in the required versions.
 pub mod dependencies {
     #[cfg(feature = "generators")]
     pub use arbitrary;

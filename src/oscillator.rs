@@ -11,20 +11,20 @@ use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::ratios::{frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio};
 
-/// A body of mass m on a spring of stiffness k, a viscous damper c and a surface whose friction carries at
+/// A body of mass m on a spring of stiffness k, with a viscous damper c, on a surface whose friction is at
 /// most r_y.
 ///
-/// Any consistent system of units. m, k and r_y are finite and > 0; c is finite and ≥ 0, and 0 unless it is
-/// given ([`Oscillator::with_damping`]).
+/// Any consistent system of units may be used. m, k and r_y are finite and > 0; c is finite and ≥ 0, and 0 by
+/// default ([`Oscillator::with_damping`]).
 ///
-/// **Static friction** r_s = η r_y ≥ r_y is what a body at rest gives way at; it is r_y unless it is given
-/// ([`Oscillator::with_static_friction`]).
+/// **Static friction** r_s = η r_y ≥ r_y is the force at which a body at rest is released; it is r_y by
+/// default ([`Oscillator::with_static_friction`]).
 ///
 /// **Friction that differs by direction** ([`Oscillator::with_directional_friction`]): r₊ against motion with
-/// x′ > 0 and r₋ against motion with x′ < 0 are the bound `r_y = (r₊ + r₋)/2` and a constant force
-/// `−(r₊ − r₋)/2`. A constant force only shifts the motion, stops included: [`Scales::mean_displacement`]
-/// says by how much, and all else is as with r_y in both directions. Static friction is then above the
-/// kinetic one by (η − 1) r_y in each direction.
+/// x′ > 0 and r₋ against motion with x′ < 0 are equivalent to the bound `r_y = (r₊ + r₋)/2` and a constant
+/// force `−(r₊ − r₋)/2`. A constant force only shifts the motion, stops included, by
+/// [`Scales::mean_displacement`]; all else is as with r_y in both directions. Static friction then exceeds
+/// the kinetic one by (η − 1) r_y in each direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Oscillator<F> {
@@ -128,7 +128,7 @@ impl<F: Float> Oscillator<F> {
         self.friction_bound
     }
 
-    /// Half the difference of friction by direction, `(r₊ − r₋)/2`: 0 unless it was given by direction.
+    /// Half the difference of friction by direction, `(r₊ − r₋)/2`; 0 by default.
     pub(crate) const fn friction_offset(&self) -> F {
         self.friction_offset
     }
@@ -138,12 +138,13 @@ impl<F: Float> Oscillator<F> {
         self.damping
     }
 
-    /// Static friction ratio η = r_s/r_y: 1 unless it was given.
+    /// Static friction ratio η = r_s/r_y; 1 by default.
     pub const fn static_friction_ratio(&self) -> F {
         self.static_friction_ratio
     }
 
-    /// Refuses a body whose static friction is above the kinetic one, for what is not known with it.
+    /// Refuses a body whose static friction is above the kinetic one, for calculations that do not include
+    /// it.
     pub(crate) fn with_one_friction(&self) -> Result<(), Error> {
         one_friction(self.static_friction_ratio)
     }

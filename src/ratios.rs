@@ -1,5 +1,5 @@
-//! The dimensionless numbers that decide everything: Ω, α (eq. 8, 9), the damping ratio ζ and the static
-//! friction ratio η.
+//! The dimensionless parameters of the problem: Ω, α (eq. 8, 9), the damping ratio ζ and the static friction
+//! ratio η.
 
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
@@ -14,7 +14,7 @@ use crate::float::Float;
 /// | ζ | 0, or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`; 0 unless it is given |
 /// | η | `1 ≤ η ≤ 2ᵉ`; 1 unless it is given |
 ///
-/// Inside that domain no closed form over- or underflows; outside, construction says so.
+/// Inside that domain no closed form overflows or underflows; outside it, construction is an error.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ratios<F> {
@@ -28,7 +28,7 @@ impl<F: Float> Ratios<F> {
     /// The pair (Ω, α).
     ///
     /// # Errors
-    /// [`Error`] with the value and the inequality it breaks.
+    /// [`Error`] with the value and the condition that it violates.
     #[inline]
     pub fn new(omega: F, alpha: F) -> Result<Self, Error> {
         Ok(Self {
@@ -77,7 +77,7 @@ impl<F: Float> Ratios<F> {
         self.damping_ratio
     }
 
-    /// Static friction ratio η = r_s/r_y: 1 where a body at rest gives way at the force that sliding takes.
+    /// Static friction ratio η = r_s/r_y; 1 if static and kinetic friction are equal.
     pub const fn static_friction_ratio(&self) -> F {
         self.static_friction_ratio
     }
@@ -88,19 +88,19 @@ impl<F: Float> Ratios<F> {
         self.damping_ratio > F::int(0)
     }
 
-    /// Whether the static friction is above the kinetic one, η > 1: then the motion in the long run can
-    /// depend on the start.
+    /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
+    /// start.
     #[inline]
     pub fn has_higher_static_friction(&self) -> bool {
         self.static_friction_ratio > F::int(1)
     }
 
-    /// The same ratios, where the static friction is the kinetic one: for what is not known otherwise.
+    /// The same ratios, if the static friction equals the kinetic one, for calculations that require it.
     pub(crate) fn with_one_friction(self) -> Result<Self, Error> {
         one_friction(self.static_friction_ratio).map(|()| self)
     }
 
-    /// The ratios in another number type, which has to hold them.
+    /// The ratios in another number type, which must be able to represent them.
     pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Ratios<G> {
         Ratios {
             omega: to(self.omega),
@@ -110,9 +110,9 @@ impl<F: Float> Ratios<F> {
         }
     }
 
-    /// Amplitude of the frictionless response in units of B: without damping `A/B = α/(1 − Ω²)` (eq. 5, 6),
-    /// negative above the natural frequency and infinite at Ω = 1; with it `α/q`, `q = √((1 − Ω²)² + 4ζ²Ω²)`,
-    /// behind the force by a lag in (0, π).
+    /// Amplitude of the frictionless response in units of B. Without damping it is `A/B = α/(1 − Ω²)` (eq. 5,
+    /// 6), negative above the natural frequency and infinite at Ω = 1. With damping it is `α/q`, `q = √((1 −
+    /// Ω²)² + 4ζ²Ω²)`, and lags behind the force by a phase in (0, π).
     pub fn forced_amplitude(&self) -> F {
         if self.is_damped() {
             let damper = F::int(2) * self.damping_ratio * self.omega;
@@ -122,22 +122,22 @@ impl<F: Float> Ratios<F> {
     }
 }
 
-/// `x`, where it is finite.
+/// `x`, if it is finite.
 pub(crate) fn finite<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x.is_finite() { Ok(x) } else { Err(Error::NotFinite { quantity, value: written(x) }) }
 }
 
-/// `x`, where it is finite and above zero.
+/// `x`, if it is finite and positive.
 pub(crate) fn positive<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x > F::int(0) && x.is_finite() { Ok(x) } else { Err(not_positive(quantity, x)) }
 }
 
-/// `x`, where it is finite and not below zero.
+/// `x`, if it is finite and not negative.
 pub(crate) fn non_negative<F: Float>(quantity: Quantity, x: F) -> Result<F, Error> {
     if x < F::int(0) { Err(Error::Negative { quantity, value: written(x) }) } else { finite(quantity, x) }
 }
 
-/// Refuses a static friction above the kinetic one, for what is not known with it.
+/// Refuses a static friction above the kinetic one, for calculations that do not include it.
 pub(crate) fn one_friction<F: Float>(static_friction_ratio: F) -> Result<(), Error> {
     if static_friction_ratio == F::int(1) {
         Ok(())
@@ -146,7 +146,7 @@ pub(crate) fn one_friction<F: Float>(static_friction_ratio: F) -> Result<(), Err
     }
 }
 
-/// η, where it is `1 ≤ η ≤ 2ᵉ`.
+/// η, if `1 ≤ η ≤ 2ᵉ`.
 pub(crate) fn valid_static_friction_ratio<F: Float>(static_friction_ratio: F) -> Result<F, Error> {
     let eta = finite(Quantity::StaticFrictionRatio, static_friction_ratio)?;
     let (least, greatest) = (F::int(1), F::exp2i(F::RATIO_EXPONENT));
@@ -156,7 +156,7 @@ pub(crate) fn valid_static_friction_ratio<F: Float>(static_friction_ratio: F) ->
     within(Quantity::StaticFrictionRatio, eta, least, greatest)
 }
 
-/// ζ, where it is 0 or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`.
+/// ζ, if it is 0 or `2⁻ᵉ ≤ ζ ≤ 2ᵉ`.
 pub(crate) fn valid_damping_ratio<F: Float>(damping_ratio: F) -> Result<F, Error> {
     let zeta = non_negative(Quantity::DampingRatio, damping_ratio)?;
     if zeta == F::int(0) {
@@ -165,20 +165,20 @@ pub(crate) fn valid_damping_ratio<F: Float>(damping_ratio: F) -> Result<F, Error
     within(Quantity::DampingRatio, zeta, F::least_ratio(), F::exp2i(F::RATIO_EXPONENT))
 }
 
-/// `x`, where it is within `[least, greatest]`, `least` > 0.
+/// `x`, if it is within `[least, greatest]`, `least` > 0.
 #[inline]
 pub(crate) fn within<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Result<F, Error> {
     if x >= least && x <= greatest { Ok(x) } else { Err(outside(quantity, x, least, greatest)) }
 }
 
-/// Why `x` is not a finite number above zero.
+/// The error for an `x` that is not finite and positive.
 #[cold]
 fn not_positive<F: Float>(quantity: Quantity, x: F) -> Error {
     let value = written(x);
     if x.is_finite() { Error::NotPositive { quantity, value } } else { Error::NotFinite { quantity, value } }
 }
 
-/// Why `x` is not within `[least, greatest]`: of several reasons the plainest.
+/// The error for an `x` outside `[least, greatest]`; of several reasons, the simplest.
 #[cold]
 fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
     positive(quantity, x).err().unwrap_or_else(|| Error::OutOfRange {
@@ -189,13 +189,13 @@ fn outside<F: Float>(quantity: Quantity, x: F, least: F, greatest: F) -> Error {
     })
 }
 
-/// Ω, where `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
+/// Ω, if `2⁻ᵉ ≤ Ω ≤ 2ᵉ`.
 #[inline]
 pub(crate) fn frequency_ratio<F: Float>(omega: F) -> Result<F, Error> {
     within(Quantity::FrequencyRatio, omega, F::least_ratio(), F::exp2i(F::RATIO_EXPONENT))
 }
 
-/// α, where `0 < α ≤ 2ᵉ`. Any smaller α is at rest, so that there is no lower bound to respect.
+/// α, if `0 < α ≤ 2ᵉ`. There is no other lower bound, because the body is at rest for any small α.
 #[inline]
 fn force_ratio<F: Float>(alpha: F) -> Result<F, Error> {
     let greatest = F::exp2i(F::RATIO_EXPONENT);

@@ -1,4 +1,4 @@
-//! The whole answer at one (Ω, α): the regime, and the outputs that exist there.
+//! The complete answer at one (Ω, α): the regime, and the outputs that exist there.
 
 use crate::float::{AtPrecision, Float, Task};
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
@@ -25,29 +25,29 @@ pub struct Response<F> {
     pub regime: Regime,
     /// The border of the two-reversal cycle at this Ω, exact and by eq. 61.
     pub border: Border<F>,
-    /// The two-reversal cycle, where there is one.
+    /// The two-reversal cycle, if there is one.
     pub cycle: Option<Cycle<F>>,
-    /// Loop size A₁ of the cycle (eq. 64), where there is one.
+    /// Loop size A₁ of the cycle (eq. 64), if there is one.
     pub loop_size_stiffness: Option<F>,
-    /// Loop size A₂ of the cycle (eq. 67), where there is one.
+    /// Loop size A₂ of the cycle (eq. 67), if there is one.
     pub loop_size_inertia: Option<F>,
-    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`,
-    /// Q = hypot(K, qG); it counts where it is not below the border ([`Response::best_is_reached`]).
+    /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`, Q =
+    /// hypot(K, qG). It applies if it is not below the border ([`Response::best_is_reached`]).
     pub best_force_ratio: F,
     /// The largest loop A₁ at this Ω (eq. 66); `None` at Ω = 1 and Ω = 1/(2n), where it is infinite.
     pub best_loop_size: Option<F>,
 }
 
 impl<F: Float> Response<F> {
-    /// The answer at (Ω, α): exists for all valid ratios.
+    /// The answer at (Ω, α), which exists for all valid ratios.
     ///
-    /// The regime is decided by comparing α with the border as rounded: within a few units in the last place
-    /// of the border, either side may be named.
+    /// The regime is decided by comparing α with the rounded border: within a few units in the last place of
+    /// the border, either side may be named.
     ///
-    /// **With a static friction above the kinetic one** (η > 1) the motion in the long run can depend on the
-    /// start, and the regime says what the border alone guarantees: non-sticking, that the cycle without a
-    /// stop exists and that every disturbance of it that is small enough dies out; sticking, that there is no
-    /// such cycle of two reversals. `exact::attractors` finds the others.
+    /// **With a static friction above the kinetic one** (η > 1) the steady motion can depend on the start,
+    /// and the regime states what the border alone guarantees. Non-sticking: the cycle without a stop exists,
+    /// and every sufficiently small disturbance of it decays. Sticking: there is no such cycle of two
+    /// reversals. `exact::attractors` finds the other motions.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             return Self::damped(ratios);
@@ -64,12 +64,12 @@ impl<F: Float> Response<F> {
         Self::above(&p, ratios, Border::at(&p))
     }
 
-    /// The answer without damping by the border.
+    /// The answer without damping, given the border.
     #[inline(always)]
     fn above(p: &PhaseFunction<F>, ratios: Ratios<F>, border: Border<F>) -> Self {
         let regime = regime_of(ratios, &border);
         let slides = has_two_reversals(ratios.omega(), ratios.alpha(), border.min_force_ratio);
-        // No closures: they would be compiled apart, without the processor's fused operation.
+        // There are no closures: they would be compiled separately, without the processor's fused operation.
         let (cycle, loop_size_stiffness, loop_size_inertia) = if slides {
             let cycle = Cycle::at(p, ratios);
             let (a1, a2) = cycle.loop_sizes();
@@ -110,10 +110,10 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// The answer computed with the guard bits that the type has ([`Float::guarded`]), every output rounded
-    /// once: with multiple precision right to the last place, at f64 the same as [`Response::new`].
+    /// The answer computed with the type's guard bits ([`Float::guarded`]), every output rounded once:
+    /// accurate to the last place in multiple precision, and the same as [`Response::new`] at f64.
     ///
-    /// The regime, too, is decided with them.
+    /// The regime is decided with these bits, too.
     pub fn guarded(ratios: Ratios<F>) -> Self {
         struct Task<F>(Ratios<F>);
 
@@ -149,20 +149,20 @@ impl<F: Float> Response<F> {
         }
     }
 
-    /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Where it does, the best
-    /// non-sticking force ratio is the border itself.
+    /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Otherwise the best non-sticking
+    /// force ratio is the border itself.
     pub fn best_is_reached(&self) -> bool {
         self.best_force_ratio >= self.border.min_force_ratio
     }
 }
 
-/// A number that is not infinite.
+/// The number, if it is not infinite.
 #[inline(always)]
 fn finite<F: Float>(x: F) -> Option<F> {
     if x.is_finite() { Some(x) } else { None }
 }
 
-/// [`Response::new`].
+/// The task of [`Response::new`].
 struct NewResponse<F>(Ratios<F>);
 
 impl<F: Float> Task for NewResponse<F> {
@@ -174,7 +174,7 @@ impl<F: Float> Task for NewResponse<F> {
     }
 }
 
-/// [`Response::new`] without damping, where the static friction is above the kinetic one.
+/// The task of [`Response::new`] without damping, for a static friction above the kinetic one.
 struct WithStaticFriction<F>(Ratios<F>);
 
 impl<F: Float> Task for WithStaticFriction<F> {

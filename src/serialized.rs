@@ -1,5 +1,5 @@
-//! Results with private fields as maps, by the names that the command's JSON has. Results with public fields
-//! derive it.
+//! Results with private fields are serialised as maps, with the names of the command's JSON. Results with
+//! public fields derive it.
 
 #[cfg(feature = "mp")]
 use crate::enclosed::{self, Enclosure};
@@ -25,7 +25,7 @@ fn in_map<S: Serializer>(
     map.end()
 }
 
-/// The ratios, the regime, and every [`Output`]; null where it does not exist.
+/// The ratios, the regime, and every [`Output`]; null for those that do not exist.
 impl<F: Float + Serialize> Serialize for Response<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let ratios = self.ratios;
@@ -129,7 +129,7 @@ impl<const N: usize> Serialize for Sensitivities<N> {
     }
 }
 
-/// How many draws there were, how many of them in each regime, and the values of each output that was kept.
+/// The number of draws, the number in each regime, and the values of each output that was kept.
 #[cfg(feature = "random")]
 impl Serialize for MonteCarlo {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -169,7 +169,7 @@ impl Serialize for enclosed::Regime {
     }
 }
 
-/// The regime, every [`Output`], and the bits; null where it does not exist or is not certain.
+/// The regime, every [`Output`], and the bits; null for outputs that do not exist or are not certain.
 #[cfg(feature = "mp")]
 impl Serialize for enclosed::Response {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {

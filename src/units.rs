@@ -10,10 +10,9 @@
 //! # Ok::<(), stickslip::units::UnitError>(())
 //! ```
 //!
-//! Every unit is a ratio of two whole numbers times a power of π, in SI base units with the radian. So the
-//! conversion adds a rounding or two in any number type. The crate `uom` was tried for this: its factors are
-//! f64 constants, which would cut a number of 1024 bits to 53, and its hertz and its rad/s do not differ by
-//! 2π.
+//! Every unit is a ratio of two integers times a power of π, in SI base units with the radian, so that a
+//! conversion adds one or two roundings in any number type. The crate `uom` was tried: its factors are f64
+//! constants, which would reduce a number of 1024 bits to 53, and its hertz and rad/s do not differ by 2π.
 
 mod factor;
 mod kind;
@@ -29,28 +28,29 @@ use core::str::FromStr;
 use std::cell::RefCell;
 use table::Unit;
 
-/// A value or a unit that cannot be read: the argument, what was given for it, and what was expected.
+/// The error for a value or a unit that cannot be read: the argument, its text, and the expected form.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
 pub struct UnitError(String);
 
 /// Reads values into one system of units.
 ///
-/// Those with units are converted, and bare numbers are in that system. Where it was not named, bare numbers
-/// do not mix with units: nobody could tell their system. A bare frequency is in rad/s in any system.
+/// Values with units are converted, and bare numbers are in that system. If no system was named, bare numbers
+/// must not be mixed with units, because their system would be unclear. A bare frequency is in rad/s in any
+/// system.
 #[derive(Debug)]
 pub struct Reader {
     system: System,
     named: bool,
-    /// How a caller names a system.
+    /// The option that names a system.
     option: &'static str,
     first_bare: RefCell<Option<String>>,
     first_with_unit: RefCell<Option<String>>,
 }
 
 impl Reader {
-    /// A reader in a system that the user named, or in SI. `option` is how it is named, such as
-    /// `--units kN,m`.
+    /// A reader in a system that the user named, or in SI. `option` shows how to name one, such as `--units
+    /// kN,m`.
     #[must_use]
     pub fn new(named: Option<&System>, option: &'static str) -> Self {
         Self {
@@ -62,7 +62,7 @@ impl Reader {
         }
     }
 
-    /// The system that values are read into.
+    /// The system into which values are read.
     pub const fn system(&self) -> System {
         self.system
     }
@@ -70,7 +70,7 @@ impl Reader {
     /// The value of the argument or column `name`, in the reader's system.
     ///
     /// # Errors
-    /// Where the text is no number, its unit is unknown or not one of the kind, or bare numbers mix with
+    /// Where the text is no number, its unit is unknown or of another kind, or bare numbers are mixed with
     /// units.
     pub fn value<F: Float + FromStr>(&self, name: &str, text: &str, kind: Kind) -> Result<F, UnitError> {
         let (digits, unit) = split(text);
@@ -85,7 +85,7 @@ impl Reader {
         Ok(factor.times(value))
     }
 
-    /// What the values of a column are multiplied by, by the unit in its header, such as `frequency[Hz]`.
+    /// The factor for the values of a column, from the unit in its header, such as `frequency[Hz]`.
     ///
     /// # Errors
     /// As for [`Reader::value`].
@@ -95,14 +95,14 @@ impl Reader {
         Ok(factor)
     }
 
-    /// Whether a text has a unit behind its number.
+    /// Whether a text has a unit after its number.
     #[must_use]
     pub fn has_unit(text: &str) -> bool {
         let (digits, unit) = split(text);
         !digits.is_empty() && !unit.is_empty()
     }
 
-    /// Whether a value had a unit.
+    /// Whether any value had a unit.
     pub fn has_converted(&self) -> bool {
         self.first_with_unit.borrow().is_some()
     }
@@ -147,7 +147,7 @@ impl Reader {
     }
 }
 
-/// The number at the beginning of a text, and what follows it.
+/// The number at the beginning of a text, and the rest of the text.
 fn split(text: &str) -> (&str, &str) {
     let text = text.trim();
     let bytes = text.as_bytes();
@@ -173,12 +173,12 @@ fn split(text: &str) -> (&str, &str) {
 /// A number without a unit.
 ///
 /// # Errors
-/// Where the text is none, with a hint where it has a decimal comma.
+/// Where the text is no number, with a hint if it has a decimal comma.
 pub fn number<F: FromStr>(name: &str, text: &str) -> Result<F, UnitError> {
     number_of(name, text, text)
 }
 
-/// The number that `digits` of the text are.
+/// The number given by `digits`, a part of the text.
 fn number_of<F: FromStr>(name: &str, text: &str, digits: &str) -> Result<F, UnitError> {
     let digits = digits.trim();
     digits.parse().map_err(|_| {

@@ -3,12 +3,12 @@
 use crate::float::Float;
 use core::fmt::{self, Display, Formatter};
 
-/// A number that an error is about. It is written with all the digits that tell it apart; no text is made
-/// before it is asked for, but of a type that is not f64.
+/// A number in an error. It is printed with all the digits that identify it; its text is created on demand,
+/// except for a type other than f64.
 #[derive(Debug, Clone)]
 pub struct Number {
     nearest: f64,
-    /// All digits, of a type other than f64.
+    /// All digits, for a type other than f64.
     digits: Option<Box<str>>,
 }
 
@@ -19,13 +19,13 @@ impl Number {
         self.nearest
     }
 
-    /// A number that is written in a way of its own.
+    /// A number with a text of its own.
     pub(crate) fn spelled(nearest: f64, digits: &str) -> Self {
         Self { nearest, digits: Some(digits.into()) }
     }
 }
 
-/// With a power of ten where it would take many zeros.
+/// Prints a power of ten where the number would need many zeros.
 impl Display for Number {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         match &self.digits {
@@ -36,7 +36,7 @@ impl Display for Number {
     }
 }
 
-/// The same digits; NaN is NaN here, so that errors can be compared.
+/// Compares the digits; NaN equals NaN here, so that errors can be compared.
 impl PartialEq for Number {
     fn eq(&self, other: &Self) -> bool {
         self.digits == other.digits && self.nearest.to_bits() == other.nearest.to_bits()
@@ -51,7 +51,7 @@ impl<F: Float> From<F> for Number {
     }
 }
 
-/// x as an error has it.
+/// A number for an error.
 pub(crate) fn written<F: Float>(x: F) -> Number {
     let nearest = x.to_f64();
     let digits = (F::PRECISION != f64::MANTISSA_DIGITS)
@@ -59,7 +59,7 @@ pub(crate) fn written<F: Float>(x: F) -> Number {
     Number { nearest, digits }
 }
 
-/// Whether it takes few zeros to write.
+/// Whether the number needs few zeros.
 fn is_plain(x: f64) -> bool {
     let size = x.abs();
     (1e-5..1e16).contains(&size) || size == 0.0 || !size.is_finite()

@@ -1,8 +1,8 @@
-//! The quantities that an input can name.
+//! The quantities of the input.
 
 use core::fmt::{self, Display};
 
-/// A physical or dimensionless quantity that an input names.
+/// A physical or dimensionless quantity of the input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Quantity {
@@ -20,7 +20,7 @@ pub enum Quantity {
     Damping,
     /// Damping ratio ζ = c/(2√(k m)).
     DampingRatio,
-    /// Static friction r_s, the force that a body at rest gives way at.
+    /// Static friction r_s, the force at which a body at rest is released.
     StaticFriction,
     /// Static friction ratio η = r_s/r_y.
     StaticFrictionRatio,
@@ -130,7 +130,7 @@ impl Quantity {
     }
 }
 
-/// The name and the symbol.
+/// Displays the name and the symbol.
 impl Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())

@@ -1,16 +1,16 @@
-//! What shakes the body: a force, or a motion of what it stands on.
+//! The excitation: a force, or a motion of the foot or the base.
 
 use super::Oscillator;
 use crate::error::{Error, Quantity};
 use crate::float::Float;
 use crate::ratios::{Ratios, finite, positive};
 
-/// What is given of a harmonic drive, and what shakes the body.
+/// The kind of a harmonic excitation, and the quantity that gives its amplitude.
 ///
-/// Two motions of the base must not be confused. Where only the **foot** of the spring moves, the surface
-/// under the body stays, x is the displacement over the surface, and the force is that of the spring. Where
-/// the base carries the **surface** along, as under an isolator or in an earthquake, x is the displacement
-/// relative to the base, and the force is inertia.
+/// Two kinds of base motion must be distinguished. If only the **foot** of the spring moves, the surface
+/// under the body is fixed, x is the displacement over the surface, and the force is that of the spring. If
+/// the base also carries the **surface**, as under an isolator or in an earthquake, x is the displacement
+/// relative to the base, and the force is that of inertia.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -18,11 +18,11 @@ use crate::ratios::{Ratios, finite, positive};
 pub enum Excitation {
     /// A force `p₀ sin ω_d t` on the body.
     Force,
-    /// A motion `u₀ sin ω_d t` of the foot of the spring over a surface that stays: `p₀ = k u₀`. The paper's
-    /// base motion (`docs/errata.md`, 7).
+    /// A motion `u₀ sin ω_d t` of the foot of the spring over a fixed surface: `p₀ = k u₀`. This is the
+    /// paper's base motion (`docs/errata.md`, 7).
     FootMotion,
-    /// The same with the damper standing on the moving foot, too: `p₀ = √(k² + c²ω_d²) u₀`, ahead of the
-    /// motion by [`Drive::phase_lead`].
+    /// The same with the damper on the moving foot as well: `p₀ = √(k² + c²ω_d²) u₀`, ahead of the motion by
+    /// [`Drive::phase_lead`].
     DampedFootMotion,
     /// A motion `u₀ sin ω_d t` of a base that carries the surface along, given by its displacement amplitude:
     /// `p₀ = m ω_d² u₀`.
@@ -33,7 +33,7 @@ pub enum Excitation {
     SurfaceAcceleration,
 }
 
-/// What shakes the body, in words.
+/// Displays the excitation in words.
 impl core::fmt::Display for Excitation {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
@@ -41,7 +41,7 @@ impl core::fmt::Display for Excitation {
 }
 
 impl Excitation {
-    /// What its amplitude is.
+    /// The quantity of the amplitude.
     const fn quantity(self) -> Quantity {
         match self {
             Self::Force => Quantity::ForceAmplitude,
@@ -51,7 +51,7 @@ impl Excitation {
         }
     }
 
-    /// [`Display`](core::fmt::Display) as a static text.
+    /// The text that [`Display`](core::fmt::Display) prints.
     #[doc(hidden)]
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -65,8 +65,8 @@ impl Excitation {
         }
     }
 
-    /// Whether the foot of the spring moves over a surface that stays, so that the force on the body changes
-    /// with its stiffness.
+    /// Whether the foot of the spring moves over a fixed surface, so that the force on the body depends on
+    /// its stiffness.
     #[doc(hidden)]
     #[must_use]
     pub const fn moves_foot(self) -> bool {
@@ -80,12 +80,12 @@ impl Excitation {
         matches!(self, Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration)
     }
 
-    /// The transmitted force in r_y, and the transmissibility, of a body shaken so: from the greatest `force`
-    /// of spring, damper and friction and the maximum `acceleration` in B ω_d².
+    /// The transmitted force in r_y, and the transmissibility, of a body with this excitation, from the
+    /// maximum `force` of spring, damper and friction and the maximum `acceleration` in B ω_d².
     ///
-    /// What foot and surface together feel where the foot moves is the force m x″, `Ω²` times the
-    /// acceleration, because nothing else acts on the body; and the transmissibility is the ratio of the
-    /// accelerations of body and foot. Otherwise it is the force, and the same over p₀.
+    /// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the
+    /// acceleration, because nothing else acts on the body; the transmissibility is then the ratio of the
+    /// accelerations of body and foot. Otherwise they are the force, and the force over p₀.
     #[doc(hidden)]
     pub fn transmitted<F: Float>(self, omega: F, alpha: F, force: F, acceleration: F) -> (F, F) {
         if self.moves_foot() {
@@ -96,7 +96,7 @@ impl Excitation {
     }
 }
 
-/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]); with a
+/// A harmonic drive: a force `p₀ sin ω_d t` on the body, or a motion of its base ([`Excitation`]), and a
 /// constant force p̄ if there is one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -132,7 +132,7 @@ impl<F: Float> Drive<F> {
     /// The force `p₀ = α r_y` at the angular frequency ω_d.
     ///
     /// # Errors
-    /// Where α or ω_d is not finite or not > 0, or p₀ over- or underflows.
+    /// Where α or ω_d is not finite or not > 0, or p₀ overflows or underflows.
     pub fn with_force_ratio(
         oscillator: &Oscillator<F>,
         alpha: F,
@@ -158,17 +158,17 @@ impl<F: Float> Drive<F> {
         self.angular_frequency
     }
 
-    /// The amplitude it was given by: p₀ of a force, otherwise that of the motion of the base.
+    /// The amplitude as given: p₀ of a force, otherwise that of the motion of the base.
     pub const fn amplitude(&self) -> F {
         self.amplitude
     }
 
-    /// What shakes the body.
+    /// The kind of excitation.
     pub const fn excitation(&self) -> Excitation {
         self.excitation
     }
 
-    /// The constant force p̄; 0 unless it was given.
+    /// The constant force p̄; 0 by default.
     pub(crate) const fn mean_force(&self) -> F {
         self.mean_force
     }
@@ -181,7 +181,7 @@ impl<F: Float> Drive<F> {
         )
     }
 
-    /// Amplitude p₀ of the force on the body of `oscillator`: as [`Excitation`] says.
+    /// The amplitude p₀ of the force on the body of `oscillator`, according to the [`Excitation`].
     pub fn force_amplitude(&self, oscillator: &Oscillator<F>) -> F {
         let (amplitude, frequency) = (self.amplitude, self.angular_frequency);
         match self.excitation {

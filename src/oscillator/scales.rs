@@ -22,10 +22,10 @@ pub struct Scales<F> {
     pub energy_stiffness: F,
     /// Energy for one unit of A₂: `p₀²/(2 m ω_d²)` (eq. 67).
     pub energy_inertia: F,
-    /// The displacement about which the motion is symmetric, `(p̄ − (r₊ − r₋)/2)/k`: 0 without a mean force
-    /// and with the same friction in both directions.
+    /// The displacement about which the motion is symmetric, `(p̄ − (r₊ − r₋)/2)/k`; it is 0 without a mean
+    /// force if friction is the same in both directions.
     ///
-    /// Displacements of this crate are measured from there. A constant force shifts the motion, stops
+    /// Displacements in this crate are measured from there. A constant force shifts the motion, stops
     /// included, and changes nothing else.
     pub mean_displacement: F,
 }
@@ -34,7 +34,7 @@ impl<F: Float> Scales<F> {
     /// The scales of `oscillator` under `drive`.
     ///
     /// # Errors
-    /// Where one of them over- or underflows, so that answers could not be stated in these units.
+    /// Where one of them overflows or underflows, so that answers could not be stated in these units.
     pub fn new(oscillator: &Oscillator<F>, drive: &Drive<F>) -> Result<Self, Error> {
         let length = positive(Quantity::FrictionDisplacement, oscillator.friction_displacement())?;
         let frequency = drive.angular_frequency();

@@ -1,9 +1,9 @@
-//! What one unit is in another: a ratio of whole numbers times a power of π.
+//! The ratio of two units: a ratio of integers times a power of π.
 
 use crate::float::Float;
 use core::str::FromStr;
 
-/// What one unit is in another: `numerator/denominator · πⁿ`, in lowest terms.
+/// The ratio of two units: `numerator/denominator · πⁿ`, in lowest terms.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Factor {
     numerator: u128,
@@ -23,28 +23,27 @@ impl Factor {
         Self { numerator: self.denominator, denominator: self.numerator, pi: -self.pi }
     }
 
-    /// The product; `None` where it is beyond the whole numbers of 128 bits.
+    /// The product; `None` if it overflows 128-bit integers.
     pub(super) fn and(self, other: Self) -> Option<Self> {
         let (a, d) = lowest(self.numerator, other.denominator);
         let (c, b) = lowest(other.numerator, self.denominator);
         Some(Self::new(a.checked_mul(c)?, b.checked_mul(d)?, self.pi.checked_add(other.pi)?))
     }
 
-    /// A whole power.
+    /// An integer power.
     pub(super) fn power(self, exponent: i8) -> Option<Self> {
         let base = if exponent < 0 { self.inverse() } else { self };
         (0..exponent.unsigned_abs()).try_fold(Self::ONE, |product, _| product.and(base))
     }
 
-    /// The quotient. Factors of the table are small: one that overflows counts as 1, which no unit of a
-    /// quantity here reaches.
+    /// The quotient. The factors of the table are small: an overflow counts as 1, which no unit here reaches.
     pub(super) fn over(self, other: Self) -> Self {
         self.and(other.inverse()).unwrap_or(Self::ONE)
     }
 
-    /// The value in the other unit: one rounding for each of the numbers that is not 1.
+    /// The value in the other unit, with one rounding for each of the numbers that is not 1.
     pub fn times<F: Float + FromStr>(self, value: F) -> F {
-        // Whole numbers have an exact or correctly rounded text in any type.
+        // The text of an integer is converted exactly, or with correct rounding, in any type.
         let whole = |n: u128| n.to_string().parse().unwrap_or_else(|_| F::from_f64(n as f64));
         let mut value = value;
         if self.numerator != 1 {
@@ -60,7 +59,7 @@ impl Factor {
     }
 }
 
-/// Both numbers without their greatest common divisor.
+/// Both numbers divided by their greatest common divisor.
 const fn lowest(a: u128, b: u128) -> (u128, u128) {
     let (mut x, mut y) = (a, b);
     while y != 0 {

@@ -1,9 +1,9 @@
-//! What a value is: its dimension, and the units a user would know it by.
+//! The kind of a value: its dimension, and its usual units.
 
 /// Exponents of mass, length, time and angle.
 pub(super) type Dimension = [i8; 4];
 
-/// The kind of a quantity: which units its values can have.
+/// The kind of a quantity, which determines the units of its values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Kind {
@@ -68,12 +68,12 @@ impl Kind {
         }
     }
 
-    /// The kind of a dimension, where it is one that is asked for.
+    /// The kind of a dimension, if there is one.
     pub(super) fn of(dimension: Dimension) -> Option<Self> {
         Self::ALL.into_iter().find(|kind| kind.dimension() == dimension)
     }
 
-    /// Whether it is the same number in all systems of units.
+    /// Whether the number is the same in all systems of units.
     #[must_use]
     pub(crate) const fn is_dimensionless(self) -> bool {
         matches!(self, Self::Ratio | Self::Angle)
@@ -96,7 +96,7 @@ impl Kind {
         }
     }
 
-    /// What was expected in place of another unit.
+    /// The expected units, for the error about another unit.
     pub(super) const fn expected(self) -> &'static str {
         match self {
             Self::Ratio => "a plain number, or one in %",

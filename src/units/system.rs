@@ -9,7 +9,7 @@ use core::fmt;
 use core::str::FromStr;
 
 /// A consistent system of units: one of force, one of length, and the second. Its mass is force · s²/length.
-/// SI unless it is read from a text such as `kN,mm`.
+/// The default is SI; others are read from a text such as `kN,mm`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct System {
     force: &'static str,
@@ -45,7 +45,7 @@ impl FromStr for System {
     }
 }
 
-/// Its two units, as it is read.
+/// Displays the two units in the form in which they are read.
 impl fmt::Display for System {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{},{}", self.force, self.length)

@@ -1,9 +1,9 @@
-//! The units that are known, each exact by definition, and products and quotients of them.
+//! The known units, each exact by definition, and their products and quotients.
 
 use super::factor::Factor;
 use super::kind::Dimension;
 
-/// A unit: its dimension, and what it is in kg, m, s and rad.
+/// A unit: its dimension, and its value in kg, m, s and rad.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Unit {
     pub(super) dimension: Dimension,
@@ -19,9 +19,9 @@ const ACCELERATION: Dimension = [0, 1, -2, 0];
 const FORCE: Dimension = [1, 1, -2, 0];
 const ENERGY: Dimension = [1, 2, -2, 0];
 
-/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram and standard
-/// gravity: the quantity decides. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity 9.80665
-/// m/s².
+/// Symbol, dimension, and numerator, denominator and power of π of the factor. `g` is the gram or standard
+/// gravity, depending on the quantity. The pound is 0.45359237 kg, the inch 0.0254 m, standard gravity
+/// 9.80665 m/s².
 #[rustfmt::skip]
 const TABLE: &[(&str, Dimension, u128, u128, i8)] = &[
     ("%", [0; 4], 1, 100, 0),
@@ -52,13 +52,13 @@ pub(super) fn mass_of(factor: Factor) -> Option<&'static str> {
     unit.map(|(symbol, ..)| *symbol)
 }
 
-/// The symbol of that text in the table, with its unit, where it has the dimension.
+/// The symbol of that text in the table, with its unit, if it has the dimension.
 pub(super) fn symbol(text: &str, dimension: Dimension) -> Option<(&'static str, Unit)> {
     let row = TABLE.iter().find(|(symbol, d, ..)| *symbol == text && *d == dimension);
     row.map(|&(symbol, dimension, p, q, pi)| (symbol, Unit { dimension, factor: Factor::new(p, q, pi) }))
 }
 
-/// What a unit such as `kN/mm` or `m/s²` may mean: nothing where it is not known, two things for `g`.
+/// The possible meanings of a unit such as `kN/mm` or `m/s²`: none if it is unknown, two for `g`.
 pub(super) fn parse(text: &str) -> Vec<Unit> {
     let mut meanings = vec![Unit { dimension: [0; 4], factor: Factor::ONE }];
     let mut sign = 1i8;
@@ -85,7 +85,7 @@ pub(super) fn parse(text: &str) -> Vec<Unit> {
     }
 }
 
-/// A name and its exponent: `s^2`, `s2`, `s²`; 1 without one, 0 where it is none that is known.
+/// A name and its exponent: `s^2`, `s2`, `s²`; the exponent is 1 by default, and 0 if it is invalid.
 fn with_exponent(part: &str) -> (&str, i8) {
     let Some((at, last)) = part.char_indices().next_back() else { return (part, 1) };
     let exponent = match last {

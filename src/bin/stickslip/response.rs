@@ -10,7 +10,7 @@ use crate::{enclose, input, note, points};
 use std::io::Write;
 use stickslip::Response;
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a ResponseArgs, &'a mut W);
 
 pub(crate) fn run(args: &ResponseArgs, out: &mut impl Write) -> Outcome {
@@ -63,7 +63,7 @@ pub(crate) fn answer<F: Value>(
     Ok((response, record))
 }
 
-/// `jsonl` and `csv` are for streams.
+/// The failure for `jsonl` and `csv`, which are for streams.
 pub(crate) fn single_format() -> Failure {
     Failure::Input("--format: jsonl and csv go with --points; a single answer is text or json".to_owned())
 }

@@ -1,9 +1,9 @@
-//! Rows in a file, and going on with them where they were broken off.
+//! Rows in a file, and resuming them after an interruption.
 //!
-//! A file is gone on with only where its rows are those of this very question: the header, what each row
-//! begins with or has of its grid, and as many whole rows, spread evenly, as a second allows. Where the rows
-//! do not hold their grid, every one is computed anew. What is cut off behind the last whole row must be the
-//! beginning of the row that is due.
+//! A file is resumed only if its rows are those of the same request. The check covers the header, the columns
+//! that identify a row in its grid, and as many complete rows, evenly spaced, as a second allows. If the rows
+//! do not contain their grid, all of them are recomputed. The text after the last complete row must be the
+//! beginning of the next row.
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
@@ -16,28 +16,28 @@ use std::ops::Range;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// Rows that are each made from their number alone.
+/// Rows that are each computed from their number alone.
 pub(crate) trait Rows: Sync {
-    /// What they are the rows of, as errors have it.
+    /// The source of the rows, for error messages.
     const OF: &'static str;
 
-    /// The line above them; nothing where they have none.
+    /// The header line; empty if there is none.
     fn header(&self) -> Result<Vec<u8>, Failure>;
 
-    /// The text of some of them.
+    /// The text of some of the rows.
     fn text(&self, points: Range<u64>) -> Result<Vec<u8>, Failure>;
 
-    /// Whether a row tells its point from others.
+    /// Whether a row identifies its point.
     fn hold_their_grid(&self) -> bool;
 
-    /// Whether what a row has of its point is that of this one, at next to no cost.
+    /// Whether the grid columns of a row are those of this point, checked at almost no cost.
     fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure>;
 }
 
-/// How old rows are, at most, that a kill loses.
+/// The greatest age of rows that a kill can lose.
 pub(crate) const AT_RISK: Duration = Duration::from_secs(1);
 
-/// A new file; one that is there is not overwritten.
+/// Creates a file; an existing one is not overwritten.
 pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
     let argument = format!("{option} {}", file.display());
     let created = OpenOptions::new().write(true).create_new(true).open(file).map_err(|e| {
@@ -52,7 +52,7 @@ pub(crate) fn create(file: &Path, option: &str) -> Result<File, Failure> {
 }
 
 /// Answers the points of a range in parallel, and writes the rows that `take` makes of the answers, in order,
-/// as they come.
+/// as they are computed.
 pub(crate) fn write<T: Send, W: Write>(
     points: Range<u64>,
     out: &mut W,
@@ -72,19 +72,19 @@ pub(crate) fn write<T: Send, W: Write>(
     outcome
 }
 
-/// What a file already holds.
+/// The contents of an existing file.
 pub(crate) struct Done {
     pub(crate) header: bool,
     pub(crate) rows: u64,
 }
 
-/// Bytes of a line, at most; a row of 8192 bits has less than a tenth of them.
+/// The greatest length of a line in bytes; a row of 8192 bits has less than a tenth of it.
 const LONGEST_LINE: u64 = 1 << 20;
-/// Whole rows that are compared, at most, and for how long.
+/// The greatest number of rows that are compared, and the greatest time for it.
 const MOST_COMPARED: usize = 1 << 13;
 const COMPARING: Duration = Duration::from_secs(1);
 
-/// Opens the file behind its last whole row; what follows that is cut off.
+/// Opens the file after its last complete row and truncates the rest.
 pub(crate) fn reopen<R: Rows>(
     name: &Path,
     rows: &R,
@@ -109,19 +109,19 @@ pub(crate) fn reopen<R: Rows>(
     Ok((file, Done { header: kept.begin > 0, rows: kept.rows }))
 }
 
-/// The whole lines of a file.
+/// The complete lines of a file.
 struct Kept {
     rows: u64,
-    /// Where the first row starts.
+    /// The position of the first row.
     begin: u64,
-    /// Where the last whole line ends.
+    /// The position after the last complete line.
     end: u64,
-    /// Some rows, spread evenly: which, and where.
+    /// Some rows, evenly spaced, with their numbers and positions.
     some: Spread,
 }
 
 impl Kept {
-    /// Reads the whole file, and compares what costs little.
+    /// Reads the whole file, and compares the parts that cost little.
     fn read<R: Rows>(file: &File, rows: &R, part: &Range<u64>, header: &[u8]) -> Result<Self, Failure> {
         let mut lines = BufReader::new(file);
         let mut kept = Self { rows: 0, begin: 0, end: 0, some: Spread::new() };
@@ -162,7 +162,7 @@ impl Kept {
         }
     }
 
-    /// Whether what follows the last whole line is the beginning of what is due there.
+    /// Fails unless the text after the last complete line is the beginning of the next row.
     fn is_beginning<R: Rows>(&self, rest: &[u8], rows: &R, part: &Range<u64>, header: &[u8]) -> Outcome {
         let next = part.start + self.rows;
         let due = match rest {
@@ -180,7 +180,7 @@ impl Kept {
         }))
     }
 
-    /// Compares rows that are spread evenly, for a second.
+    /// Compares evenly spaced rows, for one second.
     fn compare_some<R: Rows>(&self, file: &File, rows: &R, part: &Range<u64>) -> Outcome {
         let begin = Instant::now();
         for some in self.some.in_order().chunks(8 * rayon::current_num_threads()) {
@@ -231,7 +231,7 @@ pub(crate) fn not_this<R: Rows>(row: u64) -> Failure {
     Failure::Input(format!("row {row} is not of {}", R::OF))
 }
 
-/// Rows by number, place and length, thinned out evenly as they grow many, and the last one.
+/// Rows by number, position and length, evenly thinned as their number grows, and the last one.
 struct Spread {
     rows: Vec<(u64, u64, u64)>,
     last: Option<(u64, u64, u64)>,
@@ -255,7 +255,7 @@ impl Spread {
         }
     }
 
-    /// The ends first, then the middle, then the quarters …
+    /// The ends first, then the middle, then the quarters, and so on.
     fn in_order(&self) -> Vec<(u64, u64, u64)> {
         let mut order: Vec<_> = self.rows.iter().copied().enumerate().collect();
         order.sort_by_key(|(place, _)| place.reverse_bits());

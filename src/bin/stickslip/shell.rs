@@ -1,4 +1,4 @@
-//! `stickslip completions` and `stickslip man`: what the arguments themselves tell a shell and `man`.
+//! `stickslip completions` and `stickslip man`, generated from the arguments.
 
 use crate::args::{self, CompletionsArgs, ManArgs};
 use crate::failure::{Failure, Outcome};
@@ -6,7 +6,7 @@ use std::fs;
 use std::io::Write;
 
 pub(crate) fn completions(asked: &CompletionsArgs, out: &mut impl Write) -> Outcome {
-    // The generator panics where its output does not take what it writes.
+    // The generator panics if its output fails.
     let mut script = Vec::new();
     clap_complete::generate(asked.shell, &mut args::grammar(), "stickslip", &mut script);
     Ok(out.write_all(&script)?)

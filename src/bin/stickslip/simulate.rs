@@ -18,10 +18,10 @@ use std::io::{IsTerminal, Write, stdout};
 use stickslip::Error;
 use stickslip::exact::{DrivePhase, End, Instant, Kind, Segment, Trajectory};
 
-/// The most phases or samples a run may have: hours at some millions a second.
+/// The greatest number of segments or samples of a run: hours at some millions per second.
 const MOST_ROWS: f64 = 1e10;
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a SimulateArgs, &'a mut W);
 
 pub(crate) fn run(args: &SimulateArgs, out: &mut impl Write) -> Outcome {
@@ -67,7 +67,7 @@ impl<W: Write> Task for Run<'_, W> {
                 let mut samples = motion
                     .samples(u32::try_from(n).unwrap_or(u32::MAX))
                     .map_err(|e| Failure::Input(format!("--samples {n}: {e}")))?;
-                // One more than the cycles hold: the end belongs to the picture.
+                // One sample more than the cycles contain, so that the end is included.
                 let mut left = cycles.saturating_mul(n).saturating_add(1);
                 let heard = || {
                     if interrupt::check().is_ok() {
@@ -90,7 +90,7 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-/// Writes the records until there is none.
+/// Writes the records until there are no more.
 fn stream<F: Value, T>(
     sink: &mut Sink<impl Write>,
     items: impl Iterator<Item = Result<T, Error>>,
@@ -104,8 +104,8 @@ fn stream<F: Value, T>(
     Ok(())
 }
 
-/// A slide is no longer than half a turn of the drive or of the body, so that a cycle has about 2 + 2/Ω of
-/// them.
+/// A slide is no longer than half a turn of the drive or of the body, so that a cycle has about 2 + 2/Ω
+/// slides.
 fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
     let slides = cycles as f64 * (2.0 + 2.0 / omega);
     let too_many = |argument: &str, count: f64, things: &str| {
@@ -123,7 +123,7 @@ fn refuse_years(cycles: u64, samples: Option<u64>, omega: f64) -> Outcome {
     }
 }
 
-/// Progress in cycles: on a terminal, where the rows go elsewhere.
+/// Progress in cycles, on a terminal to which no rows are written.
 struct Clock {
     bar: ProgressBar,
     cycle: i64,

@@ -1,4 +1,4 @@
-//! Where a stream of records goes.
+//! The destination of a stream of records.
 
 use crate::args::Header;
 use crate::bits::Value;
@@ -6,7 +6,7 @@ use crate::failure::Outcome;
 use crate::record::Record;
 use std::io::{self, Write};
 
-/// Lines of JSON, or rows under one header: of CSV, or of a table to read.
+/// JSON lines, or rows under one header, of CSV or of a table for reading.
 pub(crate) enum Sink<W: Write> {
     Lines(W),
     Rows { writer: Box<csv::Writer<W>>, header: bool, names: Header },
@@ -26,7 +26,7 @@ impl<W: Write> Sink<W> {
         Self::Table { out, header: false }
     }
 
-    /// One record. Whatever ends the program between two calls, no record is left in part.
+    /// Writes one record. Whenever the program ends between two calls, every record is complete.
     pub(crate) fn write<F: Value>(&mut self, record: &Record<F>) -> Outcome {
         self.write_header(record)?;
         match self {
@@ -36,7 +36,7 @@ impl<W: Write> Sink<W> {
         }
     }
 
-    /// The header alone, where rows have one.
+    /// Writes the header alone, if rows have one.
     pub(crate) fn write_header<F: Value>(&mut self, record: &Record<F>) -> Outcome {
         match self {
             Self::Lines(_) | Self::Rows { header: true, .. } | Self::Table { header: true, .. } => Ok(()),

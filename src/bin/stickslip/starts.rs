@@ -1,4 +1,4 @@
-//! Many starts followed in parallel, each with the limit that it leads to, as rows that can be gone on with.
+//! Many starts computed in parallel, each with its limit, as rows that can be resumed.
 
 use crate::args::{Header, RowsArgs};
 use crate::bits::Value;
@@ -17,7 +17,7 @@ use std::path::Path;
 use stickslip::Ratios;
 use stickslip::exact::{Attractors, LongRun, Signature, State, Trajectory};
 
-/// So many starts of one machine, each made from its number.
+/// A number of starts of one machine, each computed from its number.
 pub(crate) struct Starts<F, S> {
     pub(crate) ratios: Ratios<F>,
     pub(crate) count: u64,
@@ -26,8 +26,8 @@ pub(crate) struct Starts<F, S> {
 }
 
 impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
-    /// Their limits, in the order of the starts whatever the number of threads. The rows of a file that is
-    /// gone on with are not followed again, but for the first start of each limit.
+    /// The limits, in the order of the starts for any number of threads. Rows of a resumed file are not
+    /// computed again, except for the first start of each limit.
     pub(crate) fn limits(&self, given: &Given<F>, rows: &RowsArgs) -> Result<Attractors<F>, Failure> {
         Trajectory::new(self.ratios, State::<F>::default()).map_err(|e| of_motion(given, e))?;
         let mut all = Attractors::new();
@@ -46,7 +46,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         Ok(all)
     }
 
-    /// The rows from a start on to the end of a file. Whatever breaks them off, the file can be gone on with.
+    /// Writes the rows from a start to the end of a file. After any interruption the file can be resumed.
     fn to_file(
         &self,
         from: u64,
@@ -64,7 +64,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
     }
 
-    /// Follows the starts from one on.
+    /// Computes the limits from one start on.
     fn follow_on(&self, from: u64, all: &mut Attractors<F>, out: &mut impl Write) -> Outcome {
         resume::write(
             from..self.count,
@@ -87,7 +87,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         Ok((limit, csv_text(|writer| record.write_row(writer))?))
     }
 
-    /// Counts in the starts that a file has the limits of.
+    /// Counts the starts whose limits the file contains.
     fn read(&self, name: &Path, rows: u64, all: &mut Attractors<F>) -> Outcome {
         let mut lines = BufReader::new(File::open(name)?).lines().skip(1);
         for number in 0..rows {
@@ -107,7 +107,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> Starts<F, S> {
         Ok(())
     }
 
-    /// What tells a row from those of other starts.
+    /// The columns that identify the row of a start.
     fn of_start(&self, number: u64) -> Result<Vec<(&'static str, Cell<F>)>, Failure> {
         let start = (self.at)(number)?;
         let number = |x: F| Cell::Number(Some(x));
@@ -178,7 +178,7 @@ impl<F: Value, S: Fn(u64) -> Result<State<F>, Failure> + Sync> resume::Rows for 
     }
 }
 
-/// The signature in a row.
+/// The signature of the limit in a row.
 fn signature<F: Value>(line: &str) -> Option<Signature<F>> {
     let mut cells = line.split(',').skip(8);
     let kind = cells.next()?;
@@ -196,7 +196,7 @@ fn signature<F: Value>(line: &str) -> Option<Signature<F>> {
     })
 }
 
-/// The limit of a start, until the user asks to stop.
+/// The limit of a start, unless the user asks to stop.
 pub(crate) fn follow<F: Value>(
     ratios: Ratios<F>,
     start: State<F>,

@@ -22,7 +22,7 @@ use stickslip::{Error, Quantity, Ratios};
 
 use note::note;
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a SteadyArgs, &'a mut W);
 
 pub(crate) fn run(args: &SteadyArgs, out: &mut impl Write) -> Outcome {
@@ -59,7 +59,7 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-/// The long run from a start, and its record.
+/// The steady state from a start, and its record.
 pub(crate) fn answer<F: Value>(
     given: &Given<F>,
     point: &Point<F>,
@@ -91,7 +91,7 @@ pub(crate) fn answer<F: Value>(
     Ok((limit, record))
 }
 
-/// The record with η, and with what only a static friction above the kinetic one brings about.
+/// The record with η, and with the outputs that exist only for a static friction above the kinetic one.
 fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let mut record = record.with_static_friction_ratio(ratios.static_friction_ratio());
     let steady = limit.steady_state();
@@ -116,7 +116,7 @@ fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: 
     record
 }
 
-/// The failure behind the argument that the exact motion cannot be followed with.
+/// The failure, preceded by the argument for which the exact motion cannot be computed.
 pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     if matches!(error.quantity(), Some(Quantity::DampingRatio | Quantity::StaticFrictionRatio)) {
         return given.at_fault(error);
@@ -124,7 +124,7 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
     Failure::Input(format!("--omega or --frequency: {error}"))
 }
 
-/// All outputs of a steady state; the peaks where they are asked for.
+/// All outputs of a steady state; the peaks only if requested.
 fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
@@ -173,7 +173,7 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
     })
 }
 
-/// With the machine and the answer in its units.
+/// Adds the machine and the answer in its units.
 fn with_machine<F: Value>(record: Record<F>, machine: &Machine<F>) -> Record<F> {
     let mut record = record.felt_around(machine);
     let scales = &machine.scales;

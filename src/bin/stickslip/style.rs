@@ -16,7 +16,7 @@ pub(crate) fn label() -> String {
     painted("stickslip:", AnsiColor::Red.on_default().bold())
 }
 
-/// A sentence on standard output, its first word or words up to the colon in the colour of the regime they
+/// A sentence on standard output, with the words up to the first colon in the colour of the regime that they
 /// name.
 pub(crate) fn verdict(sentence: &str) -> String {
     match sentence.split_once(':') {

@@ -16,7 +16,7 @@ use std::io::Write;
 use std::ops::Range;
 use std::path::Path;
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a SweepArgs, &'a mut W);
 
 pub(crate) fn run(args: &SweepArgs, out: &mut impl Write) -> Outcome {
@@ -56,11 +56,11 @@ fn to_text<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>, out: &m
     }
 }
 
-/// The rows to the end of a file. Whatever breaks them off, the file can be gone on with.
+/// Writes the rows to the end of a file. After any interruption the file can be resumed.
 fn to_file<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, file: &File, name: &Path) -> Outcome {
     let name = name.display().to_string();
     let outcome = write(rows, part, header, &mut Lines::new(file, name.as_str()));
-    // What the system could not write after all is told here.
+    // This reports data that the system failed to write.
     outcome.and(file.sync_all().map_err(|e| named(&name, e).into()))
 }
 
@@ -74,7 +74,7 @@ fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
     Err(Failure::Input("--format parquet: this build has none; it needs the feature parquet".to_owned()))
 }
 
-/// The rows of a part of the sweep, with their header.
+/// Writes the rows of a part of the sweep, with their header.
 fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut impl Write) -> Outcome {
     if header {
         out.write_all(&rows.header()?)?;
@@ -82,7 +82,7 @@ fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut imp
     resume::write(part, out, |points| rows.text(points), |text, out| Ok(out.write_all(&text)?))
 }
 
-/// The rows of `--shard I/N`: the parts follow each other without gap, and differ by one row at most.
+/// The rows of `--shard I/N`: the parts are contiguous, and differ by at most one row.
 fn part(shard: Option<&str>, rows: u64) -> Result<Range<u64>, Failure> {
     let Some(text) = shard else { return Ok(0..rows) };
     let numbers: Option<(u64, u64)> =

@@ -12,7 +12,7 @@ use std::io::{self, Write};
 use std::ops::ControlFlow;
 use stickslip::verify::{Standing, Verdict, verify};
 
-/// The command with its arguments and where its answer goes.
+/// The command with its arguments and its output.
 struct Run<'a, W>(&'a VerifyArgs, &'a mut W);
 
 pub(crate) fn run(args: &VerifyArgs, out: &mut impl Write) -> Outcome {
@@ -36,11 +36,11 @@ fn enclosed(_: &VerifyArgs, _: &mut impl Write) -> Outcome {
     Err(enclose::no_balls())
 }
 
-/// What the residuals are.
+/// The kind of the residuals.
 #[derive(Clone, Copy)]
 struct Residuals {
     bits: u32,
-    /// Balls that contain them, and not the residuals themselves.
+    /// Whether they are balls that contain the residuals, and not the residuals themselves.
     are_balls: bool,
 }
 
@@ -53,7 +53,7 @@ impl<W: Write> Task for Run<'_, W> {
     }
 }
 
-/// Verdicts with a progress bar, until an interrupt.
+/// The verdicts, with a progress bar, unless interrupted.
 fn watched<E>(
     verify: impl FnOnce(
         &mut dyn FnMut(usize, usize) -> ControlFlow<Failure>,
@@ -89,7 +89,7 @@ fn answer(verdicts: &[Verdict], residuals: Residuals, args: &VerifyArgs, out: &m
     conclusion(verdicts)
 }
 
-/// A failure where one identity is not as it should be.
+/// A failure if an identity does not hold, or is not refuted, as it must be.
 fn conclusion(verdicts: &[Verdict]) -> Outcome {
     match verdicts.iter().filter(|v| !v.passed).count() {
         0 => Ok(()),
@@ -154,12 +154,12 @@ struct Row<'a> {
     statement: &'a str,
     standing: &'a str,
     points: usize,
-    /// In units of the last place (differences: of its square root) where it holds, relative to the terms
-    /// where it is refuted.
+    /// In units in the last place (for differences: of its square root) where the identity holds, and
+    /// relative to the terms where it is refuted.
     worst_residual: f64,
     worst_omega: Option<&'a str>,
     worst_alpha: Option<&'a str>,
-    /// Of the identities with damping alone.
+    /// Only for identities with damping.
     #[serde(skip_serializing_if = "Option::is_none")]
     worst_damping_ratio: Option<&'a str>,
     passed: bool,

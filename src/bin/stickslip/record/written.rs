@@ -20,7 +20,7 @@ impl<F: Value> Record<F> {
         Ok(out.write_all(b"\n")?)
     }
 
-    /// One row of CSV; an empty cell for what does not exist. Every number in the digits that give it back.
+    /// One row of CSV, with an empty cell for a missing value. Each number has the digits that identify it.
     pub(crate) fn write_row(&self, out: &mut csv::Writer<impl Write>) -> Outcome {
         Ok(out.serialize(self.cells().collect::<Vec<_>>())?)
     }
@@ -39,13 +39,13 @@ impl<F: Value> Record<F> {
         self.fields.iter().map(|(_, cell)| *cell).chain(physical).flat_map(|cell| cell.parts()).flatten()
     }
 
-    /// The names of those cells.
+    /// The names of these cells.
     pub(crate) fn names(&self) -> Vec<String> {
         let own = self.fields.iter().flat_map(|(name, cell)| cell.part_names(name));
         own.chain(self.physical.names()).collect()
     }
 
-    /// The same, each dimensionless one with its unit in brackets as well, where it has one.
+    /// The same, with the unit in brackets after each dimensionless name that has one.
     fn names_with_units(&self) -> Vec<String> {
         let with_unit = |name: String| match unit_of(&name) {
             _ if name.ends_with(']') => name,
@@ -55,7 +55,7 @@ impl<F: Value> Record<F> {
         self.names().into_iter().map(with_unit).collect()
     }
 
-    /// One row of a table to read: seven digits, columns of one width.
+    /// One row of a table for reading, with seven digits and columns of equal width.
     pub(crate) fn write_table_row(&self, out: &mut impl Write) -> io::Result<()> {
         for (i, (_, cell)) in self.fields.iter().enumerate() {
             let text = cell.text();
@@ -65,12 +65,12 @@ impl<F: Value> Record<F> {
         writeln!(out)
     }
 
-    /// The header of a table to read.
+    /// The header of a table for reading.
     pub(crate) fn write_table_header(&self, out: &mut impl Write) -> io::Result<()> {
         let names: Vec<String> = self.fields.iter().map(|(name, _)| format!("{name:>COLUMN$}")).collect();
         writeln!(out, "{}", names.join("  "))
     }
 }
 
-/// Width of a column of a table to read.
+/// The width of a column in a table for reading.
 const COLUMN: usize = 14;

@@ -11,7 +11,7 @@ use stickslip::exact::{LongRun, Peaks, SteadyState};
 use stickslip::units::{Kind, System};
 use stickslip::{Observed, observed};
 
-/// The answer as an engineer's note.
+/// The answer as a note.
 pub(super) fn note<F: Value>(
     point: &Point<F>,
     limit: &LongRun<F>,
@@ -83,7 +83,7 @@ pub(super) fn note<F: Value>(
     }
 }
 
-/// From which starts the motion comes, and what there is to say of its cycle.
+/// The starts that lead to the motion, and the properties of its cycle.
 fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
     if !point.ratios.has_higher_static_friction() {
         return "One periodic motion, from every start.".to_owned();
@@ -153,7 +153,7 @@ fn motion<F: Value>(
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }
 
-/// What the machine feels: acceleration, transmitted force, and under a base that carries the surface the
+/// The loads on the machine: acceleration, transmitted force and, for a base that carries the surface, the
 /// absolute motion.
 fn peaks<F: Value>(
     peaks: &Peaks<F>,

@@ -1,9 +1,9 @@
-//! Sweeps to Parquet: a column for each output, a row group whenever enough rows are in memory.
+//! Sweeps to Parquet: a column for each output, and a row group whenever enough rows are in memory.
 //!
-//! Only the end of a Parquet file says where its columns are, so that one without its end is lost. The rows
-//! therefore go to a folder beside the file first, as parts that are Parquet files of their own, one each
-//! second or so; once the sweep is whole they become the file. Whatever breaks it off, the parts are kept,
-//! and can be gone on with.
+//! Only the end of a Parquet file contains the positions of its columns, so that a file without its end is
+//! lost. The rows therefore go to a directory next to the file first, as parts that are Parquet files of
+//! their own, about one per second. Once the sweep is complete they are merged into the file. After any
+//! interruption the parts are kept, and can be resumed.
 
 mod column;
 mod parts;
@@ -34,9 +34,9 @@ use std::path::Path;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// Rows of a group, at most.
+/// The greatest number of rows in a group.
 const ROWS: usize = 1 << 17;
-/// Bytes of a group in memory, about, whatever the digits of its numbers.
+/// The approximate greatest size of a group in memory, whatever the precision of its numbers.
 const BYTES: usize = 1 << 26;
 
 pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> Outcome {
@@ -52,7 +52,7 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
             let text = format!("--out {}: must not exist yet; --resume goes on with it", file.display());
             return Err(Failure::Input(text));
         }
-        // It is made of all parts at once: once it is there, nothing is left to do.
+        // The file is made of all parts at once: if it exists, nothing is left to do.
         sweep.is_whole(file).map_err(|what| at(file, &what))?;
         return Parts::remove_left(file);
     }
@@ -64,19 +64,19 @@ pub(super) fn run<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) 
         |points| points.map(|point| rows.record(point)).collect::<Result<Vec<_>, _>>(),
         |records| records.iter().try_for_each(|record| table.push(record, &mut parts, &sweep)),
     );
-    // Broken off or not, the rows that are there are kept.
+    // After an interruption, too, the existing rows are kept.
     match table.commit(&mut parts, &sweep).and(outcome) {
         Ok(()) => parts.become_file(file, &sweep),
         Err(failure) => parts.remove_empty().and(Err(failure)),
     }
 }
 
-/// An error about a file that is to be gone on with.
+/// The error for a file that is to be resumed.
 fn at(file: &Path, what: &str) -> Failure {
     Failure::Input(format!("--resume: {}: {what}", file.display()))
 }
 
-/// What is swept, and what tells it from other sweeps.
+/// A sweep, with the metadata that identify it.
 struct Sweep<'a, F> {
     rows: &'a Rows<F>,
     part: Range<u64>,
@@ -85,8 +85,8 @@ struct Sweep<'a, F> {
 }
 
 impl<F: Value> Sweep<'_, F> {
-    /// Fails unless the file has the rows of these points, by its notes, its columns, their number, and its
-    /// ends.
+    /// Fails unless the file contains the rows of these points, according to its metadata, its columns, their
+    /// number, and its first and last rows.
     fn has(&self, reader: &SerializedFileReader<File>, points: Range<u64>) -> Result<(), String> {
         let metadata = reader.metadata().file_metadata();
         let found = metadata.key_value_metadata().map_or(&[][..], Vec::as_slice);
@@ -167,7 +167,7 @@ fn columns<F: Value>(rows: &Rows<F>) -> Result<Vec<Column>, Failure> {
     Ok(first.names().into_iter().zip(first.cells()).map(|(name, cell)| Column::of(name, &cell)).collect())
 }
 
-/// The rows that are in memory, from a point on.
+/// The rows in memory, from a point on.
 struct Table {
     columns: Vec<Column>,
     rows: usize,
@@ -187,9 +187,9 @@ impl Table {
         Ok(())
     }
 
-    /// The rows in memory as a part.
+    /// Writes the rows in memory as a part.
     fn commit<F: Value>(&mut self, parts: &mut Parts, sweep: &Sweep<'_, F>) -> Outcome {
-        // Once, also where it fails: then the columns are no longer whole.
+        // The rows are taken only once, even if the write fails: the columns are then no longer complete.
         let rows = std::mem::take(&mut self.rows);
         if rows > 0 {
             let end = self.start + rows as u64;
@@ -206,12 +206,12 @@ impl Table {
     }
 }
 
-/// Whether the rows are enough for a group.
+/// Whether the rows suffice for a group.
 fn is_group(columns: &[Column], rows: usize) -> bool {
     rows >= ROWS || columns.iter().map(Column::bytes).sum::<usize>() >= BYTES
 }
 
-/// The rows in memory as a group of the file.
+/// Writes the rows in memory as a group of the file.
 fn write_group<W: io::Write + Send>(writer: &mut SerializedFileWriter<W>, columns: &mut [Column]) -> Outcome {
     let mut group = writer.next_row_group()?;
     for column in columns {

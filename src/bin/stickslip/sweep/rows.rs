@@ -1,4 +1,4 @@
-//! The rows of a sweep, each made from its number alone.
+//! The rows of a sweep, each computed from its number alone.
 
 use crate::args::{Header, SweepArgs, SweepFormat, Swept};
 use crate::axes::Axes;
@@ -13,7 +13,7 @@ use crate::{border, input, response, steady};
 use std::ops::Range;
 use stickslip::exact::{DEFAULT_BUDGET, State, Trajectory};
 
-/// What is asked at each point of the grids, and how it is written.
+/// The command at each point of the grids, and the format of its row.
 pub(crate) struct Rows<F> {
     question: Swept,
     axes: Axes<F>,
@@ -21,12 +21,12 @@ pub(crate) struct Rows<F> {
     columns: Vec<String>,
     csv: bool,
     header: Header,
-    /// Whether the outputs wanted take the search for peaks.
+    /// Whether the requested outputs need the search for peaks.
     peaks: bool,
 }
 
 impl<F: Value> Rows<F> {
-    /// The rows asked for, once every point is known to have an answer and every column to exist.
+    /// The requested rows, if every point has an answer and every column exists.
     pub(crate) fn new(args: &SweepArgs, axes: Axes<F>) -> Result<Self, Failure> {
         let csv = args.format() == Some(SweepFormat::Csv);
         let outputs = args.outputs.clone();
@@ -64,7 +64,7 @@ impl<F: Value> Rows<F> {
         Ok((ratios.omega(), ratios.alpha()))
     }
 
-    /// The columns wanted, in the order they were named.
+    /// The requested columns, in the given order.
     pub(crate) fn record(&self, point: u64) -> Result<Record<F>, Failure> {
         let record = self.full_record(point)?;
         Ok(match &self.outputs {
@@ -77,7 +77,7 @@ impl<F: Value> Rows<F> {
         if interrupt::asked() {
             return Err(Failure::Interrupted);
         }
-        // An error is made once more, with the values in its words.
+        // The computation is repeated for an error message that contains the values.
         answer(self.question, &self.axes.at(point), self.peaks)
             .or_else(|_| answer(self.question, &self.axes.named_at(point), self.peaks))
     }
@@ -86,7 +86,7 @@ impl<F: Value> Rows<F> {
 impl<F: Value> resume::Rows for Rows<F> {
     const OF: &'static str = "this sweep";
 
-    /// The line of column names; nothing for JSON lines.
+    /// The header line; empty for JSON lines.
     fn header(&self) -> Result<Vec<u8>, Failure> {
         csv_text(|writer| if self.csv { self.record(0)?.write_header(writer, self.header) } else { Ok(()) })
     }
@@ -105,14 +105,14 @@ impl<F: Value> resume::Rows for Rows<F> {
         Ok(text)
     }
 
-    /// Whether Ω and, where there is one, α are among the columns. Of a machine they tell one row from
-    /// another, if not one machine from another.
+    /// Whether Ω and, if there is one, α are among the columns. For a machine they distinguish the rows,
+    /// though not one machine from another.
     fn hold_their_grid(&self) -> bool {
         let among = |name: &str| self.columns.iter().any(|column| column == name);
         among("omega") && (self.question == Swept::Border || among("alpha"))
     }
 
-    /// Whether the Ω and α of a row as written, those it has, are the ones of a point of the grid.
+    /// Whether the Ω and α in a written row, as far as it contains them, are those of a point of the grid.
     fn is_on_grid(&self, line: &[u8], point: u64) -> Result<bool, Failure> {
         let (omega, alpha) = self.ratios(point)?;
         let due = [("omega", omega), ("alpha", alpha)];
@@ -129,7 +129,7 @@ impl<F: Value> resume::Rows for Rows<F> {
             } else {
                 let mut due = Vec::new();
                 cell.write_line(&mut due)?;
-                // `{"omega":0.5}` as one of the members of the row.
+                // The object `{"omega":0.5}` as a member of the row.
                 let inner = |text: &[u8]| {
                     text.trim_ascii_end().strip_prefix(b"{")?.strip_suffix(b"}").map(<[u8]>::to_vec)
                 };
@@ -146,7 +146,7 @@ impl<F: Value> resume::Rows for Rows<F> {
     }
 }
 
-/// What the command of that name answers where this is given.
+/// The answer of the command with this name for the given quantities.
 pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -> Result<Record<F>, Failure> {
     Ok(match question {
         Swept::Response => response::answer(given, &input::point(given)?, peaks)?.1,
@@ -157,7 +157,7 @@ pub(crate) fn answer<F: Value>(question: Swept, given: &Given<F>, peaks: bool) -
     })
 }
 
-/// Fails where a point of the grids has no answer.
+/// Fails if a point of the grids has no answer.
 pub(crate) fn check<F: Value>(question: Swept, axes: &Axes<F>) -> Outcome {
     if question == Swept::Border
         && let Some(drive) = Parameter::DRIVES.into_iter().find(|p| axes.has(*p))

@@ -1,4 +1,4 @@
-//! The cells of an output, gathered until they are written.
+//! The values of an output, gathered until they are written.
 
 use crate::bits::Value;
 use crate::record::{Cell, Record};
@@ -12,7 +12,7 @@ use parquet::record::{Field, Row};
 use parquet::schema::types::Type;
 use std::fs::File;
 
-/// A column of the file: values where there are some, and for each row whether there is one, as 1 or 0.
+/// A column of the file: the existing values, and for each row 1 or 0 for whether there is one.
 pub(super) struct Column {
     name: String,
     values: Values,
@@ -23,12 +23,12 @@ pub(super) struct Column {
 enum Values {
     Doubles(Vec<f64>),
     Counts(Vec<i64>),
-    /// Names, and numbers of more digits than a double has.
+    /// Text, and numbers with more digits than a double.
     Texts(Vec<ByteArray>),
 }
 
 impl Column {
-    /// The column of the cells that are like this one.
+    /// A column for cells of the kind of this one.
     pub(super) fn of<F: Value>(name: String, cell: &Cell<F>) -> Self {
         let values = match cell {
             Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) if F::PRECISION <= f64::MANTISSA_DIGITS => {
@@ -42,7 +42,7 @@ impl Column {
         Self { name, values, there: Vec::new(), bytes: 0 }
     }
 
-    /// Its place in the file's schema.
+    /// The field in the file's schema.
     pub(super) fn field(&self) -> Result<Type, ParquetError> {
         let (physical, logical) = match self.values {
             Values::Doubles(_) => (Physical::DOUBLE, None),
@@ -67,8 +67,8 @@ impl Column {
                 self.bytes += text.len();
                 values.push(text.into_bytes().into());
             }
-            // Nothing there: the columns are made of the cells of the first row, and every row has the same
-            // kinds.
+            // This cannot occur: the columns are made from the cells of the first row, and every row has the
+            // same kinds.
             _ => {}
         }
         self.bytes += 10;
@@ -83,7 +83,7 @@ impl Column {
         }
     }
 
-    /// Appends some of the rows that a file has.
+    /// Appends some of the rows of a file.
     pub(super) fn read(&mut self, reader: &mut ColumnReader, count: usize) -> Result<(), ParquetError> {
         let before = self.len();
         let there = Some(&mut self.there);
@@ -108,12 +108,12 @@ impl Column {
         Err(ParquetError::General(format!("column {}: {} rows, must be {count}", self.name, read.0)))
     }
 
-    /// Memory, about.
+    /// The approximate size in memory.
     pub(super) const fn bytes(&self) -> usize {
         self.bytes
     }
 
-    /// Writes the rows and forgets them.
+    /// Writes the rows and clears them.
     pub(super) fn write(&mut self, writer: &mut ColumnWriter<'_>) -> Result<(), ParquetError> {
         let there = Some(self.there.as_slice());
         match (&mut self.values, writer) {
@@ -145,7 +145,7 @@ pub(super) fn ends(reader: &SerializedFileReader<File>) -> Result<Option<(Row, R
     Ok(first.zip(last))
 }
 
-/// Whether a row is the record, as a reader finds it.
+/// Whether a row that was read equals the record.
 pub(super) fn is<F: Value>(row: &Row, record: &Record<F>) -> bool {
     let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),

@@ -1,4 +1,4 @@
-//! The parts of a Parquet file that is not whole yet: `FILE.parts/START-END.parquet`.
+//! The parts of an incomplete Parquet file: `FILE.parts/START-END.parquet`.
 
 use super::column::Column;
 use super::{Beside, ROWS, Sweep, at, columns, is_group, open, write_group};
@@ -11,20 +11,19 @@ use std::fs::{self, File};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// A folder of parts, for this command alone.
+/// A directory of parts, locked by this command.
 pub(super) struct Parts {
     folder: PathBuf,
     lock: File,
-    /// In order, without gap.
+    /// The ranges of the parts, in order and contiguous.
     parts: Vec<Range<u64>>,
 }
 
-/// Its name is in use for as long as the folder is; what counts is who holds it.
+/// The lock file exists as long as the directory does; the lock on it decides.
 const LOCK: &str = "lock";
 
 impl Parts {
-    /// The folder of a file, made where there is none; one that is there is gone on with only where that is
-    /// asked for.
+    /// Opens the directory of a file, or creates it; an existing one is resumed only if requested.
     pub(super) fn open(file: &Path, resume: bool) -> Result<Self, Failure> {
         let folder = with_suffix(file, ".parts");
         let name = folder.display();
@@ -55,13 +54,13 @@ impl Parts {
         let lock =
             File::options().create(true).truncate(false).write(true).open(folder.join(LOCK)).map_err(bad)?;
         output::take(&lock, &format!("--out {}", file.display()))?;
-        // Parts that were being written as the sweep was broken off.
+        // Incomplete parts, which were being written when the sweep was interrupted.
         left.iter().try_for_each(fs::remove_file).map_err(bad)?;
         ranges.sort_unstable_by_key(|range| (range.start, range.end));
         Ok(Self { folder, lock, parts: ranges })
     }
 
-    /// The point after the last that is there, once each part is known to be of this sweep.
+    /// The point after the last part, if each part belongs to this sweep.
     pub(super) fn check<F: Value>(&self, sweep: &Sweep<'_, F>) -> Result<u64, Failure> {
         let mut next = sweep.part.start;
         for range in &self.parts {
@@ -77,7 +76,7 @@ impl Parts {
         Ok(next)
     }
 
-    /// Writes a part; it is there whole or not at all.
+    /// Writes a part, which appears complete or not at all.
     pub(super) fn add(
         &mut self,
         range: Range<u64>,
@@ -89,7 +88,7 @@ impl Parts {
         Ok(())
     }
 
-    /// Puts the parts together as the file, which is there whole or not at all, and removes them.
+    /// Merges the parts into the file, which appears complete or not at all, and removes them.
     pub(super) fn become_file<F: Value>(self, file: &Path, sweep: &Sweep<'_, F>) -> Outcome {
         if let [whole] = self.parts.as_slice() {
             put_new(&self.path(whole), file).map_err(|e| named(&file.display().to_string(), e))?;
@@ -110,7 +109,7 @@ impl Parts {
                     let mut left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
                     while left > 0 {
                         interrupt::check()?;
-                        // In steps, so that the bytes in memory are bounded, too.
+                        // Rows are copied in steps, so that the memory is bounded, too.
                         let count = left.min(ROWS - rows).min(1 << 12);
                         for (column, reader) in gathered.iter_mut().zip(&mut readers) {
                             Column::read(column, reader, count)?;
@@ -132,7 +131,7 @@ impl Parts {
         self.remove(&parts)
     }
 
-    /// Removes what is left of the parts of a file that became whole.
+    /// Removes the remaining parts of a file that was completed.
     pub(super) fn remove_left(file: &Path) -> Outcome {
         if !with_suffix(file, ".parts").exists() {
             return Ok(());
@@ -142,7 +141,7 @@ impl Parts {
         parts.remove(&ranges)
     }
 
-    /// Removes a folder without parts.
+    /// Removes a directory without parts.
     pub(super) fn remove_empty(self) -> Outcome {
         if self.parts.is_empty() { self.remove(&[]) } else { Ok(()) }
     }
@@ -159,7 +158,7 @@ impl Parts {
     }
 }
 
-/// The points of a part, by its name.
+/// The points of a part, from its name.
 fn range_of(path: &Path) -> Option<Range<u64>> {
     let (start, end) = path.file_name()?.to_str()?.strip_suffix(".parquet")?.split_once('-')?;
     Some(start.parse().ok()?..end.parse().ok()?)
