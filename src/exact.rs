@@ -1,4 +1,4 @@
-//! The exact motion, stops included: slide, stick, and what happens in between.
+//! The exact motion, stops included: slides, stops, and the events between them.
 //!
 //! In units of B = r_y/k and B ω_d, with θ = ω_d t, the equation of motion (eq. 1) is
 //!
@@ -11,7 +11,7 @@
 //! Between changes of kind or direction the motion is a closed form, and the changes are found with a proof
 //! that none was missed: no step size, and no tolerance but rounding (`event` says where that enters).
 //!
-//! The files are in three layers, each of which needs those above it only.
+//! The files form three layers, each of which uses only those above it.
 //!
 //! | motion | |
 //! |---|---|

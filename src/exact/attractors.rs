@@ -143,9 +143,9 @@ impl<F: Float> Attractors<F> {
         self.limits.iter().position(|known| known.compare(signature) == Likeness::Same)
     }
 
-    /// Counts the next start by the signature of its limit, and returns whether it could: the limit has to be
-    /// among those found, or the start not to have settled. The signature stands for a limit that was found
-    /// earlier, such as by an interrupted run.
+    /// Counts the next start by the signature of its limit, and returns whether it could: the limit must be
+    /// among those found, or the start must not have settled. The signature represents a limit that was found
+    /// earlier, for example by an interrupted run.
     #[doc(hidden)]
     pub fn count(&mut self, signature: &Signature<F>) -> bool {
         if matches!(signature, Signature::NotConverged) {

@@ -13,7 +13,7 @@ pub(crate) struct Budget<'a> {
 }
 
 impl<'a> Budget<'a> {
-    /// At most so many half turns.
+    /// A budget of at most this many half turns.
     pub(crate) fn of(most: u64) -> Self {
         Self { half_turns: 0, most, keep_going: None }
     }

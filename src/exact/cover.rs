@@ -7,9 +7,9 @@
 //! u(φ ± h) ≥ u cos dh ± u′ sin(dh)/d,   u′ = e^{ζφ} (f′ + ζf).
 //! ```
 //!
-//! The first zero of that is the cover. From ζ = 1 on, with D = √(ζ² − 1), it is `artanh(D f/−(f′ + ζf))/D`,
-//! of which `f/−(f′ + ζf)`, the zero of the tangent of u, is a lower bound, and there is none where
-//! `f′ + ζf ≥ −D f`.
+//! The cover is the first zero of this bound. For ζ ≥ 1, with D = √(ζ² − 1), it is `artanh(D f/−(f′ +
+//! ζf))/D`. A lower bound of it is `f/−(f′ + ζf)`, the zero of the tangent of u. There is no zero where `f′ +
+//! ζf ≥ −D f`.
 
 use super::jet::Jet;
 use crate::float::Float;
@@ -64,7 +64,7 @@ impl<F: Float> Cover<F> {
         self.damped(jet.value, -(jet.first + self.half() * jet.value))
     }
 
-    /// Whether u = e^{ζφ} f falls.
+    /// Whether u = e^{ζφ} f decreases.
     #[inline]
     pub(crate) fn falls(self, jet: Jet<F>) -> bool {
         if self.damping == F::int(0) {
@@ -101,10 +101,11 @@ impl<F: Float> Cover<F> {
         (one - zeta) * (one + zeta)
     }
 
-    /// Whether the free vibration from (u, u′), u > 0, is positive for a time: mostly known without its first zero.
+    /// Whether the free vibration from (u, u′), u > 0, is positive for a time; usually decided without
+    /// computing its first zero.
     ///
-    /// Where u falls, its tangent vanishes later. Where it rises, the zero comes after a quarter of a period,
-    /// and before half of one by `arctan y ≥ y/(1 + y)`, y = du/u′.
+    /// If u decreases, its tangent vanishes later. If it increases, the zero comes after a quarter of a
+    /// period, and before half of one by `arctan y ≥ y/(1 + y)`, y = du/u′.
     #[cold]
     #[inline(never)]
     fn damped_reaches(self, value: F, slope: F, length: F) -> bool {

@@ -1,9 +1,9 @@
 //! The phase of the drive, reduced: whole half turns counted, the rest an angle.
 //!
-//! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. Motion goes on for millions of cycles without
-//! the angle losing a digit, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is the parity of
-//! n: on each half turn the drive's rate of change keeps its sign, on which the search for velocity zeros
-//! relies.
+//! `θ = ω_d t = nπ + a` with an integer n and `−π/2 ≤ a < π/2`. The motion continues for millions of cycles
+//! without loss of accuracy in the angle, `x(θ + π) = −x(θ)` holds to the last bit, and the sign of cos θ is
+//! the parity of n. In each half turn the drive's rate of change therefore keeps its sign, on which the
+//! search for velocity zeros relies.
 //!
 //! An initial phase is within 2⁵³ half turns, and no program follows 2⁶⁰ more: the counter does not overflow,
 //! and it would saturate if it did.
@@ -22,7 +22,7 @@ pub struct DrivePhase<F> {
 }
 
 impl<F: Float> DrivePhase<F> {
-    /// The phase θ in radians; `θ = 0` is where the force rises through zero.
+    /// The phase θ in radians; at `θ = 0` the force increases through zero.
     ///
     /// # Errors
     /// Where θ is not finite, or above 2⁵² half turns, where no digit of the angle is left.

@@ -1,12 +1,12 @@
 //! The next zero of a vibration, with a proof that there is none before it.
 //!
-//! # What is assumed
+//! # Assumptions
 //!
 //! `f″ + 2ζf′ + f = g`, the derivatives of f up to the third at any φ, and `g ∝ ± cos(Ωφ + const)`: a right
 //! side whose sign changes exactly once in each half turn of the drive. Along a slide the speed `f = s w` is
 //! such a function, with `g = s αΩ cos θ`, and so is the acceleration.
 //!
-//! # What is proved
+//! # Proof
 //!
 //! On a stretch shorter than π (in natural time) where g keeps its sign and f > 0 at the beginning, by
 //! Sturm's comparison with the free vibration:
@@ -22,30 +22,30 @@
 //!   the backward cover from it is `−f′ sin h > 0` over the whole stretch. So a zero that was predicted and
 //!   refined needs no further proof.
 //!
-//! **With damping** the same holds of `u = e^{ζφ} f`, which has the zeros and the signs of f:
-//! `u″ + (1 − ζ²) u = e^{ζφ} g`, a right side with the sign of g. A stretch may be as long as π/√(1 − ζ²),
-//! and from ζ = 1 on of any length, for there a free vibration vanishes once at most; the covers are those of
-//! u (`cover`).
+//! **With damping** the same holds for `u = e^{ζφ} f`, which has the zeros and the signs of f: `u″ + (1 − ζ²)
+//! u = e^{ζφ} g`, with a right side of the sign of g. A stretch may be as long as π/√(1 − ζ²), and of any
+//! length for ζ ≥ 1, where a free vibration vanishes at most once. The covers are those of u (`cover`).
 //!
-//! These are statements of exact arithmetic. In floating point f > 0 at the beginning of a stretch, the sign
-//! of f at its end, the covers and the place where g changes its sign are each taken as computed, without a
-//! margin for their rounding; a dip counts as grazing where it is within `4ε` of the sum of the terms of f.
-//! So a zero can be missed, or a grazing reported without one, where f comes that close to zero without
-//! crossing it clearly. There the next float of an input has the other answer.
+//! These are statements of exact arithmetic. In floating point, four quantities are used as computed, without
+//! a margin for their rounding: f > 0 at the beginning of a stretch, the sign of f at its end, the covers,
+//! and the place where g changes its sign. A dip counts as grazing where it is within `4ε` of the sum of the
+//! terms of f. A zero can therefore be missed, or a grazing reported without one, where f comes that close to
+//! zero without clearly crossing it. There, the next float of an input gives the other answer.
 //!
 //! # Work
 //!
-//! [`next_zero`] walks over the stretches. A slide lasts at most `π(1 + 1/Ω)` of natural time, because
-//! `w(φ) + w(φ + π)` is free of the natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that is at
-//! most 3π of natural time and four changes of sign of g, hence **at most 8 stretches** of up to 3⅛ radians.
-//! Outside, f is a slow and a fast wave of amplitudes G and r; while the slow one exceeds the amplitude of
-//! the fast one there is no zero, and that part is skipped ([`super::search::Safe`]). What remains of a
-//! window holds a zero once it is as long as the fast period, but for the rounding of the window's ends; each
-//! window is at least half a slow period, not shorter than the fast one: at most the end of one window and
-//! one fast period in the next are examined, two fast periods, again 8 stretches or a few more where rounding
-//! matters. A search that goes on for `π(1 + 2/Ω)`, one change of sign more than any slide, is
-//! [`Verdict::Lost`]: an error, never an answer. With damping the part that is left out is found anew from where the search is (`window`),
-//! because the free wave dies out, and the bound on the time is another.
+//! [`next_zero`] examines the stretches in order. A slide lasts at most `π(1 + 1/Ω)` of natural time, because
+//! `w(φ) + w(φ + π)` does not contain the natural vibration and changes sign every π/Ω. For 1/2 ≤ Ω ≤ 2 that
+//! is at most 3π of natural time and four changes of sign of g, hence **at most 8 stretches** of up to 3⅛
+//! radians. Outside this range, f is the sum of a slow and a fast wave of amplitudes G and r. While the slow
+//! wave exceeds the amplitude of the fast one there is no zero, and that part is skipped
+//! ([`super::search::Safe`]). The remaining part of a window contains a zero once it is as long as the fast
+//! period, up to the rounding of the window's ends. Each window is at least half a slow period long, and not
+//! shorter than the fast period. So at most the end of one window and one fast period in the next are
+//! examined: two fast periods, again 8 stretches, or a few more where rounding matters. A search beyond `π(1
+//! + 2/Ω)`, one change of sign more than any slide, is [`Verdict::Lost`]: an error, never an answer. With
+//! damping the skipped part is recomputed from the current position (`window`), because the free wave decays,
+//! and the bound on the time differs.
 //!
 //! Within a stretch a bracket is halved at each step after the first PRECISION, so that it is closed after as
 //! many more. Each point in a dip halves the gap between the covers at least, so that after 2·PRECISION of
@@ -61,8 +61,8 @@ use super::stretch::{Stretch, in_helping, in_opposing};
 use super::window::Waves;
 use crate::float::Float;
 
-/// The first zero of f after φ = 0 and up to the limit, `start` being f at φ = 0; clear where there is none,
-/// with what f is at the limit if that had to be known.
+/// The first zero of f after φ = 0 and up to the limit, where `start` is f at φ = 0. If there is none, the
+/// result is clear, and contains f at the limit if that was computed.
 ///
 /// `f` gives the function with whatever else the caller wants to know of that instant.
 pub(crate) fn next_zero<F: Float, M: Copy>(

@@ -5,8 +5,8 @@
 //! `|c| ≤ αΩ²/(1 − Ω²) − 1` (in B). One multiplier of the cycle is 1. Which member a motion tends to depends
 //! on its start, so it is followed there.
 //!
-//! A motion outside of the family sticks, a little less in each cycle, and creeps towards the member at the
-//! edge, which touches the border of sticking: the distance falls like 1/cycles only. It never grows
+//! A motion outside the family sticks slightly less in each cycle, and creeps towards the member at the edge,
+//! which touches the border of sticking: the distance decreases only like 1/cycles. It never grows
 //! (`shooting`), so that a motion close to that member has it as its limit to within that distance.
 
 use super::drive::DrivePhase;
@@ -27,7 +27,7 @@ use crate::ratios::Ratios;
 /// Whether (Ω, α) has a family: 2nΩ = 1 exactly, and no sticking. A float that is 1/(2n) to within its
 /// rounding only has one limit.
 pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
-    // 1/2 is the greatest of them.
+    // 1/2 is the greatest such frequency ratio.
     if ratios.omega() * F::int(3) > F::int(2) || ratios.is_damped() {
         return false;
     }
@@ -37,8 +37,8 @@ pub(crate) fn is_one<F: Float>(ratios: Ratios<F>) -> bool {
 
 /// The member that the motion through a point tends to.
 ///
-/// The change from cycle to cycle shrinks by the other multiplier μ, so that what is left after a change d is
-/// `d μ/(1 − μ)`; it is added once it is small enough for the motion to be linear in it.
+/// The change from cycle to cycle shrinks by the other multiplier μ, so that after a change d the remaining
+/// change is `d μ/(1 − μ)`. It is added once it is small enough for the motion to be linear in it.
 ///
 /// # Errors
 /// As for [`propagate`].
@@ -59,7 +59,8 @@ pub(crate) fn member<F: Float>(
         let residual = Residual::new(&equation, &y, (dx, dw));
         let change = residual.norm();
         let other = cycle.monodromy.determinant().abs();
-        // Friction is too small beside the motion for the type to resolve, and the remainder cannot be known.
+        // Friction is too small compared with the motion for the type to resolve, and the remainder is
+        // unknown.
         let settles = one - other > rate_noise(cycle.count);
         let in_the_limit = |change: F| if settles { change / (one - other) } else { one / F::int(0) };
         let left = in_the_limit(change);
@@ -99,7 +100,7 @@ fn is_near<F: Float>(equation: &Equation<F>, y: &Point<F>) -> bool {
     y.x.abs() + y.w.abs() <= F::int(8) * reach
 }
 
-/// Half turns after which a motion of a family that still sticks counts as creeping.
+/// The number of half turns after which a motion of a family that still sticks counts as creeping.
 const LONG_CREEP: u64 = 400;
 
 /// The member at the edge of the family that is nearest to y, at the phase of y.
@@ -140,8 +141,8 @@ fn finish<F: Float>(
         rest: zero,
         ..CycleStatistics::of_periodic(equation, start, 2, propagation, budget)?
     };
-    // No disturbance grows (`shooting`): the excess above 1 is rounding, where the type cannot resolve
-    // friction beside the force.
+    // No disturbance grows (`shooting`): an excess above 1 is rounding, where the type cannot resolve
+    // friction compared with the force.
     let other = propagation.monodromy.determinant();
     let other = if other.abs() > one { one.with_sign_of(other) } else { other };
     let shift = (statistics.max_x.value + statistics.min_x.value).abs();

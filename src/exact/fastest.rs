@@ -1,14 +1,14 @@
 //! The maximum speed within a slide.
 //!
-//! The acceleration of a slide obeys `f″ + f = g` as the velocity does, with `g ∝ −sin θ`: its zeros are
-//! found with the same proof, one after the other, and the maximum speed is at one of them or at an end.
-//! Outside 1/2 ≤ Ω ≤ 2 there can be as many as fast periods in the slide; but only the neighbourhoods of its
-//! ends and of the crest of the slow wave count.
+//! The acceleration of a slide obeys `f″ + f = g` like the velocity, with `g ∝ −sin θ`. Its zeros are found
+//! in order with the same proof, and the maximum speed is at one of them or at an end. Outside 1/2 ≤ Ω ≤ 2
+//! there can be as many as the fast periods in the slide, but only the neighbourhoods of its ends and of the
+//! crest of the slow wave matter.
 //!
-//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. Below Ω = 1/2 only the neighbourhoods of the
-//! crests of the forced wave count, as wide as the free one is large (`damped`). These, and otherwise slides
-//! that are short, are searched in the same way; what is long, for Ω above 2 or from ζ = 1/2 on, is searched
-//! as the closed-form cycle is, which knows how the free wave dies out.
+//! With damping the acceleration obeys `f″ + 2ζf′ + f = g`. For Ω < 1/2 only the neighbourhoods of the crests
+//! of the forced wave matter; their width depends on the size of the free wave (`damped`). These, and short
+//! slides at other ratios, are searched in the same way. Long slides, for Ω > 2 or ζ ≥ 1/2, are searched like
+//! the closed-form cycle, which takes the decay of the free wave into account.
 //!
 //! # Why
 //!
@@ -97,7 +97,8 @@ impl<F: Float> Slide<F> {
         if crest < F::int(0) { crest + period } else { crest }
     }
 
-    /// Every zero of the acceleration between two instants whose motion is known, and these themselves.
+    /// Finds every zero of the acceleration between two instants of known motion, and includes these
+    /// instants.
     ///
     /// # Errors
     /// [`crate::Error::SearchBound`].

@@ -1,9 +1,9 @@
 //! The limit of a motion from one start, with a static friction above the kinetic one.
 //!
-//! Friction is not monotone then: a body at rest resists more than one that moves, two motions under the same
+//! Friction is then not monotone: a body at rest resists more than a moving one, two motions under the same
 //! drive can diverge, and the proof in `shooting` for every start does not hold. Limits can coexist, be
-//! asymmetric, take several turns of the drive, or be irregular. So the motion itself is followed, and the
-//! result holds for this start only.
+//! asymmetric, take several turns of the drive, or be irregular. The motion itself is therefore computed, and
+//! the result holds for this start only.
 //!
 //! H advances the state by half a turn and changes its sign (`shooting`). Let m be the least number with
 //! `Hᵐ(y) = y`.

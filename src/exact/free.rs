@@ -45,14 +45,14 @@ use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 pub struct FreeDecay<F> {
     /// Displacement of the first turn, x₁/B; if the body creeps without a turn, the limit of the creep.
     pub first_turn: F,
-    /// How many half cycles it slides: velocity zeros until it rests, counted from the start. The first one
-    /// is part of a half cycle where v₀ ≠ 0. A creep that never ends counts as one.
+    /// The number of half cycles of sliding: velocity zeros until rest, counted from the start. The first one
+    /// is only a part of a half cycle if v₀ ≠ 0. A creep that never ends counts as one.
     pub half_cycles: u64,
     /// Displacement x/B at rest, or the limit of a creep. Accuracy at f64: that of x₁, half a unit in its
     /// last place without damping, a few units of max(|x₁|, 1) with it.
     pub rest_position: F,
-    /// When it comes to rest, in 1/ω_n: the part of the first half cycle, and π/√(1 − ζ²) for each other.
-    /// Infinite where it creeps, from ζ = 1 on.
+    /// The time until rest, in 1/ω_n: the time of the first half cycle, and π/√(1 − ζ²) for each other. It is
+    /// infinite for a creep, with ζ ≥ 1.
     pub rest_time: F,
     start: State<F>,
     zeta: F,

@@ -6,8 +6,8 @@ use crate::float::Float;
 /// A motion that was followed for many turns of the drive without becoming periodic, and whose neighbours do
 /// not approach it.
 ///
-/// All of it is observed over the turns followed, after the first quarter; it does not prove that the motion
-/// stays irregular for ever. Displacements in units of B = r_y/k.
+/// All values are observations over the turns computed, after the first quarter; they do not prove that the
+/// motion remains irregular. Displacements are in units of B = r_y/k.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]

@@ -21,14 +21,14 @@ use crate::ratios::Ratios;
 use core::ops::ControlFlow;
 
 impl<F: Float> LongRun<F> {
-    /// What the motion at (Ω, α) tends to from a start.
+    /// The limit of the motion at (Ω, α) from a start.
     ///
     /// With η = 1 the limit is the same from every start, but for a family and for rest. A motion with stops
     /// is found from stop to stop, and with damping one without from its closed form, without following this
     /// one: half a turn of the motion shows that it is the limit.
     ///
-    /// With η > 1 what is found holds for this start: a periodic motion of up to 64 turns of the drive (127,
-    /// if it is symmetric), rest, or an irregular motion.
+    /// With η > 1 the result holds for this start: a periodic motion of up to 64 turns of the drive (127, if
+    /// it is symmetric), rest, or an irregular motion.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -36,8 +36,9 @@ impl<F: Float> LongRun<F> {
         Self::budgeted(ratios, start, Budget::of(2 * u64::from(DEFAULT_BUDGET)))
     }
 
-    /// The same, following the motion for at most `periods` periods of the drive, as long as `keep_going` says
-    /// [`ControlFlow::Continue`]: it is asked at every slide and stop, of which one takes about a microsecond at f64.
+    /// The same for at most `periods` periods of the drive, as long as `keep_going` returns
+    /// [`ControlFlow::Continue`]. It is called at every slide and stop, each of which takes about a
+    /// microsecond at f64.
     ///
     /// ```
     /// use std::ops::ControlFlow;

@@ -1,4 +1,4 @@
-//! What a motion tends to, by name.
+//! The limit of a motion.
 
 use super::equation::Equation;
 use super::irregular::Irregular;
@@ -7,7 +7,7 @@ use super::state::{Point, State};
 use super::steady::SteadyState;
 use crate::float::Float;
 
-/// What a motion tends to.
+/// The limit of a motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(bound(serialize = "F: Float + serde::Serialize")))]
@@ -36,12 +36,13 @@ pub enum LongRun<F> {
         /// Growth of the maximum displacement in a cycle, in the limit.
         growth: F,
     },
-    /// No limit within the budget: where the motion is, and how far half a cycle still takes it. So too at
-    /// Ω = 1/(2n) where friction is so small beside the motion that the type cannot tell how fast it settles.
+    /// No limit within the budget: the state of the motion, and its displacement in half a cycle. This also
+    /// occurs at Ω = 1/(2n) where friction is so small compared with the motion that the type cannot resolve
+    /// the rate of convergence.
     NotConverged {
         /// The state reached.
         state: State<F>,
-        /// `hypot(δx, δv Ω)` of half a cycle: what has not settled.
+        /// `hypot(δx, δv Ω)` of half a cycle: the remaining change.
         residual: F,
         /// Periods of the drive that were followed.
         periods: F,
@@ -55,7 +56,8 @@ pub enum LongRun<F> {
 pub struct Rest<F> {
     /// Place of rest x/B, `|x| ≤ η − α`.
     pub position: F,
-    /// Slides until it is at rest for ever; `None` where it creeps for ever towards [`Rest::position`].
+    /// The number of slides until permanent rest; `None` if the body creeps for ever towards
+    /// [`Rest::position`].
     pub slides: Option<u64>,
     /// Periods of the drive that were followed.
     pub periods: F,
@@ -100,7 +102,7 @@ impl<F: Float> LongRun<F> {
         }
     }
 
-    /// Where it comes to rest, x/B; `None` for all other limits.
+    /// The place of rest, x/B; `None` for all other limits.
     pub const fn rest_position(&self) -> Option<F> {
         if let Self::Rest(rest) = self { Some(rest.position) } else { None }
     }
@@ -120,7 +122,7 @@ impl<F: Float> LongRun<F> {
     }
 }
 
-/// What kind of limit it is, as the command prints it.
+/// Displays the kind of limit, as the command prints it.
 impl<F: Float> core::fmt::Display for LongRun<F> {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())

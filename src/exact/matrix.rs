@@ -1,4 +1,4 @@
-//! Two by two matrices: what a small disturbance (δx, δw) of the motion becomes.
+//! Two by two matrices: the propagation of a small disturbance (δx, δw) of the motion.
 
 use crate::float::Float;
 
@@ -25,8 +25,8 @@ impl<F: Float> Matrix<F> {
         Self { a: one, b: zero, c: zero, d: one }
     }
 
-    /// What a disturbance becomes in a slide: a free vibration, `rotation` being those from (0, 1) and (1, 0)
-    /// over its time, (sin φ, cos φ) without damping; `damping` is 2ζ.
+    /// The disturbance after a slide, which is a free vibration. `rotation` contains the free vibrations from
+    /// (0, 1) and (1, 0) after its time, which are (sin φ, cos φ) without damping; `damping` is 2ζ.
     #[inline]
     pub(crate) fn after_slide(self, (s, c): (F, F), damping: F) -> Self {
         let slope = c - damping * s;
@@ -38,16 +38,16 @@ impl<F: Float> Matrix<F> {
         }
     }
 
-    /// What it becomes at a velocity zero: δw is multiplied by the ratio of the accelerations after and
-    /// before, because the zero itself moves; by 0 at a stop.
+    /// The disturbance after a velocity zero: δw is multiplied by the ratio of the accelerations after and
+    /// before, because the zero itself moves, and by 0 at a stop.
     #[inline]
     pub(crate) fn after_zero(self, ratio: F) -> Self {
         Self { c: ratio * self.c, d: ratio * self.d, ..self }
     }
 
-    /// What it becomes where friction gives way to the force: the later by δθ = δx/(α cos θ) the body is let
-    /// go, the less it has of the acceleration η − 1 that it begins with, so that
-    /// `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that factor of δx.
+    /// The disturbance after a release. If the body is released later by δθ = δx/(α cos θ), it has gained
+    /// less from its initial acceleration η − 1, so that `δw = −δx (η − 1)/(αΩ |cos θ|)`; `gain` is that
+    /// factor of δx.
     #[inline]
     pub(crate) fn after_release(self, gain: F) -> Self {
         if gain == F::int(0) {
@@ -56,7 +56,7 @@ impl<F: Float> Matrix<F> {
         Self { c: self.c - gain * self.a, d: self.d - gain * self.b, ..self }
     }
 
-    /// The same turned upside down.
+    /// The same with the opposite sign.
     pub(crate) fn negated(self) -> Self {
         Self { a: -self.a, b: -self.b, c: -self.c, d: -self.d }
     }

@@ -1,4 +1,4 @@
-//! What a cycle of the motion amounts to: extrema, stops, work, and the paper's error measures.
+//! The properties of a cycle of the motion: extrema, stops, work, and the paper's error measures.
 
 use super::broken::Broken;
 use super::drive::DrivePhase;
@@ -23,7 +23,7 @@ pub struct Extreme<F> {
 }
 
 impl<F: Float> Extreme<F> {
-    /// The same upside down, half a turn later.
+    /// The same with the opposite sign, half a turn later.
     #[inline]
     pub(crate) fn mirrored(self) -> Self {
         Self { value: -self.value, phase: self.phase.later_by_half_turns(1) }
@@ -170,8 +170,8 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The statistics of a whole turn from those of its first half, the second being the first turned upside
-    /// down.
+    /// The statistics of a whole turn from those of its first half, if the second half is the first with the
+    /// opposite sign.
     pub(crate) fn doubled(mut self) -> Self {
         let two = F::int(2);
         for extreme in [self.max_x.mirrored(), self.min_x.mirrored()] {
@@ -191,7 +191,7 @@ impl<F: Float> CycleStatistics<F> {
         }
     }
 
-    /// The paper's error measures of this cycle of so many turns.
+    /// The paper's error measures of this cycle of `turns` turns.
     pub(crate) fn errors(&self, turns: u32) -> ErrorMeasures<F> {
         let half = F::from_f64(f64::from(turns)) * F::pi();
         let cycle = F::int(2) * half;
@@ -214,8 +214,8 @@ impl<F: Float> CycleStatistics<F> {
 /// ```
 ///
 /// with t₂, t₄ the times of max x, min x and t₁, t₃ those of max x′, min x′ within the cycle, T = 2π/ω_d. All
-/// are zero for a motion with `x(t + π/ω_d) = −x(t)`. Of a cycle of several turns T is the whole of them, and
-/// half of it takes the place of π/ω_d.
+/// are zero for a motion with `x(t + π/ω_d) = −x(t)`. For a cycle of several turns T is the length of the
+/// cycle, and T/2 replaces π/ω_d.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -4,7 +4,7 @@ use super::equation::Equation;
 use super::jet::Jet;
 use crate::float::Float;
 
-/// What moves at one instant of a slide; rates are by natural time φ.
+/// The state and its derivatives at one instant of a slide, with respect to natural time φ.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Motion<F> {
     pub(crate) x: F,
@@ -31,7 +31,7 @@ impl<F: Float> Motion<F> {
         }
     }
 
-    /// The same by what is known when the program is compiled.
+    /// The same, with the presence of damping known at compile time.
     #[inline]
     pub(crate) fn higher_by<const DAMPED: bool>(&self, equation: &Equation<F>) -> (F, F) {
         let (square, damping) = (equation.omega.square(), equation.damping);

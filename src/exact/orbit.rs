@@ -1,4 +1,4 @@
-//! The states that a periodic motion passes at the phases nπ of the drive, by which it is told from others.
+//! The states of a periodic motion at the phases nπ of the drive, which identify it.
 
 use super::drive::DrivePhase;
 use super::propagation::follow;
@@ -12,12 +12,12 @@ use crate::float::Float;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Likeness {
     Same,
-    /// Turned upside down, half a turn of the drive later.
+    /// The mirror image: the opposite sign, half a turn of the drive later.
     Mirrored,
     Other,
 }
 
-/// The states of a cycle at the phases nπ, upside down at the odd ones.
+/// The states of a cycle at the phases nπ, with the opposite sign at odd ones.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Orbit<F> {
     omega: F,
@@ -42,8 +42,8 @@ impl<F: Float> Orbit<F> {
         Ok(Self { omega, states })
     }
 
-    /// How the motion is like one that has such a state after so many half turns again: the same states to
-    /// 2⁻²⁰ of their size.
+    /// Compares the motion with one that has this state and repeats after this number of half turns: they are
+    /// the same if their states agree to 2⁻²⁰ of their size.
     pub(crate) fn compare(&self, half_turns: u32, (x, v): (F, F)) -> Likeness {
         if self.states.len() as u64 != u64::from(half_turns) {
             return Likeness::Other;

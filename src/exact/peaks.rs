@@ -9,15 +9,15 @@ use crate::float::Float;
 use crate::greatest::{Bound, Jet, greatest};
 use std::f64::consts::TAU;
 
-/// The greatest absolute values of a cycle of the exact motion.
+/// The maximum absolute values in a cycle of the exact motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
 pub struct Peaks<F> {
     /// Acceleration |x″|, in B ω_d².
     pub acceleration: F,
-    /// Force of spring, friction and damper on what carries them, `|k x + r + c x′|`, in r_y. At rest it is
-    /// the drive's own force.
+    /// Force of spring, friction and damper on their support, `|k x + r + c x′|`, in r_y. At rest it is the
+    /// drive's own force.
     pub transmitted_force: F,
     /// Absolute displacement |x + u| under a base that carries the surface, u = (α/Ω²) sin θ, in B.
     pub absolute_displacement: F,
@@ -26,8 +26,8 @@ pub struct Peaks<F> {
 impl<F: Float> SteadyState<F> {
     /// The peaks of a cycle, which is followed for the purpose.
     ///
-    /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`: both
-    /// have a bounded second derivative, by which the greatest is found without sampling. Accuracy at f64:
+    /// On a slide x″ obeys `f″ + f = −Ω²α sin θ` in natural time, and `x + u` obeys `f″ = −(x ± 1)`. Both
+    /// have a bounded second derivative, with which the maximum is found without sampling. Accuracy at f64:
     /// 1e-13 of max x/B + α/Ω².
     ///
     /// # Errors
@@ -142,7 +142,7 @@ impl<F: Float> Peaks<F> {
         };
         at(start.sin());
         at((start + length).sin());
-        // The crests and troughs of the drive on the way.
+        // The crests and troughs of the drive during the segment.
         for n in [1, 3, 5, 7] {
             let crest = quarter * F::int(n);
             if crest > start && crest < start + length {

@@ -1,5 +1,5 @@
-//! The period map: Hᵐ, m half turns of the drive with the motion turned upside down after each, its
-//! derivative and its fixed points.
+//! The period map: Hᵐ, m half turns of the drive with a change of sign after each, its derivative and its
+//! fixed points.
 
 use super::broken::Broken;
 use super::equation::Equation;
@@ -14,11 +14,11 @@ use crate::float::Float;
 
 /// Some half turns of a motion.
 pub(crate) struct Step<F> {
-    /// Where it ends, turned upside down after an odd number.
+    /// The end point, with the opposite sign after an odd number of half turns.
     pub(crate) end: Point<F>,
     /// Its derivative by the state at the beginning.
     pub(crate) derivative: Matrix<F>,
-    /// Where the body rests for ever, if it does.
+    /// The place at which the body rests permanently, if it does.
     pub(crate) rest: Option<F>,
     /// The sequence of slides and stops, as a number that tells most apart.
     pub(crate) pattern: u64,
@@ -59,7 +59,7 @@ pub(crate) fn half_turns<F: Float>(
     })
 }
 
-/// A periodic motion of m half turns with what a cycle of it amounts to.
+/// A periodic motion of m half turns, with the properties of its cycle.
 pub(crate) fn steady<F: Float>(
     equation: Equation<F>,
     start: Point<F>,
@@ -99,7 +99,7 @@ impl<F: Float> Trial<F> {
         m: u64,
         budget: &mut Budget<'_>,
     ) -> Result<Self, Broken> {
-        // A speed next to nothing is rest, as in a start: it would end in a time that underflows.
+        // A negligible speed counts as rest, as in a start: it would end in a time that underflows.
         let y = if y.w.abs() < F::least_ratio() { Point { w: F::int(0), ..y } } else { y };
         let step = half_turns(equation, &y, m, budget, |_| {})?;
         let left = Residual::new(&equation, &y, (step.end.x - y.x, step.end.w - y.w));
@@ -111,7 +111,7 @@ impl<F: Float> Trial<F> {
         self.step.derivative.negated().inverse_of_one_plus()
     }
 
-    /// Newton's method for a fixed point of Hᵐ: whole steps as long as each halves what is missed.
+    /// Newton's method for a fixed point of Hᵐ, with full steps as long as each halves the residual.
     pub(crate) fn newton(self, equation: Equation<F>, budget: &mut Budget<'_>) -> Result<Self, Broken> {
         self.descend(equation, budget, &[1])
     }
@@ -125,7 +125,7 @@ impl<F: Float> Trial<F> {
         self.descend(equation, budget, &[1, 2, 4, 16])
     }
 
-    /// Newton's method with a step, or that part of it, that leaves at most 1 − 1/(2 part) of what is missed.
+    /// Newton's method with a step, or a fraction of it, that reduces the residual to at most 1 − 1/(2 part).
     fn descend(self, equation: Equation<F>, budget: &mut Budget<'_>, parts: &[i32]) -> Result<Self, Broken> {
         let mut best = self;
         'steps: for _ in 0..MOST_STEPS {
@@ -147,8 +147,8 @@ impl<F: Float> Trial<F> {
         Ok(best)
     }
 
-    /// Whether it comes back to within so many times the rounding, and how far it can be from a fixed point
-    /// is known.
+    /// Whether the motion repeats to within `times` times the rounding, with a known distance from a fixed
+    /// point.
     pub(crate) fn is_periodic(&self, times: i32) -> bool {
         self.left.is_rounding(self.roundings(times)) && is_known(&self.y, self.inverse(), &self.left)
     }

@@ -22,8 +22,8 @@ use core::ops::ControlFlow;
 pub struct PeriodicMotion<F> {
     /// The motion; [`SteadyState::is_stable`] says whether its neighbours approach it.
     pub steady_state: SteadyState<F>,
-    /// The motion that is this one turned upside down, by its place among those found; `None` where it is
-    /// symmetric, and where the search did not meet that one.
+    /// The index of the mirror image among the motions found; `None` if the motion is symmetric, or if the
+    /// search did not find its image.
     pub mirror: Option<usize>,
     #[cfg_attr(feature = "serde", serde(skip))]
     orbit: Orbit<F>,
@@ -48,8 +48,8 @@ impl<F: Float> PeriodicMotions<F> {
         &self.found
     }
 
-    /// Takes a motion in, unless it is there: two are one where they come to the same states, to 2⁻²⁰ of
-    /// their size.
+    /// Adds a motion unless it is already present: two are the same if their states agree to 2⁻²⁰ of their
+    /// size.
     ///
     /// # Errors
     /// As for [`super::Trajectory::new`].
@@ -112,12 +112,12 @@ pub fn periodic_motions<F: Float>(
 /// The same from one start, a motion of several half turns perhaps more than once, as long as `keep_going`
 /// says [`ControlFlow::Continue`].
 ///
-/// For each number m of half turns up to `2 turns` Newton's method on the map Hᵐ, H half a turn of the drive
-/// with the motion turned upside down, begins at the start, at the states of its motion after each of the
-/// first half turns, and at that which m half turns bring back best. The mirror image of a motion that is not
-/// symmetric is returned with it. Steps that do not help are shortened down to a sixteenth. What is returned
-/// comes back to itself within rounding, by the exact motion over its period, with its multipliers from the
-/// exact linearised motion.
+/// Let H be half a turn of the drive with a change of sign. For each number m of half turns up to `2 turns`,
+/// Newton's method on the map Hᵐ starts from the given state, from the states of its motion after each of the
+/// first half turns, and from the state that repeats best after m half turns. The mirror image of an
+/// asymmetric motion is returned with it. Steps that do not help are shortened, down to a sixteenth. A
+/// returned motion repeats itself to within rounding, by the exact motion over its period, and has the
+/// multipliers of the exact linearised motion.
 ///
 /// # Errors
 /// [`Error::Interrupted`] where it breaks off, and as for [`super::Trajectory::new`].
@@ -172,7 +172,7 @@ pub fn periodic_motions_from<F: Float>(
     Ok(found)
 }
 
-/// Half turns that a start is followed for, beside those for the longest period.
+/// The number of half turns computed from a start, in addition to those of the longest period.
 const FOLLOWED: u64 = 32;
 
 /// How many of the first states of its motion are begun at.

@@ -18,7 +18,7 @@ use crate::float::Float;
 pub(crate) enum Part<F> {
     /// A slide, and the velocity zero that ends it.
     Slide(Slide<F>, VelocityZero<F>),
-    /// A slide that goes on: its length in natural time, the phase and the motion there.
+    /// A slide that continues: its length in natural time, and the phase and the motion there.
     Onward(Slide<F>, F, DrivePhase<F>, Motion<F>),
     /// A stop, and its length as a phase.
     Stick(Stick<F>, F),
@@ -40,8 +40,8 @@ pub(crate) struct Propagation<F> {
     pub(crate) hint: F,
 }
 
-/// Parts that are kept: all where Ω is above some 1/30. More are propagated again where its parts are asked
-/// for.
+/// The greatest number of parts kept: all parts for Ω above about 1/30. Further parts are propagated again on
+/// demand.
 const MOST_KEPT: usize = 256;
 
 impl<F: Float> Propagation<F> {
@@ -167,7 +167,7 @@ pub(crate) fn follow<F: Float>(
 }
 
 impl<F: Float> Slide<F> {
-    /// `(η − 1)/(αΩ |cos θ|)` of a slide that begins where friction gives way ([`Matrix::after_release`]).
+    /// `(η − 1)/(αΩ |cos θ|)` of a slide that begins with a release ([`Matrix::after_release`]).
     fn gain_at_release(&self) -> F {
         let equation = &self.equation;
         if !equation.has_higher_static_friction() {

@@ -11,9 +11,9 @@
 //! creeps to the edge of the interval and never reaches it. The limit has a closed form, which no simulation
 //! reaches (δ falls like 1/cycles).
 //!
-//! With a static friction above the kinetic one a body can rest for ever where `|x| ≤ η − α`. For α < 1 it
-//! ends there from every start, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that the distance it slides is
-//! finite. It does not creep: each slide begins with the acceleration η − 1.
+//! With a static friction above the kinetic one a body can rest permanently where `|x| ≤ η − α`. For α < 1 it
+//! ends there from every start, because `d/dφ ½(x² + w²) ≤ −(1 − α)|w|`, so that its total path is finite. It
+//! does not creep: each slide begins with the acceleration η − 1.
 
 use super::equation::Equation;
 use super::long_run::{LongRun, Rest};
@@ -24,7 +24,7 @@ use crate::error::Error;
 use crate::float::Float;
 use crate::ratios::Ratios;
 
-/// Where the motion from a start comes to rest, α ≤ 1.
+/// The place where the motion from a start comes to rest, α ≤ 1.
 ///
 /// # Errors
 /// [`Error::SearchBound`], [`Error::Interrupted`].

@@ -10,8 +10,8 @@ use core::ops::ControlFlow;
 /// The motion at the phases `θ = 2πk/n`, k counted up from the first that is not before the start.
 ///
 /// Each phase is computed from its integers k and n, never by adding up steps, so that the millionth cycle is
-/// sampled as exactly as the first. The iterator is endless, also for a body at rest for ever; it ends only
-/// after an error of the [`Trajectory`].
+/// sampled as accurately as the first. The iterator is endless, also for a body that rests permanently; it
+/// ends only after an error of the [`Trajectory`].
 #[derive(Debug, Clone, Copy)]
 pub struct Samples<F> {
     trajectory: Trajectory<F>,
@@ -67,8 +67,8 @@ fn grid<F: Float>((cycle, number): (i64, u32), per_cycle: u32) -> DrivePhase<F> 
 }
 
 impl<F: Float> Samples<F> {
-    /// The next sample, as long as `keep_going` says [`ControlFlow::Continue`]: it is asked at every slide
-    /// and stop on the way, of which there are some 4 + 4/Ω in a cycle. After an interruption the next call
+    /// The next sample, as long as `keep_going` returns [`ControlFlow::Continue`]. It is called at every
+    /// slide and stop on the way, of which a cycle has about 4 + 4/Ω. After an interruption the next call
     /// continues from there.
     ///
     /// An error is [`Error::Interrupted`] or that of the trajectory.

@@ -25,21 +25,21 @@ pub(crate) struct Safe<F> {
 }
 
 impl<F: Float> Safe<F> {
-    /// The window that φ lies in or that comes next, as (beginning, end), less the rounding of its ends.
-    /// Where it is empty the beginning is not before the end.
+    /// The window that contains φ or comes next, as (beginning, end), reduced by the rounding of its ends. If
+    /// it is empty, the beginning is not before the end.
     pub(crate) fn next(&self, phi: F) -> (F, F) {
         // Each of centre, half width and turns times the period is right to two units of itself, and none
         // exceeds φ + 2 periods by much.
         let rounding = F::int(16) * F::epsilon() * (phi + self.period);
         let half_width = self.half_width - rounding;
-        // The end of a window counts as beyond it.
+        // A φ at the end of a window belongs to the next one.
         let turns = ((phi + rounding - self.centre - half_width) / self.period).floor() + F::int(1);
         let centre = self.centre + turns * self.period;
         (centre - half_width, centre + half_width)
     }
 }
 
-/// What is known of the function whose zero is sought.
+/// The properties of the function whose zero is sought.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Search<'a, F> {
     pub(crate) omega: F,
@@ -50,7 +50,7 @@ pub(crate) struct Search<'a, F> {
     pub(crate) angle: F,
     /// Whether g ≥ 0 on that half turn.
     pub(crate) helping: bool,
-    /// Whether f = 0 at φ = 0, from where it rises.
+    /// Whether f = 0 at φ = 0 and increases from there.
     pub(crate) from_zero: bool,
     /// Where to stop; the zero may be at the limit itself.
     pub(crate) limit: Option<F>,

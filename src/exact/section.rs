@@ -57,8 +57,8 @@ pub(crate) fn middle_of_rise<F: Float>(rising: &Rising<F>) -> (Point<F>, F) {
     (Point { phase, x: rising.displacement(&at), w }, half)
 }
 
-/// A non-sticking cycle as the start of the shooting method. Below Ω = 2/3 it is known to be the limit: there
-/// Δ₀ is not large beside the force. With damping every disturbance dies out, and its residual judges it.
+/// A non-sticking cycle as the start of the shooting method. Below Ω = 2/3 it is the known limit, because Δ₀
+/// is not large compared with the force. With damping every disturbance decays, and the residual decides.
 pub(crate) fn cycle_guess<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Guess<F> {
     let (at, hint) = fastest_point(equation, cycle);
     Guess { at, hint, is_limit: equation.omega * F::int(3) < F::int(2) && !equation.is_damped() }

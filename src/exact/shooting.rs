@@ -39,7 +39,7 @@ pub(crate) struct Fixed<F> {
     pub(crate) distance: (F, F),
 }
 
-/// What shooting ends with.
+/// The result of shooting.
 #[derive(Debug)]
 pub(crate) enum Shot<F> {
     Settled(Fixed<F>),
@@ -47,7 +47,7 @@ pub(crate) enum Shot<F> {
     Unsettled(Point<F>, F),
 }
 
-/// `H(y) − y`, and what rounding makes of a zero of it.
+/// `H(y) − y`, and the rounding error of a zero of it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Residual<F> {
     pub(crate) x: F,
@@ -119,12 +119,12 @@ pub(crate) struct Guess<F> {
     pub(crate) at: Point<F>,
     /// Natural time to its first velocity zero.
     pub(crate) hint: F,
-    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle where it
-    /// does not stick, and is not large beside the force.
+    /// Whether it is known to be the limit of every start, to within rounding: the closed-form cycle, if it
+    /// does not stick and is not large compared with the force.
     pub(crate) is_limit: bool,
 }
 
-/// The rounding of what some parts of a motion leave of a disturbance, with room.
+/// The rounding of the propagated disturbance after a number of parts of a motion, with a margin.
 pub(crate) fn rate_noise<F: Float>(parts: u64) -> F {
     F::int(64) * F::epsilon() * F::from_f64(parts as f64 + 1.0)
 }
@@ -156,8 +156,8 @@ pub(crate) fn shoot<F: Float>(
         if budget.half_turns > budget.most {
             return Ok(Shot::Unsettled(y, left.norm()));
         }
-        // A residual of rounding says nothing where a disturbance hardly dies out: the bound on the distance
-        // does.
+        // A residual of the size of rounding is not sufficient where a disturbance hardly decays: the bound
+        // on the distance decides.
         let known = is_known(&y, inverse, &left);
         if left.is_rounding(1) && known {
             return Ok(Shot::Settled(settled(y, best, inverse, &left)));
@@ -224,7 +224,7 @@ pub(crate) fn shoot<F: Float>(
 
 const LONGEST_FOLLOW: u32 = 64;
 
-/// Whether the bound on the distance from the limit is small beside the motion itself.
+/// Whether the bound on the distance from the limit is small compared with the motion itself.
 pub(crate) fn is_known<F: Float>(y: &Point<F>, inverse: Matrix<F>, left: &Residual<F>) -> bool {
     let (x, w) = inverse.absolute().times(left.bounds());
     let size = y.x.abs() + y.w.abs();

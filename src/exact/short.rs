@@ -1,10 +1,10 @@
 //! The motion of a short slide, by Taylor's series.
 //!
-//! A body that has just been let go starts with no velocity and no acceleration, and turns back after
-//! `w = αΩ [cos θ_i · C − sin θ_i · S]` has risen and fallen by no more than a small part of `αΩφ`. Where the
-//! force exceeds friction by little the slide is short, and the closed forms of C and S, made of functions of
-//! order φ, keep no digit of it: at α = 1 + 1e-14 the zero came out wrong by half its place. The derivatives
-//! at the start are known to full relative accuracy, each from the equation of motion:
+//! A body that has just been released starts with zero velocity and zero acceleration, and reverses after `w
+//! = αΩ [cos θ_i · C − sin θ_i · S]` has increased and decreased by no more than a small fraction of `αΩφ`.
+//! Where the force hardly exceeds friction the slide is short, and the closed forms of C and S, which consist
+//! of functions of order φ, lose all its digits: at α = 1 + 1e-14 the zero was wrong by half its place. The
+//! derivatives at the start are known to full relative accuracy, each from the equation of motion:
 //!
 //! ```text
 //! w⁽ⁿ⁺²⁾ = (αΩ cos(θ_i + Ωφ))⁽ⁿ⁾ − w⁽ⁿ⁾ − 2ζw⁽ⁿ⁺¹⁾,   w⁽⁰⁾ = w_i,   w⁽¹⁾ = a_i
@@ -16,7 +16,7 @@ use super::slide::Slide;
 use crate::float::Float;
 
 impl<F: Float> Slide<F> {
-    /// Whether φ is short beside both periods and the decay: `max(1, Ω, 4ζ) φ < 1/8`.
+    /// Whether φ is short compared with both periods and the decay: `max(1, Ω, 4ζ) φ < 1/8`.
     #[inline]
     pub(crate) fn is_short<const DAMPED: bool>(&self, phi: F) -> bool {
         let (one, eight) = (F::int(1), phi * F::int(8));

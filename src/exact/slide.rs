@@ -87,7 +87,7 @@ impl<F: Float> Slide<F> {
         Self::with_sin_cos(equation, start, start.sin_cos(), x, w, direction)
     }
 
-    /// The same with (sin θ_i, cos θ_i) known.
+    /// The same with known (sin θ_i, cos θ_i).
     #[inline]
     pub(crate) fn with_sin_cos(
         equation: Equation<F>,
@@ -122,8 +122,8 @@ impl<F: Float> Slide<F> {
         Self { acceleration, ..Self::new(equation, start, x, F::int(0), direction) }
     }
 
-    /// The slide that goes on where its velocity touches zero, the force at the kinetic friction: no
-    /// acceleration.
+    /// A slide that continues after its velocity touches zero, with the force at the kinetic friction: it
+    /// starts without acceleration.
     pub(crate) fn grazing(equation: Equation<F>, start: DrivePhase<F>, x: F, direction: Direction) -> Self {
         let zero = F::int(0);
         Self { acceleration: zero, ..Self::new(equation, start, x, zero, direction) }
@@ -146,8 +146,8 @@ impl<F: Float> Slide<F> {
         if self.equation.is_damped() { self.damped_motion(phi) } else { self.undamped_motion(phi) }
     }
 
-    /// The same by what is known when the program is compiled, so that nothing of damping is computed without
-    /// a damper.
+    /// The same, with the presence of damping known at compile time, so that nothing is computed for a damper
+    /// without one.
     #[inline]
     pub(crate) fn motion_by<const DAMPED: bool>(&self, phi: F) -> Motion<F> {
         if DAMPED { self.damped_motion(phi) } else { self.undamped_motion(phi) }
@@ -213,7 +213,8 @@ impl<F: Float> Slide<F> {
     /// x = A sin θ − s + a cos φ + b sin φ,   a = −(a_i + Ω²A sin θ_i),   b = w_i − ΩA cos θ_i,   A = α/(1 − Ω²)
     /// ```
     ///
-    /// The rounding of the fast angle, φ up to π/Ω, then counts with the amplitude of the fast wave only.
+    /// The rounding of the fast angle, φ up to π/Ω, is then multiplied only by the amplitude of the fast
+    /// wave.
     fn slow_and_fast(&self, phi: F) -> Motion<F> {
         let Equation { omega, alpha, .. } = self.equation;
         let (si, ci) = (self.sin_start, self.cos_start);
@@ -243,8 +244,8 @@ impl<F: Float> Slide<F> {
         rate * phi > F::int(1)
     }
 
-    /// The same with damping, as the forced wave and a free one that dies out, for Ω < 1/2 and φ > 1, or once
-    /// that has died out by a factor e.
+    /// The same with damping, as the forced wave and a decaying free one, for Ω < 1/2 and φ > 1, or once the
+    /// free wave has decayed by a factor e.
     ///
     /// w is their sum, and so is w′. The free ones give x, too: `x_f + 2ζw_f + w_f′ = 0`.
     fn forced_and_free(&self, phi: F) -> Motion<F> {

@@ -76,7 +76,7 @@ pub struct Instant<F> {
     pub friction: F,
 }
 
-/// `v`, or rest where it is next to nothing.
+/// `v`, or rest if it is negligible.
 fn moving<F: Float>(v: F) -> F {
     if v.abs() < F::least_ratio() { F::int(0) } else { v }
 }

@@ -32,7 +32,7 @@ pub(crate) struct Summary<F> {
 }
 
 impl<F: Float> Summary<F> {
-    /// Of the statistics of one whole cycle, which the half-turn map repeats after so many half turns.
+    /// From the statistics of one whole cycle, which repeats after this number of half turns.
     pub(crate) fn of(statistics: &CycleStatistics<F>, half_turns: u32) -> Self {
         Self {
             max_x: statistics.max_x,
@@ -94,15 +94,15 @@ pub struct SteadyState<F> {
     pub min_velocity: Extreme<F>,
     /// Stops in a cycle.
     pub sticks_per_cycle: u32,
-    /// Velocity zeros in a cycle: ends of slides. A stop counts once.
+    /// The number of velocity zeros in a cycle, which are the ends of slides. A stop counts once.
     pub velocity_zeros_per_cycle: u32,
     /// The part of a cycle that the body is at rest, in [0, 1).
     pub stick_fraction: F,
-    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B: by its own closed form where that keeps
-    /// its digits. Its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`] with
-    /// damping, is then a check. Elsewhere (near Ω = 1, and where a motion is small beside the force) it
-    /// follows from the balance of energy of each slide. Accuracy at f64: within 1e-13 (1 + Δ₀/B)(1 + 1/Ω) of
-    /// itself, Δ₀ the maximum displacement.
+    /// Work of the drive in a cycle, `∮ p₀ sin ω_d t dx`, in r_y B. Where its own closed form is accurate,
+    /// that is used, and its agreement with [`SteadyState::energy_out`], plus [`SteadyState::damper_work`]
+    /// with damping, is a check. Elsewhere (near Ω = 1, and where a motion is small compared with the force)
+    /// it follows from the energy balance of each slide. The relative accuracy at f64 is 1e-13 (1 + Δ₀/B)(1 +
+    /// 1/Ω), where Δ₀ is the maximum displacement.
     pub energy_in: F,
     /// Work against friction in a cycle, `∮ r_y |dx|`, in r_y B: 4Δ₀/B where nothing but the extrema are
     /// reversals. As accurate as the displacements are.
@@ -188,8 +188,8 @@ impl<F: Float> SteadyState<F> {
     /// half-turn map at that state.
     ///
     /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
-    /// motions found were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n) to
-    /// within rounding, the limit is known from the closed form, and the estimate is rounding.
+    /// computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n)
+    /// to within rounding, the limit is the closed form, and the estimate is rounding.
     pub fn distance(&self) -> (F, F) {
         let (x, w) = self.distance;
         (x, w / self.equation.omega)
@@ -210,7 +210,7 @@ impl<F: Float> SteadyState<F> {
     }
 }
 
-/// The error measures of the cycle of so many turns that begins at a point.
+/// The error measures of the cycle of `turns` turns that begins at a point.
 fn error_measures<F: Float>(
     equation: Equation<F>,
     start: &Point<F>,
@@ -223,8 +223,8 @@ fn error_measures<F: Float>(
     Ok(statistics.errors(turns))
 }
 
-/// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles` of
-/// them from a start, as in its Figure 3.
+/// The paper's error measures of a motion that has not settled: those of the first cycle after `cycles`
+/// cycles from a start, as in its Figure 3.
 ///
 /// # Errors
 /// As for [`crate::exact::Trajectory::new`].

@@ -1,7 +1,7 @@
 //! Sticking: the body at rest until the force left over reaches the friction bound.
 //!
-//! At rest at x friction carries `α sin θ − x` (in units of r_y), and can carry up to η. It is released
-//! forward where `α sin θ` rises through `x + η` and backward where it falls through `x − η`: at an arcsine,
+//! At rest at x friction balances `α sin θ − x` (in units of r_y), up to η. The body is released forward
+//! where `α sin θ` increases through `x + η` and backward where it decreases through `x − η`: at an arcsine,
 //! or never.
 
 use super::drive::DrivePhase;
@@ -27,7 +27,7 @@ impl<F: Float> Stick<F> {
         Self::until(equation, start, x, false)
     }
 
-    /// The same, where the force is at its bound and about to fall: the next release is in another half turn.
+    /// The same with the force at its bound and about to decrease: the next release is in another half turn.
     pub(crate) fn held(equation: Equation<F>, start: DrivePhase<F>, x: F) -> Self {
         Self::until(equation, start, x, true)
     }
@@ -35,7 +35,7 @@ impl<F: Float> Stick<F> {
     fn until(equation: Equation<F>, start: DrivePhase<F>, x: F, falling: bool) -> Self {
         let rising = if start.is_even() { Direction::Forward } else { Direction::Backward };
         let here = if falling { None } else { release(&equation, start, x, rising, false) };
-        // In the present half turn the force rises to one bound only.
+        // In the present half turn the force increases towards one bound only.
         if let Some(phase) = here {
             return Self { equation, start, x, release: Some((phase, rising)) };
         }
@@ -50,7 +50,7 @@ impl<F: Float> Stick<F> {
         Self { equation, start, x, release: first }
     }
 
-    /// How long it lasts, as a phase; `None` for ever.
+    /// The duration as a phase; `None` if it never ends.
     pub(crate) fn duration(&self) -> Option<F> {
         self.release.map(|(end, _)| end.since(self.start))
     }
@@ -71,7 +71,7 @@ pub(crate) fn release_angle<F: Float>(equation: &Equation<F>, x: F, direction: D
     let Equation { alpha, static_friction, .. } = *equation;
     let sign = direction.sign::<F>();
     let y = static_friction + sign * x;
-    // Without the rounding of y, which counts where α is next to η.
+    // This avoids the rounding of y, which matters where α is close to η.
     let above = (alpha - static_friction) - sign * x;
     let exceeds = above > force_rounding(equation, x);
     if !exceeds {

@@ -38,7 +38,7 @@ use miss::Miss;
 
 mod miss;
 
-/// Stops are looked for where they are let go forward, around θ = 0.
+/// The search uses stops that are released forward, around θ = 0.
 const STATION: Station = Station { half_turn: 0, direction: Direction::Forward };
 
 /// Passages that are tried.
@@ -87,7 +87,7 @@ impl<F: Float> Sticking<F> {
         Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
     }
 
-    /// Whether it is known that the motion sticks, or reverses more than twice.
+    /// Whether the motion is known to stick, or to reverse more than twice.
     pub(crate) const fn is_below(&self) -> bool {
         self.is_below
     }
@@ -231,7 +231,7 @@ fn steady<F: Float>(
     budget: &Budget<'_>,
 ) -> Result<Option<LongRun<F>>, Broken> {
     let (zero, one, two) = (F::int(0), F::int(1), F::int(2));
-    // The stop that the passage begins with is that at its end, upside down.
+    // The stop at the beginning of the passage is the one at its end with the opposite sign.
     let stop = Stick {
         start: found.stop.start.later_by_half_turns(-1),
         x: -found.stop.x,

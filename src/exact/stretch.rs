@@ -5,7 +5,7 @@ use super::jet::Jet;
 use super::search::{Found, Search, Verdict};
 use crate::float::Float;
 
-/// A stretch (beginning, end) with g of one sign, and what is known of f at its beginning.
+/// A stretch (beginning, end) on which g has one sign, and the known properties of f at its beginning.
 #[derive(Clone, Copy)]
 pub(crate) struct Stretch<F> {
     pub(crate) from: F,
@@ -95,8 +95,8 @@ fn bracketed<F: Float, M: Copy>(
             return crossing(zero);
         }
         if !below {
-            // Nothing is known beyond `low` but the end to look at, at the latest after as many steps as the
-            // type has digits.
+            // Beyond `low` only the end can be examined next, at the latest after as many steps as the type
+            // has digits.
             let inside = next > low && next < end && steps <= F::PRECISION;
             phi = if jet.first < zero && inside { next } else { end };
             continue;
@@ -268,7 +268,8 @@ fn dip<F: Float, M: Copy>(
     Verdict::Zero(Found { at: phi, step: F::int(0), motion, grazes: true })
 }
 
-/// What rounding can make of the lowest value of a dip: of f, and of φ, which is known to ε of itself.
+/// The rounding error of the lowest value of a dip: that of f, and that of φ, which has a relative error of
+/// ε.
 fn noise<F: Float>(search: &Search<'_, F>, phi: F, jet: &Jet<F>) -> F {
     let unit = F::int(4) * F::epsilon() * phi;
     search.noise_at(phi) + jet.second.abs() * unit.square() / F::int(2)

@@ -1,10 +1,10 @@
 //! Where the symmetric motion loses its symmetry as the force changes.
 //!
-//! Let H take the state half a turn of the drive on and turn it upside down, and let J be its derivative. A
-//! symmetric motion of one turn is a fixed point of H, and its multipliers by turn are those of J², the
+//! Let H advance the state by half a turn of the drive and change its sign, and let J be its derivative. A
+//! symmetric motion of one turn is a fixed point of H, and its multipliers per turn are those of J², the
 //! squares λ² of those of J. At λ = +1 two symmetric motions meet. At λ = −1 a pair of points that H
-//! exchanges branches off, y ≠ H(y), H²(y) = y: a motion of one turn that is not symmetric, and its mirror
-//! image. So **symmetry breaks at λ = −1**, where
+//! exchanges branches off, y ≠ H(y), H²(y) = y: an asymmetric motion of one turn, and its mirror image. So
+//! **symmetry breaks at λ = −1**, where
 //!
 //! ```text
 //! f = det(1 + J) = (1 + λ₁)(1 + λ₂)
@@ -33,7 +33,8 @@ use crate::root::enclosed;
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Loss {
-    /// A multiplier per half turn passes −1: the symmetric motion continues, unstable, beside a mirror pair.
+    /// A multiplier per half turn passes −1: the symmetric motion continues, unstable, together with a mirror
+    /// pair.
     Multiplier,
     /// A multiplier per half turn reaches +1: two symmetric motions meet, and beyond neither exists.
     Fold,
@@ -115,8 +116,8 @@ impl<F: Float> Machine<F> {
         Ok(Some(Symmetric { alpha, y, derivative, steady }))
     }
 
-    /// The same motion at another force: of the same slides and stops. It is sought on the line through two
-    /// that are known, then at the last.
+    /// The same motion at another force, with the same slides and stops. The search starts on the line
+    /// through two known motions, then at the last one.
     fn continued(
         &self,
         (before, last): (&Symmetric<F>, &Symmetric<F>),
@@ -212,8 +213,8 @@ pub fn symmetry_breaks<F: Float>(
     Ok(breaks)
 }
 
-/// Where a stable motion is lost on the way to another force ratio. Where a stop only comes or goes it is
-/// followed on.
+/// The place where a stable motion is lost on the way to another force ratio. If a stop merely appears or
+/// disappears, the motion is continued.
 fn lost<F: Float>(
     machine: &Machine<F>,
     motion: &Symmetric<F>,

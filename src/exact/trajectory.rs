@@ -21,13 +21,13 @@ pub enum End {
     Stop,
     /// The velocity touches zero and the body slides on the same way.
     Grazing,
-    /// Friction gives way.
+    /// A release of the body.
     Release,
     /// Never.
     Never,
 }
 
-/// What the body does during a segment.
+/// The kind of a segment of the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
@@ -77,7 +77,7 @@ impl<F: Float> Segment<F> {
         }
     }
 
-    /// The state at its end, where the velocity is zero; `None` for a stop that lasts for ever.
+    /// The state at its end, where the velocity is zero; `None` for a stop that never ends.
     pub fn end(&self) -> Option<State<F>> {
         let v = F::int(0);
         match &self.body {
@@ -86,7 +86,7 @@ impl<F: Float> Segment<F> {
         }
     }
 
-    /// How long it lasts, as a phase ω_d Δt; `None` for ever.
+    /// The duration as a phase ω_d Δt; `None` if it never ends.
     pub fn duration(&self) -> Option<F> {
         match &self.body {
             Body::Slide(s, zero) => Some(zero.phi * s.equation.omega),
@@ -120,7 +120,7 @@ impl<F: Float> Segment<F> {
     }
 }
 
-/// What comes next: decided at every velocity zero.
+/// The next segment, decided at every velocity zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Next<F> {
     Slide(Slide<F>),
@@ -150,7 +150,7 @@ impl<F: Float> Next<F> {
         }
     }
 
-    /// What the body does from a state on; `w = Ωv`.
+    /// The next segment from a state; `w = Ωv`.
     pub(crate) fn from(equation: Equation<F>, phase: DrivePhase<F>, x: F, w: F) -> Self {
         if w == F::int(0) {
             Self::at_rest(equation, phase, x)
@@ -161,9 +161,9 @@ impl<F: Float> Next<F> {
 
     /// The motion after a velocity zero, and the kind of event there.
     ///
-    /// A slide can be too short for its phase to move, and what follows begins at the same phase. A body that
-    /// was let go there is held until the force rises again, so that **no more than three slides** begin at a
-    /// phase: one that a negligible speed carries on, one back, one after a release.
+    /// A slide can be too short for its phase to change, so that the next one begins at the same phase. A
+    /// body released there is held until the force increases again. Hence **no more than three slides** begin
+    /// at a phase: one that a negligible speed continues, one back, and one after a release.
     #[inline]
     pub(crate) fn after(slide: &Slide<F>, zero: &VelocityZero<F>) -> (Self, End) {
         let (equation, direction) = (slide.equation, slide.direction);
@@ -187,11 +187,11 @@ impl<F: Float> Next<F> {
     }
 }
 
-/// The motion from a start on, segment by segment: an iterator that ends only where the body rests for ever, or
-/// after an error.
+/// The motion from a start, segment by segment: an iterator that ends only when the body rests permanently,
+/// or after an error.
 ///
-/// The error is [`Error::SearchBound`]: the search for the end of a slide has passed its proved bound. No
-/// input is known that leads to it.
+/// The error is [`Error::SearchBound`]: the search for the end of a slide exceeded its proved bound. No input
+/// is known that causes it.
 ///
 /// ```
 /// use stickslip::Ratios;

@@ -58,7 +58,7 @@ pub(crate) fn validated<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -> Op
     let greatest = Extreme { value: arrival.x, phase: least.later_by_half_turns(1) };
 
     let fastest = origin.advanced(cycle.velocity_phase);
-    // Both phases are reduced to one turn of their own.
+    // Each phase is reduced to one turn.
     let lag = fastest.since(least);
     let lag = if lag > F::pi() { lag - two * F::pi() } else { lag };
     let middle = slide.motion(lag / omega);

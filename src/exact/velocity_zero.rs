@@ -29,12 +29,12 @@ pub(crate) struct VelocityZero<F> {
     pub(crate) grazes: bool,
 }
 
-/// A search that passed its proved bound: of no size, so that the answers it stands beside stay as small as
-/// they are. [`Slide::lost`] makes the error of it.
+/// A search that exceeded its proved bound. It is of zero size, so that results that contain it stay small;
+/// [`Slide::lost`] makes the error.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Lost;
 
-/// What comes first of a slide: its end, or a limit on the time.
+/// The first event of a slide: its end, or a limit on the time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Outcome<F> {
     Zero(VelocityZero<F>),
@@ -127,7 +127,7 @@ impl<F: Float> Slide<F> {
         self.ends_by::<true>(hint, limit)
     }
 
-    /// The same by what is known when the program is compiled.
+    /// The same, with the presence of damping known at compile time.
     #[inline]
     fn ends_by<const DAMPED: bool>(&self, hint: F, limit: Option<F>) -> Result<Outcome<F>, Lost> {
         let (search, start) =

@@ -17,10 +17,10 @@
 //!   logarithm is concave, or from ζ = 1 on has one extremum at most and tends to zero; either way h > G at
 //!   both ends of less than π/d means h > G between them.
 //!
-//! The far end of a window is found from the inside, to within a part of the shorter period. What is left
-//! before the next zero is, where the free wave is larger, a period of the drive at most; where the forced
-//! one is, the time in which the free wave, at its lowest once in 2π/d, is not below it. So a slide needs a
-//! few windows and a few stretches at any Ω and ζ.
+//! The far end of a window is found from inside, to within a fraction of the shorter period. If the free wave
+//! is larger, the remaining time before the next zero is at most a period of the drive. If the forced wave is
+//! larger, it is the time in which the free wave, at its lowest once in 2π/d, is not below the forced one. A
+//! slide therefore needs a few windows and a few stretches at any Ω and ζ.
 
 use super::equation::Equation;
 use super::slide::Slide;
@@ -66,14 +66,14 @@ impl<F: Float> Waves<F> {
         Self { equation, free, gain, angle, start, size, rates: (slower, decay) }
     }
 
-    /// What rounding can make of the velocity at φ, by the free vibrations there: that of the start dies out
-    /// with them.
+    /// The rounding error of the velocity at φ, given the free vibrations there; the rounding of the start
+    /// decays with them.
     fn noise_of(&self, phi: F, rotation: (F, F)) -> F {
         let phase = F::int(16) * F::epsilon() * self.equation.omega * (F::int(1) + phi) * self.gain;
         self.free_noise(phi, rotation) + phase
     }
 
-    /// The same but for the phase of the forced wave: what rounding can make of h and G.
+    /// The same without the phase of the forced wave: the rounding errors of h and G.
     fn free_noise(&self, phi: F, (s, c): (F, F)) -> F {
         let (speed, acceleration) = self.size;
         let (speed, acceleration) = (speed + self.gain, acceleration + self.equation.omega * self.gain);
@@ -103,7 +103,7 @@ impl<F: Float> Waves<F> {
         h.abs() + turned.abs() * F::ratio(3, 4) / slower
     }
 
-    /// The end of the window that φ lies in, where there is one longer than what a stretch takes in at once.
+    /// The end of the window that contains φ, if there is one longer than a stretch.
     #[cold]
     #[inline(never)]
     pub(crate) fn end(&self, phi: F) -> Option<F> {
@@ -147,8 +147,8 @@ impl<F: Float> Waves<F> {
         None
     }
 
-    /// How long from ψ on the forced wave stays above `r e^{−βt}` and `noise`, where it does at first: from
-    /// below, by the time until it falls to what that was at the time before.
+    /// A lower bound of the time from ψ during which the forced wave stays above `r e^{−βt}` and `noise`, if
+    /// it does at first: the time until it decreases to the bound at the previous time.
     fn forced_end(&self, psi: F, r: F, noise: F) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let mut end = F::int(0);
@@ -185,7 +185,8 @@ impl<F: Float> Waves<F> {
     }
 }
 
-/// Steps towards the end of a window of the forced wave; what is left of it is another.
+/// The greatest number of steps towards the end of a window of the forced wave; the rest becomes another
+/// window.
 const MOST_ADVANCES: u32 = 8;
 
 /// The last t with f(t) > 0 before `far`, where f is positive from 0 on up to one zero: approached from below

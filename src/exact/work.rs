@@ -44,7 +44,7 @@ impl<F: Float> Slide<F> {
     /// ∫ sin θ dx = [sin θ (x + s − α sin θ/2) + Ω w cos θ]/(1 − Ω²)
     /// ```
     ///
-    /// Where its terms are more than 32 times what they leave, or |1 − Ω²| < 1/64, the balance of energy
+    /// Where its terms are more than 32 times their sum, or |1 − Ω²| < 1/64, the energy balance is used
     /// instead: `[½x² + ½w²] + |Δx|`.
     pub(crate) fn work_of_drive(&self, end: &Motion<F>) -> F {
         let (one, two) = (F::int(1), F::int(2));
@@ -86,7 +86,7 @@ impl<F: Float> Slide<F> {
         }
         let start = self.motion_at_start();
         let Works { drive, mut damper } = self.closed_works(phi, &start, end);
-        // Little damping: what is left is rounding of terms without it.
+        // With little damping, the closed form leaves the rounding of terms without it.
         let terms = |m: &Motion<F>| m.w.square() + m.acceleration.square() + square * drive.abs();
         if damper * F::int(1 << 16) < terms(end).or_larger(terms(&start)) {
             let is_short = phi * self.equation.pace() < F::int(16);

@@ -1,4 +1,4 @@
-//! What tells one limit from another.
+//! Signatures that distinguish limits.
 
 use crate::error::Error;
 use crate::exact::drive::DrivePhase;
@@ -7,14 +7,14 @@ use crate::exact::steady::SteadyState;
 use crate::exact::trajectory::Trajectory;
 use crate::float::Float;
 
-/// What tells a limit from others: enough to count a start, not to describe the motion. Written and read
-/// again it stands for a limit that was found before ([`super::Attractors::count`]).
+/// The signature of a limit: enough to count a start, not to describe the motion. A signature that was
+/// written and read again represents a limit found earlier ([`super::Attractors::count`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Signature<F> {
     /// A periodic motion, by its state at a phase 2nπ of the drive.
     Periodic {
-        /// After how many half turns of the drive the state is the same again, upside down after an odd
-        /// number.
+        /// The number of half turns of the drive after which the state repeats, with the opposite sign if
+        /// odd.
         half_turns: u32,
         /// Displacement x/B.
         x: F,
@@ -78,8 +78,8 @@ impl<F: Float> Signature<F> {
     }
 }
 
-/// The state of a periodic motion at the next phase 2nπ, x/B and x′/(Bω_d): the same for it whatever the
-/// phase it was found at, which an odd half turn, upside down, would be for its mirror image.
+/// The state of a periodic motion at the next phase 2nπ, x/B and x′/(Bω_d). It is the same for any phase at
+/// which the motion was found; an odd half turn would give that of its mirror image.
 pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
     let (start, zero) = (steady.state(), F::int(0));
     let angle = start.phase.angle();

@@ -1,4 +1,4 @@
-//! The functions of natural time with viscous damping; near resonance those of
+//! The functions of natural time with viscous damping; near resonance they are those of
 //! `nonsticking::damped::resonance`.
 
 use super::{Equation, Waves};
@@ -52,7 +52,7 @@ impl<F: Float> Equation<F> {
         ((one - omega) * (one + omega), self.damping * omega)
     }
 
-    /// What the drive alone gives at (sin θ, cos θ): (x, w), without the shift by friction.
+    /// The forced response at (sin θ, cos θ): (x, w), without the shift by friction.
     #[inline]
     pub(crate) fn forced(&self, (sine, cosine): (F, F)) -> (F, F) {
         let (real, imaginary) = self.stiffness();
@@ -89,7 +89,8 @@ impl<F: Float> Equation<F> {
         }
     }
 
-    /// `1 − c`, the way of a body from rest under a unit force, where s is [`Equation::free_waves`]' first.
+    /// `1 − c`, the displacement of a body from rest under a unit force, where s is the first of
+    /// [`Equation::free_waves`].
     ///
     /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μφ} − μs` with the slower rate of
     /// decay μ.

@@ -42,13 +42,13 @@ impl<F: Float> Slide<F> {
         Ok(best)
     }
 
-    /// The parts (from, to) of a slide under a slow drive that can hold its maximum speed, none where not
-    /// from < to: those around the crests of the forced wave. `None` where they hold more extrema than a few,
-    /// or there are more of them. `best` becomes the greatest of the speeds at the ends and at the crest of
-    /// the free wave that is nearest to one of the forced wave.
+    /// The parts (from, to) of a slide under a slow drive that can contain its maximum speed, around the
+    /// crests of the forced wave; a part is empty unless from < to. `None` if they contain more than a few
+    /// extrema, or if there are more parts. `best` becomes the greatest of the speeds at the ends and at the
+    /// crest of the free wave that is nearest to one of the forced wave.
     ///
     /// The speed is `A cos(Ωφ − c) + u` with `|u| ≤ r`, the amplitude of the free wave at the start. Where
-    /// the forced wave is less than a speed that is reached by more than r, it is not the greatest.
+    /// the forced wave is below an attained speed by more than r, there is no maximum.
     fn around_crests(&self, end: F, arrival: &Motion<F>, best: &mut Fastest<F>) -> Option<[(F, F); 2]> {
         let (zero, one, two, pi) = (F::int(0), F::int(1), F::int(2), F::pi());
         let omega = self.equation.omega;
@@ -76,7 +76,7 @@ impl<F: Float> Slide<F> {
                 consider(near, self.motion(near).w);
             }
         }
-        // The free wave is at most its size at the start, and at most an envelope that dies out.
+        // The free wave is bounded by its size at the start, and by a decaying envelope.
         let zeta = vibration.zeta;
         let size = free.hypot(rate);
         let envelope = free.hypot((rate + zeta * free) / vibration.frequency);
@@ -101,7 +101,7 @@ impl<F: Float> Slide<F> {
         (at_start > -one && is_short && are_all).then_some(parts)
     }
 
-    /// The maximum speed where the extrema may be many and the free wave dies out, by the search of the
+    /// The maximum speed where there may be many extrema and the free wave decays, by the search of the
     /// closed-form cycle.
     #[cold]
     #[inline(never)]

@@ -27,8 +27,8 @@ impl<F: Float> GrowthAtResonance<F> {
         is_resonant.then_some(Self { large, growth })
     }
 
-    /// The growth per turn of a motion so large that it no longer stops, and grows. Its averaged motion then
-    /// turns into phase with the drive, and grows for ever.
+    /// The growth per turn of a motion so large that it no longer stops, if it grows. Its averaged motion
+    /// then approaches the phase of the drive, and it grows without bound.
     pub(super) fn seen(&self, before: &Point<F>, after: &Point<F>) -> Option<F> {
         let (early, late) = (before.x.hypot(before.w), after.x.hypot(after.w));
         (early > self.large && late > early).then_some(self.growth)
@@ -37,11 +37,11 @@ impl<F: Float> GrowthAtResonance<F> {
 
 /// Observation of a motion while it is followed.
 pub(super) struct Observed<F> {
-    /// Half turns after which the observation begins, and those of one part of the time.
+    /// The number of half turns before the observation begins, and that of one part of the time.
     from: u64,
     part: u64,
     is_counting: bool,
-    /// Whether the states followed are upside down: after an odd number of half turns.
+    /// Whether the states have the opposite sign, after an odd number of half turns.
     pub(super) is_upside_down: bool,
     disturbance: (F, F),
     growth: [f64; PARTS as usize],
