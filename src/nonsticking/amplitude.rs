@@ -22,8 +22,8 @@ pub(crate) fn force_ratio_from_displacement<R: Field>(
 /// Maximum velocity `V₀/(Bω_d)` at a maximum displacement Δ₀/B, and its derivative by it, `cos Ωψ` at the
 /// maximum.
 ///
-/// Only the explicit dependence on Δ₀ counts, v being stationary in ψ. For a Δ₀/B of a cycle that does not
-/// stick, Ω ≠ 1.
+/// Only the explicit dependence on Δ₀ matters, since v is stationary in ψ. It requires Δ₀/B of a cycle that
+/// does not stick, and Ω ≠ 1.
 pub(crate) fn max_velocity_from_displacement<F: Float>(p: &PhaseFunction<F>, max_displacement: F) -> (F, F) {
     let (omega, k) = (p.omega(), p.value());
     let alpha = force_ratio_from_displacement(k, max_displacement, one_minus_square(omega));

@@ -26,12 +26,12 @@ pub(crate) struct Moment<F> {
     pub(crate) slower: F,
 }
 
-/// Where the velocity is greatest.
+/// The state at the maximum velocity.
 #[derive(Clone, Copy)]
 pub(crate) struct Arrived<F> {
     /// ψ.
     pub(crate) psi: F,
-    /// The maximum of v/(Bω_n) less the velocity at this moment.
+    /// The maximum of v/(Bω_n) minus the velocity at this moment.
     pub(crate) gain: F,
     /// Δ₁/B.
     pub(crate) displacement: F,

@@ -13,10 +13,9 @@
 //!
 //! # Where the supremum is, and why it is the global one
 //!
-//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω, `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and
-//! f(π − τ) = −f(τ): it is enough to find the largest
-//! |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ = −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, a known sign
-//! between known points.
+//! With β = π/2Ω, γ = β mod π ∈ [0, π) and ζ = τ/Ω, `f = [T cos τ + sin(ζ − β)/cos β]/(Ω sin τ)`, and f(π −
+//! τ) = −f(τ), so that it suffices to find the largest |f| on (0, π/2]. Let `f′ sin²τ = G/Ω`. Then `G′ =
+//! −(Ω⁻² − 1) sin τ sin(ζ − β)/cos β`, whose sign is known between known points.
 //!
 //! * **Ω ≥ 1/2.** On (0, π/2], ζ − β runs from −β to 0 within one sign of the sine, and G′ ≤ 0 throughout
 //!   (for Ω > 1 the factor Ω⁻² − 1 changes sign with sin(ζ − β)/cos β). So f falls from 1/Ω² to
@@ -31,9 +30,9 @@
 //!   π) of `g(η) = cos Ωζ sin η − sin Ωζ cos η/Ω + sin γ`, g′ = (1/Ω − Ω) sin Ωζ sin η > 0.
 //!   `S = max(1/Ω², |f(ζ*)|)`.
 //!
-//! For T > 0, Ω in (1/(2n+1), 1/(2n)), f rises from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 falls
-//! short on the whole band; for T < 0 only next to the pole. There is one root at any Ω, and neither scan nor
-//! sampling.
+//! For T > 0, Ω in (1/(2n+1), 1/(2n)), f increases from 1/Ω² (G(0) = 0, G′ > 0 on (0, γ)), so that eq. 61 is
+//! too low on the whole band; for T < 0 it is too low only next to the pole. There is a single root at any Ω,
+//! and no scanning or sampling.
 
 mod band_end;
 mod lobe;
@@ -65,7 +64,7 @@ pub(crate) use turning_point::{slip_excess, turning_point_residual};
 
 /// Whether S is the stationary value `width`/(1 − Ω²) and not the limit 1/Ω² at the turning point.
 ///
-/// For T > 0 (`rises`) it is, even if the excess is below rounding.
+/// For T > 0 (`rises`) it is larger, even if the excess is below rounding.
 #[inline(always)]
 fn is_stationary_value_larger<F: Float>(
     one_minus_square: Pair<F>,
@@ -82,7 +81,7 @@ fn is_stationary_value_larger<F: Float>(
 #[must_use]
 pub struct Border<F> {
     /// The exact border α_min(Ω): at and above it the steady motion does not stick. With a static friction
-    /// above the kinetic one other motions that stick can exist beside it.
+    /// above the kinetic one, other motions that stick may coexist.
     ///
     /// Source: Den Hartog's condition, in closed form except for one bracketed root. Accuracy at f64: 2 ulp.
     pub min_force_ratio: F,

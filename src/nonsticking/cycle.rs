@@ -16,9 +16,9 @@ use crate::ratios::Ratios;
 
 /// The steady non-sticking motion at one (Ω, α), and ζ if there is a damper, with all its outputs.
 ///
-/// Accuracies are those from the true border up. An α between the rounded border and a true border above it
-/// counts as on the border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give less, or
-/// nothing (`docs/accuracy.md`).
+/// The accuracies hold from the true border up. An α between the rounded border and a true border above it
+/// counts as on the border: its Δ₀/B is 1/Ω² for Ω ≥ 1/2, where eq. 44 at that number would give a smaller
+/// value or none (`docs/accuracy.md`).
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios};
@@ -38,7 +38,7 @@ pub struct Cycle<F> {
     /// Phase `ω_d t₂` of the maximum displacement (eq. 43 corrected). Accuracy at f64: 2 ulp of
     /// max(phase, 1).
     pub displacement_phase: F,
-    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the greatest of the half cycle, whatever the number
+    /// Maximum velocity `V₀/(Bω_d)` (eq. 49 corrected): the maximum over the half cycle, whatever the number
     /// of its stationary points. Accuracy at f64: 4 ulp.
     pub max_velocity: F,
     /// Phase `ω_d t₁` of the maximum velocity (the root of eq. 46 that is the global maximum). Accuracy at
@@ -189,8 +189,8 @@ impl<F: Float> Cycle<F> {
 
     /// Displacement `x/B` at any phase ω_d t (eq. 15, 16, continued periodically).
     ///
-    /// Accurate near Ω = 1, where eq. 15 and 16 as they stand are not. NaN for a phase that is not finite.
-    /// A large phase is reduced exactly as it is given.
+    /// This is accurate near Ω = 1, where eq. 15 and 16 as written are not. The result is NaN for a phase
+    /// that is not finite. A large phase is reduced exactly.
     pub fn displacement_at(&self, phase: F) -> F {
         self.motion.at(self.ratios.omega(), phase - self.displacement_phase).0
     }

@@ -143,7 +143,7 @@ impl<F: Float> Rising<F> {
 }
 
 impl<F: Field> Rising<F> {
-    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, of which the force of friction is 1.
+    /// `R = Ω²a − G − 2ζΩH`: the deceleration at the maximum, in which the force of friction is 1.
     pub(crate) fn deceleration(&self) -> F {
         let half = &self.half;
         half.omega.square() * self.amplitude - (half.holding() - F::int(1))

@@ -20,7 +20,7 @@ pub(crate) fn max_displacement<R: Field>(phase_function: R, alpha: R, one_minus_
     displacement_of_leg(alpha.leg(phase_function), one_minus_square)
 }
 
-/// [`max_displacement`] where `√(α² − K²) = α |sin ω_d t₂|` is known.
+/// [`max_displacement`] for a known `√(α² − K²) = α |sin ω_d t₂|`.
 #[inline(always)]
 pub(crate) fn displacement_of_leg<R: Field>(leg: R, one_minus_square: R) -> R {
     // Δ₀/B = √(α² − K²) / |1 − Ω²|

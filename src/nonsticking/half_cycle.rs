@@ -7,10 +7,10 @@
 //! x/B       = −1 − (Δ₀/B) sin Ωψ + J,     J = [cos ψ − (sin β/Ω) cos Ωψ]/cos β
 //! ```
 //!
-//! H and J are 0/0 at Ω = 1. Beside it they are computed from the half sum and half difference
-//! `p = (1+Ω)ψ/2`, `m = (1−Ω)ψ/2` of the two angles, which leaves only quotients of small quantities that
-//! are known to full relative accuracy. Far above it ψ is tiny and J − 1 of the order 1/Ω²: there
-//! `cos ψ − cos β = (sin β − sin ψ)(sin β + sin ψ)/(cos ψ + cos β)`.
+//! H and J are 0/0 at Ω = 1. Near it they are computed from the half sum and half difference `p = (1+Ω)ψ/2`,
+//! `m = (1−Ω)ψ/2` of the two angles, which leaves only quotients of small quantities that are known to full
+//! relative accuracy. Far above it ψ is tiny and J − 1 is of the order 1/Ω²: there `cos ψ − cos β = (sin β −
+//! sin ψ)(sin β + sin ψ)/(cos ψ + cos β)`.
 
 mod angles;
 
@@ -163,7 +163,7 @@ impl<F: Float> HalfCycle<F> {
         self.velocity_of(&self.angles(psi))
     }
 
-    /// [`HalfCycle::velocity`] at angles that are known.
+    /// [`HalfCycle::velocity`] for known angles.
     #[inline]
     pub(crate) fn velocity_of(&self, angles: &Angles<F>) -> Jet<F> {
         let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, cp), half_difference_slope } = angles;
@@ -214,7 +214,7 @@ impl<F: Float> HalfCycle<F> {
         self.displacement_of(&self.angles(psi))
     }
 
-    /// [`HalfCycle::displacement`] at angles that are known.
+    /// [`HalfCycle::displacement`] for known angles.
     #[inline]
     pub(crate) fn displacement_of(&self, angles: &Angles<F>) -> F {
         let &Angles { psi: (s, c), omega_psi: (so, co), half_sum: (sp, _), half_difference_slope } = angles;

@@ -1,10 +1,10 @@
 //! The maximum velocity below Ω = 1/2, without branches: a start by algebra and one step, the circular
 //! functions once, and Taylor's formula from there.
 //!
-//! On its bracket (`nonsticking::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos
-//! β|/(1 − Ω²), e ≤ π the distance of the crests of the two waves. With Ωd for sin Ωd that is
-//! `θ = e − d = arg(1 + ρ exp(ie))`, off by 0.34 at most; one of Householder's steps leaves 2e-4, and
-//! [`Moment`] has the rest of the way.
+//! On its bracket (`nonsticking::velocity`) the root solves `sin(e − d) = (ρ/Ω) sin Ωd`, ρ = Ω³α |cos β|/(1 −
+//! Ω²), where e ≤ π is the distance between the crests of the two waves. If Ωd replaces sin Ωd, the solution
+//! is `θ = e − d = arg(1 + ρ exp(ie))`, with an error of at most 0.34. One of Householder's steps reduces it
+//! to 2e-4, and [`Moment`] completes the iteration.
 
 use super::arrival::{Arrived, Moment, Reciprocals};
 use crate::float::Float;

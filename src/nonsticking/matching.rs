@@ -70,7 +70,7 @@ impl<R: Real> Given<R> {
         u.max_velocity - self.amplitude * self.omega * u.velocity_phase.cos()
     }
 
-    /// `X = B + Δ₁ − A sin ω_d t₁`, which stands in eq. 21–39. Also b₁ of eq. 4, which eq. 11 fixes.
+    /// `X = B + Δ₁ − A sin ω_d t₁`, which occurs in eq. 21–39. It is also b₁ of eq. 4, determined by eq. 11.
     #[inline]
     pub(crate) fn offset(&self, u: &Unknowns<R>) -> R {
         self.friction_displacement + u.deviation - self.amplitude * u.velocity_phase.sin()

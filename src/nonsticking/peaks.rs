@@ -13,9 +13,9 @@
 //! −x″ = −Ω²Δ₀ sin Ωψ + g(ψ),        g = cos ψ/cos β − Ω T cos Ωψ,        g(β) = 1.
 //! ```
 //!
-//! For Ω ≥ 1/2, g grows from ψ = 0 to β, as sin Ωψ/sin ψ is monotone there, and −g(0) ≤ 1: so |x″| is
-//! greatest on arrival. Below 1/2 the fast wave cos ψ/cos β may exceed it. It does so within a fast period of
-//! the crest of the slow wave, or of an end.
+//! For Ω ≥ 1/2, g increases from ψ = 0 to β, because sin Ωψ/sin ψ is monotone there, and −g(0) ≤ 1: so |x″|
+//! is greatest on arrival. For Ω < 1/2 the fast wave cos ψ/cos β may exceed it, within a fast period of the
+//! crest of the slow wave, or of an end.
 
 use super::Cycle;
 use super::half_cycle::HalfCycle;
@@ -47,8 +47,8 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
 }
 
 impl<F: Float> Cycle<F> {
-    /// Greatest transmitted force, in r_y: without damping `Δ₀/B + 1`; with it the greatest
-    /// `|x + 2ζx′ + sgn x′|`, the damper's force included.
+    /// Maximum transmitted force, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of `|x + 2ζx′
+    /// + sgn x′|`, which includes the damper's force.
     pub fn transmitted_force(&self) -> F {
         match &self.motion {
             Motion::Undamped(_) => transmitted_force(self.max_displacement),
@@ -56,8 +56,8 @@ impl<F: Float> Cycle<F> {
         }
     }
 
-    /// Greatest |x″|, in B ω_d²: without damping on arrival, `Δ₀/B + 1/Ω²`, for Ω ≥ 1/2, otherwise the
-    /// greatest of the half cycle.
+    /// Maximum |x″|, in B ω_d². Without damping it occurs on arrival for Ω ≥ 1/2, where it is `Δ₀/B + 1/Ω²`;
+    /// otherwise it is the maximum over the half cycle.
     ///
     /// Accuracy at f64: 4 ulp without damping for Ω ≥ 1/2; otherwise 1e-13 of Δ₀/B + α/Ω².
     pub fn max_acceleration(&self) -> F {
@@ -93,7 +93,7 @@ impl<F: Float> Cycle<F> {
         };
         let beta = F::pi() / (two * omega);
         let turn = two * F::pi();
-        // Where the slow wave is greatest: tan Ωψ = Ω Δ₀/T.
+        // The crest of the slow wave: tan Ωψ = Ω Δ₀/T.
         let crest = (omega * delta).atan2(tangent.abs()).with_sign_of(-tangent) / omega;
         let windows = [(-beta, turn - beta), (crest - turn, crest + turn), (beta - turn, beta)];
         let inside = |(low, high): (F, F)| {
@@ -105,12 +105,12 @@ impl<F: Float> Cycle<F> {
         best.fold(arrival * square, |best, (low, high)| greatest(low, high, best, bound, motion)) / square
     }
 
-    /// Maximum absolute displacement, with a base that carries the surface, in B: the greatest |x + u|,
-    /// u = (α/Ω²) sin θ being the displacement of the base.
+    /// Maximum absolute displacement, with a base that carries the surface, in B: the maximum of |x + u|,
+    /// where u = (α/Ω²) sin θ is the displacement of the base.
     ///
-    /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x grows: y′ rises
-    /// and then falls, from −K/Ω² to K/Ω². So it has one zero, and y one extremum. Accuracy at f64: 1e-14 of
-    /// Δ₀/B + α/Ω²; with damping 1e-13 of it.
+    /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x increases.
+    /// Hence y′ increases and then decreases, from −K/Ω² to K/Ω²; it has one zero, and y one extremum.
+    /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
     pub fn max_absolute_displacement(&self) -> F {
         let omega = self.ratios.omega();
         let half = match &self.motion {

@@ -1,7 +1,7 @@
 //! The paper's formulae as printed, where they are wrong.
 //!
-//! For comparison only: `docs/errata.md` sets each beside its correction, and a test beside the reference
-//! value. Eq. 37, 48 and 49 share their error and are represented by eq. 49.
+//! They are for comparison only: `docs/errata.md` shows each with its correction, and a test compares each
+//! with the reference value. Eq. 37, 48 and 49 share their error and are represented by eq. 49.
 
 use crate::float::Real;
 

@@ -1,9 +1,9 @@
 //! The reversal of the motion to more digits than the type has: with which arguments eq. 40–44 are evaluated.
 //!
-//! `α² − K² = (α − |K|)(α + |K|)`, where α ≈ |K| is what cancels: an error of K counts κ = K²/(α² − K²)
-//! times. K is a pair whose error falls with (1 − 1/Ω)², as fast as κ grows on the border and above
-//! ([`PhaseFunction::wide`]), so that the formulae have what they need in pairs: but closer to Ω = 1 than
-//! 2⁻²⁴, at f64, where the pair itself ends ([`excess_close_to_one`]).
+//! `α² − K² = (α − |K|)(α + |K|)`, where α − |K| cancels for α ≈ |K|: an error of K is multiplied by κ =
+//! K²/(α² − K²). K is a pair whose error decreases with (1 − 1/Ω)², as fast as κ grows on the border and
+//! above ([`PhaseFunction::wide`]), so that pairs suffice for the formulae. The exception, at f64, is Ω
+//! closer to 1 than 2⁻²⁴, where the pair itself has no further digits ([`excess_close_to_one`]).
 
 use super::displacement::{
     cos_displacement_phase, displacement_of_leg, max_displacement, phase, sin_displacement_phase,
@@ -47,7 +47,7 @@ impl<F: Float> Reversal<F> {
 
     /// The reversal of a body that does not stick, which has Δ₀/B ≥ 1/Ω² (eq. 61).
     ///
-    /// α − |K| can be all rounding of α on the border, and fall short of that or be negative.
+    /// On the border α − |K| can consist of the rounding of α, and be too small or negative.
     #[inline(always)]
     pub(crate) fn of_sliding(self, omega: F) -> Self {
         if self.over_least(omega) >= least_but_for_rounding() { self } else { self.on_the_border(omega) }
@@ -79,7 +79,7 @@ impl<F: Float> Reversal<F> {
         self.displacement.value()
     }
 
-    /// Maximum displacement Δ₀/B rounded, and what that lacks.
+    /// Maximum displacement Δ₀/B rounded, and its rounding remainder.
     #[inline(always)]
     pub(crate) fn max_displacement_pair(&self) -> Pair<F> {
         self.displacement.normalised()
@@ -138,7 +138,7 @@ impl<F: Float> Reversal<F> {
     }
 }
 
-/// The least `Ω²Δ₀/B` of a body that does not stick, 1, less what it may lack by rounding.
+/// The least `Ω²Δ₀/B` of a body that does not stick, 1, minus its possible rounding error.
 #[inline(always)]
 fn least_but_for_rounding<F: Float>() -> F {
     F::int(1) - F::int(4) * F::epsilon()

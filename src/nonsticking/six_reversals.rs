@@ -1,9 +1,9 @@
-//! Without a stop below the border: the symmetric cycle of six reversals beside the poles Ω = 1/(2n+1).
+//! Motion without a stop below the border: the symmetric cycle of six reversals near the poles Ω = 1/(2n+1).
 //!
 //! At a pole the natural frequency is the odd harmonic 2n+1 of the drive, and friction that reverses twice a
 //! cycle feeds the free vibration in every half turn: the border is infinite there. Three reversals in half a
-//! turn, a sixth of a natural period apart, have no such harmonic. The motion that reverses so exists in a
-//! region beside each pole, n ≥ 1, far below the border; it does not stop.
+//! turn, a sixth of a natural period apart, have no such harmonic. A motion with such reversals exists in a
+//! region near each pole, n ≥ 1, far below the border, and does not stop.
 //!
 //! # The matching problem
 //!
@@ -44,9 +44,9 @@
 //! c (C − μ(π/3)/2) = 3/2 + s [Ω sin(Ωπ/3) − √3/2],     α = (1 − Ω²) √(c² + Ω²s²)/Ω²
 //! ```
 //!
-//! is the least force of all without a stop, 68.87 r_y at Ω = 1/3; there is no greatest.
+//! is the least of all forces without a stop, 68.87 r_y at Ω = 1/3; there is no greatest one.
 //!
-//! # What is proved and what is searched
+//! # Proved and searched statements
 //!
 //! A cycle that this module gives is a motion without a stop (its equations are solved to rounding, and a
 //! test follows the exact motion), and so, for α > 1, the limit of every start: there is one limit only
@@ -71,8 +71,9 @@ pub(crate) use range::{EDGE_ERROR, Within, within};
 /// The least and the greatest force ratio of the six-reversal cycle at the frequency ratio of `p`; `None`
 /// where it does not exist.
 ///
-/// From one to the other, both included, the body never stops and reverses six times a cycle. They are below
-/// the border of the two-reversal cycle ([`crate::Border`]); between the greatest and the border it stops.
+/// Between these values, both included, the body never stops and reverses six times a cycle. They are below
+/// the border of the two-reversal cycle ([`crate::Border`]); between the greatest one and the border the body
+/// stops.
 ///
 /// Accuracy at f64: 40 ulp; where the two meet, at the ends of the region, the problem itself has half the
 /// digits.
@@ -115,8 +116,8 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α, ζ), `None` outside of its force ratios ([`crate::no_stop_force_ratios`]),
-    /// and with a static friction above the kinetic one, for which it is not known.
+    /// The cycle at (Ω, α, ζ); `None` outside its force ratios ([`crate::no_stop_force_ratios`]), and with a
+    /// static friction above the kinetic one, for which it is unknown.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
         if ratios.has_higher_static_friction() {

@@ -27,7 +27,8 @@ pub(crate) fn characteristic_polynomial<R: Field>(lambda: R, product: R, cos_pi_
     lambda.square() + (R::int(1) + product) * cos_pi_1 * lambda + product
 }
 
-/// Contraction per half cycle, `max |λ|`: what is left of a small disturbance after half a cycle.
+/// Contraction per half cycle, `max |λ|`: the fraction of a small disturbance that remains after half a
+/// cycle.
 ///
 /// With `g = Ω²Δ₀/B` and `σ = |sin(π/Ω)|` the multipliers are real where `gσ ≤ 1` and complex, of modulus
 /// √s, where `gσ > 1`:
@@ -150,7 +151,7 @@ impl<F: Float> Multipliers<F> {
         Self { half_cycle }
     }
 
-    /// Of a pair that is known.
+    /// The multipliers of a known pair.
     pub(super) const fn of_half_cycle(half_cycle: MultiplierPair<F>) -> Self {
         Self { half_cycle }
     }
@@ -174,7 +175,7 @@ impl<F: Float> Multipliers<F> {
         self.half_cycle
     }
 
-    /// What is left of a small disturbance after a cycle, in the long run: `max |λ|²`.
+    /// The asymptotic contraction of a small disturbance per cycle: `max |λ|²`.
     ///
     /// The first few cycles may do better or worse, the map being not normal.
     pub fn contraction(&self) -> F {

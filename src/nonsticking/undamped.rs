@@ -1,7 +1,7 @@
-//! The cycle without damping between what is found of it at once and what it is asked for.
+//! The cycle without damping, with some quantities computed immediately and others on demand.
 //!
-//! The maximum velocity needs neither the deviation Δ₁ there nor the circular functions of the half cycle,
-//! and nothing else needs the contraction: each is computed when it is asked for.
+//! The maximum velocity requires neither the deviation Δ₁ nor the circular functions of the half cycle, and
+//! nothing else requires the contraction: each is computed on demand.
 
 use super::half_cycle::HalfCycle;
 use super::reversal::Reversal;
@@ -10,17 +10,17 @@ use super::waves::Circular;
 use crate::float::{Float, Task, pair::Pair};
 use crate::phase_function::{Frequency, Offset, PhaseFunction};
 
-/// A cycle without damping, of which Δ₀, ω_d t₂, V₀ and ω_d t₁ are known.
+/// A cycle without damping with known Δ₀, ω_d t₂, V₀ and ω_d t₁.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Undamped<F> {
     pub(super) reversal: Reversal<F>,
-    /// Δ₀/B as rounded, and what that lacks.
+    /// Δ₀/B rounded, and its rounding remainder.
     pub(super) displacement: Pair<F>,
     /// The centred time ψ of the maximum velocity.
     pub(super) psi: F,
-    /// Δ₁/B, where the way to the maximum velocity had it.
+    /// Δ₁/B, if the search for the maximum velocity computed it.
     pub(super) deviation: Option<F>,
-    /// What more digits than the type has were used for.
+    /// The results of the wide arithmetic.
     pub(super) rounded: Option<Rounded<F>>,
 }
 
@@ -85,7 +85,8 @@ impl<F: Float> Undamped<F> {
     }
 }
 
-/// The half cycle at the frequency ratio of `p` with the maximum displacement Δ₀/B as rounded and what that lacks.
+/// The half cycle at the frequency ratio of `p` with the maximum displacement Δ₀/B, rounded, and its
+/// remainder.
 pub(super) fn half_cycle<F: Float>(p: &PhaseFunction<F>, displacement: Pair<F>) -> HalfCycle<F> {
     HalfCycle::new(p, displacement.hi).with_rest(displacement.lo)
 }

@@ -48,9 +48,9 @@ use iteration::{fastest_and_displacement, from_centre_or_afar};
 
 /// Deviation `Δ₁/B` of the body from rest at its maximum velocity (eq. 25, 47): `α sin ω_d t₁ − 1`.
 ///
-/// Grows with α at a given friction (0.3728, 0.4665, 0.6597 at Ω = 0.7 for α = 1.6, 2, 10); at a given
-/// force p₀ the length Δ₁ falls with α. The paper's remarks on Figure 6 and in its conclusion mean one
-/// each. Source: Hong & Liu 2001, eq. 47.
+/// The deviation increases with α at a given friction (0.3728, 0.4665, 0.6597 at Ω = 0.7 for α = 1.6, 2, 10);
+/// at a given force p₀ the length Δ₁ decreases with α. The paper's remarks on Figure 6 and in its conclusion
+/// refer to one case each. Source: Hong & Liu 2001, eq. 47.
 #[cfg(any(test, feature = "matching"))]
 #[inline]
 pub(crate) fn deviation<R: Field>(alpha: R, sin_velocity_phase: R) -> R {
@@ -83,10 +83,10 @@ pub(crate) fn velocity_phase_residual<R: Real>(
 /// V₀/(Bω_d) = (A/B) cos ω_d t₁ + (ρ/B)/Ω,   ρ/B = sgn(1−Ω) √[2/(1 + cos π₁) − (1 + Δ₁/B − (A/B) sin ω_d t₁)²]
 /// ```
 ///
-/// Both roots of the printed eq. 49 lose a sign. The second stands for ρ (eq. 27), which has the sign of
-/// 1 − Ω: as printed, always positive, V₀ is wrong for every Ω > 1 (1.93392 for 1.65415… at Ω = 1.5,
-/// α = 2.5). The first stands for (A/B) cos ω_d t₁, which is negative near the border for some Ω in
-/// (1/2, 1), such as (0.93924, 1.2491). Neither sign is free here.
+/// Both roots of the printed eq. 49 lose a sign. The second represents ρ (eq. 27), which has the sign of 1 −
+/// Ω: as printed, always positive, V₀ is wrong for every Ω > 1 (1.93392 for 1.65415… at Ω = 1.5, α = 2.5).
+/// The first represents (A/B) cos ω_d t₁, which is negative near the border for some Ω in (1/2, 1), such as
+/// (0.93924, 1.2491). Neither sign is free here.
 ///
 /// `sign` is sgn(1 − Ω), `amplitude` is A/B = α/(1 − Ω²). Two large terms cancel near Ω = 1 near the
 /// border; [`crate::nonsticking::Cycle`] takes another way there. Source: Hong & Liu 2001, eq. 49.

@@ -1,8 +1,8 @@
 //! The lobes of the border: between two poles it has one minimum, and no more.
 //!
-//! The poles of α_min are Ω = 1/(2n+1), n ≥ 1. Lobe n is what lies between 1/(2n+3) and 1/(2n+1); lobe 0 has
-//! no upper pole. Within a lobe α_min falls from the lower pole to one minimum and rises from there, so that
-//! what a given force keeps sliding is one interval of Ω at most ([`crate::design`]). With u = 1/Ω:
+//! The poles of α_min are Ω = 1/(2n+1), n ≥ 1. Lobe n is the interval between 1/(2n+3) and 1/(2n+1); lobe 0
+//! has no upper pole. Within a lobe α_min decreases from the lower pole to one minimum and then increases, so
+//! that a given force keeps the body sliding on at most one interval of Ω ([`crate::design`]). With u = 1/Ω:
 //!
 //! * **u ≤ 2.** `−K = (4/π) [1 + Σ_{m = 9, 25, 49, …} (1 − u²)/(m − u²)]` by the partial fractions of the
 //!   tangent: falling and concave in v = u², say κ(v). `α_min² = κ² + (v − 1)²` has the second derivative
@@ -71,7 +71,7 @@ impl Lobe {
         Self { index }
     }
 
-    /// The lobe that Ω lies in. Exact: the side of a pole is told by one fused operation.
+    /// The lobe that contains Ω. It is exact: one fused operation decides the side of a pole.
     ///
     /// # Errors
     /// Where Ω is not in the domain of [`crate::Ratios`], or below the lowest lobe.

@@ -12,7 +12,7 @@ use crate::phase_function::LowAngle;
 #[cfg(feature = "batch")]
 use crate::phase_function::one_minus_square_wide;
 
-/// What is known of an Ω below 1/2 before η is.
+/// The quantities of an Ω below 1/2 that are known before η.
 pub(super) struct Known<F> {
     omega: F,
     /// K(Ω).
@@ -57,7 +57,7 @@ impl<F: Float> Known<F> {
         let first = factor * sin_tau * s;
         let second = factor * (omega * cos_tau).mul_add(s, sin_tau * c);
         let step = -(condition * first) / first.mul_add(first, -(condition * second) * F::ratio(1, 2));
-        // The largest step known is 1.1e-3 γ. Near Ω = 1/(2n) all terms of the condition are small.
+        // The largest known step is 1.1e-3 γ. Near Ω = 1/(2n) all terms of the condition are small.
         let clear = F::ratio(1, 512);
         let is_found = (step.abs() <= clear * gamma) & (gamma > clear) & (gamma < pi - clear);
         (start + step, is_found & (omega >= F::ratio(1, 1024)))

@@ -1,4 +1,5 @@
-//! Where eq. 61 falls short of the exact border: a band around each pole 1/(2n+1), and nowhere else.
+//! The frequency ratios at which eq. 61 is below the exact border: a band around each pole 1/(2n+1), and no
+//! others.
 //!
 //! Above the pole the band reaches to 1/(2n), below it to Ω_e in (1/(2n+2), 1/(2n+1)), the one crossing of
 //! the two values of S (proved in [`super::lobe`]).
@@ -8,7 +9,7 @@ use super::band_end::BandEnd;
 use super::lobe::Lobe;
 use crate::float::Float;
 
-/// Around the pole 1/(2n+1), the frequency ratios where eq. 61 falls short of the exact border.
+/// The frequency ratios around the pole 1/(2n+1) at which eq. 61 is below the exact border.
 ///
 /// On (`low`, `pole`) and (`pole`, `high`) a force ratio that meets eq. 61 need not keep the body sliding. At
 /// `low` and `high` eq. 61 is exact, and so it is between the `high` of one pole and the `low` of the next
@@ -26,7 +27,8 @@ pub struct Shortfall<F> {
 }
 
 impl<F: Float> Border<F> {
-    /// Where eq. 61 falls short around the pole 1/(2n+1); `None` for n = 0, where there is no pole.
+    /// The band around the pole 1/(2n+1) in which eq. 61 is too low; `None` for n = 0, where there is no
+    /// pole.
     ///
     /// `low` is the one root, on the bracket γ ∈ (π/2, π), of a monotonic function; accuracy at f64: 4 ulp.
     pub fn shortfall(n: u16) -> Option<Shortfall<F>> {

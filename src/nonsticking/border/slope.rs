@@ -27,10 +27,10 @@ use crate::phase_function::{PhaseFunction, one_minus_square};
 impl<F: Float> Border<F> {
     /// The derivative dα_min/dΩ of the exact border at the frequency ratio of `p`.
     ///
-    /// Closed form but for the one bracketed root that the border has, too. No float is a pole 1/(2n+1), so
-    /// that it is finite for every float Ω but where its value is beyond the largest number of the type: f64,
-    /// Ω below 2⁻²⁴⁰. Accuracy at f64: a few units in the last place of the larger of its two terms, so that
-    /// near a minimum of the border it is an absolute one.
+    /// This is a closed form except for the bracketed root of the border. No float is a pole 1/(2n+1), so
+    /// that it is finite for every float Ω unless its value overflows: at f64, for Ω below 2⁻²⁴⁰. Accuracy at
+    /// f64: a few units in the last place of the larger of its two terms, so that near a minimum of the
+    /// border the accuracy is absolute.
     #[must_use]
     pub fn slope(p: &PhaseFunction<F>) -> F {
         let border = Self::at(p);

@@ -19,7 +19,7 @@ pub(super) struct Inner<F> {
 }
 
 impl<F: Float> Inner<F> {
-    /// The phase τ* in (0, π), where the width asks for less of it than is known.
+    /// The phase τ* in (0, π); the width may require it to lower accuracy than is known.
     pub(super) fn phase(&self) -> F {
         let condition = |eta| stationarity(self.omega, self.gamma.value(), eta);
         let eta = root::newton(self.eta, F::int(0), F::pi(), condition).implicit_root(condition);
@@ -70,7 +70,8 @@ impl<F: Float> Task for InnerMaximum<F> {
             None => stationary_point(omega, known.gamma.value()),
         };
         let width = known.width(eta);
-        // Stationary at η, but only as far as η is known: its slope has a form that asks for less.
+        // The value is stationary at η only to the accuracy of η; its derivative has a form that requires
+        // less.
         let hi = width.hi.differentiated_as(|| change_of_width(&p, width.hi.constant()) * omega);
         let width = Pair::new(hi, width.lo.constant());
         Some(Inner { width, omega, gamma: known.gamma, eta, rises: angle.is_tangent_positive() })

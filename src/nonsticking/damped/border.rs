@@ -1,4 +1,4 @@
-//! The minimum force ratio without sticking with viscous damping: every candidate is known.
+//! The minimum force ratio without sticking with viscous damping, from a complete list of candidates.
 //!
 //! The rising half cycle slides throughout where `x′ > 0` for 0 < τ < T = π/Ω, that is `a ≥ ρ(τ)`,
 //!
@@ -17,18 +17,18 @@
 //! g′ = D (n″ + Ω²n) = −D p,   p = h‴ + Ω²h′ = (Ω² + 4ζ² − 1) h′ + 2ζh,
 //! ```
 //!
-//! and p is free vibration: its zeros are known, π/d apart (d = √(1 − ζ²)), at most one for ζ ≥ 1. Between
-//! two of them g is monotone, and it vanishes at both ends of the half cycle, n(0) = n(T) = 0. So ρ has **at
-//! most one maximum between two zeros of p in (0, T), where p > 0, and none elsewhere**: each is one
-//! bracketed root. The ends do not compete: `ρ(T⁻) = ρ(0⁺) − 2/Ω²`.
+//! and p is a free vibration: its zeros are known, π/d apart (d = √(1 − ζ²)), with at most one for ζ ≥ 1.
+//! Between two of them g is monotone, and it vanishes at both ends of the half cycle, n(0) = n(T) = 0. So ρ
+//! has **at most one maximum between two zeros of p in (0, T), where p > 0, and none elsewhere**: each is one
+//! bracketed root. The ends are no candidates: `ρ(T⁻) = ρ(0⁺) − 2/Ω²`.
 //!
 //! **For Ω ≥ d/2 the condition at the turning point suffices**, as eq. 61 does for Ω ≥ 1/2 without damping.
 //! There `dT ≤ 2π`, p has two zeros at most, and a maximum between them needs p < 0 before and after; but
 //! `p(0) + p(T) = 4ζ > 0`.
 //!
-//! Below Ω = d/2 lobes are searched from both ends of the half cycle inwards, until what is left cannot
-//! exceed the supremum so far: with `A = hypot(h′, h″)` at its left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
-//! Ωτ), as h′ is free vibration whose energy falls.
+//! For Ω < d/2 lobes are searched from both ends of the half cycle inwards, until the remaining ones cannot
+//! exceed the supremum so far. With `A = hypot(h′, h″)` at the left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
+//! Ωτ), because h′ is a free vibration with decreasing energy.
 
 use super::half_period::HalfPeriod;
 use super::rising::Moment;
@@ -90,8 +90,8 @@ pub(crate) fn supremum<F: Float>(half: &HalfPeriod<F>) -> Supremum<F> {
     }
 }
 
-/// Whether S is below an amplitude a by a sixteenth of that and more, and a is not small beside H: then α is
-/// above the border, and lobes that do not reach so far need not be searched.
+/// Whether S is below an amplitude a by at least a sixteenth of a, and a is not small compared with H. Then α
+/// is above the border, and lobes that cannot reach S need not be searched.
 pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool {
     let most = amplitude * F::ratio(15, 16);
     if !(most > turning_point(half) && most * F::int(1024) > half.h.abs()) {
@@ -219,7 +219,7 @@ fn maximum_between<F: Float>(half: &HalfPeriod<F>, from: End, low: F, high: F) -
     is_maximum.then(|| Touch { from, time: newton_within(low, high, slope) })
 }
 
-/// The greatest of `best` and all maxima of ρ.
+/// The greater of `best` and all maxima of ρ.
 fn greatest<F: Float>(half: &HalfPeriod<F>, best: Supremum<F>) -> Supremum<F> {
     let mut best = best;
     let ((mut low, step), (mut before_end, _)) = (zeros(half, End::First), zeros(half, End::Last));

@@ -1,10 +1,10 @@
 //! The maximum velocity of the half cycle, or of any slide, among however many maxima.
 //!
-//! Its time is divided until each part is decided. From both ends of a part, with bounds of the
-//! derivatives that hold from its left end on (the energy of free vibration and of its derivatives only
-//! falls), follows either that no velocity in it exceeds the greatest one found, or that the velocity has one
-//! sign of its slope, or that it is concave, so that it holds one maximum at most: a bracketed root of the
-//! acceleration. No sampling, no count of maxima, for any Ω and ζ; proved but for rounding.
+//! The time is divided until each part is decided. Both ends of a part, with bounds of the derivatives that
+//! hold from its left end on (the energies of free vibration and of its derivatives decrease), lead to one of
+//! three conclusions: no velocity in the part exceeds the greatest one found, or its slope has one sign, or
+//! the velocity is concave, so that there is at most one maximum, a bracketed root of the acceleration. There
+//! is no sampling and no counting of maxima, for any Ω and ζ; the result is proved up to rounding.
 
 use super::rising::{Moment, Vibration};
 use crate::float::{AtPrecision, Float};
@@ -52,7 +52,7 @@ struct End<F> {
 struct Search<'a, F> {
     motion: &'a Vibration<F>,
     best: End<F>,
-    /// What rounding may hide.
+    /// The rounding error of the velocity.
     noise: F,
     swing: F,
     /// When the drive alone is fastest for the first time.
@@ -110,7 +110,7 @@ impl<'a, F: Float> Search<'a, F> {
         found
     }
 
-    /// Whether nothing in the part is to be found, or what is has been.
+    /// Whether the part contains no greater maximum, or its maximum has been found.
     fn is_decided(&mut self, left: &End<F>, right: &End<F>) -> bool {
         let (zero, two, omega) = (F::int(0), F::int(2), self.motion.omega);
         let half = (right.at.tau - left.at.tau) / two;

@@ -34,8 +34,8 @@ pub(crate) struct State<F> {
 }
 
 impl<F: Field> State<F> {
-    /// No velocity later on is larger than this: `x′` is free vibration, too, whose energy `(x′² + x″²)/2`
-    /// only falls.
+    /// A bound of all later velocities: `x′` is a free vibration, too, whose energy `(x′² + x″²)/2`
+    /// decreases.
     #[inline]
     pub(crate) fn velocity_bound(&self) -> F {
         self.v.hypot(self.a)

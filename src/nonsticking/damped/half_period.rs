@@ -1,4 +1,5 @@
-//! The linear oscillator over half a period of the drive: what of the damped cycle depends on Ω and ζ alone.
+//! The linear oscillator over half a period of the drive: the quantities of the damped cycle that depend on Ω
+//! and ζ alone.
 
 use super::free::Free;
 use crate::float::{Field, Float, Real};

@@ -6,7 +6,7 @@
 //! x″ = α sin θ − f,        y = x + (α/Ω²) sin θ,        y″ = −f.
 //! ```
 //!
-//! Each is the sum of a driven part, a harmonic of the frequency Ω, and a free part, whose energy only falls.
+//! Each is the sum of a driven part, a harmonic of the frequency Ω, and a free part with decreasing energy.
 
 use super::DampedCycle;
 use super::rising::{Moment, Rising};
@@ -126,7 +126,7 @@ impl<F: Float> DampedCycle<F> {
         if self.rising.half.is_resonant { F::int(1) / F::int(0) } else { driven.reach(radius) + free }
     }
 
-    /// The greatest of the half cycle, that of the other being the same.
+    /// The maximum over the half cycle, which is that of the other half, too.
     fn greatest(&self, bound: impl Fn(F, F) -> Bound<F>, jet: impl Fn(&Moment<F>) -> Jet<F>) -> F {
         let half = &self.rising.half;
         greatest(F::int(0), half.period, F::int(0), bound, |tau| jet(&self.rising.at(tau)))

@@ -1,4 +1,4 @@
-//! The linear oscillator beside its resonance, where the driven and the free part of a motion nearly cancel.
+//! The linear oscillator near its resonance, where the driven and the free part of a motion nearly cancel.
 //!
 //! Let s and c be the free vibrations from (x, x′) = (0, 1) and (1, 0), and λ = −ζ + id, d = √(1 − ζ²). The
 //! motion that the right side `e^{iΩτ}` brings about from rest is C + iS, the solution of
@@ -18,7 +18,7 @@
 use super::free::Free;
 use crate::float::Float;
 
-/// What the oscillator does in the time τ.
+/// The responses of the oscillator after the time τ.
 pub(crate) struct Responses<F> {
     /// (s, c).
     pub(crate) free: (F, F),

@@ -17,7 +17,7 @@ pub(crate) struct Rising<F> {
     pub(crate) half: HalfPeriod<F>,
     /// a.
     pub(crate) amplitude: F,
-    /// Δ₀/B = a − G, of which a difference would leave nothing near Ω = 1, where both are large.
+    /// Δ₀/B = a − G, which is not computed as a difference because both are large near Ω = 1.
     pub(crate) max_displacement: F,
 }
 
@@ -94,7 +94,7 @@ impl<F: Float> Vibration<F> {
 }
 
 impl<F: Field> Vibration<F> {
-    /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
+    /// The contribution of the drive alone to `x′/(B ω_n)`, and to its derivative.
     #[inline]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
         if self.whole.is_some() {
@@ -114,8 +114,8 @@ impl<F: Field> Vibration<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone, or where it is resonant a bound of what it
-    /// adds.
+    /// `Ω√(a² + H²)`, the velocity amplitude of the drive alone; if it is resonant, a bound of its
+    /// contribution.
     pub(crate) fn swing(&self) -> F {
         if self.whole.is_some() {
             return self.driven_bound();
@@ -154,8 +154,8 @@ impl<F: Float> Vibration<F> {
         Moment { tau, drive, waves, free: State { x, v, a, jerk, snap } }
     }
 
-    /// A bound of what the drive adds to any of these in half a period, each as often as it is derived by Ωτ:
-    /// 2π times its amplitude, and by 1/Ω more for Ω < 1.
+    /// A bound of the drive's contribution to any of these in half a period, for any number of derivatives by
+    /// Ωτ: 2π times its amplitude, and a further factor 1/Ω for Ω < 1.
     ///
     /// x′ obeys the equation of motion with the right side f′: the size √(x′² + x″²) grows by no more than
     /// Ω|f| in a unit of time, and so on.
@@ -194,7 +194,7 @@ impl<F: Field> Rising<F> {
         }
     }
 
-    /// What the drive alone would give of `x′/(B ω_n)`, and of its derivative.
+    /// The contribution of the drive alone to `x′/(B ω_n)`, and to its derivative.
     #[inline]
     pub(crate) fn driven(&self, at: &Moment<F>) -> (F, F) {
         self.vibration().driven(at)

@@ -1,5 +1,5 @@
-//! The maximum velocity of a half cycle that has one stationary point of it, which is known beforehand for
-//! most Ω ≥ d/2, d = √(1 − ζ²).
+//! The maximum velocity of a half cycle with a single stationary point of the velocity, which is known
+//! beforehand for most Ω ≥ d/2, d = √(1 − ζ²).
 //!
 //! On the half cycle sin Ωτ > 0, and with `u = x″/sin Ωτ`
 //!
@@ -7,23 +7,23 @@
 //! u′ sin² Ωτ = W = x‴ sin Ωτ − Ω x″ cos Ωτ,   W′ = p′ sin Ωτ,   p = h‴ + Ω²h′,
 //! ```
 //!
-//! because the driven part drops out of `x⁗ + Ω²x″`. At both ends W = −Ω |x″| ≤ 0, the body setting out with
-//! x″ ≥ 0 and arriving with x″ ≤ 0. Where W < 0 throughout, u falls from +∞ to −∞, x″ has **one zero**, and
-//! the velocity one stationary point, its maximum. W is greatest at an end or where p′ falls through zero.
-//! p′ is free vibration, whose zeros are known, π/d apart, at most one for ζ ≥ 1. So for Ω ≥ d there is at
-//! most one in the half cycle, and the signs of p′ at the ends tell which; for Ω ≥ d/2 there are at most two,
-//! p′ falls through one of them, and W has to be looked at there.
+//! because the driven part drops out of `x⁗ + Ω²x″`. At both ends W = −Ω |x″| ≤ 0, since the body starts with
+//! x″ ≥ 0 and arrives with x″ ≤ 0. Where W < 0 throughout, u decreases from +∞ to −∞, x″ has **one zero**,
+//! and the velocity has one stationary point, its maximum. W is greatest at an end or where p′ decreases
+//! through zero. p′ is a free vibration, whose zeros are known, π/d apart, with at most one for ζ ≥ 1. So for
+//! Ω ≥ d there is at most one in the half cycle, and the signs of p′ at the ends decide. For Ω ≥ d/2 there
+//! are at most two, p′ decreases through one of them, and W must be evaluated there.
 //!
-//! **The way there** is that of the motion without damping (`nonsticking::arrival`): in the middle of the
-//! half cycle the state is known without circular functions, Taylor's formula of the seventh order leads
-//! near, and is used there once more.
+//! **The iteration** is that of the motion without damping (`nonsticking::arrival`): in the middle of the
+//! half cycle the state is known without circular functions; Taylor's formula of the seventh order leads
+//! close to the maximum, and is applied there once more.
 
 use super::free::Waves;
 use super::rising::{Moment, Rising, Vibration};
 use crate::float::{Float, Task};
 use crate::nonsticking::arrival::{Arrived, Nearby, Reciprocals};
 
-/// The time of the maximum velocity, and what it is.
+/// The time of the maximum velocity, and its value.
 #[derive(Clone, Copy)]
 pub(crate) struct Summit<F> {
     /// τ.
@@ -71,7 +71,7 @@ impl<F: Float> Rising<F> {
         if !free.swings() {
             return false;
         }
-        // p′ = e^{−ζτ} P cos(dτ − χ) falls through zero at dτ = χ + π/2.
+        // p′ = e^{−ζτ} P cos(dτ − χ) decreases through zero at dτ = χ + π/2.
         let angle = ((change + free.zeta * first) / free.frequency).atan2(first) + F::pi() * F::ratio(1, 2);
         let angle = if angle <= zero { angle + F::int(2) * F::pi() } else { angle };
         let tau = angle / free.frequency;
@@ -99,8 +99,8 @@ impl<F: Float> Rising<F> {
 }
 
 impl<F: Float> Vibration<F> {
-    /// The maximum of the velocity near a moment, by Taylor's formula; the displacement is what is to be taken
-    /// from that at the moment.
+    /// The maximum of the velocity near a moment, by Taylor's formula; the displacement is the amount to
+    /// subtract from that at the moment.
     ///
     /// `x″ + 2ζx′ + x = f − 1` makes every derivative of the two before and one of the drive.
     #[inline(always)]
@@ -125,7 +125,7 @@ impl<F: Float> Vibration<F> {
     }
 }
 
-/// The maximum velocity where it is known to be the only stationary one, and near enough.
+/// The maximum velocity, if it is known to be the only stationary one, and close enough.
 struct OneSummit<'a, F>(&'a Rising<F>);
 
 impl<F: Float> Task for OneSummit<'_, F> {

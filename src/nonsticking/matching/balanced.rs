@@ -1,9 +1,10 @@
 //! Eq. 21–25 in a form that is well conditioned where the problem is, with its Jacobian.
 //!
-//! Near Ω = 1 and Ω = 1/(2n+1) the paper's form is not: A is large, eq. 22 tends to eq. 21 and eq. 24 to eq.
-//! 23, and what fixes the motion is their small difference, eq. 28 and 29, of the order of cos β, β = π/2Ω.
-//! So lengths are taken in units of A, and eq. 22 and 24 replaced by those differences over 2 cos β. With
-//! ψ = ω_n(t₂−t₁) − β, ρ = v − Ω cos ω_d t₁, X = b + e − sin ω_d t₁ and b = B/A = κ cos β:
+//! Near Ω = 1 and Ω = 1/(2n+1) the paper's form is not balanced: A is large, eq. 22 tends to eq. 21 and eq.
+//! 24 to eq. 23, and the motion is determined by their small differences, eq. 28 and 29, of the order of cos
+//! β, β = π/2Ω. Lengths are therefore in units of A, and eq. 22 and 24 are replaced by those differences
+//! divided by 2 cos β. With ψ = ω_n(t₂−t₁) − β, ρ = v − Ω cos ω_d t₁, X = b + e − sin ω_d t₁ and b = B/A = κ
+//! cos β:
 //!
 //! ```text
 //! 21                  Ω cos ω_d t₂ + ρ cos θ − X sin θ = 0,             θ = ω_n(t₂−t₁)
@@ -33,7 +34,7 @@ pub(crate) struct Balanced<R> {
     pub(crate) friction: R,
 }
 
-/// `(ρ cos θ − X sin θ, X cos θ + ρ sin θ)`: what swings at ω_n, its rate and its position.
+/// `(ρ cos θ − X sin θ, X cos θ + ρ sin θ)`: the rate and the position of the free oscillation at ω_n.
 fn swing<R: Real>(rho: R, offset: R, (s, c): (R, R)) -> (R, R) {
     (rho * c - offset * s, offset * c + rho * s)
 }

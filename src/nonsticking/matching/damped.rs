@@ -31,7 +31,7 @@ use crate::nonsticking::damped::free::{self, Free};
 use crate::ratios::Ratios;
 use nalgebra::RealField;
 
-/// What the equations depend on; lengths in units of p₀/k.
+/// The parameters of the equations; lengths are in units of p₀/k.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct System<F> {
     omega: F,
@@ -93,10 +93,10 @@ impl<F: Real> System<F> {
         let tau = (u.displacement_phase - u.velocity_phase) / omega;
         let after = |t: F| Waves::of(waves(&self.free, t), self.free.zeta);
         let (near, far) = (after(tau), after(F::pi() / omega - tau));
-        // From t₁ to t₂, and what t₁ changes of the start: F′ = dF/dφ, dθ = Ω dφ.
+        // From t₁ to t₂, with the influence of t₁ on the start: F′ = dF/dφ, dθ = Ω dφ.
         let [x, w, a] = near.from((u.deviation + self.friction - f1, u.max_velocity - g1), damping);
         let [dx1, dw1, _] = near.from((-(g1 / omega), omega * f1), damping);
-        // From t₂ to t₃, and what t₂ changes of it.
+        // From t₂ to t₃, with the influence of t₂.
         let [y, v, b] = far.from((u.max_displacement - self.friction - f2, -g2), damping);
         let [dy2, dv2, _] = far.from((-(g2 / omega), omega * f2), damping);
         let (sine, cosine) = u.velocity_phase.sin_cos();
@@ -147,7 +147,7 @@ impl<F: Float> System<F> {
     /// The same cycle with t₁ at the fastest instant of a grid over the rising half, where that is faster.
     fn faster(&self, u: &Unknowns<F>, per_swing: f64) -> Option<Unknowns<F>> {
         let two = F::int(2);
-        // The falling half upside down: the rising one, half a turn before.
+        // The falling half is the rising one with the opposite sign, half a turn later.
         let first = u.displacement_phase - F::pi();
         let at = |phase: F| {
             let (x, w) = self.falling(u, phase - first);
@@ -192,7 +192,7 @@ impl<F: Float> System<F> {
     }
 }
 
-/// A step in friction, in units of that asked for, is taken where it moves no phase further than this.
+/// A step in friction, relative to the requested friction, must move no phase further than this.
 const LONGEST: f64 = 0.2;
 
 /// The cycle at f64 with all of its friction; the part of it where the path ends otherwise.

@@ -1,4 +1,4 @@
-//! The instant of maximum velocity of a half cycle, looked for on a grid.
+//! The instant of maximum velocity of a half cycle, searched on a grid.
 
 use super::Unknowns;
 use super::balanced::Balanced;

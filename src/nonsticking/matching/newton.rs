@@ -11,10 +11,10 @@
 //! ```
 //!
 //! **Start.** Without friction the motion is `x = A sin ω_d t`, with t₁ = 0, t₂ = π/2 (half a turn later
-//! above the natural frequency). From there the friction grows to its value at f64, each step predicted along
-//! the tangent and corrected by Newton: the motion that this leads to is the forced response with friction,
-//! not another root. Where eq. 46 has several roots (Ω < 1/2) the fastest instant of the rising branch,
-//! looked for on a grid, is taken for t₁. Newton's method at full precision then doubles the digits.
+//! above the natural frequency). From there the friction grows to its value at f64, with each step predicted
+//! along the tangent and corrected by Newton's method. The resulting motion is the forced response with
+//! friction, not another root. Where eq. 46 has several roots (Ω < 1/2), t₁ is the fastest instant of the
+//! rising branch, searched on a grid. Newton's method at full precision then doubles the digits.
 //!
 //! **Digits.** [`Balanced`] is solved, which has no cancellation near Ω = 1 and 1/(2n+1) as such: V₀ and Δ₀
 //! keep the digits of the type where they are of the order of A. Where they are smaller, near the border, the

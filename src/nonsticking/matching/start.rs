@@ -88,7 +88,8 @@ pub(super) fn with_friction(system: &Balanced<f64>, friction: f64) -> Result<[f6
     let below = (friction > 0.0) == (system.sin_cos_beta.1 > 0.0);
     let end = follow(system, without_friction(system, below), friction, |_| 1.0);
     let part = end.friction / friction;
-    // Beside the end of the branch f64 may stop short of it by rounding: Newton goes on from there.
+    // Near the end of the branch f64 may stop short of it by rounding, and Newton's method continues from
+    // there.
     if part < 1.0 - 1e-6 {
         return Err(part);
     }

@@ -1,4 +1,4 @@
-//! Newton's method on the equations of the matching problem: its steps, what it finds, and why it may not.
+//! Newton's method on the equations of the matching problem: its steps, its results, and its failures.
 
 use super::Unknowns;
 use crate::error::{Error, Number, written};
@@ -72,8 +72,8 @@ pub struct Solution<F> {
 pub struct BorderSolution<F> {
     /// The force ratio α, which eq. 61 gives in closed form.
     pub force_ratio: F,
-    /// The cycle on the border, as in [`Solution`]. Near Ω = 1, unlike α, it lacks the digits that
-    /// [`Solution::lost_bits`] counts; t₁ is not looked for again.
+    /// The cycle on the border, as in [`Solution`]. Near Ω = 1, unlike α, it lacks the digits counted by
+    /// [`Solution::lost_bits`]; t₁ is not searched again.
     pub unknowns: Unknowns<F>,
     /// |left − right| of eq. 21–25 and 59, in units of the last place of their largest term.
     pub residuals: [F; 6],
@@ -128,8 +128,8 @@ pub(super) fn largest<F: Float>(x: &[F]) -> F {
 /// Newton's method until the step is rounding: it falls below the last places, or stops shrinking where the
 /// residuals are rounding.
 ///
-/// From ten good digits each step doubles them. Beside the end of the branch, α → |K|, where two cycles
-/// meet, it only halves the error, once for each bit: so many iterations are allowed.
+/// From ten correct digits each step doubles them. Near the end of the branch, α → |K|, where two cycles
+/// meet, a step only halves the error, which takes one iteration per bit; that many are allowed.
 pub(super) fn iterate<F: Float + RealField, const N: usize>(
     start: [F; N],
     mut system: impl FnMut(&[F; N]) -> ([F; N], [[F; N]; N]),

@@ -1,4 +1,4 @@
-//! The cycle of six reversals with a damper: what a little viscous damping leaves of it.
+//! The cycle of six reversals with a damper, which exists for small damping.
 //!
 //! # The matching problem
 //!
@@ -10,7 +10,7 @@
 //! z(u) = forced wave + e^{Au} g + Σ σ_j sgn(u_j − u) e^{A(u − u_j)} (1, 0)ᵀ.
 //! ```
 //!
-//! It is antisymmetric, z(u + T) = −z(u), where g is what the reversals feed:
+//! It is antisymmetric, z(u + T) = −z(u), where g is the contribution of the reversals:
 //!
 //! ```text
 //! cosh(AT/2) g = sinh(AT/2) w,     w = Σ σ_j e^{−Au_j} (1, 0)ᵀ = (C(a) + C(−b) − 1, −S(a) − S(−b)).
@@ -33,7 +33,7 @@
 //! At ζ = 0 they are the equations of [`super`]. Damping takes the pole away, and with it the endless force
 //! ratios there: the cycle exists where both cot β and t are small.
 //!
-//! # What is proved and what is searched
+//! # Proved and searched statements
 //!
 //! As without damping, and with it without an exception: a cycle that is found is the limit of every start.
 //! That there is no other motion without a stop below the border is searched, against the exact motion

@@ -62,9 +62,9 @@ pub(super) fn edges<F: Float>(p: &PhaseFunction<F>) -> Option<Edges<F>> {
 pub(super) struct Edges<F> {
     pub(super) low: F,
     pub(super) high: F,
-    /// What the least α is.
+    /// The kind of the edge with the least α.
     pub(super) least: Edge,
-    /// What the greatest is: which side of the pole Ω is on.
+    /// The kind of the edge with the greatest α, which depends on the side of the pole.
     pub(super) side: Edge,
 }
 

@@ -3,7 +3,7 @@
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 
-/// What depends on Ω alone: Ω and (sin β, cos β) of `β = π/2Ω`.
+/// The quantities that depend on Ω alone: Ω and (sin β, cos β) of `β = π/2Ω`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Frequency<F> {
     pub(super) omega: F,
@@ -46,7 +46,7 @@ impl<F: Float> Frequency<F> {
     }
 }
 
-/// The unknowns of the cycle; see the head of [`super`].
+/// The unknowns of the cycle; see the documentation of [`super`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Unknowns<F> {
     /// `a = ω_n(t₂ − t₁)`, the natural time from the first reversal to the second.
@@ -61,7 +61,7 @@ pub(super) struct Unknowns<F> {
     pub(super) swing: F,
 }
 
-/// The fifth equation: what is given beside Ω.
+/// The fifth equation: the quantity that is given in addition to Ω.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Closing<F> {
     /// The force, as `AΩ² = αΩ²/(1 − Ω²)`.

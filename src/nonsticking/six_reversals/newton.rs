@@ -6,9 +6,9 @@ use crate::float::Float;
 
 /// A solution from a start that is close to it; `None` where the steps do not come down to rounding.
 ///
-/// Each step doubles the good digits. The steps are judged by what they change of c and s, which make α:
-/// beside a pole the upper edge has a short arc, which is known to fewer digits and counts for as much less
-/// in α. `residuals` gives left less right sides of the five equations, and their derivatives.
+/// Each step doubles the correct digits. The steps are judged by the changes of c and s, which determine α:
+/// near a pole the upper edge has a short arc, which is less accurate and matters correspondingly less for α.
+/// `residuals` gives the left sides minus the right sides of the five equations, and their derivatives.
 #[inline]
 pub(super) fn polished<F: Float>(
     omega: F,

@@ -1,15 +1,15 @@
 //! Over intervals of Ω and α: whether the six-reversal cycle exists for all of them, or for none.
 //!
-//! Beside each pole its region in the plane is cut by every line of constant Ω in one interval, and by every
-//! line of constant α: so it holds all of a box whose corners it holds. On one side of the pole the greatest
-//! α rises towards the pole, and the least is monotone on each of the two edges that it consists of. Both are
-//! seen in the curves themselves, not proved.
+//! Every line of constant Ω, and every line of constant α, meets the region near a pole in one interval, so
+//! that the region contains a box if it contains its corners. On one side of the pole the greatest α
+//! increases towards the pole, and the least is monotone on each of the two edges that it consists of. Both
+//! are observed on the curves themselves, not proved.
 
 use super::edges::{Edges, edges, is_strong_enough};
 use crate::float::Float;
 use crate::phase_function::PhaseFunction;
 
-/// What holds over a box.
+/// The statement that holds over a box.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Within {
     /// The cycle exists for all.
@@ -30,8 +30,8 @@ pub(crate) fn within<F: Float>(omega: (F, F), alpha: (F, F)) -> Within {
         (edges(&p), p.tangent() > F::int(0))
     };
     let ((left, left_side), (right, right_side)) = (at(omega.0), at(omega.1));
-    // Between two neighbouring integers 1/Ω: on one side of one pole, to which the region reaches. What both
-    // ends miss, all between them do.
+    // Between two neighbouring integers 1/Ω: the box is on one side of one pole, to which the region extends.
+    // If both ends are outside the region, so is all between them.
     let is_one_side = left_side == right_side && omega.1 - omega.0 < omega.0.square();
     match (left, right) {
         (None, None) if omega.0 == omega.1 || is_one_side => Within::None,

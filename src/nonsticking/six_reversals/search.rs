@@ -1,11 +1,11 @@
 //! Where to start: a point of an edge at f64, found along its curve.
 //!
-//! On an edge four of the five equations are linear once the two arcs a and b are known: [`arcs`] solves
-//! three of them for (s, c, p). What is left of the two conditions of antisymmetry is `p X + q Y = 0`, which
-//! gives one arc for the other, and `cot β = −Y/p`. So each edge is a curve that its short arc runs along (b
-//! at the third reversal, a at the second), from cot β = 0 at an arc of zero, where α is infinite, to the
-//! greatest |cot β| and back. The other arc is close to a polynomial of the first, whatever Ω: the difference
-//! between Ω = 0 and 1/3 is 0.025.
+//! On an edge, four of the five equations are linear once the two arcs a and b are known: [`arcs`] solves
+//! three of them for (s, c, p). The two conditions of antisymmetry leave `p X + q Y = 0`, which gives one arc
+//! from the other, and `cot β = −Y/p`. So each edge is a curve parametrised by its short arc (b at the third
+//! reversal, a at the second), from cot β = 0 at an arc of zero, where α is infinite, to the greatest |cot β|
+//! and back. The other arc is close to a polynomial in the first, for any Ω: the difference between Ω = 0 and
+//! 1/3 is 0.025.
 
 use super::equations::{Closing, Unknowns};
 use super::linear::solve;
@@ -42,7 +42,7 @@ impl Edge {
         c0 + short * (c1 + short * (c2 + short * (c3 + short * c4)))
     }
 
-    /// Between which short arcs |cot β| is greatest.
+    /// The short arcs between which |cot β| has its maximum.
     const fn around_tip(self) -> (f64, f64) {
         match self {
             Self::Second => (0.4, 0.8),
@@ -69,7 +69,7 @@ impl Edge {
         Sample { unknowns, cotangent: (b.sin() - a.sin()) / unknowns.swing }
     }
 
-    /// The short arc at which |cot β| is greatest, by golden sections.
+    /// The short arc at which |cot β| is greatest, by golden-section search.
     pub(super) fn tip(self, omega: f64) -> f64 {
         let share = (5f64.sqrt() - 1.0) / 2.0;
         let size = |short| self.at(omega, short).cotangent.abs();

@@ -1,14 +1,15 @@
 //! The force ratios of the six-reversal cycle at one Ω and ζ: its two edges.
 //!
-//! At f64 the cycle is followed along the force, from where it is a closed form up to where a reversal would
-//! become a stop, and down; what is found is solved at the precision of the type.
+//! At f64 the cycle is continued along the force, from where it is a closed form up to the point at which a
+//! reversal would become a stop, and down to the other. The result is then solved at the precision of the
+//! type.
 
 use super::super::equations::{Closing, Unknowns};
 use super::{Problem, at_force, solved};
 use crate::float::Float;
 
-/// The least and the greatest α of the six-reversal cycle at an Ω and a ζ > 0 that are in their domains;
-/// `None` where there is none.
+/// The least and the greatest α of the six-reversal cycle at a valid Ω and ζ > 0; `None` where there is no
+/// such cycle.
 ///
 /// Accuracy at f64: 64 ulp; where the two meet the problem itself has half the digits.
 pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F) -> Option<(F, F)> {
@@ -50,9 +51,9 @@ impl End {
     }
 }
 
-/// What becomes of the greatest force's cycle when the distance from the pole is `scale` times smaller, to
-/// the first order in that distance: the force grows as much, and the arc next to the reversal that is a stop
-/// is as much shorter.
+/// The cycle of the greatest force when the distance from the pole is `scale` times smaller, to first order
+/// in that distance: the force grows, and the arc next to the reversal that is a stop shrinks, by this
+/// factor.
 fn nearer<F: Float>(at: Unknowns<F>, edge: &Closing<f64>, scale: F) -> Unknowns<F> {
     let Unknowns { before, after, sine, cosine, swing } = at;
     let (before, after) =
@@ -166,7 +167,7 @@ fn node(problem: &Problem<f64>, at: Unknowns<f64>) -> Node {
     Node { force, at, margin: second.min(third).min(-first - 1.0) / force, nearest }
 }
 
-/// The last cycle without a stop on the way, and one beyond the end.
+/// The last cycle without a stop in this direction, and one beyond the end.
 fn outwards(problem: &Problem<f64>, from: Node, ratio: f64) -> Option<(Node, Node)> {
     let (mut here, mut ratio) = (from, ratio);
     // The path may turn back not far beyond the end: where a step leads to nothing it is halved.
@@ -209,7 +210,8 @@ const WEAKEST: f64 = 4.0;
 const STEP: f64 = 1.1;
 /// Distance from the pole, as hypot(cot β, t), from which on the whole path is followed.
 const CLOSE: f64 = 0.004;
-/// Closer than this to the pole the greatest force is in proportion, to rounding.
+/// Closer than this to the pole the greatest force is inversely proportional to the distance, to within
+/// rounding.
 const NEAREST: f64 = 1e-12;
 
 #[cfg(test)]

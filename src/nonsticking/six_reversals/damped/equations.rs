@@ -5,7 +5,7 @@ use crate::float::Float;
 use crate::nonsticking::damped::free::Free;
 use crate::nonsticking::damped::half_period::half_angle;
 
-/// What depends on Ω and ζ alone.
+/// The quantities that depend on Ω and ζ alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in super::super) struct Problem<F> {
     pub(super) omega: F,
@@ -52,7 +52,7 @@ impl<F: Float> Problem<F> {
         (F::int(2) * self.free.zeta * omega).atan2((one - omega) * (one + omega))
     }
 
-    /// The problem a share of the way from the pole without damping.
+    /// The problem at a fraction of the distance from the pole without damping.
     pub(super) fn towards_the_pole(&self, share: F) -> Self {
         Self {
             free: Free::new(self.free.zeta * share),
@@ -138,7 +138,7 @@ impl<F: Float> Problem<F> {
         let (ahead, back) = (self.wave(b), self.wave(-b));
         let ((early, before), both) = ((self.wave(-a), self.wave(a)), (self.wave(a + b), self.wave(-a - b)));
         let (slow_a, slow_b) = ((omega * a).sin_cos(), (omega * b).sin_cos());
-        // x″ + 2ζx′ + friction: the forced wave's x_f″ + 2ζx_f′ less the free wave's displacement
+        // x″ + 2ζx′ + friction: x_f″ + 2ζx_f′ of the forced wave minus the free wave's displacement
         let forced = |sine: F, cosine: F| {
             let acceleration = omega * s * sine - c * cosine;
             acceleration - two_zeta * (s * cosine + c / omega * sine)
