@@ -153,6 +153,28 @@ fn basins_name_the_limit_of_each_start() {
     assert!(physical.starts_with("x0[m],v0[m/s],"), "{physical}");
 }
 
+/// Without a grid the starts reach equally far to both sides, around every limit, in ratios and in units.
+#[test]
+fn basins_reach_around_every_limit() {
+    let column = |line: &str, place: usize| -> Vec<f64> {
+        stdout(line).lines().skip(1).map(|row| row.split(',').nth(place).unwrap().parse().unwrap()).collect()
+    };
+    let most = json(&format!("steady {PAIR} --format json"))["max_displacement"].as_f64().unwrap();
+    let machine = "--mass 10 --stiffness 1000 --friction 5 --frequency 5 --force 20 --damping-ratio 0.02";
+    let machine = format!("{machine} --static-friction-ratio 1.3");
+    for (place, other) in [(0, "--v0 0"), (1, "--x0 0")] {
+        let starts = column(&format!("basins {PAIR} {other}"), place);
+        let last = starts[starts.len() - 1];
+        assert!(starts.len() == 101 && starts[0] == -last && last > most, "{starts:?}");
+        assert!(starts.is_sorted());
+        // B = 5 mm, B ω_d = 25 mm/s.
+        let scale = [0.005, 0.025][place];
+        for (a, b) in column(&format!("basins {machine} {other}"), place).iter().zip(starts) {
+            assert!((a - scale * b).abs() < 1e-12, "{a} {b}");
+        }
+    }
+}
+
 #[test]
 fn basins_are_drawn() {
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));

@@ -264,6 +264,7 @@ fn the_border_is_that_of_the_motion_everywhere() {
 #[test]
 fn a_mirrored_start_has_the_mirrored_motion() {
     let part = |i: u32, step: f64| (f64::from(i) * step).fract();
+    let mut upside_down = 0;
     for i in 1..400 {
         let (omega, alpha) = (0.1 + 1.4 * part(i, 0.618_034), 1.1 + 8.0 * part(i, 0.754_878));
         let (zeta, eta) = ([0.0, 0.02, 0.3][i as usize % 3], 1.0 + 2.0 * part(i, 0.569_84));
@@ -290,6 +291,10 @@ fn a_mirrored_start_has_the_mirrored_motion() {
                 (-b.min_displacement.value, -b.max_displacement.value)
             );
             assert_eq!(a.multipliers, b.multipliers);
+            // Both directions of a slide have peaks.
+            assert_eq!(a.peaks().unwrap(), b.peaks().unwrap());
+            upside_down += usize::from(!a.is_symmetric());
         }
     }
+    assert!(upside_down > 10, "{upside_down}");
 }
