@@ -17,7 +17,7 @@
 //! |---|---|
 //! | [`DrivePhase`], [`State`] | the phase of the drive, reduced; a state |
 //! | `equation`, `jet`, `motion`, `slide`, `short` | sliding in closed form, smooth through Ω = 1, and for a short time |
-//! | `stick`, `work` | sticking, and when friction gives way; the work of a slide |
+//! | `stick`, `work` | sticking, and the release; the work of a slide |
 //!
 //! | event | |
 //! |---|---|

@@ -9,9 +9,9 @@
 //! | `border` | 8: the least force ratio without sticking |
 //! | `dissipation` | 9a, 9b, 10a, 10b: the loop sizes |
 //! | `stops` | the map of stops per cycle |
-//! | `poles` | beside the poles 1/3 and 1/5 |
+//! | `poles` | the neighbourhood of the poles 1/3 and 1/5 |
 //! | `portrait` | two motions in the phase plane |
-//! | `accuracy` | digits lost beside Ω = 1 |
+//! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | how fast the motion settles |
 //! | `damping` | what viscous damping changes |
 //! | `draw` | a figure as SVG or PNG |

@@ -8,8 +8,8 @@
 //! |---|---|
 //! | Ω | 1; 1/n and 1/(2n + 1); the least border; 1/2; the ends of its domain; any magnitude; ordinary values |
 //! | α | 1; 4/π; the size of K, and √2 times it; the exact border and eq. 61 at that Ω, and some way above; subnormal and huge values |
-//! | ζ | 0; 1; next to nothing; ordinary values; any magnitude |
-//! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; next to no speed; huge values |
+//! | ζ | 0; 1; tiny values; ordinary values; any magnitude |
+//! | the start | at rest at the friction bound; at the edge of the places of rest; on the closed-form cycle; just before the velocity touches zero; a tiny speed; huge values |
 //! | a machine | ordinary values, any magnitude, any bits, signs included |
 //!
 //! Arbitrary values are included, so that an input need not be valid. If there are fewer bytes than a value

@@ -102,10 +102,10 @@
 //! * `serde`: numbers to and from text by serde (with `mp`);
 //! * `batch`: many points at once by vector instructions chosen at run time (`batch::Batch`); `rayon`: on
 //!   threads;
-//! * `generators`: inputs that are hard on purpose, for property tests and fuzzing of what uses this library
+//! * `generators`: adversarial inputs for property tests and fuzzing of code that uses this library
 //!   (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
-//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`; and every equation and answer held against
+//!   (`nonsticking::matching::newton`), over `Mp` too with `mp`; and every equation and answer compared with
 //!   it and against the exact motion (`verify`).
 
 #![cfg_attr(

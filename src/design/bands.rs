@@ -71,9 +71,9 @@ struct Frequency<F> {
 /// ```
 ///
 /// # Errors
-/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω = 7.6e-6,
-/// and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a lobe
-/// whose minimum is so close to α that the type cannot tell whether there is a band in it.
+/// Where `low > high`, or a ratio is outside the domain of [`Ratios`], or `low` is below the last lobe, Ω =
+/// 7.6e-6, and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a
+/// lobe whose minimum is too close to α for the type to decide whether it contains a band.
 pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
     let ratios = Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
     if !ratios.is_damped() {

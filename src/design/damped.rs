@@ -146,8 +146,9 @@ impl<F: Float> Search<F> {
         }
     }
 
-    /// The extremum beside the middle one of three points on one side of α, if the middle one is nearest to
-    /// it and the extremum is on the other side of α. At an end of the range one of the neighbours is missing.
+    /// The extremum next to the middle one of three points on one side of α, if the middle one is nearest to
+    /// α and the extremum is on the other side of it. At an end of the range one of the neighbours is
+    /// missing.
     fn hidden(&self, first: Option<Node<F>>, middle: Node<F>, last: Option<Node<F>>) -> Option<Node<F>> {
         let zero = F::int(0);
         let slides = middle.excess >= zero;

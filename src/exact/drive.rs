@@ -43,7 +43,8 @@ impl<F: Float> DrivePhase<F> {
     /// The phase after `cycles` whole cycles and the angle θ of a further one.
     ///
     /// # Errors
-    /// Where θ is not finite, or above 2⁵² half turns, where no digit of the angle is left; and beyond 2⁵¹ cycles either way.
+    /// Where θ is not finite, or above 2⁵² half turns, where the angle has no digit left; and beyond 2⁵¹
+    /// cycles in either direction.
     pub fn new(cycles: i64, theta: F) -> Result<Self, Error> {
         let half_turns = cycles.saturating_mul(2);
         if half_turns.unsigned_abs() > MOST_HALF_TURNS as u64 {

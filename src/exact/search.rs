@@ -58,7 +58,8 @@ pub(crate) struct Search<'a, F> {
     pub(crate) hint: F,
     /// Where no zero can be, without damping.
     pub(crate) safe: Option<Safe<F>>,
-    /// The slide, where a look at the two waves of its velocity costs less than the stretches that they clear.
+    /// The slide, if an examination of the two waves of its velocity costs less than the stretches that it
+    /// clears.
     pub(crate) waves: Option<&'a Slide<F>>,
     /// The rounding error of f near a zero.
     pub(crate) noise: F,

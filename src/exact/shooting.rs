@@ -12,11 +12,11 @@
 //! * H never increases the distance `hypot(δx, δw)`; in particular the residual |H(y) − y| never grows from
 //!   one half turn to the next. A Newton step is kept where it halves the residual, and otherwise the motion
 //!   is simply followed on.
-//! * Two periodic motions keep their distance for ever. For α > 1 that leaves **one limit only, and it is
-//!   symmetric**: proved in docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) from the
-//!   border on, and Ω = 1 with α ≥ 4/π. With damping there are none: a distance that stays has δw = 0, and of
-//!   two bodies a distance apart that slide alike one would have the other friction. For α ≤ 1 the limit is
-//!   rest, anywhere in an interval (`rest`); nothing is shot for there.
+//! * Two periodic motions keep their distance permanently. For α > 1 that leaves **one limit only, and it is
+//!   symmetric**: proved in docs/theory/stability.md, with its exceptions, a family at Ω = 1/(2n) at the
+//!   border and above, and Ω = 1 with α ≥ 4/π. With damping there are no exceptions: a constant distance has
+//!   δw = 0, and of two bodies at a distance that slide alike one would have another friction. For α ≤ 1 the
+//!   limit is rest, anywhere in an interval (`rest`), and shooting is not used.
 //! * So a fixed point of H, however found, is the limit of every start. Multipliers inside the unit circle
 //!   are not needed for that, but they say how fast it is approached; near 1/(2n) one of them rounds to 1,
 //!   and the closed-form cycle is taken where its residual is rounding.

@@ -71,8 +71,8 @@ pub struct Instant<F> {
     pub state: State<F>,
     /// Acceleration `x″/(Bω_d²)`.
     pub acceleration: F,
-    /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η. Plus
-    /// x/B it is the constitutive force r/r_y of eq. 1.
+    /// Friction force `r_a/r_y`: ±1 in the direction of sliding, or the holding force at rest, within ±η.
+    /// Together with x/B it is the constitutive force r/r_y of eq. 1.
     pub friction: F,
 }
 

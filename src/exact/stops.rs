@@ -116,9 +116,9 @@ impl<F: Float> Sticking<F> {
         if by_cycle > -(one + alpha) && by_cycle < slow { by_cycle } else { slow }
     }
 
-    /// With damping, where to look if there is no stop at the first guess: where the spring balances the drive's
-    /// amplitude, which a body stops beyond after a slide of a whole free period, and at the minimum of the closed
-    /// form, where a fast drive leaves it.
+    /// With damping, the positions to try if there is no stop at the first guess. One is where the spring
+    /// balances the drive's amplitude, beyond which a body stops after a slide of a whole free period. The
+    /// other is the minimum of the closed form, where a fast drive leaves the body.
     fn other_guesses(&self) -> [Option<F>; 2] {
         let alpha = self.equation.alpha;
         let by_cycle = self.shift - self.amplitude;
@@ -195,7 +195,8 @@ fn fixed_point<F: Float>(
         } else {
             high = x;
         }
-        // Of a motion with other slides the cubic knows nothing. Without damping it stays, for the same digits.
+        // The cubic does not apply to a motion with other slides. Without damping it is kept, so that the
+        // digits stay the same.
         if equation.is_damped() && best.as_ref().is_some_and(|last| last.parts.len() != tried.parts.len()) {
             before = None;
         }
@@ -205,8 +206,8 @@ fn fixed_point<F: Float>(
         x = if halves && next > low && next < high { next } else { (low + high) / two };
         let is_closed = x <= low || x >= high;
         before = Some(here);
-        // With a residual of more than ε^¼ the next passage is not the last one, and hardly with more than ε^⅓. A proof
-        // costs the more, the slower the drive; without damping all digits stay as they are.
+        // With a residual of more than ε^¼ the next passage is not the last one, and with more than ε^⅓ it
+        // rarely is. A proof is more expensive for a slower drive; without damping the digits stay the same.
         let share = (here.value / (one + x.abs())).abs();
         let power = if equation.is_damped() { share * share.square() } else { share.square().square() };
         is_proved = power <= F::epsilon();

@@ -238,8 +238,9 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear: for Ω > 2
-    /// or Ω < 1/4, from ζ = 1 on, and from ζ = 1/2 on unless it begins at rest and not far out, when it is short.
+    /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear:
+    /// for Ω > 2 or Ω < 1/4, for ζ ≥ 1, and for ζ ≥ 1/2 unless it begins at rest and not far out, when it is
+    /// short.
     #[inline]
     fn damped_waves(&self) -> Option<&Self> {
         let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));

@@ -38,7 +38,7 @@ pub(crate) struct Waves<F> {
     angle: F,
     /// h and h′ at φ = 0.
     start: (F, F),
-    /// |x′| and |x″| at φ = 0: the sizes of the terms that h and h′ are made of, beside the forced wave.
+    /// |x′| and |x″| at φ = 0: the sizes of the terms of h and h′ other than the forced wave.
     size: (F, F),
     /// σ and β.
     rates: (F, F),

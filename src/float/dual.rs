@@ -16,7 +16,7 @@ use num_dual::DualSVec64;
 /// It wraps [`num_dual::DualSVec64`] and implements [`Field`], [`Real`] and [`Float`]:
 ///
 /// * **The value is that of f64, to the last bit.** Quotients, roots and angles are rounded once, as f64
-///   rounds them, and the derivatives are computed beside them.
+///   rounds them, and the derivatives are computed separately.
 /// * **Decisions see the value alone.** Order, equality, rounding and the choice of a branch act on it; two
 ///   numbers of one value are equal whatever their derivatives. At a decision the derivatives are those of
 ///   the side taken: `|x|` at 0 is differentiated as x, `√x` at 0 has an infinite derivative or none (NaN).

@@ -2,7 +2,7 @@
 
 use arbitrary::{Arbitrary, Result, Unstructured};
 
-/// Any double: infinities, NaN and subnormal numbers as often as their bits.
+/// Any double: infinities, NaN and subnormal numbers occur as often as their bits.
 ///
 /// # Errors
 /// As for [`Unstructured`]; none with the standard kinds.
@@ -10,7 +10,7 @@ pub(crate) fn any_bits(u: &mut Unstructured<'_>) -> Result<f64> {
     u64::arbitrary(u).map(f64::from_bits)
 }
 
-/// `low ≤ x ≤ high`, evenly.
+/// A number uniformly distributed in `low ≤ x ≤ high`.
 ///
 /// # Errors
 /// As for [`any_bits`].
@@ -19,7 +19,7 @@ pub(crate) fn ordinary(u: &mut Unstructured<'_>, low: f64, high: f64) -> Result<
     Ok(low + (high - low) * part)
 }
 
-/// `x` itself, up to 127 floats from it, or a part 2⁻¹ … 2⁻⁶⁴ of itself away.
+/// `x` itself, up to 127 floats from it, or a relative distance 2⁻¹ … 2⁻⁶⁴ away.
 ///
 /// # Errors
 /// As for [`any_bits`].

@@ -1,4 +1,4 @@
-//! Frequency and force ratios, and what a cycle is asked to reach.
+//! Frequency and force ratios, and targets of inverse problems.
 
 use super::numbers::{any_bits, beside, magnitude, ordinary};
 use crate::nonsticking::{Border, max_velocity_from_displacement};
@@ -6,10 +6,10 @@ use crate::phase_function::PhaseFunction;
 use arbitrary::{Arbitrary, Result, Unstructured};
 use std::f64::consts::{PI, SQRT_2};
 
-/// Ω of the least border of all.
+/// The Ω at which the border has its global minimum.
 const LEAST_BORDER: f64 = 0.849_158_848_834_442;
 
-/// A frequency ratio: any bits, any magnitude, ordinary, or beside one of the places of the module's table.
+/// A frequency ratio: any bits, any magnitude, ordinary, or close to one of the places in the module's table.
 ///
 /// # Errors
 /// As for [`any_bits`].
@@ -31,7 +31,7 @@ pub(crate) fn frequency_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     beside(u, place)
 }
 
-/// A force ratio to go with an Ω, which need not be valid.
+/// A force ratio for a given Ω, which need not be valid.
 ///
 /// # Errors
 /// As for [`any_bits`].
@@ -59,8 +59,7 @@ pub(crate) fn force_ratio(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     beside(u, place)
 }
 
-/// A damping ratio: none (a quarter of them), beside ζ = 1, ordinary, next to nothing, of any magnitude, or
-/// any bits.
+/// A damping ratio: zero (a quarter of them), close to ζ = 1, ordinary, tiny, of any magnitude, or any bits.
 ///
 /// # Errors
 /// As for [`any_bits`].
@@ -75,8 +74,7 @@ pub(crate) fn damping_ratio(u: &mut Unstructured<'_>) -> Result<f64> {
     }
 }
 
-/// A maximum displacement or velocity: what the border leads to at that Ω, more than that, or of any
-/// magnitude.
+/// A maximum displacement or velocity: that of the border at this Ω, a larger one, or one of any magnitude.
 pub(super) fn target(u: &mut Unstructured<'_>, omega: f64) -> Result<f64> {
     let kind = u.int_in_range(0..=4)?;
     let Ok(p) = PhaseFunction::new(omega) else { return magnitude(u) };

@@ -1,4 +1,4 @@
-//! States beside the places where the motion changes its kind.
+//! States close to the places where the motion changes its kind.
 
 use super::Point;
 use super::numbers::{any_bits, beside, magnitude, ordinary};
@@ -7,7 +7,7 @@ use crate::ratios::Ratios;
 use arbitrary::{Arbitrary, Result, Unstructured};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// (θ, x, v) to go with a point, which need not be valid.
+/// A state (θ, x, v) for a point that need not be valid.
 pub(super) fn state(u: &mut Unstructured<'_>, point: Point) -> Result<(f64, f64, f64)> {
     let Point { omega, alpha } = point;
     let kind = u.int_in_range(0..=9)?;
@@ -20,7 +20,7 @@ pub(super) fn state(u: &mut Unstructured<'_>, point: Point) -> Result<(f64, f64,
         // At the friction bound, and at the edge of the places of rest.
         4 => (alpha * theta.sin() - sign, 0.0),
         5 => (sign * (1.0 - alpha), 0.0),
-        // The same with next to no speed.
+        // The same with a tiny speed.
         6 => (alpha * theta.sin() - sign, sign * ordinary(u, -260.0, -20.0)?.exp2()),
         7 | 8 => match Ratios::new(omega, alpha).and_then(Cycle::new) {
             Ok(cycle) => (cycle.displacement_at(theta), cycle.velocity_at(theta)),
@@ -31,7 +31,7 @@ pub(super) fn state(u: &mut Unstructured<'_>, point: Point) -> Result<(f64, f64,
     Ok((theta, beside(u, x)?, beside(u, v)?))
 }
 
-/// A phase of the drive: ordinary, beside a quarter turn, or far on.
+/// A phase of the drive: ordinary, close to a quarter turn, or large.
 fn phase(u: &mut Unstructured<'_>) -> Result<f64> {
     match u.int_in_range(0..=4)? {
         0 => any_bits(u),
@@ -44,10 +44,11 @@ fn phase(u: &mut Unstructured<'_>) -> Result<f64> {
     }
 }
 
-/// A state from which the velocity is to touch zero, `v = v′ = 0` with v″ of the direction's sign, some
-/// natural time later.
+/// A state from which the velocity touches zero some natural time later, `v = v′ = 0` with v″ of the
+/// direction's sign.
 ///
-/// `x = A sin θ − s + a cos φ + b sin φ` back from there, A = α/(1 − Ω²), which Ω = 1 does not have: NaN.
+/// It is computed backwards by `x = A sin θ − s + a cos φ + b sin φ`, A = α/(1 − Ω²), which does not exist at
+/// Ω = 1: NaN.
 fn grazing(u: &mut Unstructured<'_>, point: Point, sign: f64) -> Result<(f64, f64, f64)> {
     let Point { omega, alpha } = point;
     // s cos θ > 0

@@ -224,7 +224,7 @@ impl<F: Float> Task for FindCycle<F> {
     }
 }
 
-/// The cycle without damping where the static friction is above the kinetic one: the same motion, from a higher
+/// The cycle without damping for a static friction above the kinetic one: the same motion, from a higher
 /// border on.
 struct WithStaticFriction<F>(Ratios<F>);
 

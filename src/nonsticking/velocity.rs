@@ -144,7 +144,8 @@ pub(crate) struct Given<F> {
     pub(crate) displacement_phase: F,
 }
 
-/// [`fastest`] of a cycle, and the deviation Δ₁/B there where the way has it: not where [`Circular::deviation`] does.
+/// [`fastest`] of a cycle, and the deviation Δ₁/B if the iteration computes it; otherwise
+/// [`Circular::deviation`] does.
 #[inline(always)]
 pub(crate) fn fastest_of_cycle<F: Float>(p: &PhaseFunction<F>, given: &Given<F>) -> (Fastest<F>, Option<F>) {
     let &Given { ref reversal, alpha, displacement, .. } = given;

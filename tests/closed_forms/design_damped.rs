@@ -201,8 +201,8 @@ fn the_best_friction_is_the_best() {
     }
 }
 
-/// The border's peaks at dT = 3π, 5π, … are as narrow as the damping is small: no band reaches over one that is
-/// higher than α, by little or by much.
+/// The width of the border's peaks at dT = 3π, 5π, … decreases with the damping: no band extends over a peak
+/// that is higher than α, however small the difference.
 #[test]
 fn no_band_reaches_over_a_peak() {
     for zeta in [1e-2, 1e-3, 1e-5, 1e-7, 1e-10] {

@@ -148,8 +148,8 @@ fn odd<F: Float>(index: u16, offset: i32) -> F {
 }
 
 impl<F: Float> Border<F> {
-    /// The minimum force ratio between two neighbouring poles, and where it is: in lobe n, from the pole 1/(2n+3) to the pole
-    /// 1/(2n+1), for n = 0 from 1/3 on, it is the only minimum of α_min.
+    /// The minimum force ratio between two neighbouring poles, and its place. In lobe n, from the pole
+    /// 1/(2n+3) to the pole 1/(2n+1), and for n = 0 from 1/3 on, it is the only minimum of α_min.
     ///
     /// 1.20999843633807… at Ω = 0.849158848834442 in lobe 0, 11.3641047199701 at 0.297128660867652 in lobe 1;
     /// a corner from lobe 2 on. Accuracy at f64: 8 ulp in both.
