@@ -106,7 +106,7 @@
 //!   (`generators`);
 //! * `matching`: the matching problem solved by Newton's method with nalgebra
 //!   (`nonsticking::matching::newton`), over `Mp` too with `mp`; and every equation and answer compared with
-//!   it and against the exact motion (`verify`).
+//!   it and with the exact motion (`verify`).
 
 #![cfg_attr(
     not(test),
