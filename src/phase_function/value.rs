@@ -142,21 +142,11 @@ pub(crate) fn phase_function_beside_one<R: Real>(omega: R, w_cot_w: R) -> R {
     R::int(-2) * (R::int(1) + omega) / R::pi() * w_cot_w
 }
 
-/// K(Ω) from the angle `β = q π/2 + w` to more digits than the type has: with E = w cot w,
+/// K(Ω) away from Ω = 1, from the angle `β = q π/2 + w`, to more digits than the type has: with E = w cot w,
 ///
 /// ```text
-/// K = −(2/π)(1 + Ω) E  beside Ω = 1,   (1 − Ω²) w/(Ω E)  for even q,   −(1 − Ω²) E/(Ω w)  for odd q.
+/// K = (1 − Ω²) w/(Ω E)  for even q,   −(1 − Ω²) E/(Ω w)  for odd q.
 /// ```
-#[inline(always)]
-fn compensated<F: Float>(omega: F, quarter: u8, w: Pair<F>) -> Pair<F> {
-    if is_beside_one(omega) {
-        let two_over_pi = Pair::exact(F::int(-2)) / Pair::pi();
-        return (Pair::two_sum(F::int(1), omega) * cotangent::y_cot_y(w) * two_over_pi).normalised();
-    }
-    of_remainder(omega, quarter & 1 == 0, w)
-}
-
-/// [`compensated`] away from Ω = 1, for even or odd q.
 ///
 /// One quotient serves both, so that loops do not branch.
 #[inline(always)]
@@ -186,7 +176,7 @@ impl<F: Float> Task for Refined<F> {
         let value = if F::PRECISION > f64::MANTISSA_DIGITS {
             F::guarded(Guarded(self.0))
         } else {
-            compensated(self.0, quarter, w)
+            of_remainder(self.0, quarter & 1 == 0, w)
         };
         (quarter, w, value)
     }

@@ -133,3 +133,29 @@ fn rounded<F: Float>(x: &Rational, side: i32) -> F {
     let is_inside = if side < 0 { found.to_f64() > bound } else { found.to_f64() < bound };
     if is_inside { found + F::int(side) * F::epsilon() * found.abs() } else { found }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Rational, rounded};
+    use crate::Float;
+
+    /// Also in a type with fewer digits than f64, which rounds a second time.
+    #[test]
+    fn the_rounded_ends_lie_outside() {
+        fn check<F: Float>(x: &Rational) {
+            let (low, high) = (rounded::<F>(x, -1), rounded::<F>(x, 1));
+            let exact = |x: F| Rational::from_f64(x.to_f64()).unwrap();
+            assert!(exact(low) <= *x && *x <= exact(high), "{x} {low} {high}");
+            assert!(high - low <= F::int(4) * F::epsilon() * high.abs(), "{x} {low} {high}");
+        }
+        for numerator in 1..200 {
+            for denominator in [3, 7, 1 << 25, (1 << 30) - 1] {
+                for x in [Rational::from((numerator, denominator)), Rational::from((-numerator, denominator))]
+                {
+                    check::<f32>(&x);
+                    check::<f64>(&x);
+                }
+            }
+        }
+    }
+}
