@@ -8,8 +8,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::exact::{LongRun, State, SteadyState};
 use stickslip::float::{Mp, ParseError};
-use stickslip::{no_stop_force_ratios, observed};
 use stickslip::{Float, Output, Ratios, Response};
+use stickslip::{no_stop_force_ratios, observed};
 
 /// A value on its way to Python.
 enum Cell {

@@ -42,8 +42,8 @@
 //! ([`super::search::Safe`]). The remaining part of a window contains a zero once it is as long as the fast
 //! period, up to the rounding of the window's ends. Each window is at least half a slow period long, and not
 //! shorter than the fast period. So at most the end of one window and one fast period in the next are
-//! examined: two fast periods, again 8 stretches, or a few more where rounding matters. A search beyond `π(1
-//! + 2/Ω)`, one change of sign more than any slide, is [`Verdict::Lost`]: an error, never an answer. With
+//! examined: two fast periods, again 8 stretches, or a few more where rounding matters. A search beyond
+//! `π(1 + 2/Ω)`, one change of sign more than any slide, is [`Verdict::Lost`]: an error, never an answer. With
 //! damping the skipped part is recomputed from the current position (`window`), because the free wave decays,
 //! and the bound on the time differs.
 //!

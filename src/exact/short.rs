@@ -1,7 +1,7 @@
 //! The motion of a short slide, by Taylor's series.
 //!
-//! A body that has just been released starts with zero velocity and zero acceleration, and reverses after `w
-//! = αΩ [cos θ_i · C − sin θ_i · S]` has increased and decreased by no more than a small fraction of `αΩφ`.
+//! A body that has just been released starts with zero velocity and zero acceleration, and reverses after
+//! `w = αΩ [cos θ_i · C − sin θ_i · S]` has increased and decreased by no more than a small fraction of `αΩφ`.
 //! Where the force hardly exceeds friction the slide is short, and the closed forms of C and S, which consist
 //! of functions of order φ, lose all its digits: at α = 1 + 1e-14 the zero was wrong by half its place. The
 //! derivatives at the start are known to full relative accuracy, each from the equation of motion:

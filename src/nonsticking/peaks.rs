@@ -47,8 +47,8 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
 }
 
 impl<F: Float> Cycle<F> {
-    /// Maximum transmitted force, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of `|x + 2ζx′
-    /// + sgn x′|`, which includes the damper's force.
+    /// Maximum transmitted force, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
+    /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
     pub fn transmitted_force(&self) -> F {
         match &self.motion {
             Motion::Undamped(_) => transmitted_force(self.max_displacement),

@@ -25,8 +25,8 @@ pub struct Reversal<F> {
 }
 
 impl<F: Float> Reversal<F> {
-    /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at Ω =
-    /// 1. An α below |K| by rounding is taken as the border, where Δ₀/B = 1/Ω².
+    /// The reversal at the frequency ratio of `p` and the force ratio α: NaN where α < |K|, infinite at
+    /// Ω = 1. An α below |K| by rounding is taken as the border, where Δ₀/B = 1/Ω².
     // Always inline: the common path then keeps everything in registers.
     #[inline(always)]
     pub fn new(p: &PhaseFunction<F>, alpha: F) -> Self {

@@ -1,7 +1,7 @@
 //! α − |K| so close to Ω = 1 that K as a pair does not have enough digits.
 //!
-//! On the border `α² − K² = (1/Ω² − 1)²` for Ω ≥ 1/2, with |1/Ω² − 1| = (2/π)|w|(1 + Ω)/Ω, and |K| = (2/π)(1
-//! + Ω)(1 − g), g = w²/3 + … ≥ 0. From α + |K| ≤ 2|K| + |1/Ω² − 1| it follows that
+//! On the border `α² − K² = (1/Ω² − 1)²` for Ω ≥ 1/2, with |1/Ω² − 1| = (2/π)|w|(1 + Ω)/Ω, and
+//! |K| = (2/π)(1 + Ω)(1 − g), g = w²/3 + … ≥ 0. From α + |K| ≤ 2|K| + |1/Ω² − 1| it follows that
 //!
 //! ```text
 //! α − |K| ≥ (w²/π) [(1 + Ω)/Ω²] / [1 + |w|/(2Ω)],
