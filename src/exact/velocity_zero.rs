@@ -239,14 +239,15 @@ impl<F: Float> Slide<F> {
     }
 
     /// The slide, if windows of the two waves of its velocity cost less than the stretches that they clear:
-    /// for Ω > 2 or Ω < 1/4, for ζ ≥ 1, and for ζ ≥ 1/2 unless it begins at rest and not far out, when it is
-    /// short.
+    /// for Ω > 2 or Ω < 1/4, and for ζ ≥ 1/2 unless it begins at rest and not far out, when it is short. From
+    /// ζ = 15/16 on the free vibration may take long to turn after any start.
     #[inline]
     fn damped_waves(&self) -> Option<&Self> {
         let (zero, one, two, four) = (F::int(0), F::int(1), F::int(2), F::int(4));
+        let slow = F::ratio(15, 8);
         let Equation { omega, alpha, damping, .. } = self.equation;
         let is_short = self.w == zero && self.acceleration.abs() <= F::int(16) * (one + alpha);
-        let is_stiff = damping >= two || (damping >= one && !is_short);
+        let is_stiff = damping >= slow || (damping >= one && !is_short);
         (omega * four < one || omega > two || is_stiff).then_some(self)
     }
 

@@ -38,6 +38,9 @@ fn findings() {
         8.477_245_995_794_942e62,
         2.984_861_672_119_486_4e62,
     );
+    // Close to critical damping a creep from rest lasts for hundreds of radians.
+    let (alpha, zeta, x) = (3.564_290_12e-315, 0.999_999_999_999_988_7, -1.000_000_000_000_022_6);
+    motion::damped_trajectory(1.0, alpha, zeta, -6.121_357_536_128_328e-183, x, 2.03e-322);
 }
 
 /// Values of a type of `stickslip::generators`.

@@ -4,6 +4,7 @@ use crate::exact::equation::Equation;
 use crate::exact::event::next_zero;
 use crate::exact::search::{Found, Verdict};
 use crate::exact::slide::{Direction, Slide};
+use crate::exact::{Kind, State, Trajectory};
 use crate::nonsticking::{displacement_phase, max_displacement};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::{Border, Ratios};
@@ -196,4 +197,26 @@ fn a_wrong_hint_changes_nothing() {
             assert!((end.x - right.x).abs() < 1e-13);
         }
     }
+}
+
+/// Close to critical damping a creep from rest under a weak force lasts for hundreds of radians, and is followed
+/// to its end.
+#[test]
+fn a_creep_from_rest_ends() {
+    let mut slides = 0;
+    for zeta in [0.5, 0.7, 0.9, 0.93, 0.9375, 0.95, 0.99, 1.0 - 1e-6, 1.0 - 1e-14, 1.0, 1.1] {
+        for omega in [0.25, 0.4, 1.0, 1.5, 2.0] {
+            for alpha in [1e-300, 1e-30, 1e-9, 0.1, 0.9] {
+                for excess in [1e-14, 1e-9, 1e-3, 1.0, 10.0] {
+                    let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+                    let start = State::new(0.0, -1.0 - alpha - excess, 0.0).unwrap();
+                    for segment in Trajectory::new(ratios, start).unwrap().take(9) {
+                        let segment = segment.unwrap();
+                        slides += usize::from(segment.kind != Kind::Stick);
+                    }
+                }
+            }
+        }
+    }
+    assert!(slides > 1000, "{slides}");
 }
