@@ -294,72 +294,7 @@ fn what_is_wrong_is_named() {
 }
 
 #[cfg(feature = "random")]
-mod monte_carlo {
-    use rand_distr::{Normal, Uniform};
-    use stickslip::uncertainty::{Exactly, Independent, MonteCarlo};
-    use stickslip::{Border, Excitation, Output, Regime};
-
-    fn machine<R>(friction_bound: R) -> Independent<Exactly, Exactly, R, Exactly, Exactly> {
-        let [mass, stiffness, amplitude, angular_frequency] = [50.0, 1000.0, 12.0, 6.0].map(Exactly);
-        Independent { mass, stiffness, friction_bound, amplitude, angular_frequency }
-    }
-
-    #[test]
-    fn probabilities_and_quantiles_are_those_of_the_distribution() {
-        // For a uniform r_y, the body sticks above p₀/α_min.
-        let greatest = 12.0 / Border::new(6.0 / 20f64.sqrt()).unwrap().min_force_ratio;
-        let uniform = Uniform::new(4.0, 10.0).unwrap();
-        let outputs = [Output::Margin, Output::MaxDisplacement];
-        let found = MonteCarlo::new(&machine(uniform), Excitation::Force, &outputs, 40_000, 3).unwrap();
-        let expected = (10.0 - greatest) / 6.0;
-        let sticking = found.probability(Regime::Sticking);
-        assert!((sticking.value - expected).abs() < 4.0 * sticking.standard_error, "{sticking:?} {expected}");
-        assert!((sticking.standard_error - (expected * (1.0 - expected) / 4e4).sqrt()).abs() < 1e-4);
-        // The margin decreases with r_y: its quantile is that of r_y at the complementary share.
-        for share in [0.05, 0.5, 0.9] {
-            let margin = found.quantile(Output::Margin, share).unwrap();
-            assert!((greatest / margin - (10.0 - 6.0 * share)).abs() < 0.1, "{share} {margin}");
-        }
-        assert_eq!(found.values(Output::MaxDisplacement).len(), found.count(Regime::NonSticking) as usize);
-        assert_eq!(found.values(Output::Margin).len(), 40_000);
-        assert!(
-            found.quantile(Output::Margin, 1.1).is_none() && found.quantile(Output::Deviation, 0.5).is_none()
-        );
-        // Quantiles are linear between the ordered values.
-        let values = found.values(Output::Margin);
-        for (i, part) in [(0usize, 0.25), (1234, 0.5), (39_998, 0.75)] {
-            let share = (i as f64 + part) / (values.len() - 1) as f64;
-            let due = values[i] * (1.0 - part) + values[i + 1] * part;
-            assert!((found.quantile(Output::Margin, share).unwrap() - due).abs() < 1e-9 * due, "{i}");
-        }
-        assert!([-0.1, f64::NAN].iter().all(|&share| found.quantile(Output::Margin, share).is_none()));
-        let mean = found.mean(Output::Margin).unwrap();
-        let exact = greatest / 6.0 * (10f64 / 4.0).ln();
-        assert!((mean.value - exact).abs() < 4.0 * mean.standard_error, "{mean:?} {exact}");
-        let variance = greatest * greatest * (1.0 / 4.0 - 1.0 / 10.0) / 6.0 - exact * exact;
-        assert!((mean.standard_error / (variance / 4e4).sqrt() - 1.0).abs() < 0.02, "{mean:?} {variance}");
-    }
-
-    #[test]
-    fn the_seed_decides_and_invalid_draws_are_counted() {
-        let wide = machine(Normal::new(2.0, 2.0).unwrap());
-        let run =
-            |seed| MonteCarlo::new(&wide, Excitation::Force, &[Output::MaxVelocity], 5000, seed).unwrap();
-        assert_eq!(run(1), run(1));
-        assert_ne!(run(1), run(2));
-        // P(r_y ≤ 0) = Φ(−1) = 0.1587
-        let invalid = f64::from(run(1).invalid) / 5000.0;
-        assert!((invalid - 0.1587).abs() < 0.02, "{invalid}");
-        let all = [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded];
-        let valid: u32 = all.iter().map(|regime| run(1).count(*regime)).sum();
-        assert_eq!(valid + run(1).invalid, run(1).draws);
-        assert!(MonteCarlo::new(&wide, Excitation::FootMotion, &[], 0, 1).is_err());
-        let never = MonteCarlo::new(&machine(Exactly(1.0)), Excitation::Force, &[], 100, 1)
-            .unwrap()
-            .probability(Regime::Sticking);
-        assert!(never.value == 0.0 && never.standard_error > 0.0);
-    }
-}
+mod monte_carlo;
 
 /// With a damper, the verdict of a box is proved by ball arithmetic, and undecided without it; its ranges are
 /// sampled.

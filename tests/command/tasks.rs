@@ -4,7 +4,8 @@
 //! The isolator is among the tests of units.
 
 use crate::command_line::{json, refused, stdout, stickslip};
-use crate::units::{Room, close, isolator, number};
+use crate::units::base_motion::{Room, isolator};
+use crate::units::{close, number};
 use std::f64::consts::TAU;
 use std::path::PathBuf;
 
