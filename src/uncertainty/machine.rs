@@ -20,7 +20,7 @@ pub struct MachineBox<F> {
     amplitude: Interval<F>,
     angular_frequency: Interval<F>,
     damping: Interval<F>,
-    is_base_motion: bool,
+    is_foot_motion: bool,
 }
 
 impl<F: Float> MachineBox<F> {
@@ -36,15 +36,16 @@ impl<F: Float> MachineBox<F> {
         angular_frequency: Interval<F>,
     ) -> Result<Self, Error> {
         let damping = Interval::exactly(F::int(0));
-        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_base_motion: false }
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_foot_motion: false }
             .checked()
     }
 
-    /// A machine on a moving base: m, k, r_y, u_g0, ω_d.
+    /// A machine whose spring stands on a moving foot, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force has the amplitude
+    /// k u_g0 ([`Excitation::FootMotion`](crate::Excitation::FootMotion)).
     ///
     /// # Errors
     /// As [`MachineBox::force`].
-    pub fn base_motion(
+    pub fn foot_motion(
         mass: Interval<F>,
         stiffness: Interval<F>,
         friction_bound: Interval<F>,
@@ -52,7 +53,7 @@ impl<F: Float> MachineBox<F> {
         angular_frequency: Interval<F>,
     ) -> Result<Self, Error> {
         let damping = Interval::exactly(F::int(0));
-        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_base_motion: true }
+        Self { mass, stiffness, friction_bound, amplitude, angular_frequency, damping, is_foot_motion: true }
             .checked()
     }
 
@@ -79,7 +80,7 @@ impl<F: Float> MachineBox<F> {
         let body = Oscillator::new(self.mass.at(m), self.stiffness.at(k), self.friction_bound.at(r))?
             .with_damping(self.damping.at(c))?;
         let (amplitude, frequency) = (self.amplitude.at(a), self.angular_frequency.at(w));
-        let drive = if self.is_base_motion {
+        let drive = if self.is_foot_motion {
             Drive::new(crate::Excitation::FootMotion, amplitude, frequency)
         } else {
             Drive::force(amplitude, frequency)
@@ -95,13 +96,13 @@ impl<F: Float> MachineBox<F> {
     }
 
     #[cfg(feature = "mp")]
-    pub(super) const fn is_base_motion(&self) -> bool {
-        self.is_base_motion
+    pub(super) const fn is_foot_motion(&self) -> bool {
+        self.is_foot_motion
     }
 
     /// The amplitude of the force at a stiffness in an interval.
     fn force_at(&self, stiffness: Interval<F>) -> Interval<F> {
-        if self.is_base_motion { self.amplitude.times(stiffness) } else { self.amplitude }
+        if self.is_foot_motion { self.amplitude.times(stiffness) } else { self.amplitude }
     }
 
     /// The box of ratios that contains those of all machines of this box: Ω = ω_d √(m/k), α = p₀/r_y, ζ =

@@ -167,7 +167,7 @@ fn guaranteed_ranges_of_machines_hold_everywhere() {
         let width = if i % 3 == 0 { 0.05 } else { 0.004 };
         let [m, k, r, a, w] = [m, k, r, a, omega * (k / m).sqrt()].map(|x| interval(&mut random, x, width));
         let machine =
-            if is_base { MachineBox::base_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
+            if is_base { MachineBox::foot_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
         let machine = machine.unwrap();
         let sticks = machine.verdict().unwrap().sticks();
         (never, always) =
@@ -214,7 +214,7 @@ fn one_machine_is_in_its_own_box() {
         let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
         for is_base in [false, true] {
             let machine = if is_base {
-                MachineBox::base_motion(m, k, r, a, w)
+                MachineBox::foot_motion(m, k, r, a, w)
             } else {
                 MachineBox::force(m, k, r, a, w)
             };

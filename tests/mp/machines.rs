@@ -9,7 +9,7 @@ type Machine = ([f64; 6], [f64; 6]);
 
 fn parts(base: bool, (values, shares): &Machine) -> MachineBox<f64> {
     let [m, k, r, a, w, c] = core::array::from_fn(|i| Interval::relative(values[i], shares[i]).unwrap());
-    let of = if base { MachineBox::base_motion } else { MachineBox::force };
+    let of = if base { MachineBox::foot_motion } else { MachineBox::force };
     of(m, k, r, a, w).unwrap().with_damping(c).unwrap()
 }
 

@@ -85,7 +85,7 @@ impl<F: Float> MachineBox<F> {
     /// ```
     pub fn enclosed_verdict(&self, pieces: u32) -> Result<Verdict<F>, Error> {
         let whole: Option<Vec<Ends>> = self.parameters().into_iter().map(ends).collect();
-        let ratios = whole.as_deref().and_then(|parts| Machine::of(parts, self.is_base_motion())?.ratios());
+        let ratios = whole.as_deref().and_then(|parts| Machine::of(parts, self.is_foot_motion())?.ratios());
         let Some([omega, alpha, zeta]) = ratios else {
             return Ok(Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         };
@@ -98,7 +98,7 @@ impl<F: Float> MachineBox<F> {
 
     /// The values of an output in physical units over a part of the box.
     fn over_part(&self, output: Output, part: &[Ends]) -> Result<Over, Error> {
-        let Some(machine) = Machine::of(part, self.is_base_motion()) else { return Ok(Over::Undecided) };
+        let Some(machine) = Machine::of(part, self.is_foot_motion()) else { return Ok(Over::Undecided) };
         let Some([omega, alpha, zeta]) = machine.ratios() else { return Ok(Over::Undecided) };
         let found = response(output, [&omega, &alpha, &zeta])?;
         let unit = output.unit(&machine.scales());
@@ -121,9 +121,9 @@ struct Machine<'a> {
 }
 
 impl<'a> Machine<'a> {
-    fn of(part: &'a [Ends], is_base_motion: bool) -> Option<Self> {
+    fn of(part: &'a [Ends], is_foot_motion: bool) -> Option<Self> {
         let [mass, stiffness, friction, amplitude, frequency, damping] = part else { return None };
-        let force = if is_base_motion { times(amplitude, stiffness) } else { amplitude.clone() };
+        let force = if is_foot_motion { times(amplitude, stiffness) } else { amplitude.clone() };
         Some(Self { mass, stiffness, friction, force, frequency, damping })
     }
 
