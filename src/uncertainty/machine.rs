@@ -40,8 +40,8 @@ impl<F: Float> MachineBox<F> {
             .checked()
     }
 
-    /// A machine whose spring stands on a moving foot, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force has the amplitude
-    /// k u_g0 ([`Excitation::FootMotion`](crate::Excitation::FootMotion)).
+    /// A machine whose spring stands on a moving foot, of amplitude u_g0: m, k, r_y, u_g0, ω_d. Its force
+    /// has the amplitude k u_g0 ([`Excitation::FootMotion`](crate::Excitation::FootMotion)).
     ///
     /// # Errors
     /// As [`MachineBox::force`].

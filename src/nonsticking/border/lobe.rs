@@ -25,8 +25,8 @@
 //!   minimum.
 //!
 //! **t(u_e) = u_e tan(π/2u_e).** At ζ = π, τ = π/u, the condition g = 0 reads t = u tan(π/2u), and there
-//! |f| = t u cot(π/2u) = u², the limit at the turning point: both suprema meet where the condition holds. As u tan(π/2u) falls with u,
-//! t(u_e) is below 3 tan(π/6) = √3 for n ≥ 1, below 5 tan(π/10) = 1.6246 for n ≥ 2, and tends to π/2.
+//! |f| = t u cot(π/2u) = u², the limit at the turning point: both suprema meet where the condition holds. As
+//! u tan(π/2u) falls with u, t(u_e) is below 3 tan(π/6) = √3 for n ≥ 1, below 5 tan(π/10) = 1.6246 for n ≥ 2, and tends to π/2.
 //!
 //! So the minimum is where H = 1 or at u_e, whichever u is larger. In lobe 1 it is the former, smooth. For
 //! n ≥ 2 H(u_e) ≤ H at (t, u) = (1.6246, 5), which is 0.853: the minimum is the **corner** at u_e.

@@ -55,7 +55,7 @@ pub enum MatchingError {
 pub struct Solution<F> {
     /// t₁, t₂, V₀, Δ₀, Δ₁; lengths in units of B. t₂ in `[0, 2π)`, t₁ in the half cycle before it.
     pub unknowns: Unknowns<F>,
-    /// |left − right| of eq. 21–25 as the paper has them, with damping of the same conditions with it, in units of the last place of their
+    /// |left − right| of eq. 21–25, or with damping of the same conditions, in units of the last place of their
     /// largest term.
     pub residuals: [F; 5],
     /// Newton iterations at the full precision.
