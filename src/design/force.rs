@@ -67,6 +67,25 @@ mod tests {
         }
     }
 
+    /// A motion with a higher static friction can depend on its start: only the border itself is answered.
+    #[test]
+    fn a_higher_static_friction_is_refused_where_the_start_decides() {
+        use crate::design::*;
+        let body = Oscillator::new(2.0, 8.0, 3.0).unwrap().with_static_friction_ratio(1.3).unwrap();
+        let drive = Drive::force(12.0, 1.4).unwrap();
+        let is_refused = |error: Option<crate::Error>| {
+            assert!(matches!(error, Some(crate::Error::StaticFriction { .. })), "{error:?}");
+        };
+        assert!(min_amplitude(&body, Excitation::Force, 1.4).is_ok());
+        is_refused(forces_without_stop(&body, 1.4).err());
+        is_refused(frequency_bands(&body, &drive, 0.5, 3.0).err());
+        is_refused(frequency_bands_without_stop(&body, &drive, 0.5, 3.0).err());
+        is_refused(force_for_displacement(&body, 1.4, 1.0).err());
+        is_refused(force_for_velocity(&body, 1.4, 1.0).err());
+        is_refused(most_dissipating_friction(&body, &drive).err());
+        is_refused(most_dissipating_friction_of_all(&body, &drive, 1e-3).err());
+    }
+
     #[test]
     fn at_the_values_of_the_border() {
         // ω_n = 2, r_y = 3, k = 8: B = 3/8.

@@ -143,3 +143,20 @@ fn single(name: &str, title: &str, caption: &str, y: Axis, series: Vec<Series>) 
         panels: vec![Panel { title: String::new(), x, y, plane: None, series }],
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{phases, signed};
+    use std::f64::consts::TAU;
+
+    #[test]
+    fn a_phase_before_the_crest_of_the_drive_is_negative() {
+        for phase in [0.0, 1.0, 4.7] {
+            assert_eq!(signed(phase).to_bits(), phase.to_bits());
+        }
+        assert!((signed(TAU - 0.08) + 0.08).abs() < 1e-15);
+        for series in phases().panels.iter().flat_map(|panel| &panel.series) {
+            assert!(series.points.iter().all(|(_, phase)| *phase < 4.75), "{}", series.name);
+        }
+    }
+}

@@ -257,8 +257,40 @@ fn verdicts<B>(
 
 #[cfg(test)]
 mod tests {
-    use super::{Standing, damped, places, verify_enclosed};
+    use super::{Residue, Standing, Tally, damped, places, proved, verify_enclosed};
+    use crate::float::ball::Radius;
     use core::ops::ControlFlow;
+
+    /// A ball that is too wide to decide and a point without a proved motion let no statement pass.
+    #[test]
+    fn what_is_not_decided_does_not_pass() {
+        let undecided = Residue { most: Radius::INFINITE, least: Radius::ZERO, has_zero: true };
+        let nothing = Residue { most: Radius::ZERO, ..undecided };
+        let apart = Residue { most: Radius::ONE, least: Radius::ONE, has_zero: false };
+        for (residue, holds, refuted) in
+            [(undecided, false, false), (nothing, true, false), (apart, false, true)]
+        {
+            for (standing, passes) in [(Standing::Holds, holds), (Standing::Refuted, refuted)] {
+                let mut tally = Tally { points: 0, worst: None, all_pass: true };
+                tally.add(residue, 0, standing, 64);
+                assert_eq!((tally.all_pass, tally.points), (passes, 1), "{residue:?} {standing:?}");
+            }
+        }
+        let place = places().into_iter().find(|place| place.with_motion).unwrap();
+        let found = proved::against::<5>(&place, 64, None);
+        assert!(found.len() == proved::ROWS.len() && found.iter().flatten().count() == found.len());
+        assert!(found.iter().flatten().all(|residue| residue.has_zero && !residue.is_small(64)));
+    }
+
+    #[test]
+    fn a_place_is_written_with_its_own_ratios() {
+        let number = |text: &str| text.parse::<f64>().unwrap();
+        for place in places().iter().chain(&damped::places()) {
+            let (omega, alpha) = place.written();
+            assert_eq!(number(&omega), place.omega.middle().to_f64());
+            assert_eq!(number(&alpha), place.alpha.middle().to_f64());
+        }
+    }
 
     #[test]
     fn every_ball_has_zero_in_it_and_is_small() {

@@ -60,3 +60,19 @@ fn half_turn_on<F: Float>(ratios: Ratios<F>, start: State<F>) -> Option<(F, F)> 
 pub(super) fn apart<F: Float>(a: F, b: F) -> F {
     F::int(2) * ((a - b) / F::int(2)).sin()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::apart;
+    use core::f64::consts::{PI, TAU};
+
+    #[test]
+    fn phases_a_turn_apart_are_equal_and_half_a_turn_apart_are_not() {
+        for a in [0.0, 0.3, 6.2] {
+            assert!(apart(a, a + TAU).abs() < 1e-14 && apart(a - TAU, a).abs() < 1e-14);
+            assert!(
+                (apart(a + 1e-6, a) - 1e-6).abs() < 1e-14 && (apart(a + PI, a).abs() - 2.0).abs() < 1e-14
+            );
+        }
+    }
+}

@@ -210,4 +210,6 @@ fn every_wrong_formula_is_refused() {
     let passing: Vec<_> =
         mutants.iter().filter(|(_, formulae)| failed(&**formulae).is_empty()).map(|(name, _)| name).collect();
     assert!(passing.is_empty(), "{passing:#?}");
+    let of_rho = mutants.iter().find(|(name, _)| *name == "ρ with the other sign").unwrap();
+    assert!(failed(&*of_rho.1).contains(&"ρ has the sign of 1 − Ω"));
 }

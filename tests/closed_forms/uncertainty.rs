@@ -312,5 +312,13 @@ fn a_damper_takes_balls() {
         let value = Output::MaxDisplacement.of(&Response::new(ratios)).unwrap();
         assert!(holds(&range, value) && !range.is_guaranteed(), "{zeta}: {value} {range:?}");
     }
+    // A damper that may be absent counts.
+    let perhaps = whole.with_damping_ratio(Interval::between(0.0, 0.2).unwrap()).unwrap();
+    let range = perhaps.range(Output::MaxDisplacement, 50).unwrap().unwrap();
+    for zeta in [0.0, 0.1, 0.2] {
+        let ratios = Ratios::new(0.7, 9.0).unwrap().with_damping_ratio(zeta).unwrap();
+        let value = Output::MaxDisplacement.of(&Response::new(ratios)).unwrap();
+        assert!(holds(&range, value) && !range.is_guaranteed(), "{zeta}: {value} {range:?}");
+    }
     assert!(whole.with_damping_ratio(Interval::between(-1.0, 1.0).unwrap()).is_err());
 }

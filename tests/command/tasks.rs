@@ -139,6 +139,15 @@ fn friction_and_damping_from_a_measured_curve() {
     close(number(&found["friction_coefficient"]["value"]), 0.05, 0.01);
     close(number(&found["damping_ratio"]["value"]), 0.04, 0.01);
     close(number(&found["damping"]["value"]), constant, 0.01);
+    for key in ["friction", "friction_coefficient", "damping_ratio", "damping"] {
+        let of = |part: &str| number(&found[key][part]);
+        let [low, high] = [0, 1].map(|end| number(&found[key]["interval_95"][end]));
+        close((low + high) / 2.0, of("value"), 1e-12);
+        assert!(
+            high - low > 3.9 * of("standard_error") && of("standard_error") > 0.0,
+            "{key}: {low} to {high}"
+        );
+    }
     assert_eq!((found["used"].as_u64(), &found["friction"]["unit"]), (Some(8), &"N".into()));
     assert!(stdout(&format!("identify {name} {machine}")).contains("explain 8 of 8 measurements"));
     refused(

@@ -292,3 +292,17 @@ fn every_value_in_units_is_its_ratio_times_its_unit() {
     }
     assert!(compared > 130, "{compared}");
 }
+
+/// A quotient is read from left to right, as a product is: N/m*s is (N/m) s.
+#[test]
+fn units_are_multiplied_from_left_to_right() {
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --frequency 2Hz --force 9kN";
+    let at = |damping: &str| json(&format!("response {machine} --damping {damping} --format json"));
+    let due = at("100N*s/m");
+    for text in ["100N/m*s", "0.1kN/m*s", "100s*N/m", "100kg/s"] {
+        let found = at(text);
+        let ratio = |value: &Value| number(&value["damping_ratio"]);
+        close(ratio(&found), ratio(&due), 1e-14);
+        close(number(&found["max_displacement"]), number(&due["max_displacement"]), 1e-12);
+    }
+}

@@ -1,6 +1,7 @@
 //! Enclosures of the closed forms, compared with the same outputs at 1024 bits, where they are sharp and
 //! where a decision is close.
 
+mod edges;
 mod many;
 mod ranges;
 mod steady;

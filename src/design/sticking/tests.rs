@@ -181,4 +181,5 @@ fn in_physical_units() {
     assert!((with_damper.value / (loop_size * 9.0) - 1.0).abs() < 1e-9 && with_damper.value < best.value);
     assert!((best.at * ratios.at / 12.0 - 1.0).abs() < 1e-6);
     assert!((best.value / (ratios.value * 9.0) - 1.0).abs() < 1e-9 && best.kind == OptimumKind::Sticking);
+    assert!((best.bound / (ratios.bound * 9.0) - 1.0).abs() < 1e-3 && best.bound >= best.value);
 }

@@ -250,3 +250,23 @@ fn a_damper_is_given_by_ratio_or_constant() {
         &["--damping 3N", "“N” is a unit of force", "a damping constant"],
     );
 }
+
+/// A body at rest on its base moves with it, feels its acceleration, and moves no further.
+#[test]
+fn a_body_at_rest_moves_with_its_base() {
+    let machine = "--mass 800kg --period 2.2s --friction-coefficient 0.05 --base-acceleration 0.01g";
+    for (what, unit) in [("absolute", "mm"), ("displacement", "mm"), ("transmissibility", "1")] {
+        let units = if unit == "1" { "" } else { "--units N,mm" };
+        let rows = stdout(&format!("response-curve {what} {machine} --frequency 0.6Hz:3Hz:4 {units}"));
+        assert_eq!(rows.lines().count(), 5, "{rows}");
+        for row in rows.lines().skip(1) {
+            let cells: Vec<&str> = row.split(',').collect();
+            let hertz: f64 = cells[1].parse().unwrap();
+            let base = 1e3 * 0.01 * 9.80665 / (TAU * hertz).powi(2);
+            let due = [("absolute", base), ("displacement", 0.0), ("transmissibility", 1.0)];
+            let due = due.into_iter().find(|(name, _)| *name == what).unwrap().1;
+            assert_eq!(cells[2], "stuck", "{row}");
+            assert!((cells[3].parse::<f64>().unwrap() - due).abs() <= 1e-12 * due, "{what} {row} {due}");
+        }
+    }
+}
