@@ -77,7 +77,7 @@ pub enum Regime {
     BelowBorder,
     /// α > α_min(Ω): two reversals a cycle and no stop.
     NonSticking,
-    /// Ω = 1 and α > 4/π: its displacement grows without bound.
+    /// Ω = 1, ζ = 0 and α > 4/π: the displacement of a motion without a stop grows without bound.
     Unbounded,
 }
 
@@ -140,8 +140,8 @@ pub(crate) fn response_for(
 /// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
 /// enclosed: to `bits` bits where the ratios are exact. Each ratio may be an interval.
 ///
-/// With η > 1 the outputs are those of the cycle of two reversals without a stop; other starts may lead to
-/// other motions.
+/// With η > 1 the outputs and the regime are those of motions of two reversals a cycle without a stop; other
+/// starts may lead to other motions.
 ///
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
@@ -212,18 +212,20 @@ impl<'a> At<'a> {
         })
     }
 
-    /// Whether there is neither damping nor additional static friction.
-    fn is_plain(&self) -> bool {
-        *self.zeta.high() == 0 && *self.eta.high() == 1
+    fn is_undamped(&self) -> bool {
+        *self.zeta.high() == 0
     }
 }
 
 impl Question for At<'_> {
     fn at_width<const W: usize>(&self) -> Answers {
         let angle = Angle::<W>::new(self.omega);
-        let half = (!self.is_plain()).then(|| damped::half_period(&angle, self.zeta, self.eta));
+        let half = (!self.is_undamped()).then(|| damped::half_period(&angle, self.zeta, self.eta));
         let (border, best) = match &half {
-            None => (Border::at(&angle), (angle.best_force_ratio(), angle.best_loop_size())),
+            None => (
+                Border::with_static_friction(&angle, self.eta),
+                (angle.best_force_ratio(), angle.best_loop_size()),
+            ),
             Some(half) => {
                 let (border, best) = damped::at_border(half);
                 (border, (best.0, Some(best.1).filter(|size| !size.is_entire())))
@@ -274,18 +276,15 @@ impl At<'_> {
         if *alpha.low() <= 1 {
             return None;
         }
-        if !self.is_plain() {
-            return damped::regime(self.omega, (self.zeta, self.eta), ball, border);
-        }
         if ball.is_below(&border.min_force_ratio) {
             return Some(Regime::BelowBorder);
         }
         if !border.min_force_ratio.is_below(ball) {
             return None;
         }
-        if *self.omega.low() > 1 || *self.omega.high() < 1 {
+        if *self.zeta.low() > 0 || *self.omega.low() > 1 || *self.omega.high() < 1 {
             return Some(Regime::NonSticking);
         }
-        self.omega.is_exact().then_some(Regime::Unbounded)
+        (self.omega.is_exact() && self.is_undamped()).then_some(Regime::Unbounded)
     }
 }

@@ -1,11 +1,12 @@
 //! The exact border in balls.
 
+use super::Known;
 use super::angle::Angle;
 use super::root::only_zero;
 use crate::float::ball::Ball;
 use crate::float::{Field, Real};
 use crate::nonsticking::border::{
-    border_force_ratio, condition, condition_slope, stationary_point, stationary_value, turning_point_border,
+    border_force_ratio, condition, condition_slope, stationary_point, stationary_value,
 };
 use core::cmp::Ordering;
 
@@ -29,21 +30,25 @@ struct Inner<const W: usize> {
 }
 
 impl<const W: usize> Border<W> {
+    /// The border without damping, with one friction.
     pub(crate) fn at(angle: &Angle<W>) -> Self {
-        let omega = angle.omega;
-        let turning_point = turning_point_border(angle.phase_function, angle.one_minus_square, omega);
-        let limit = Ball::int(1) / omega.square();
-        let of = |least_displacement: Ball<W>, phase| {
-            let width = angle.one_minus_square * least_displacement;
-            let min_force_ratio = border_force_ratio(angle.phase_function, width);
-            Self { min_force_ratio, turning_point, least_displacement, phase }
-        };
-        let at_turning_point = Self {
-            min_force_ratio: turning_point,
+        Self::with_static_friction(angle, &Known::rational(1.into()))
+    }
+
+    /// The border without damping, with a static friction of η times the kinetic one.
+    pub(crate) fn with_static_friction(angle: &Angle<W>, eta: &Known) -> Self {
+        // The displacement that it takes at the turning point.
+        let limit = eta.ball::<W>() / angle.omega.square();
+        let force_ratio =
+            |displacement| border_force_ratio(angle.phase_function, angle.one_minus_square * displacement);
+        let turning_point = force_ratio(limit);
+        let of = |least_displacement: Ball<W>, phase| Self {
+            min_force_ratio: force_ratio(least_displacement),
             turning_point,
-            least_displacement: limit,
-            phase: Some(Ball::int(0)),
+            least_displacement,
+            phase,
         };
+        let at_turning_point = of(limit, Some(Ball::int(0)));
         let half = rug::Rational::from((1, 2));
         if *angle.known.low() >= half
             || angle.remainder.sign() == Some(Ordering::Equal) && angle.quarter & 1 == 0
@@ -54,9 +59,11 @@ impl<const W: usize> Border<W> {
         if *angle.known.high() > half {
             return of(Ball::entire(), None);
         }
+        // With T > 0 the condition increases from the turning point on.
+        let is_above = |inner: &Inner<W>| inner.rises && *eta.high() == 1 || limit.is_below(&inner.value);
         match Inner::at(angle) {
             None => of(Ball::entire(), None),
-            Some(inner) if inner.rises || limit.is_below(&inner.value) => {
+            Some(inner) if is_above(&inner) => {
                 let phase = if inner.rises { inner.tau } else { Ball::pi() - inner.tau };
                 of(inner.value, Some(phase))
             }

@@ -7,7 +7,6 @@
 mod border;
 
 use super::Known;
-use super::Regime;
 use super::angle::Angle;
 use super::border::Border;
 use super::certain::{not_negative, reduced};
@@ -206,27 +205,6 @@ fn contraction<const W: usize>(rising: &Rising<Ball<W>>) -> Ball<W> {
         Some(_) => real(),
         None => complex().hull(&real()),
     }
-}
-
-/// The regime, where the balls do not overlap.
-pub(super) fn regime<const W: usize>(
-    omega: &Known,
-    (zeta, eta): (&Known, &Known),
-    alpha: &Ball<W>,
-    border: &Border<W>,
-) -> Option<Regime> {
-    if alpha.is_below(&border.min_force_ratio) {
-        return Some(Regime::BelowBorder);
-    }
-    if !border.min_force_ratio.is_below(alpha) {
-        return None;
-    }
-    if *zeta.low() > 0 || *omega.low() > 1 || *omega.high() < 1 {
-        return Some(Regime::NonSticking);
-    }
-    // At resonance without damping, a body that is never released stays at rest.
-    let is_released = eta.ball::<W>().is_below(alpha);
-    (omega.is_exact() && *zeta.high() == 0 && is_released).then_some(Regime::Unbounded)
 }
 
 /// The maximum acceleration below Ω = 1/2 and the greatest absolute displacement of the cycle without

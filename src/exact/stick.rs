@@ -182,6 +182,17 @@ mod tests {
         assert!((end.reduced() - (0.8f64 / 0.9).asin()).abs() < 1e-15);
     }
 
+    /// A held body that both directions can release goes in the one whose half turn comes first.
+    #[test]
+    fn after_a_hold_the_next_half_turn_releases() {
+        let equation = Equation::new(Ratios::new(0.7, 3.0).unwrap());
+        for (theta, direction) in [(0.4, Direction::Backward), (0.4 + PI, Direction::Forward)] {
+            let stick = Stick::held(equation, DrivePhase::of(theta).unwrap(), 0.0);
+            assert_eq!(stick.release.map(|(_, direction)| direction), Some(direction));
+            assert!((stick.duration().unwrap() - (PI - 0.4 + (1.0f64 / 3.0).asin())).abs() < 1e-14);
+        }
+    }
+
     #[test]
     fn at_the_bound_a_rising_force_lets_go_and_a_falling_one_holds() {
         let x = 2.0 * 0.5f64.sin() - 1.0;

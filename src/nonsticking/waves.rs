@@ -104,21 +104,14 @@ impl<F: Float> Waves<F> {
         let co = one + fall;
         let g = omega * delta;
         let (offset_c, e_sp, forcing) = (offset * c, e * sp, self.at.forcing());
-
-        let beside = (-inverse * kappa).mul_add(co, offset_c - e_sp) - one;
-        let (sb, cb) = self.at.sin_cos_beta();
-        let quotient = (sb - s) * (sb + s) / (c + cb);
-        let above = (-sb * inverse).mul_add(co, quotient) * self.at.secant();
-        let is_beside_one = omega < F::int(2);
-
         let swing = e.mul_add(cp, offset * s);
-
         let found = Moment {
             psi,
             // v/(Bω_n) = Ω(Δ₀/B) cos Ωψ + e cos p + u sin ψ
             velocity: g.mul_add(co, swing),
             slope: (offset_c - e_sp) + (-omega * g).mul_add(so, kappa * co),
-            displacement: (-delta).mul_add(so, if is_beside_one { beside } else { above }),
+            // Δ₁ has a form of its own from Ω = 1/2 on ([`Circular::deviation`]).
+            displacement: F::int(0),
             forcing: (forcing * s, forcing * c),
             square: omega * omega,
             slower: if omega > one { inverse } else { one },

@@ -87,10 +87,4 @@ impl<F: Float> Frequency<F> {
         let above = -(self.kappa * self.offset_slope * quotient);
         (if self.omega < F::int(2) { beside_one } else { above }, u * quotient)
     }
-
-    /// 1/cos β, away from Ω = 1.
-    #[inline(always)]
-    pub(crate) fn secant(&self) -> F {
-        self.kappa / (F::int(1) - self.omega) + self.offset()
-    }
 }

@@ -63,6 +63,19 @@ mod tests {
         assert_eq!(rest * 3.0, omega);
     }
 
+    /// For 2⁵³ < 1/Ω < 2⁵⁴ the first quotient is even, and the second adds to its residue.
+    #[test]
+    fn a_quotient_reduced_twice_keeps_both_residues() {
+        let top = 1u128 << 106;
+        for step in 0..200u64 {
+            let m = (1u64 << 52) + step * 22_517_998_136_851 + 1;
+            let q = (top + u128::from(m) / 2) / u128::from(m);
+            let left = i128::try_from(top).unwrap() - i128::try_from(q * u128::from(m)).unwrap();
+            let (quarter, rest) = nearest_quarter(m as f64 * 2f64.powi(-106));
+            assert_eq!((u128::from(quarter), rest * 2f64.powi(106)), (q & 3, left as f64), "{m}");
+        }
+    }
+
     #[test]
     fn residues() {
         for (q, r) in [(0.0, 0), (1.0, 1), (6.0, 2), (-1.0, 3), (-4.0, 0), (7.0, 3), (2f64.powi(80), 0)] {

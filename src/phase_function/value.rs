@@ -217,6 +217,9 @@ mod tests {
         let (above, below) = (y_cot_y(edge * 1.001), y_cot_y(edge * 0.999));
         assert!((above - below).abs() <= 2.0 * f64::EPSILON, "{above:e} against {below:e}");
         assert_eq!(y_cot_y(0.0), 1.0);
+        // 1 − 0.6 ε/3 is nearer to 1 than to 1 − ε/2, and 1 − 0.9 ε/3 is not.
+        let small = [0.6, 0.9].map(|part| y_cot_y((part * f64::EPSILON).sqrt()));
+        assert_eq!(small, [1.0, 1f64.next_down()]);
         assert_eq!(one_minus_square(1f64.next_down()), f64::EPSILON * (1.0 - f64::EPSILON / 4.0));
     }
 }

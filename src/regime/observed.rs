@@ -95,13 +95,26 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
 
 #[cfg(test)]
 mod tests {
-    use super::is_hidden;
+    use super::{is_hidden, observed};
     use crate::exact::{LongRun, State};
-    use crate::{Border, Ratios};
+    use crate::{Border, Ratios, Regime};
+
+    /// A motion without a period sticks where it has stops.
+    #[test]
+    fn stops_of_an_irregular_motion_count() {
+        let ratios = Ratios::new(0.45, 7.5).unwrap().with_damping_ratio(0.02).unwrap();
+        let ratios = ratios.with_static_friction_ratio(2.5).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let LongRun::Irregular(mut motion) = limit else { panic!("{limit:?}") };
+        assert!(motion.stops > 0);
+        for (stops, regime) in [(motion.stops, Regime::Sticking), (0, Regime::NonSticking)] {
+            motion.stops = stops;
+            assert_eq!(observed(ratios, &LongRun::Irregular(motion)).regime, regime, "{stops}");
+        }
+    }
 
     /// A difference is hidden if it is below 64 units in the last place of α, or below sixteen times the
     /// distance divided by the clearance rate: sin τ* inside a slide, Ω²/(1 + Ω²) at a reversal.
-    /// over what clears zero: sin τ* inside of a slide, Ω²/(1 + Ω²) at a reversal.
     #[test]
     fn what_is_smaller_than_the_motion_is_known_is_hidden() {
         let of = |omega: f64, alpha: f64| Ratios::new(omega, alpha).unwrap();

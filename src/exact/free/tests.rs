@@ -128,3 +128,27 @@ fn bad_starts_are_named() {
     assert_eq!(message(f64::NAN, 0.0), "displacement x/B = NaN must be finite");
     assert_eq!(message(0.0, f64::INFINITY), "velocity v = inf must be finite");
 }
+
+/// A logarithm that is rounded to one half cycle too few or too many is corrected.
+#[test]
+fn a_count_beside_a_whole_number_is_corrected() {
+    for zeta in [1e-6, 0.01, 0.3] {
+        for x in [3.7, 12.4, 55.0] {
+            let decay = FreeDecay::new(x, 0.0, zeta, 1.0).unwrap();
+            for n in 1..=decay.half_cycles {
+                // From the displacement that n half cycles bring exactly to the bound.
+                let edge = x - (decay.left_after(n as f64) - 1.0) / (-(n as f64) * decay.decrement()).exp();
+                if edge <= 1.0 {
+                    continue;
+                }
+                for (start, turns) in [(edge * (1.0 - 1e-9), n), (edge * (1.0 + 1e-9), n + 1)] {
+                    let decay = FreeDecay::new(start, 0.0, zeta, 1.0).unwrap();
+                    assert_eq!(decay.half_cycles, turns, "{start} {zeta}");
+                    for part in [1.0 - 1e-6, 1.0 + 1e-6] {
+                        assert_eq!(decay.damped_turns((start - 1.0) * part), turns as f64, "{start} {zeta}");
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,8 +1,8 @@
 //! No point of the half cycle is faster than the maximum, and every start leads to the same maximum.
 
-use super::fastest;
+use super::{Given, by_low_waves, fastest};
 use super::{centre::from_centre, iteration::from_bracket};
-use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement};
+use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement, reversal::Reversal};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
 use proptest::prelude::*;
@@ -46,6 +46,27 @@ proptest! {
             prop_assert!((quick.psi - safe).abs() < 1e-8, "{} {safe}", quick.psi);
         }
     }
+}
+
+/// Below Ω = 1/2 one step from the start arrives, for either sign of cos β.
+#[test]
+fn the_first_start_is_near_enough() {
+    let mut arrived = [0; 2];
+    for i in 0..400 {
+        let omega = 0.03 + 0.47 * (f64::from(i) * 0.618_034).fract();
+        let alpha = Border::new(omega).unwrap().min_force_ratio * (1.01 + f64::from(i % 7));
+        let p = PhaseFunction::new(omega).unwrap();
+        let reversal = Reversal::new(&p, alpha).of_sliding(omega);
+        let displacement = reversal.max_displacement_pair();
+        let displacement_phase = reversal.displacement_phase();
+        let found = by_low_waves(p, Given { reversal, displacement, alpha, displacement_phase });
+        let (half, k) = half(omega, alpha);
+        let Some((found, _)) = found else { continue };
+        arrived[usize::from(half.sin_cos_beta().1 < 0.0)] += 1;
+        let expected = from_bracket(&half, k, alpha);
+        assert!((found.psi - expected).abs() < 1e-7 / omega, "{omega} {alpha}: {} {expected}", found.psi);
+    }
+    assert!(arrived[0] + arrived[1] > 390 && arrived[0].min(arrived[1]) > 150, "{arrived:?}");
 }
 
 /// Half way between two crests of the faster wave, to within rounding: at f32 the minimum there was once

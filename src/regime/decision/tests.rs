@@ -1,4 +1,4 @@
-use crate::{Border, Drive, Oscillator, Ratios, Regime, Verdict};
+use crate::{Border, Drive, Error, Oscillator, Ratios, Regime, Verdict};
 
 const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
 
@@ -172,4 +172,22 @@ fn with_static_friction_only_the_border_is_known() {
         }
         assert_eq!(at(1.0), Verdict::AtRest);
     }
+}
+
+/// The rounding of a machine's ratios reaches over Ω = 1 from either side.
+#[test]
+fn a_machine_beside_resonance_may_be_at_it() {
+    for omega in [1f64.next_down(), 1.0, 1f64.next_up()] {
+        let body = Oscillator::new(1.0, 1.0, 1.0).unwrap();
+        let drive = Drive::force(1.4, omega).unwrap();
+        let found = Verdict::of(&body, &drive).unwrap();
+        assert_eq!(found, Verdict::Undecided(Regime::NonSticking, Regime::Unbounded), "{omega}");
+    }
+}
+
+#[test]
+fn a_machine_with_higher_static_friction_is_refused() {
+    let body = Oscillator::new(1.0, 1.0, 1.0).unwrap().with_static_friction(1.5).unwrap();
+    let found = Verdict::of(&body, &Drive::force(3.0, 0.7).unwrap());
+    assert!(matches!(found, Err(Error::StaticFriction { .. })), "{found:?}");
 }

@@ -3,7 +3,7 @@
 use super::{Exact, double, text, whole};
 use stickslip::enclosed::{self, Known, Regime};
 use stickslip::float::Mp;
-use stickslip::{Border, Field as _, Output};
+use stickslip::{Border, Field as _, Output, Ratios};
 
 fn between(low: &str, high: &str) -> Known {
     Known::between(&text(low), &text(high)).unwrap()
@@ -22,13 +22,40 @@ fn a_force_ratio_on_both_sides_of_one_has_no_regime() {
     }
 }
 
-/// At Ω = 1 the border is 4/π for every η; a body at rest that the force cannot release stays there.
+/// At Ω = 1 the border is 4/π for every η, and the displacement that it takes at the turning point is η.
 #[test]
-fn at_resonance_static_friction_can_hold_the_body() {
-    assert_eq!(regime("1", &text("1.4"), "0", "1"), Some(Regime::Unbounded));
-    assert_eq!(regime("1", &text("1.4"), "0", "1.5"), None);
-    assert_eq!(regime("1", &text("1.6"), "0", "1.5"), Some(Regime::Unbounded));
-    assert_eq!(regime("1", &text("1.6"), "0.01", "1.5"), Some(Regime::NonSticking));
+fn at_resonance_the_border_does_not_depend_on_static_friction() {
+    for eta in ["1", "1.5"] {
+        assert_eq!(regime("1", &text("1.2"), "0", eta), Some(Regime::BelowBorder));
+        assert_eq!(regime("1", &text("1.3"), "0", eta), Some(Regime::Unbounded));
+        assert_eq!(regime("1", &text("1.6"), "0.01", eta), Some(Regime::NonSticking));
+        let found = enclosed::border(&text("1"), &text("0"), &text(eta), 64).unwrap();
+        let border = found.get(Output::MinForceRatio).unwrap();
+        assert!(border.contains(&rug::Float::from(Exact::int(4) / Exact::pi())), "{eta}: {border}");
+        let least = found.get(Output::LeastDisplacement).unwrap();
+        assert_eq!((least.mid.to_f64(), least.rad.is_zero()), (eta.parse().unwrap(), true));
+    }
+}
+
+/// Without damping the enclosure with static friction contains the border of each pair of ratios.
+#[test]
+fn the_border_with_static_friction_is_inside() {
+    for omega in [0.05, 0.11, 0.23, 0.3, 0.4, 0.45, 0.5, 0.7, 1.0, 3.0] {
+        for eta in [1.0, 1.001, 1.1, 1.5, 4.0, 30.0] {
+            let ratios = Ratios::new(Exact::from(omega), Exact::int(2)).unwrap();
+            let ratios = ratios.with_static_friction_ratio(Exact::from(eta)).unwrap();
+            let expected = Border::of(&ratios);
+            let found = enclosed::border(&double(omega), &whole(0), &double(eta), 64).unwrap();
+            for (output, value) in [
+                (Output::MinForceRatio, expected.min_force_ratio),
+                (Output::LeastDisplacement, expected.min_displacement),
+                (Output::TouchingPhase, expected.touching_phase),
+            ] {
+                let enclosure = found.get(output).unwrap();
+                assert!(enclosure.contains(&rug::Float::from(value)), "{output} {omega} {eta} {enclosure}");
+            }
+        }
+    }
 }
 
 /// Below Ω = 1/2 the border exceeds that at the turning point, which is enough above.

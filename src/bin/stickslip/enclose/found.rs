@@ -104,6 +104,7 @@ impl Answer<'_> {
     fn text(&self, out: &mut impl Write) -> Outcome {
         let bits = self.found.bits;
         if self.has_regime {
+            let has_static_friction = self.typed.iter().any(|(name, _)| *name == "static_friction_ratio");
             let verdict = match self.found.regime {
                 Some(Regime::Stuck) => {
                     "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned()
@@ -112,15 +113,18 @@ impl Answer<'_> {
                     "Below the border: no cycle of two reversals goes without a stop. This is certain."
                         .to_owned()
                 }
-                Some(Regime::NonSticking)
-                    if self.typed.iter().any(|(name, _)| *name == "static_friction_ratio") =>
-                {
+                Some(Regime::NonSticking) if has_static_friction => {
                     "Non-sticking: a cycle without a stop exists. This is certain; other starts may lead to \
                      other motions."
                         .to_owned()
                 }
                 Some(Regime::NonSticking) => {
                     "Non-sticking: the body never stops. This is certain.".to_owned()
+                }
+                Some(Regime::Unbounded) if has_static_friction => {
+                    "Unbounded: the displacement of a motion without a stop grows in every cycle. This is \
+                     certain; other starts may lead to other motions."
+                        .to_owned()
                 }
                 Some(Regime::Unbounded) => {
                     "Unbounded: the displacement grows in every cycle. This is certain.".to_owned()
