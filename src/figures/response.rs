@@ -156,7 +156,7 @@ mod tests {
         }
         assert!((signed(TAU - 0.08) + 0.08).abs() < 1e-15);
         for series in &phases().panels[0].series {
-            assert!(series.points.iter().all(|(_, phase)| !(*phase >= 4.72)), "{}", series.name);
+            assert!(!series.points.iter().any(|(_, phase)| *phase >= 4.72), "{}", series.name);
         }
     }
 }
