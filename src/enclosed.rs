@@ -222,10 +222,7 @@ impl Question for At<'_> {
         let angle = Angle::<W>::new(self.omega);
         let half = (!self.is_undamped()).then(|| damped::half_period(&angle, self.zeta, self.eta));
         let (border, best) = match &half {
-            None => (
-                Border::with_static_friction(&angle, self.eta),
-                (angle.best_force_ratio(), angle.best_loop_size()),
-            ),
+            None => (Border::at(&angle, self.eta), (angle.best_force_ratio(), angle.best_loop_size())),
             Some(half) => {
                 let (border, best) = damped::at_border(half);
                 (border, (best.0, Some(best.1).filter(|size| !size.is_entire())))

@@ -30,13 +30,8 @@ struct Inner<const W: usize> {
 }
 
 impl<const W: usize> Border<W> {
-    /// The border without damping, with one friction.
-    pub(crate) fn at(angle: &Angle<W>) -> Self {
-        Self::with_static_friction(angle, &Known::rational(1.into()))
-    }
-
     /// The border without damping, with a static friction of η times the kinetic one.
-    pub(crate) fn with_static_friction(angle: &Angle<W>, eta: &Known) -> Self {
+    pub(crate) fn at(angle: &Angle<W>, eta: &Known) -> Self {
         // The displacement that it takes at the turning point.
         let limit = eta.ball::<W>() / angle.omega.square();
         let force_ratio =

@@ -65,7 +65,7 @@ pub(super) fn places() -> Vec<Place> {
     }
     let of = |(omega, ordinary): (Rational, bool)| {
         let omega = Known::rational(omega);
-        let least = Border::at(&Angle::<5>::new(&omega)).min_force_ratio;
+        let least = Border::at(&Angle::<5>::new(&omega), &Known::rational(1.into())).min_force_ratio;
         let times = [Ball::ratio(101, 100), Ball::ratio(3, 2), Ball::int(4)];
         let at = move |(i, times): (usize, Ball<5>)| {
             let alpha = Mp::<1>::rounded((least * times).mid()).to_rational()?;
@@ -112,7 +112,7 @@ impl<const W: usize> Found<W> {
         } else {
             MultiplierPair::Real(mean + discriminant.sqrt(), mean - discriminant.sqrt())
         };
-        let border = Border::at(&angle);
+        let border = Border::at(&angle, &Known::rational(1.into()));
         let given = Given { amplitude: alpha / angle.one_minus_square, friction_displacement: one, omega };
         Some(Self {
             point: Point {
