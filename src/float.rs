@@ -39,7 +39,7 @@ pub(crate) mod circular;
     not(test),
     allow(clippy::arithmetic_side_effects, reason = "small integers whose sums and products are known")
 )]
-pub mod conformance;
+mod conformance;
 #[cfg(feature = "dual")]
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 pub(crate) mod dual;
@@ -63,6 +63,7 @@ mod pi_digits;
 mod primitive;
 mod task;
 
+pub use conformance::{Broken, conformance};
 #[cfg(feature = "dual")]
 pub use dual::Dual;
 pub use field::{Field, Real};

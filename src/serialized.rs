@@ -77,17 +77,17 @@ impl<F: Float + Serialize> Serialize for Border<F> {
 impl<F: Float + Serialize> Serialize for SteadyState<F> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
-            map.serialize_entry("turns_per_cycle", &self.turns_per_cycle())?;
+            map.serialize_entry("turns_per_cycle", &self.turns_per_cycle)?;
             map.serialize_entry("sticks_per_cycle", &self.sticks_per_cycle)?;
             map.serialize_entry("velocity_zeros_per_cycle", &self.velocity_zeros_per_cycle)?;
-            map.serialize_entry("symmetric", &self.is_symmetric())?;
-            map.serialize_entry("stable", &self.is_stable())?;
+            map.serialize_entry("symmetric", &self.is_symmetric)?;
+            map.serialize_entry("stable", &(self.contraction() < F::int(1)))?;
             map.serialize_entry("multipliers", &self.multipliers)?;
             for (name, output) in Self::OUTPUTS {
                 map.serialize_entry(name, &output(self))?;
             }
             map.serialize_entry("periods", &self.periods)?;
-            map.serialize_entry("state", &self.state())
+            map.serialize_entry("state", &self.state)
         })
     }
 }

@@ -1,6 +1,6 @@
 //! The kernels of the exact motion.
 
-use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
+use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::{Cycle, Ratios};
 
 /// The results by which steady states are compared.
@@ -38,7 +38,7 @@ pub(crate) fn steady_with_damping(omega: f64, alpha: f64, zeta: f64) -> [f64; 4]
 /// The exact steady state from the closed-form cycle.
 #[inline(never)]
 pub(crate) fn steady_from_cycle(cycle: &Cycle<f64>) -> [f64; 4] {
-    SteadyState::from_cycle(cycle).map_or([f64::NAN; 4], |motion| answer(&motion))
+    LongRun::try_from(cycle).map_or([f64::NAN; 4], |motion| answer(&motion))
 }
 
 /// Twenty slides from rest, which are ten periods if the motion does not stop.

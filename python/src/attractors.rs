@@ -2,13 +2,14 @@
 
 use crate::interrupt::{Stop, interruptible};
 use crate::motion::Start;
+use crate::motion::irregular;
 use crate::points::{Point, ratios};
 use crate::refused;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
-use stickslip::exact::{Attractor, Attractors, LongRun, Starts, State, SteadyState};
+use stickslip::exact::{Attractor, Attractors, LongRun, State, reach_of_starts, start_within};
 use stickslip::{Error, Ratios};
 
 /// Where the starts come from.
@@ -41,7 +42,7 @@ fn attractors_at<'py>(
     let dict = PyDict::new(py);
     dict.set_item("starts", found.of_start.len())?;
     dict.set_item("reach", reach)?;
-    dict.set_item("unsettled", found.unsettled())?;
+    dict.set_item("unsettled", found.of_start.iter().filter(|limit| limit.is_none()).count())?;
     dict.set_item("of_start", of_start.map(|n| n.unwrap_or(-1)).collect::<Vec<i64>>().into_pyarray(py))?;
     dict.set_item("attractors", list)?;
     Ok(dict)
@@ -51,15 +52,16 @@ fn attractors_at<'py>(
 fn states(ratios: Ratios<f64>, asked: Asked, reach: Option<f64>) -> PyResult<(Vec<State<f64>>, Option<f64>)> {
     match (asked, reach) {
         (Asked::Count(count), _) => {
-            let spread = match reach {
-                None => Starts::around(&ratios),
-                Some(reach) => Starts::within(reach)
-                    .ok_or_else(|| refused(format!("reach = {reach} must be > 0 and <= 2**40")))?,
+            let reach = reach.unwrap_or_else(|| reach_of_starts(&ratios));
+            let start = |number| {
+                start_within(reach, number)
+                    .ok_or_else(|| refused(format!("reach = {reach} must be > 0 and <= 2**40")))
             };
+            start(0)?;
             if !(1..=10_000_000).contains(&count) {
                 return Err(refused(format!("starts = {count} must be >= 1 and <= 10000000")));
             }
-            Ok(((0..count).map(|number| spread.get(number)).collect(), Some(spread.reach())))
+            Ok(((0..count).map(start).collect::<Result<_, _>>()?, Some(reach)))
         }
         (Asked::These(_), Some(reach)) => {
             Err(refused(format!("reach = {reach}: counts where starts is a number only; leave it out")))
@@ -92,7 +94,7 @@ fn row<'py>(
     starts: &[State<f64>],
 ) -> PyResult<Bound<'py, PyDict>> {
     let limit = &found.limit;
-    let (steady, irregular) = (limit.steady_state(), limit.irregular());
+    let (steady, irregular) = (limit.steady_state(), irregular(limit));
     let first = starts.get(found.first_start);
     let dict = PyDict::new(py);
     dict.set_item("attractor", place)?;
@@ -102,8 +104,8 @@ fn row<'py>(
     dict.set_item("first_x", first.map(|start| start.x))?;
     dict.set_item("first_v", first.map(|start| start.v))?;
     dict.set_item("mirror", found.mirror)?;
-    dict.set_item("symmetric", steady.map(SteadyState::is_symmetric))?;
-    dict.set_item("turns_per_cycle", steady.map(SteadyState::turns_per_cycle))?;
+    dict.set_item("symmetric", steady.map(|s| s.is_symmetric))?;
+    dict.set_item("turns_per_cycle", steady.map(|s| s.turns_per_cycle))?;
     dict.set_item("max_displacement", limit.extrema().map(|(_, most)| most))?;
     dict.set_item("min_displacement", limit.extrema().map(|(least, _)| least))?;
     dict.set_item("sticks_per_cycle", steady.map(|s| s.sticks_per_cycle))?;

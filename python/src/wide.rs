@@ -1,6 +1,7 @@
 //! Answers at any number of bits: decimal digits in, decimal digits out.
 
 use crate::interrupt::{Stop, interruptible};
+use crate::motion::{irregular, rest_position};
 use crate::refused;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
@@ -84,7 +85,7 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
-    if !ratios.has_higher_static_friction()
+    if ratios.static_friction_ratio() <= F::int(1)
         && let Ok(no_stop) = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
     {
         let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
@@ -112,7 +113,7 @@ fn steady<F: Float>(
         ("velocity_zeros_per_cycle", Cell::Count(steady.map(|s| s.velocity_zeros_per_cycle))),
         ("reversals_per_cycle", Cell::Count(seen.reversals)),
         ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
-        ("rest_position", digits(limit.rest_position())),
+        ("rest_position", digits(rest_position(&limit))),
         ("periods", digits(limit.periods())),
         ("error_1", digits(errors.map(|e| e.error_1))),
         ("error_2", digits(errors.map(|e| e.error_2))),
@@ -120,14 +121,14 @@ fn steady<F: Float>(
         ("error_4", digits(errors.map(|e| e.error_4))),
     ];
     cells.extend(SteadyState::OUTPUTS.map(|(name, value)| (name, digits(steady.map(value)))));
-    if ratios.has_higher_static_friction() {
-        let irregular = limit.irregular();
+    if ratios.static_friction_ratio() > F::int(1) {
+        let irregular = irregular(&limit);
         let (least, most) = limit.extrema().unzip();
         cells.extend([
             ("max_displacement", digits(most)),
             ("min_displacement", digits(least)),
-            ("turns_per_cycle", Cell::Count(steady.map(SteadyState::turns_per_cycle))),
-            ("symmetric", Cell::Flag(steady.map(SteadyState::is_symmetric))),
+            ("turns_per_cycle", Cell::Count(steady.map(|s| s.turns_per_cycle))),
+            ("symmetric", Cell::Flag(steady.map(|s| s.is_symmetric))),
             ("lyapunov_exponent", digits(irregular.map(|m| m.lyapunov_exponent))),
             ("lyapunov_exponent_error", digits(irregular.map(|m| m.lyapunov_exponent_error))),
         ]);

@@ -1,7 +1,7 @@
 //! The exact steady state at many points.
 
 use crate::error::Error;
-use crate::exact::{LongRun, State, SteadyState};
+use crate::exact::{LongRun, State};
 use crate::nonsticking::Cycle;
 use crate::ratios::Ratios;
 
@@ -12,7 +12,7 @@ use crate::ratios::Ratios;
 pub(crate) fn steady(omega: f64, alpha: f64) -> Result<LongRun<f64>, Error> {
     let ratios = Ratios::new(omega, alpha)?;
     if let Some(cycle) = Cycle::find(ratios)
-        && let Ok(found @ LongRun::Periodic(_)) = SteadyState::from_cycle(&cycle)
+        && let Ok(found @ LongRun::Periodic(_)) = LongRun::try_from(&cycle)
     {
         return Ok(found);
     }

@@ -68,7 +68,7 @@ impl<F: Float> LoopSize<F> {
 
     /// The loop size of an exact motion: A₁ = 2W/α², where W is the work against friction in units of r_y B.
     fn of_motion(steady: &SteadyState<F>, omega: F, alpha: F) -> Self {
-        let (x, v) = steady.distance();
+        let (x, v) = steady.distance;
         let work = steady.energy_out;
         let doubt = doubt_of_way(x.hypot(v * omega), omega, alpha, work);
         // Each end of a slide is rounded, and so is the sum.

@@ -6,7 +6,7 @@ use super::measures::CycleStatistics;
 use super::propagation::follow;
 use super::shooting::Budget;
 use super::state::Point;
-use super::{LongRun, State, SteadyState, Trajectory, errors_after};
+use super::{LongRun, State, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -46,7 +46,7 @@ fn the_distance_is_in_the_units_of_a_state() {
     for omega in [0.25f64, 0.7, 4.0] {
         let limit = LongRun::from_start(ratios(omega, 1.4), State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
-        let (x, v) = steady.distance();
+        let (x, v) = steady.distance;
         let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
         assert!(x == steady.distance.0 && close(v * omega, steady.distance.1), "{omega}");
     }
@@ -106,10 +106,9 @@ fn errors_after_some_cycles_are_those_from_there() {
 #[test]
 fn no_damper_takes_no_work() {
     let cycle = Cycle::new(ratios(0.7, 2.0)).unwrap();
-    for limit in [
-        SteadyState::from_cycle(&cycle).unwrap(),
-        LongRun::from_start(ratios(0.7, 2.0), State::default()).unwrap(),
-    ] {
+    for limit in
+        [LongRun::try_from(&cycle).unwrap(), LongRun::from_start(ratios(0.7, 2.0), State::default()).unwrap()]
+    {
         assert_eq!(limit.steady_state().map(|it| it.damper_work), Some(0.0));
     }
 }

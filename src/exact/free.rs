@@ -208,11 +208,13 @@ impl<F: Float> FreeDecay<F> {
         }
         self.first_time + self.turns * F::pi() / ((one - self.zeta) * (one + self.zeta)).sqrt()
     }
+}
 
-    /// The same motion segment by segment, by the machinery of the driven one: phases are ω_n t. A creep ends
-    /// when its velocity is rounding.
-    pub fn trajectory(&self) -> Trajectory<F> {
-        Trajectory::of(Equation::free(self.zeta, self.eta), self.start)
+/// The same motion segment by segment, by the machinery of the driven one: phases are ω_n t. A creep ends
+/// when its velocity is rounding.
+impl<F: Float> From<FreeDecay<F>> for Trajectory<F> {
+    fn from(decay: FreeDecay<F>) -> Self {
+        Self::of(Equation::free(decay.zeta, decay.eta), decay.start)
     }
 }
 

@@ -137,14 +137,15 @@ impl<F: Float> LongRun<F> {
     }
 }
 
-impl<F: Float> SteadyState<F> {
-    /// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold,
-    /// from half a cycle of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is
-    /// the cycle's own proof.
-    ///
-    /// # Errors
-    /// As for [`crate::exact::Trajectory::new`].
-    pub fn from_cycle(cycle: &Cycle<F>) -> Result<LongRun<F>, Error> {
+/// The exact motion that the closed forms of the non-sticking cycle lead to: validated where they hold, from
+/// half a cycle of the motion itself. That a motion so validated is nowhere faster than at ω_d t₁ is the
+/// cycle's own proof.
+///
+/// Errors are those of [`crate::exact::Trajectory::new`].
+impl<F: Float> TryFrom<&Cycle<F>> for LongRun<F> {
+    type Error = Error;
+
+    fn try_from(cycle: &Cycle<F>) -> Result<Self, Error> {
         let ratios = resolved(cycle.ratios)?;
         let equation = Equation::new(ratios);
         let is_family = family::is_one(ratios);
@@ -188,7 +189,7 @@ mod tests {
             let there = LongRun::shot(equation, at, hint, || Ok(None), Budget::of(2000)).unwrap();
             let there = there.steady_state().unwrap_or_else(|| panic!("{ratios:?}: {there:?}"));
             let size = 1.0 + here.max_displacement.value + here.max_velocity.value * omega;
-            let off = |s: &crate::exact::SteadyState<f64>| s.distance().0 + s.distance().1 * omega;
+            let off = |s: &crate::exact::SteadyState<f64>| s.distance.0 + s.distance.1 * omega;
             let room = off(here) + off(there) + 64.0 * f64::EPSILON * size * (1.0 + 1.0 / omega);
             for (a, b) in [
                 (here.max_displacement.value, there.max_displacement.value),

@@ -34,7 +34,7 @@ impl<F: Float> Orbit<F> {
         let mut y = Point { phase: DrivePhase::of_half_turn(0, F::int(0)), x, w: v * omega };
         let usual = F::pi() / omega;
         let mut states = Vec::new();
-        for _ in 0..steady.half_turns {
+        for _ in 0..steady.half_turns() {
             states.push(y);
             let (end, _) = follow(equation, y, 1, usual, &mut Budget::of(0), |_| Ok(()))?;
             y = Point { phase: y.phase, x: -end.x, w: -end.w };

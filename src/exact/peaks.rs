@@ -36,9 +36,9 @@ impl<F: Float> SteadyState<F> {
         let zero = F::int(0);
         let reach = self.max_displacement.value.abs().or_larger(self.min_displacement.value.abs());
         let mut peaks = Peaks { acceleration: zero, transmitted_force: zero, absolute_displacement: zero };
-        let start = self.state();
+        let start = self.state;
         let phases = Trajectory::of(self.equation, start);
-        let cycle = TAU * f64::from(self.turns_per_cycle());
+        let cycle = TAU * f64::from(self.turns_per_cycle);
         for phase in phases {
             let phase = phase?;
             if phase.start().phase.since(start.phase).to_f64() >= cycle {
@@ -181,7 +181,7 @@ mod tests {
             let peaks = steady.peaks().unwrap();
             let (mut acceleration, mut force, mut absolute) = (0.0f64, 0.0f64, 0.0f64);
             let count = 100_000u32;
-            for i in Trajectory::new(ratios, steady.state()).unwrap().samples(count).unwrap().take(100_001) {
+            for i in Trajectory::new(ratios, steady.state).unwrap().samples(count).unwrap().take(100_001) {
                 let i = i.unwrap();
                 let drive = alpha * i.state.phase.reduced().sin();
                 let carried = i.state.x + i.friction + 2.0 * zeta * omega * i.state.v;

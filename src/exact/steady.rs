@@ -113,22 +113,38 @@ pub struct SteadyState<F> {
     /// The Floquet multipliers of the cycle, each (re, im): the factors of a small disturbance in one period.
     /// If the body stops, one is zero.
     pub multipliers: [(F, F); 2],
+    /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
+    /// the kinetic one.
+    pub turns_per_cycle: u32,
+    /// Whether each half of a cycle is the mirror image of the other: always, except for members of a family
+    /// at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The mirror image of an
+    /// asymmetric motion is a motion, too.
+    pub is_symmetric: bool,
+    /// A state on the motion, from which [`crate::exact::Trajectory::new`] follows it.
+    pub state: State<F>,
+    /// Estimated distance of the motion found from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
+    /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
+    /// half-turn map at that state.
+    ///
+    /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
+    /// computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n)
+    /// to within rounding, the limit is the closed form, and the estimate is rounding.
+    pub distance: (F, F),
     /// Periods of the drive that were followed to find it.
     pub periods: F,
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
-    /// The number of half turns after which the state repeats, mirrored if the number is odd.
-    pub(crate) half_turns: u32,
-    pub(crate) distance: (F, F),
 }
 
 /// A periodic motion as it was found.
 pub(crate) struct Found<F> {
     pub(crate) equation: Equation<F>,
     pub(crate) start: Point<F>,
+    /// The number of half turns after which the state repeats, mirrored if the number is odd.
     pub(crate) half_turns: u32,
     pub(crate) statistics: Summary<F>,
     pub(crate) multipliers: [(F, F); 2],
+    /// (x, w), where w = Ω x′.
     pub(crate) distance: (F, F),
     pub(crate) periods: F,
 }
@@ -136,7 +152,8 @@ pub(crate) struct Found<F> {
 impl<F: Float> SteadyState<F> {
     #[inline]
     pub(crate) fn of(found: Found<F>) -> Self {
-        let statistics = found.statistics;
+        let (statistics, start, omega) = (found.statistics, found.start, found.equation.omega);
+        let is_symmetric = found.half_turns % 2 == 1;
         Self {
             max_displacement: statistics.max_x,
             min_displacement: statistics.min_x,
@@ -149,55 +166,27 @@ impl<F: Float> SteadyState<F> {
             energy_out: statistics.energy_out,
             damper_work: statistics.damper_work,
             multipliers: found.multipliers,
+            turns_per_cycle: if is_symmetric { found.half_turns } else { found.half_turns / 2 },
+            is_symmetric,
+            state: State { phase: start.phase, x: start.x, v: start.w / omega },
+            distance: (found.distance.0, found.distance.1 / omega),
             periods: found.periods,
             equation: found.equation,
-            start: found.start,
-            half_turns: found.half_turns,
-            distance: found.distance,
+            start,
         }
     }
 
-    /// Turns of the drive in a cycle of the motion: 1, except for some motions with a static friction above
-    /// the kinetic one.
-    pub fn turns_per_cycle(&self) -> u32 {
-        if self.half_turns % 2 == 1 { self.half_turns } else { self.half_turns / 2 }
+    /// The number of half turns after which the state repeats, mirrored if the number is odd.
+    pub(crate) const fn half_turns(&self) -> u32 {
+        if self.is_symmetric { self.turns_per_cycle } else { self.turns_per_cycle.saturating_mul(2) }
     }
 
-    /// Whether each half of a cycle is the mirror image of the other: always, except for members of a family
-    /// at Ω = 1/(2n) and some motions with a static friction above the kinetic one. The mirror image of an
-    /// asymmetric motion is a motion, too.
-    pub const fn is_symmetric(&self) -> bool {
-        self.half_turns % 2 == 1
-    }
-
-    /// Whether its neighbours approach it: both multipliers are within the unit circle. Every limit of a
-    /// motion is stable; a search for periodic motions ([`super::periodic_motions()`]) also finds unstable
-    /// ones.
-    pub fn is_stable(&self) -> bool {
-        self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
-    }
-
-    /// Contraction per cycle: the modulus of the larger multiplier.
+    /// Contraction per cycle: the modulus of the larger multiplier. Below 1 the neighbours approach the motion;
+    /// every limit of a motion is stable, and a search for periodic motions ([`super::periodic_motions()`])
+    /// also finds unstable ones.
     pub fn contraction(&self) -> F {
         let [(a, b), (c, d)] = self.multipliers;
         a.hypot(b).or_larger(c.hypot(d))
-    }
-
-    /// Estimated distance of the motion found from the limit, (x/B, x′/(Bω_d)) at [`SteadyState::state`]:
-    /// the residual of half a turn and its rounding, multiplied by `|(1 + M)⁻¹|`, M the derivative of the
-    /// half-turn map at that state.
-    ///
-    /// This is no proven bound, because the map is curved and has kinks. In 27,557 pairs of starts the
-    /// computed motions were never further apart than 0.78 of the sum of their estimates. Where Ω is 1/(2n)
-    /// to within rounding, the limit is the closed form, and the estimate is rounding.
-    pub fn distance(&self) -> (F, F) {
-        let (x, w) = self.distance;
-        (x, w / self.equation.omega)
-    }
-
-    /// A state on the motion, from which [`crate::exact::Trajectory::new`] follows it.
-    pub fn state(&self) -> State<F> {
-        State { phase: self.start.phase, x: self.start.x, v: self.start.w / self.equation.omega }
     }
 
     /// The paper's error measures, over one cycle that is followed for this purpose, with both halves
@@ -206,7 +195,7 @@ impl<F: Float> SteadyState<F> {
     /// # Errors
     /// [`Error::SearchBound`].
     pub fn errors(&self) -> Result<ErrorMeasures<F>, Error> {
-        error_measures(self.equation, &self.start, self.turns_per_cycle())
+        error_measures(self.equation, &self.start, self.turns_per_cycle)
     }
 }
 

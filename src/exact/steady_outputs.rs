@@ -32,6 +32,6 @@ impl<F: Float> SteadyState<F> {
         ("energy_out", |s| s.energy_out),
         ("damper_work", |s| s.damper_work),
         ("contraction", |s| s.contraction()),
-        ("distance", |s| s.distance().0),
+        ("distance", |s| s.distance.0),
     ];
 }

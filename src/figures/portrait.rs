@@ -1,7 +1,7 @@
 //! Motions in the phase plane.
 
 use super::{Axis, Figure, Panel, Series, Style};
-use crate::exact::{Instant, Kind, LongRun, State, SteadyState, Trajectory};
+use crate::exact::{Instant, Kind, LongRun, State, Trajectory};
 use crate::{Cycle, Ratios};
 
 /// A motion without stops, with the points of figure 2, and one that sticks, each with its transient from
@@ -30,7 +30,7 @@ pub(super) fn two_motions() -> Figure {
 
 fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f64)) -> Panel {
     let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default()));
-    let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(SteadyState::state));
+    let steady = limit.as_ref().ok().and_then(|l| l.steady_state().map(|s| s.state));
     let phases = steady.and_then(|state| Trajectory::new(Ratios::new(omega, alpha).ok()?, state).ok());
     let stops = phases
         .into_iter()
@@ -65,7 +65,7 @@ fn portrait(title: &str, omega: f64, alpha: f64, cycles: usize, (x, v): (f64, f6
 /// The steady state that the motion from rest reaches.
 pub(super) fn settled(omega: f64, alpha: f64) -> Option<State<f64>> {
     let limit = Ratios::new(omega, alpha).and_then(|r| LongRun::from_start(r, State::default())).ok()?;
-    limit.steady_state().map(SteadyState::state)
+    limit.steady_state().map(|s| s.state)
 }
 
 /// Some cycles of the motion from a start.

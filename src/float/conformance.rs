@@ -3,13 +3,13 @@
 //!
 //! A user's number type that breaks one of them gives wrong answers silently. If negative numbers compare in
 //! the wrong order, a maximum becomes a minimum; if π lacks a digit, angles are off at high frequencies.
-//! [`check`] finds such errors beforehand. `docs/number-types.md` is the guide.
+//! [`conformance`] finds such errors beforehand. `docs/number-types.md` is the guide.
 //!
 //! ```
 //! use stickslip::float::conformance;
-//! conformance::check::<f64>()?;
-//! conformance::check::<f32>()?;
-//! # Ok::<(), stickslip::float::conformance::Broken>(())
+//! conformance::<f64>()?;
+//! conformance::<f32>()?;
+//! # Ok::<(), stickslip::float::Broken>(())
 //! ```
 //!
 //! No other type serves as a reference. The operations are compared with results that are known exactly: sums
@@ -44,7 +44,7 @@ pub struct Broken {
 /// # Errors
 /// [`Broken`]: the first method that breaks a promise, with its argument. The methods are checked in the
 /// order in which they build on each other, so that the first failure is the one to fix.
-pub fn check<F: Float>() -> Result<(), Broken> {
+pub fn conformance<F: Float>() -> Result<(), Broken> {
     operations::check::<F>()?;
     functions::check::<F>()
 }

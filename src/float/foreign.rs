@@ -10,13 +10,13 @@ use num_traits::{FloatConst, NumCast};
 ///
 /// `PRECISION` and `RATIO_EXPONENT` are the constants of [`Float`], for which num-traits has no names: the
 /// bits of the significand, and about a quarter of the largest exponent.
-/// [`conformance::check`](super::conformance::check) finds out whether they are right, and whether the type
+/// [`conformance`](super::conformance()) finds out whether they are right, and whether the type
 /// rounds as the formulae need.
 ///
 /// ```
 /// use stickslip::{Cycle, Ratios, float::Foreign};
 /// type Number = Foreign<f64, 53, 255>;
-/// stickslip::float::conformance::check::<Number>()?;
+/// stickslip::float::conformance::<Number>()?;
 /// let cycle = Cycle::new(Ratios::new(Foreign(1.5), Foreign(2.5))?)?;
 /// let found: Number = cycle.max_displacement;
 /// assert!((found.0 - 1.632993161855452).abs() < 1e-15);

@@ -28,7 +28,7 @@ pub struct Observed {
 /// a border near a pole and a few units in the last place elsewhere. There the borders decide, which are
 /// accurate to 8 and 64 units in the last place; a rounded border itself counts as non-sticking. The borders
 /// also decide where the motion has not settled, because the regime is that of its limit. This function and
-/// [`crate::regime()`] therefore agree.
+/// [`crate::Response::new`] therefore agree.
 ///
 /// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
 /// since other motions may coexist.
@@ -74,7 +74,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
 /// The border next to α, if the decisive quantity is below the accuracy of the motion.
 pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady: &SteadyState<F>) -> bool {
     let (omega, alpha) = (ratios.omega(), ratios.alpha());
-    let (x, v) = steady.distance();
+    let (x, v) = steady.distance;
     let known = F::int(16) * x.or_larger(v);
     let rounding = F::int(64) * F::epsilon() * alpha;
     let at_turn = omega.square() / (F::int(1) + omega.square());

@@ -20,8 +20,8 @@ impl<F: Float> Motion<F> {
         let LongRun::Periodic(steady) = LongRun::from_start(ratios, State::default()).ok()? else {
             return None;
         };
-        let (x, v) = steady.distance();
-        let half_map = half_map(ratios, steady.state());
+        let (x, v) = steady.distance;
+        let half_map = half_map(ratios, steady.state);
         Some(Self { steady, doubt: x.hypot(v * ratios.omega()), half_map })
     }
 }

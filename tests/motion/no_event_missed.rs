@@ -239,7 +239,7 @@ fn steady_states_are_counted(states: u64, span: f64, seed: u64) -> (u64, Vec<Str
         let ratios = Ratios::new(omega, alpha).unwrap();
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
         let Some(steady) = limit.steady_state() else { continue };
-        let state = steady.state();
+        let state = steady.state;
         let counted = sampled::counts(omega, alpha, (state.phase.reduced(), state.x, state.v * omega));
         compared += 1;
         if counted != (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle) {

@@ -1,7 +1,7 @@
 //! The verdict and the closed-form multipliers, compared with the exact motion.
 
 use crate::random::Random;
-use stickslip::exact::{LongRun, State, SteadyState};
+use stickslip::exact::{LongRun, State};
 use stickslip::{Border, Cycle, Ratios, Response, Verdict};
 
 fn verdict(omega: f64, alpha: f64) -> Verdict<f64> {
@@ -32,7 +32,7 @@ fn agrees(omega: f64, alpha: f64) -> Option<bool> {
 fn hidden(answer: &Response<f64>, motion: &LongRun<f64>) -> bool {
     let border = answer.border;
     let miss = (answer.ratios.alpha() - border.min_force_ratio).abs() * border.touching_phase.sin();
-    let (x, v) = motion.steady_state().map_or((0.0, 0.0), SteadyState::distance);
+    let (x, v) = motion.steady_state().map_or((0.0, 0.0), |s| s.distance);
     miss > 0.0 && miss < 16.0 * x.max(v)
 }
 
@@ -98,8 +98,8 @@ fn the_multipliers_are_those_of_the_motion() {
         let omega = random.scale(0.1, 10.0);
         let alpha = Border::new(omega).unwrap().min_force_ratio * random.scale(1.0001, 30.0);
         let Ok(cycle) = Cycle::new(Ratios::new(omega, alpha).unwrap()) else { continue };
-        let Ok(LongRun::Periodic(steady)) = SteadyState::from_cycle(&cycle) else { continue };
-        let closed = cycle.multipliers().cycle();
+        let Ok(LongRun::Periodic(steady)) = LongRun::try_from(&cycle) else { continue };
+        let closed = cycle.multipliers().cycle;
         seen[usize::from(closed[0].1 == 0.0)] += 1;
         let (mut a, mut b) = (closed, steady.multipliers);
         a.sort_by(|x, y| y.partial_cmp(x).unwrap());
@@ -118,7 +118,7 @@ fn the_multipliers_are_those_of_the_motion() {
         }
     }
     assert!(
-        (Cycle::new(Ratios::new(0.7, 2.0).unwrap()).unwrap().multipliers().contraction() - 0.261_820_7f64)
+        (Cycle::new(Ratios::new(0.7, 2.0).unwrap()).unwrap().multipliers().contraction - 0.261_820_7f64)
             .abs()
             < 1e-7
     );

@@ -21,7 +21,9 @@ fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
 fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
     let found =
         periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();
-    let is = |s: &SteadyState<F>| !s.is_stable() && (s.max_displacement.value.to_f64() - most).abs() < 1e-8;
+    let is = |s: &SteadyState<F>| {
+        s.contraction() >= F::int(1) && (s.max_displacement.value.to_f64() - most).abs() < 1e-8
+    };
     found.into_iter().find(is).unwrap_or_else(|| panic!("{machine:?}: none of {most}"))
 }
 
@@ -37,13 +39,13 @@ fn after<F: Float>(ratios: Ratios<F>, start: State<F>, half_turns: i64) -> State
 fn comes_back<F: Float>(machine: [f64; 4], turns: u32, seed: State<f64>, most: f64) {
     let start = State::new(F::int(0), F::from_f64(seed.x), F::from_f64(seed.v)).unwrap();
     let motion = unstable::<F>(machine, turns, start, most);
-    let (ratios, start) = (ratios::<F>(machine), motion.state());
-    let turns = i64::from(motion.turns_per_cycle());
+    let (ratios, start) = (ratios::<F>(machine), motion.state);
+    let turns = i64::from(motion.turns_per_cycle);
     let back = after(ratios, start, 2 * turns);
     let left = (back.x - start.x).hypot(back.v - start.v);
     let rounding = F::int(1 << 14) * F::epsilon();
     assert!(left < rounding, "{machine:?}: {} of {}", left.to_f64(), rounding.to_f64());
-    if motion.is_symmetric() {
+    if motion.is_symmetric {
         let half = after(ratios, start, turns);
         assert!((half.x + start.x).hypot(half.v + start.v) < rounding, "{machine:?}");
     }
@@ -80,10 +82,10 @@ fn unstable_motions_at_any_precision() {
             let start = State::new(0.0, part(0.754_878), part(0.569_841)).unwrap();
             let mut go_on = || ControlFlow::Continue(());
             let all = periodic_motions_from(ratios(machine), start, turns, &mut go_on).unwrap();
-            all.into_iter().find(|s| !s.is_stable() && (s.max_displacement.value - most).abs() < 1e-8)
+            all.into_iter().find(|s| s.contraction() >= 1.0 && (s.max_displacement.value - most).abs() < 1e-8)
         });
         let motion = found.unwrap_or_else(|| panic!("{machine:?}: none of {most}"));
-        let seed = motion.state();
+        let seed = motion.state;
         comes_back::<f64>(machine, turns, seed, most);
         comes_back::<Mp<2>>(machine, turns, seed, most);
         comes_back::<Mp<4>>(machine, turns, seed, most);
@@ -129,7 +131,7 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
         let all = periodic_motions(ratios, &starts, 2).unwrap();
         let found = attractors(ratios, &starts, 600).unwrap();
         for limit in found.limits {
-            let Some(steady) = limit.limit.steady_state().filter(|s| s.turns_per_cycle() <= 2) else {
+            let Some(steady) = limit.limit.steady_state().filter(|s| s.turns_per_cycle <= 2) else {
                 continue;
             };
             let is = |m: &PeriodicMotion<f64>| {
@@ -143,14 +145,9 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
                 println!("missed: {machine:?} {steady:?}");
             }
         }
-        for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| !s.is_stable()) {
+        for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| s.contraction() >= 1.0) {
             unstable += 1;
-            comes_back::<Mp<2>>(
-                machine,
-                motion.turns_per_cycle(),
-                motion.state(),
-                motion.max_displacement.value,
-            );
+            comes_back::<Mp<2>>(machine, motion.turns_per_cycle, motion.state, motion.max_displacement.value);
         }
     }
     (limits, missed, unstable)

@@ -3,8 +3,8 @@
 use super::octuple::Octuple;
 use ::f256::f256;
 use stickslip::float::Foreign;
-use stickslip::float::conformance::check;
-use stickslip::{Border, Cycle, Field, Float, Ratios, Real};
+use stickslip::float::conformance;
+use stickslip::{Border, Cycle, Field, Float, Output, Ratios, Real};
 use twofloat::TwoFloat;
 
 /// {Δ₀, V₀, ω_d t₂, ω_d t₁, α_min, A₁} at one point.
@@ -17,7 +17,7 @@ fn answers<F: Float>(omega: (i32, i32), alpha: (i32, i32)) -> [F; 6] {
         cycle.displacement_phase,
         cycle.velocity_phase,
         Border::new(ratios.omega()).unwrap().min_force_ratio,
-        cycle.loop_size_stiffness(),
+        Output::LoopSizeStiffness.of_cycle(&cycle).unwrap(),
     ]
 }
 
@@ -39,8 +39,8 @@ fn largest<F: Float>(of: impl Fn(F) -> Octuple) -> f64 {
 #[test]
 fn wrapped_doubles_are_doubles() {
     type Double = Foreign<f64, 53, 255>;
-    check::<Double>().unwrap();
-    check::<Foreign<f32, 24, 31>>().unwrap();
+    conformance::<Double>().unwrap();
+    conformance::<Foreign<f32, 24, 31>>().unwrap();
     for (omega, alpha) in POINTS {
         let (ours, theirs) = (answers::<Double>(omega, alpha), answers::<f64>(omega, alpha));
         for (ours, theirs) in ours.into_iter().zip(theirs) {
@@ -55,7 +55,7 @@ fn wrapped_doubles_are_doubles() {
 
 #[test]
 fn octuple_precision_is_reached_to_the_last_digits() {
-    check::<Octuple>().unwrap();
+    conformance::<Octuple>().unwrap();
     // The 39 digits that the documentation of another type states.
     let known = "1.65415227648207641780635849288984578644";
     let [_, velocity, ..] = answers::<Octuple>((3, 2), (5, 2));
@@ -76,7 +76,7 @@ fn octuple_precision_is_reached_to_the_last_digits() {
 #[test]
 fn a_double_double_is_refused_and_has_the_digits_of_a_double() {
     type Double = Foreign<TwoFloat, 106, 255>;
-    assert_eq!(check::<Double>().unwrap_err().method, "Float::PRECISION");
+    assert_eq!(conformance::<Double>().unwrap_err().method, "Float::PRECISION");
     let wide = |x: Double| Octuple::from_f64(x.0.hi()) + Octuple::from_f64(x.0.lo());
     let error = largest::<Double>(wide);
     assert!(error < 2f64.powi(-50) && error > 2f64.powi(-60), "{error:e}");

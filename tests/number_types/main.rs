@@ -6,28 +6,28 @@ mod foreign;
 mod octuple;
 
 use faulty::{FAULTS, Faulty};
-use stickslip::float::conformance::{Broken, check};
+use stickslip::float::{Broken, conformance};
 
 #[test]
 fn the_types_of_the_crate_keep_their_promises() {
-    check::<f64>().unwrap();
-    check::<f32>().unwrap();
-    check::<Faulty<0>>().unwrap();
+    conformance::<f64>().unwrap();
+    conformance::<f32>().unwrap();
+    conformance::<Faulty<0>>().unwrap();
     #[cfg(feature = "mp")]
     {
         use stickslip::float::Mp;
-        check::<Mp<1>>().unwrap();
-        check::<Mp<4>>().unwrap();
-        check::<Mp<16>>().unwrap();
+        conformance::<Mp<1>>().unwrap();
+        conformance::<Mp<4>>().unwrap();
+        conformance::<Mp<16>>().unwrap();
     }
     #[cfg(feature = "dual")]
-    check::<stickslip::float::Dual<2>>().unwrap();
+    conformance::<stickslip::float::Dual<2>>().unwrap();
 }
 
 /// The result of the check for the type with each fault.
 fn found() -> Vec<Result<(), Broken>> {
     macro_rules! each {
-        ($($n:literal)*) => { vec![$(check::<Faulty<$n>>()),*] };
+        ($($n:literal)*) => { vec![$(conformance::<Faulty<$n>>()),*] };
     }
     each! { 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20 21 22 23 24 25 26 27 28
     29 30 31 32 33 34 35 36 37 38 39 40 41 42 43 44 45 }

@@ -17,7 +17,7 @@ use others::Others;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyState};
+use stickslip::exact::{Attractor, Attractors, LongRun, State, SteadyState, reach_of_starts, start_within};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -79,17 +79,20 @@ impl<W: Write> Task for Run<'_, W> {
 
 /// The range of the starts.
 pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
-    let Some(text) = text else { return Ok(Spread::around(ratios).reach()) };
-    spread(input::number("--reach", text)?).map(|spread| spread.reach())
+    let Some(text) = text else { return Ok(reach_of_starts(ratios)) };
+    let reach = input::number("--reach", text)?;
+    start(0, reach).map(|_| reach)
 }
 
 /// The start with this number.
 pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
-    Ok(spread(reach)?.get(number))
+    start_within(reach, number)
+        .ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
 }
 
-fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
-    Spread::within(reach).ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
+/// How many starts had not settled.
+pub(crate) fn unsettled<F: Value>(all: &Attractors<F>) -> usize {
+    all.of_start.iter().filter(|limit| limit.is_none()).count()
 }
 
 /// The fraction of the starts that lead to a limit.
@@ -145,8 +148,8 @@ impl<F: Value> Row<'_, F> {
             ("first_x", Cell::Number(self.first.map(|s| s.x))),
             ("first_v", Cell::Number(self.first.map(|s| s.v))),
             ("mirror", Cell::Count(self.mirror.map(|number| number as u64))),
-            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric())))),
-            ("turns_per_cycle", count(SteadyState::turns_per_cycle)),
+            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric)))),
+            ("turns_per_cycle", count(|s| s.turns_per_cycle)),
             ("max_displacement", Cell::Number(self.extrema.map(|(_, most)| most))),
             ("min_displacement", Cell::Number(self.extrema.map(|(least, _)| least))),
             ("sticks_per_cycle", count(|it| it.sticks_per_cycle)),
@@ -199,7 +202,7 @@ impl<'a, F: Value> Answer<'a, F> {
                 .then(|| number(ratios.static_friction_ratio())),
             starts: all.of_start.len() as u64,
             reach: number(reach),
-            unsettled: all.unsettled() as u64,
+            unsettled: unsettled(all) as u64,
             attractors: rows,
             other_motions,
         }
@@ -218,8 +221,9 @@ fn text<F: Value>(
         n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
     };
     writeln!(out, "{}", style::verdict(&sentence))?;
-    if all.unsettled() > 0 {
-        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
+    let unsettled = unsettled(all);
+    if unsettled > 0 {
+        writeln!(out, "{unsettled} starts had not settled; allow more with --max-periods.")?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
@@ -243,8 +247,8 @@ fn text<F: Value>(
 
 /// The symmetry and the period of a motion, in words.
 pub(crate) fn shape<F: Value>(steady: &SteadyState<F>) -> String {
-    let symmetry = if steady.is_symmetric() { "Symmetric" } else { "Not symmetric" };
-    match steady.turns_per_cycle() {
+    let symmetry = if steady.is_symmetric { "Symmetric" } else { "Not symmetric" };
+    match steady.turns_per_cycle {
         1 => format!("{symmetry}, a cycle of one turn of the drive"),
         turns => format!("{symmetry}, a cycle of {turns} turns of the drive"),
     }

@@ -29,7 +29,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
             "motion-plot: there is no periodic motion to draw; stickslip steady says why".to_owned(),
         ));
     };
-    let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state())
+    let samples: Vec<Instant<f64>> = Trajectory::new(point.ratios, steady.state)
         .and_then(|motion| motion.samples(PER_CYCLE))
         .map_err(named)?
         .take((PER_CYCLE * CYCLES + 1) as usize)

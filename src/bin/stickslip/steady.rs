@@ -95,9 +95,9 @@ pub(crate) fn answer<F: Value>(
 fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let mut record = record.with_static_friction_ratio(ratios.static_friction_ratio());
     let steady = limit.steady_state();
-    let irregular = limit.irregular();
+    let irregular = if let LongRun::Irregular(motion) = limit { Some(motion) } else { None };
     let number = |value: fn(&Irregular<F>) -> F| Cell::Number(irregular.map(value));
-    let symmetric = steady.map_or("", |s| if s.is_symmetric() { "yes" } else { "no" });
+    let symmetric = steady.map_or("", |s| if s.is_symmetric { "yes" } else { "no" });
     let extrema = limit.extrema();
     for (name, cell) in &mut record.fields {
         match *name {
@@ -107,7 +107,7 @@ fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: 
         }
     }
     record.fields.extend([
-        ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle())))),
+        ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle)))),
         ("symmetric", Cell::Text(symmetric)),
         ("lyapunov_exponent", number(|m| m.lyapunov_exponent)),
         ("lyapunov_exponent_error", number(|m| m.lyapunov_exponent_error)),
@@ -127,6 +127,7 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
 /// All outputs of a steady state; the peaks only if requested.
 fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
+    let rest = if let LongRun::Rest(rest) = limit { Some(rest) } else { None };
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
     let errors = steady.map(SteadyState::errors).transpose()?;
@@ -159,8 +160,8 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
             ("energy_in", number(|s| s.energy_in)),
             ("energy_out", number(|s| s.energy_out)),
             ("multipliers", Cell::Pairs(steady.map(|it| it.multipliers))),
-            ("distance", number(|s| s.distance().0)),
-            ("rest_position", Cell::Number(limit.rest_position())),
+            ("distance", number(|s| s.distance.0)),
+            ("rest_position", Cell::Number(rest.map(|rest| rest.position))),
             ("periods", Cell::Number(limit.periods())),
             ("reversals_per_cycle", Cell::Count(seen.reversals.map(u64::from))),
             ("dynamic_amplification", Cell::Number(amplitude.map(|x| x / ratios.alpha()))),

@@ -31,7 +31,7 @@ fn the_way_of_a_motion_known_within_d() {
         let ratios = Ratios::new(omega, alpha).unwrap();
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
-        let from = steady.state();
+        let from = steady.state;
         let way = |x: f64, w: f64| {
             let start = State { x: from.x + x, v: from.v + w / omega, ..from };
             let samples = Trajectory::new(ratios, start).unwrap().samples(20_000).unwrap();
@@ -48,7 +48,7 @@ fn the_way_of_a_motion_known_within_d() {
             worst = worst.max(change / d);
         }
         let size = LoopSize::of_motion(steady, omega, alpha);
-        let (x, v) = steady.distance();
+        let (x, v) = steady.distance;
         let doubt = 2.0 / alpha / alpha * doubt_of_way(x.hypot(v * omega), omega, alpha, steady.energy_out);
         assert!(size.most - size.found >= doubt && doubt > 0.0 && size.most < size.found * (1.0 + 1e-11));
     }

@@ -60,7 +60,7 @@ pub(super) fn outline(ratios: Ratios<f64>) -> Result<Result<Outline, Unproved>, 
 
 fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, Unproved> {
     let stops = steady.sticks_per_cycle > 0;
-    let phases = Trajectory::new(ratios, steady.state()).map_err(|_| Unproved::NotPeriodic)?;
+    let phases = Trajectory::new(ratios, steady.state).map_err(|_| Unproved::NotPeriodic)?;
     let mut phases = phases.map_while(Result::ok);
     // The first slide that begins at rest; after a stop, if there are any.
     let mut last = phases.next().ok_or(Unproved::NotPeriodic)?;
@@ -72,7 +72,7 @@ fn of_steady(ratios: Ratios<f64>, steady: &SteadyState<f64>) -> Result<Outline, 
         }
         last = next;
     };
-    let (start, half_turns) = (first.start(), steady.half_turns);
+    let (start, half_turns) = (first.start(), steady.half_turns());
     let span = core::f64::consts::PI * f64::from(half_turns);
     let since = |phase: &Segment<f64>| phase.start().phase.since(start.phase);
     let mut outline =

@@ -53,7 +53,7 @@ impl<F: Float> Signature<F> {
         Ok(match limit {
             LongRun::Periodic(steady) => {
                 let (x, v) = at_zero(steady)?;
-                Self::Periodic { half_turns: steady.half_turns, x, v }
+                Self::Periodic { half_turns: steady.half_turns(), x, v }
             }
             LongRun::Family(member) => {
                 let sum = member.max_displacement.value + member.min_displacement.value;
@@ -81,7 +81,7 @@ impl<F: Float> Signature<F> {
 /// The state of a periodic motion at the next phase 2nπ, x/B and x′/(Bω_d). It is the same for any phase at
 /// which the motion was found; an odd half turn would give that of its mirror image.
 pub(crate) fn at_zero<F: Float>(steady: &SteadyState<F>) -> Result<(F, F), Error> {
-    let (start, zero) = (steady.state(), F::int(0));
+    let (start, zero) = (steady.state, F::int(0));
     let angle = start.phase.angle();
     if angle == zero && start.phase.is_even() {
         return Ok((start.x, start.v));

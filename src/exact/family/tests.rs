@@ -76,10 +76,10 @@ fn a_start_tends_to_where_the_motion_itself_does() {
                 };
                 let c = (found.max_displacement.value + found.min_displacement.value) / 2.0;
                 let at = format!("n = {n}, {times} times, start {i}: {found:?}");
-                let off = found.distance().0 + 1e-12 * amplitude;
+                let off = found.distance.0 + 1e-12 * amplitude;
                 assert!((found.max_displacement.value - c - amplitude).abs() <= off, "{at}");
                 assert!(c.abs() <= room + off && (c - (there.x - amplitude)).abs() <= off, "{there:?} {at}");
-                assert!(found.distance().0 < 1e-7 * amplitude && found.sticks_per_cycle == 0, "{at}");
+                assert!(found.distance.0 < 1e-7 * amplitude && found.sticks_per_cycle == 0, "{at}");
                 assert!(found.periods < 200.0, "{at}");
             }
         }
@@ -97,7 +97,7 @@ fn a_member_is_its_own_limit() {
                 let start = at_maximum(amplitude + c, 0.0);
                 let LongRun::Family(found) = limit(equation, start, 400) else { panic!("n = {n}, {i}") };
                 let (max, min) = (found.max_displacement.value, found.min_displacement.value);
-                let off = found.distance().0;
+                let off = found.distance.0;
                 assert!(
                     (max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off,
                     "{found:?}"
@@ -136,7 +136,7 @@ fn friction_that_can_hardly_be_seen() {
                 continue;
             };
             let (max, min) = (found.max_displacement.value, found.min_displacement.value);
-            let off = found.distance().0;
+            let off = found.distance.0;
             assert!((max - amplitude - c).abs() <= off && (min + amplitude - c).abs() <= off, "{found:?}");
             assert!((1e-16 * times..1e-14 * times).contains(&(off / amplitude)), "{off} {found:?}");
         }
@@ -153,7 +153,7 @@ fn outside_of_the_family_the_edge_is_the_limit() {
             let LongRun::Family(found) = limit(equation, start, 40_000) else { panic!("n = {n}") };
             let c = (found.max_displacement.value + found.min_displacement.value) / 2.0;
             assert!((c - side * room).abs() < 1e-9 * amplitude, "n = {n}: {c} for {room}");
-            let off = found.distance().0;
+            let off = found.distance.0;
             assert!(off < 0.1 * amplitude && found.periods < 400.0, "{off} {}", found.periods);
             // It has stuck all the time, and is as close as stated.
             let (there, _) = followed(equation, start, found.periods as u32);

@@ -25,11 +25,11 @@ fn from_rest(omega: f64, zeta: f64, eta: f64, alpha: f64) -> SteadyState<f64> {
 fn steady_states_of_an_independent_simulation() {
     let one = from_rest(0.8, 0.05, 1.25, 1.5);
     assert!((one.max_displacement.value - 2.145_852_589_9).abs() < 1e-10, "{one:?}");
-    assert_eq!((one.sticks_per_cycle, one.turns_per_cycle(), one.is_symmetric()), (0, 1, true));
+    assert_eq!((one.sticks_per_cycle, one.turns_per_cycle, one.is_symmetric), (0, 1, true));
     // The contraction is only 0.9957 in half a turn: after 3000 turns that simulation is at 6.136651306(05).
     let two = from_rest(0.45, 0.02, 1.4, 5.0);
     assert!((two.max_displacement.value - 6.136_651_306_02).abs() < 1e-10, "{two:?}");
-    assert_eq!((two.sticks_per_cycle, two.turns_per_cycle(), two.is_symmetric()), (2, 1, true));
+    assert_eq!((two.sticks_per_cycle, two.turns_per_cycle, two.is_symmetric), (2, 1, true));
 }
 
 /// Asymmetric motions, and one of three turns, from a grid of starts.
@@ -50,7 +50,7 @@ fn motions_of_an_independent_simulation() {
             let is = |e: &(f64, f64)| (found.0 - e.0).abs() < 1e-6 && (found.1 - e.1).abs() < 1e-6;
             let index = expected.iter().position(is).unwrap_or_else(|| panic!("{omega}: {steady:?}"));
             seen[index] = true;
-            assert_eq!((steady.turns_per_cycle(), steady.is_symmetric()), (turns, false), "{omega}");
+            assert_eq!((steady.turns_per_cycle, steady.is_symmetric), (turns, false), "{omega}");
         }
         assert!(seen.iter().all(|seen| *seen), "{omega}: {seen:?}");
     }
@@ -100,15 +100,15 @@ fn what_is_found_comes_back() {
     ] {
         let ratios = ratios(omega, zeta, eta, alpha);
         let steady = from_rest(omega, zeta, eta, alpha);
-        let turns = f64::from(steady.turns_per_cycle());
+        let turns = f64::from(steady.turns_per_cycle);
         let motion = |start| Trajectory::new(ratios, start).unwrap();
         let end = |start: State<f64>| {
-            let target = start.phase.later_by_half_turns(2 * i64::from(steady.turns_per_cycle()));
+            let target = start.phase.later_by_half_turns(2 * i64::from(steady.turns_per_cycle));
             let is_there = |end: State<f64>| target.since(end.phase) <= 0.0;
             let mut parts = motion(start).map(Result::unwrap);
             parts.find(|part| part.end().is_none_or(is_there)).unwrap().at(target).state
         };
-        let (start, back) = (steady.state(), end(steady.state()));
+        let (start, back) = (steady.state, end(steady.state));
         let close = |a: f64, b: f64| (a - b).abs() < 1e-11 * (1.0 + a.abs());
         assert!(close(back.x, start.x) && close(back.v, start.v), "{omega}: {start:?} {back:?}");
         let parts: Vec<_> = motion(start)
@@ -293,7 +293,7 @@ fn a_mirrored_start_has_the_mirrored_motion() {
             assert_eq!(a.multipliers, b.multipliers);
             // Both directions of a slide have peaks.
             assert_eq!(a.peaks().unwrap(), b.peaks().unwrap());
-            upside_down += usize::from(!a.is_symmetric());
+            upside_down += usize::from(!a.is_symmetric);
         }
     }
     assert!(upside_down > 10, "{upside_down}");

@@ -1,4 +1,5 @@
 use super::FreeDecay;
+use crate::exact::Trajectory;
 use crate::exact::{End, Kind};
 
 #[test]
@@ -18,7 +19,7 @@ fn the_closed_form_and_the_machinery_agree() {
     ];
     for (x, v) in starts {
         let decay = FreeDecay::new(x, v, 0.0, 1.0).unwrap();
-        let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
+        let phases: Vec<_> = Trajectory::from(decay).map(Result::unwrap).collect();
         let slides = phases.iter().filter(|p| p.kind != Kind::Stick).count() as u64;
         let last = phases.last().unwrap();
         assert_eq!(slides, decay.half_cycles, "({x}, {v})");
@@ -45,7 +46,7 @@ fn closed_form_and_machinery_agree_with_damping() {
             (900.0, 1.0),
         ] {
             let decay = FreeDecay::new(x, v, zeta, 1.0).unwrap();
-            let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
+            let phases: Vec<_> = Trajectory::from(decay).map(Result::unwrap).collect();
             let slides = phases.iter().filter(|p| p.kind != Kind::Stick).count() as u64;
             let last = phases.last().unwrap();
             assert_eq!(slides, decay.half_cycles, "({x}, {v}) ζ = {zeta}: {phases:?}");
@@ -68,7 +69,7 @@ fn closed_form_and_machinery_agree_with_static_friction() {
         for zeta in [0.0f64, 0.01, 0.2] {
             for eta in [1.0f64, 1.3, 2.5, 7.0] {
                 let decay = FreeDecay::new(x, v, zeta, eta).unwrap();
-                let phases: Vec<_> = decay.trajectory().map(Result::unwrap).collect();
+                let phases: Vec<_> = Trajectory::from(decay).map(Result::unwrap).collect();
                 let slides = phases.iter().filter(|p| p.kind != Kind::Stick).count() as u64;
                 let last = phases.last().unwrap();
                 assert_eq!(slides, decay.half_cycles, "({x}, {v}) ζ = {zeta}, η = {eta}");

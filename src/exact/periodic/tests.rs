@@ -28,19 +28,19 @@ fn unstable_motions_beside_the_limits() {
     for (ratios, turns, expected) in cases {
         let starts = starts(60, 10.0);
         let all = periodic_motions(ratios, &starts, turns).unwrap();
-        let unstable: Vec<_> = all.iter().filter(|m| !m.steady_state.is_stable()).collect();
+        let unstable: Vec<_> = all.iter().filter(|m| m.steady_state.contraction() >= 1.0).collect();
         assert_eq!(unstable.len(), expected.len(), "{ratios:?}: {unstable:#?}");
         for motion in unstable {
             let s = motion.steady_state;
             let (most, least) = (s.max_displacement.value, s.min_displacement.value);
             let is = |(half_turns, stops, a, b): &Unstable| {
                 let close = (most - a).abs() < 1e-8 && (least - b).abs() < 1e-8;
-                close && (s.half_turns, s.sticks_per_cycle) == (*half_turns, *stops)
+                close && (s.half_turns(), s.sticks_per_cycle) == (*half_turns, *stops)
             };
             assert!(expected.iter().any(is), "{s:?}");
-            assert_eq!(motion.mirror.is_some(), !s.is_symmetric());
+            assert_eq!(motion.mirror.is_some(), !s.is_symmetric);
             // No motion that starts close to it stays there.
-            let start = State { x: s.state().x + 1e-6, ..s.state() };
+            let start = State { x: s.state.x + 1e-6, ..s.state };
             match LongRun::from_start(ratios, start).unwrap() {
                 LongRun::Periodic(limit) => {
                     assert!((limit.max_displacement.value - most).abs() > 1e-3, "{limit:?}")
@@ -69,7 +69,7 @@ fn the_limits_are_among_them() {
         let limits = attractors(ratios, &starts, 1000).unwrap();
         let all = periodic_motions(ratios, &starts, turns).unwrap();
         let signature = |s| Signature::of(&LongRun::Periodic(s)).unwrap();
-        let stable = all.iter().map(|m| m.steady_state).filter(|s| s.is_stable());
+        let stable = all.iter().map(|m| m.steady_state).filter(|s| s.contraction() < 1.0);
         let mut seen: Vec<_> = stable.map(|s| limits.place_of(&signature(s))).collect();
         seen.sort_unstable();
         assert_eq!(seen, (0..limits.limits.len()).map(Some).collect::<Vec<_>>(), "{ratios:?}");

@@ -10,7 +10,7 @@ fn the_state_is_on_the_motion() {
         let ratios = Ratios::new(omega, alpha).unwrap();
         let found = LongRun::from_start(ratios, State::default()).unwrap();
         let steady: &SteadyState<f64> = found.steady_state().unwrap();
-        let start = steady.state();
+        let start = steady.state;
         let (mut most, mut fastest) = (0.0f64, 0.0f64);
         for sample in
             Trajectory::new(ratios, start).unwrap().samples(4000).unwrap().take(4001).map(Result::unwrap)

@@ -51,7 +51,7 @@ fn it_is_what_shooting_finds() {
         let here = *limit.steady_state().unwrap();
         let there = by_shooting(ratios).unwrap();
         let size = 1.0 + ratios.alpha();
-        let units = |s: &SteadyState<f64>| s.distance().0 + s.distance().1 * ratios.omega();
+        let units = |s: &SteadyState<f64>| s.distance.0 + s.distance.1 * ratios.omega();
         let room = units(&here) + units(&there) + 16.0 * f64::EPSILON * size;
         let close = |what: &str, a: f64, b: f64, times: f64| {
             assert!((a - b).abs() <= times * room, "{what} {a} {b} at {ratios:?}\n{here:?}\n{there:?}");

@@ -24,8 +24,8 @@ fn seen(all: &Attractors<f64>, like: &SymmetryBreak<f64>) -> (bool, usize) {
         let LongRun::Periodic(s) = limit.limit else { continue };
         let near = (s.max_displacement.value - like.motion.max_displacement.value).abs() < 0.5;
         let shape = s.sticks_per_cycle == like.motion.sticks_per_cycle;
-        symmetric |= s.is_symmetric() && s.turns_per_cycle() == 1 && near && shape;
-        others += usize::from(!s.is_symmetric());
+        symmetric |= s.is_symmetric && s.turns_per_cycle == 1 && near && shape;
+        others += usize::from(!s.is_symmetric);
     }
     (symmetric, others)
 }
@@ -48,7 +48,7 @@ fn symmetry_breaks_at_a_multiplier_of_minus_one() {
         for (one, expected) in found.iter().zip(expected) {
             assert!((one.alpha - expected).abs() < 1e-12 * 10.0 && one.loss == Loss::Multiplier, "{one:?}");
             let machine = Machine { ratios: ratios(omega, 0.02, eta, 2.0) };
-            let state = one.motion.state();
+            let state = one.motion.state;
             let y = crate::exact::state::Point { phase: state.phase, x: state.x, w: state.v * omega };
             let there = machine.symmetric(one.alpha, y).unwrap().unwrap();
             let (trace, determinant) = (there.derivative.trace(), there.derivative.determinant());

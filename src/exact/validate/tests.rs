@@ -34,7 +34,7 @@ fn it_is_what_newtons_method_finds() {
             assert!((a - b).abs() <= units * f64::EPSILON, "Ω = {omega}: {a} {b} {here:?} {there:?}");
         };
         let apart = |d: (f64, f64), e: (f64, f64)| (d.0 + d.1 + e.0 + e.1) / f64::EPSILON;
-        let units = apart(here.distance(), there.distance()) + 8.0 * size;
+        let units = apart(here.distance, there.distance) + 8.0 * size;
         close(here.max_displacement.value, there.max_displacement.value, units);
         close(here.min_displacement.value, there.min_displacement.value, units);
         close(here.max_velocity.value, there.max_velocity.value, units);

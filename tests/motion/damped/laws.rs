@@ -37,7 +37,7 @@ fn multipliers_are_off((omega, zeta, alpha): (f64, f64, f64)) -> f64 {
     let ratios = ratios(Wide::from(omega), Wide::from(zeta), Wide::from(alpha));
     let limit = LongRun::from_start(ratios, State::default()).unwrap();
     let steady = limit.steady_state().unwrap();
-    let state = steady.state();
+    let state = steady.state;
     let after = |dx: Wide, dv: Wide| {
         let start = State { x: state.x + dx, v: state.v + dv, ..state };
         let from = start.phase.half_turns() + 2;
@@ -115,7 +115,7 @@ fn every_start_has_the_same_limit() {
         .unwrap();
         let found = LongRun::from_start(ratios(omega, zeta, alpha), far).unwrap();
         let (a, b) = (from_rest(ratios(omega, zeta, alpha)), found.steady_state().unwrap().to_owned());
-        let off = a.distance().0 + b.distance().0 + (a.distance().1 + b.distance().1) * omega;
+        let off = a.distance.0 + b.distance.0 + (a.distance.1 + b.distance.1) * omega;
         let bound = 4.0 * off + 1e-13 * (1.0 + a.max_displacement.value);
         assert!(
             (a.max_displacement.value - b.max_displacement.value).abs() <= bound,
@@ -140,7 +140,7 @@ fn campaign_of_multipliers() {
     let mut worst = (0.0, (0.0, 0.0, 0.0));
     for _ in 0..2_000 {
         let (omega, zeta) = (random.scale(0.1, 10.0), random.scale(1e-3, 3.0));
-        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio.max(1.0);
+        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio.max(1.0);
         let at = (omega, zeta, least * random.scale(1.01, 10.0));
         let error = multipliers_are_off(at);
         worst = if error > worst.0 { (error, at) } else { worst };

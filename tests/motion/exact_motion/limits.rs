@@ -4,14 +4,14 @@ use super::{ratios, start, steady};
 use crate::random::Random;
 use std::ops::ControlFlow;
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::{Border, Cycle, Ratios, Regime};
+use stickslip::{Border, Cycle, Ratios, Regime, Response};
 
 #[test]
 fn one_limit_from_every_start_and_it_is_symmetric() {
     let mut random = Random(8);
     for _ in 0..2000 {
         let (omega, alpha) = (random.scale(0.02, 20.0), random.scale(1.01, 30.0));
-        let regime = stickslip::regime(omega, alpha).unwrap();
+        let regime = Response::new(Ratios::new(omega, alpha).unwrap()).regime;
         assert!(regime == Regime::Sticking || regime == Regime::NonSticking);
         let rest = steady(omega, alpha);
         let from = start(&mut random, omega, alpha);
@@ -82,7 +82,7 @@ fn a_family_keeps_what_the_start_gave_it() {
                 .skip(4000)
                 .take(2);
             let ends: Vec<f64> = late.map(|p| p.end().unwrap().x).collect();
-            let reach = 4.0 * s.distance().0.max(1e-10 * amplitude);
+            let reach = 4.0 * s.distance.0.max(1e-10 * amplitude);
             assert!((ends[0] + ends[1] - max - min).abs() < reach, "({omega}, {alpha}): {ends:?} {s:?}");
             offsets.push(offset);
         }
@@ -131,13 +131,13 @@ fn beside_a_family_the_limit_is_symmetric() {
             let from = State::new(0.4, x, 0.0).unwrap();
             for limit in [
                 LongRun::from_start(ratios(omega, alpha), from).unwrap(),
-                SteadyState::from_cycle(&cycle).unwrap(),
+                LongRun::try_from(&cycle).unwrap(),
             ] {
                 let LongRun::Periodic(s) = limit else { panic!("{omega} {alpha} {x}: {limit:?}") };
                 let size = cycle.max_displacement;
                 assert!((s.max_displacement.value / size - 1.0).abs() < 1e-13, "{omega}: {s:?}");
                 assert!((s.min_displacement.value / size + 1.0).abs() < 1e-13, "{omega}: {s:?}");
-                assert!(s.distance().0 < 1e-12 * size && s.periods < 100.0, "{omega}: {s:?}");
+                assert!(s.distance.0 < 1e-12 * size && s.periods < 100.0, "{omega}: {s:?}");
                 assert!((s.contraction() - 1.0).abs() < 1e-9, "{omega}: {s:?}");
             }
         }
@@ -169,7 +169,7 @@ fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
             let (sticks, zeros) = counts(&other);
             assert!(sticks <= zeros && f64::from(zeros) <= 16.0 + 4.0 / omega, "{other:?}");
             let known =
-                from_rest.distance().0 + other.distance().0 + from_rest.distance().1 + other.distance().1;
+                from_rest.distance.0 + other.distance.0 + from_rest.distance.1 + other.distance.1;
             let bound = 16.0 * known + 1e-13 * (1.0 + alpha) * from_rest.max_displacement.value;
             let far = (other.max_displacement.value - from_rest.max_displacement.value).abs();
             let fast = (other.max_velocity.value - from_rest.max_velocity.value).abs() * omega.min(1.0);

@@ -5,9 +5,10 @@ use crate::args::Curve;
 use crate::failure::Failure;
 use crate::input::Point;
 use crate::machine::transmitted;
+use crate::record::of_cycle;
 use stickslip::exact::{LongRun, State};
 use stickslip::units::Kind;
-use stickslip::{Error, Regime, Response};
+use stickslip::{Error, Output, Regime, Response};
 
 impl Asked {
     /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound.
@@ -29,11 +30,11 @@ impl Asked {
                 let of_cycle = match self.what {
                     Curve::Displacement => c.max_displacement,
                     Curve::Velocity => c.max_velocity,
-                    Curve::Acceleration => c.max_acceleration(),
+                    Curve::Acceleration => of_cycle(c, Output::MaxAcceleration),
                     Curve::Force | Curve::Transmissibility => {
-                        felt(c.transmitted_force(), c.max_acceleration())
+                        felt(of_cycle(c, Output::TransmittedForce), of_cycle(c, Output::MaxAcceleration))
                     }
-                    Curve::Absolute => c.max_absolute_displacement(),
+                    Curve::Absolute => of_cycle(c, Output::MaxAbsoluteDisplacement),
                 };
                 (Some(of_cycle), "non-sticking", false)
             }

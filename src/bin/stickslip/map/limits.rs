@@ -4,7 +4,7 @@ use crate::attractors::{reach, start};
 use crate::failure::Failure;
 use crate::starts::follow;
 use stickslip::Ratios;
-use stickslip::exact::{Attractors, LongRun, SteadyState};
+use stickslip::exact::{Attractors, LongRun};
 
 /// The number of starts for each point, which are those of `stickslip attractors`.
 pub(super) const STARTS: u64 = 16;
@@ -36,7 +36,7 @@ pub(super) fn of(ratios: Ratios<f64>) -> Result<&'static str, Failure> {
         (Some((_, found)), None) => {
             let limit = found.limit;
             let is_periodic = matches!(limit, LongRun::Periodic(_));
-            match limit.steady_state().filter(|_| is_periodic).map(SteadyState::is_symmetric) {
+            match limit.steady_state().filter(|_| is_periodic).map(|s| s.is_symmetric) {
                 Some(true) => ONE,
                 Some(false) => PAIR,
                 None => limit.name(),

@@ -85,14 +85,14 @@ pub(super) fn note<F: Value>(
 
 /// The starts that lead to the motion, and the properties of its cycle.
 fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
-    if !point.ratios.has_higher_static_friction() {
+    if point.ratios.static_friction_ratio() <= F::int(1) {
         return "One periodic motion, from every start.".to_owned();
     }
-    let cycle = match steady.turns_per_cycle() {
+    let cycle = match steady.turns_per_cycle {
         1 => String::new(),
         turns => format!(" A cycle takes {turns} turns of the drive."),
     };
-    let symmetry = if steady.is_symmetric() {
+    let symmetry = if steady.is_symmetric {
         ""
     } else {
         " It is not symmetric: its mirror image is a motion from other starts."
@@ -148,7 +148,7 @@ fn motion<F: Value>(
         writeln!(out, "  work against the damper  {}", work(steady.damper_work))?;
     }
     writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
-    let far = format!("{:.0e}", steady.distance().0.to_f64());
+    let far = format!("{:.0e}", steady.distance.0.to_f64());
     let periods = digits(steady.periods.to_f64());
     writeln!(out, "  found in {periods} periods, within {far} B of the limit")
 }
