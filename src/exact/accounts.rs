@@ -6,7 +6,8 @@ use super::measures::CycleStatistics;
 use super::propagation::follow;
 use super::shooting::Budget;
 use super::state::Point;
-use super::{LongRun, State, Trajectory, errors_after};
+use super::steady::{Found, Summary};
+use super::{LongRun, State, SteadyState, Trajectory, errors_after};
 use crate::{Cycle, Ratios};
 use std::f64::consts::{PI, TAU};
 use std::ops::ControlFlow;
@@ -46,9 +47,18 @@ fn the_distance_is_in_the_units_of_a_state() {
     for omega in [0.25f64, 0.7, 4.0] {
         let limit = LongRun::from_start(ratios(omega, 1.4), State::default()).unwrap();
         let steady = limit.steady_state().unwrap();
-        let (x, v) = steady.distance;
-        let close = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-14;
-        assert!(x == steady.distance.0 && close(v * omega, steady.distance.1), "{omega}");
+        let found = SteadyState::of(Found {
+            equation: steady.equation,
+            start: steady.start,
+            half_turns: 3,
+            statistics: Summary::of_reversals(steady.max_displacement, steady.max_velocity, 0.0, 0.0),
+            multipliers: steady.multipliers,
+            distance: (0.25, 0.5),
+            periods: 0.0,
+        });
+        assert_eq!(found.distance, (0.25, 0.5 / omega), "{omega}");
+        assert_eq!((found.state.x, found.state.v), (steady.start.x, steady.start.w / omega), "{omega}");
+        assert_eq!((found.turns_per_cycle, found.is_symmetric, found.half_turns()), (3, true, 3));
     }
 }
 

@@ -5,13 +5,6 @@
 //! the wrong order, a maximum becomes a minimum; if π lacks a digit, angles are off at high frequencies.
 //! [`conformance`] finds such errors beforehand. `docs/number-types.md` is the guide.
 //!
-//! ```
-//! use stickslip::float::conformance;
-//! conformance::<f64>()?;
-//! conformance::<f32>()?;
-//! # Ok::<(), stickslip::float::Broken>(())
-//! ```
-//!
 //! No other type serves as a reference. The operations are compared with results that are known exactly: sums
 //! and products of numbers such as 1 + i 2⁻ᵖ, and the remainder of a quotient or a root, which a fused
 //! operation gives without rounding. π is compared with integers of as many digits. The functions are
@@ -37,6 +30,13 @@ pub struct Broken {
 
 /// Checks that `F` keeps the promises of its traits: integers, order, rounding of the five operations and of
 /// the fused one, range, rounding to integers, conversions, π, circular and exponential functions, text.
+///
+/// ```
+/// use stickslip::float::conformance;
+/// conformance::<f64>()?;
+/// conformance::<f32>()?;
+/// # Ok::<(), stickslip::float::Broken>(())
+/// ```
 ///
 /// The check takes some milliseconds for f64. It is deterministic, so that a type that passes once always
 /// passes. It cannot detect an error at arguments that it does not try.

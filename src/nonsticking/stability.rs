@@ -126,6 +126,7 @@ pub struct Multipliers<F> {
     ///
     /// The first few cycles may do better or worse, the map being not normal.
     pub contraction: F,
+    #[cfg_attr(feature = "serde", serde(skip))]
     pair: MultiplierPair<F>,
 }
 

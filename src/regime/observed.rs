@@ -121,7 +121,7 @@ mod tests {
         let limit = LongRun::from_start(of(0.7, 3.0), State::default()).unwrap();
         let mut steady = *limit.steady_state().unwrap();
         for (x, v) in [(0.0, 0.0), (1e-9, 3e-10), (3e-10, 1e-9)] {
-            steady.distance = (x, v * 0.7);
+            steady.distance = (x, v);
             let known = 16.0 * f64::max(x, v);
             let true_border = Border::of(&of(0.7, 3.0));
             for (touching_phase, share) in [(0.0, 0.49 / 1.49), (0.3, 0.3f64.sin()), (-0.3, 0.3f64.sin())] {

@@ -6,7 +6,7 @@ mod ends;
 use super::random::Random;
 use std::f64::consts::PI;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float, Ratios, Response, Output};
+use stickslip::{Border, Cycle, Field, Float, Output, Ratios, Response};
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
     Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
@@ -33,7 +33,7 @@ fn answers<F: Float>(omega: F, zeta: F, alpha: F) -> Vec<(&'static str, F, F)> {
         sized("min_force_ratio_turning_point", border.turning_point),
         ("border_phase", border.touching_phase, phase(border.touching_phase)),
         sized("least_displacement", border.min_displacement),
-        sized("contraction", Output::Contraction.of_cycle(&c).unwrap()),
+        sized("contraction", Output::Contraction.of_cycle(c).unwrap()),
         sized("damper_work", c.damper_work()),
     ]
 }
@@ -157,7 +157,8 @@ fn the_cycle_is_the_motion_and_its_border_is_where_it_stops() {
     let mut random = Random(16);
     for _ in 0..150 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         let run = |over: f64, from: f64, half_turns: u32| {
             let c = cycle(omega, zeta, least * from);
             let machine = Machine { omega, zeta, alpha: least * over };
@@ -189,7 +190,8 @@ fn no_velocity_of_the_cycle_is_greater_or_negative() {
     let mut random = Random(17);
     for _ in 0..400 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         let c = cycle(omega, zeta, least * (1.0 + 10f64.powf(random.between(-9.0, 1.0))));
         let count = (300.0 / omega.min(1.0)) as u32;
         let mut greatest = 0.0f64;
@@ -214,7 +216,8 @@ fn what_the_drive_gives_friction_and_the_damper_take() {
     let mut random = Random(18);
     for _ in 0..2000 {
         let (omega, zeta) = plane(&mut random);
-        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         let alpha = least * (1.0 + 10f64.powf(random.between(-1.0, 2.0)));
         let c = cycle(omega, zeta, alpha);
         // ∮ α sin θ dx: the work is that of the first harmonic, the response to the drive and to the square

@@ -4,7 +4,7 @@ mod limits;
 
 use crate::random::Random;
 use stickslip::exact::{End, Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::{Border, Cycle, PhaseFunction, Ratios, Output};
+use stickslip::{Border, Cycle, Output, PhaseFunction, Ratios};
 
 fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()
@@ -71,7 +71,8 @@ fn condition(cycle: &Cycle<f64>) -> f64 {
     let k = PhaseFunction::new(omega).unwrap().value();
     let size = cycle.max_displacement + cycle.max_velocity + alpha / (1.0 + omega * omega);
     let own = alpha * alpha / ((alpha - k) * (alpha + k));
-    (1.0 + 1.0 / omega) * size / cycle.max_displacement / (1.0 - Output::Contraction.of_cycle(&cycle).unwrap()) + own
+    (1.0 + 1.0 / omega) * size / cycle.max_displacement / (1.0 - Output::Contraction.of_cycle(cycle).unwrap())
+        + own
 }
 
 #[test]

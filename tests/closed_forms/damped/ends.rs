@@ -4,7 +4,9 @@ use super::{plane, ratios};
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Drive, Error, Float, Oscillator, Regime, Response, Verdict, design, Output, Ratios};
+use stickslip::{
+    Border, Cycle, Drive, Error, Float, Oscillator, Output, Ratios, Regime, Response, Verdict, design,
+};
 
 #[test]
 fn resonance_is_bounded_and_places_are_decided() {
@@ -12,7 +14,8 @@ fn resonance_is_bounded_and_places_are_decided() {
     assert_eq!((at_one.regime, Verdict::new(at_one.ratios)), (Regime::NonSticking, Verdict::NonSticking));
     assert_eq!(Response::new(ratios(1.0, 0.0, 2.0)).regime, Regime::Unbounded);
     for (omega, zeta) in [(0.4, 0.05), (0.7, 0.3), (1.0, 1.0), (0.25, 1e-3)] {
-        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
         let verdict = |over: f64| Verdict::new(ratios(omega, zeta, least * over));
         assert_eq!(verdict(1.0), Verdict::Undecided(Regime::Sticking, Regime::NonSticking));
         assert_eq!((verdict(1.0 - 1e-13), verdict(1.0 + 1e-13)), (Verdict::Sticking, Verdict::NonSticking));
@@ -26,8 +29,15 @@ fn the_border_is_known_to_its_error_bound() {
     let mut random = Random(19);
     for _ in 0..3000 {
         let (omega, zeta) = plane(&mut random);
-        let narrow = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
-        let wide = Border::of(&Ratios::new(Mp::<3>::from(omega), Mp::from(1.0)).unwrap().with_damping_ratio(Mp::from(zeta)).unwrap()).min_force_ratio;
+        let narrow =
+            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let wide = Border::of(
+            &Ratios::new(Mp::<3>::from(omega), Mp::from(1.0))
+                .unwrap()
+                .with_damping_ratio(Mp::from(zeta))
+                .unwrap(),
+        )
+        .min_force_ratio;
         let error = ((Mp::<3>::from(narrow) - wide) / wide).to_f64().abs() / f64::EPSILON;
         assert!(error < f64::from(Verdict::<f64>::DAMPED_BORDER_ERROR), "{omega} {zeta}: {error}");
     }
@@ -105,10 +115,19 @@ fn the_ends_of_the_domain_have_finite_answers() {
             };
             let found = Response::new(ratios(omega, zeta, alpha));
             let c = found.cycle.as_ref().unwrap();
-            for x in [c.max_displacement, c.max_velocity, Output::Contraction.of_cycle(&c).unwrap(), c.damper_work()] {
+            for x in [
+                c.max_displacement,
+                c.max_velocity,
+                Output::Contraction.of_cycle(c).unwrap(),
+                c.damper_work(),
+            ] {
                 assert!(x.is_finite() && x >= 0.0, "{omega:e} {zeta:e} {alpha}: {x}");
             }
-            assert!(Output::Contraction.of_cycle(&c).unwrap() <= 1.0, "{omega:e} {zeta:e} {alpha}: {}", Output::Contraction.of_cycle(&c).unwrap());
+            assert!(
+                Output::Contraction.of_cycle(c).unwrap() <= 1.0,
+                "{omega:e} {zeta:e} {alpha}: {}",
+                Output::Contraction.of_cycle(c).unwrap()
+            );
         }
     }
 }

@@ -129,10 +129,9 @@ fn beside_a_family_the_limit_is_symmetric() {
         let cycle = Cycle::new(ratios(omega, alpha)).unwrap();
         for x in [0.0, 1.0, -30.0] {
             let from = State::new(0.4, x, 0.0).unwrap();
-            for limit in [
-                LongRun::from_start(ratios(omega, alpha), from).unwrap(),
-                LongRun::try_from(&cycle).unwrap(),
-            ] {
+            for limit in
+                [LongRun::from_start(ratios(omega, alpha), from).unwrap(), LongRun::try_from(&cycle).unwrap()]
+            {
                 let LongRun::Periodic(s) = limit else { panic!("{omega} {alpha} {x}: {limit:?}") };
                 let size = cycle.max_displacement;
                 assert!((s.max_displacement.value / size - 1.0).abs() < 1e-13, "{omega}: {s:?}");
@@ -168,8 +167,7 @@ fn starts_lead_elsewhere(starts: u64, seed: u64) -> Vec<String> {
             };
             let (sticks, zeros) = counts(&other);
             assert!(sticks <= zeros && f64::from(zeros) <= 16.0 + 4.0 / omega, "{other:?}");
-            let known =
-                from_rest.distance.0 + other.distance.0 + from_rest.distance.1 + other.distance.1;
+            let known = from_rest.distance.0 + other.distance.0 + from_rest.distance.1 + other.distance.1;
             let bound = 16.0 * known + 1e-13 * (1.0 + alpha) * from_rest.max_displacement.value;
             let far = (other.max_displacement.value - from_rest.max_displacement.value).abs();
             let fast = (other.max_velocity.value - from_rest.max_velocity.value).abs() * omega.min(1.0);
