@@ -241,7 +241,7 @@ impl Question for At<'_> {
         };
         let ball = alpha.ball::<W>();
         values.push((Output::Margin, Some(ball / border.min_force_ratio)));
-        let regime = self.regime(alpha, &ball, &border);
+        let regime = self.regime(alpha, &ball, &border, half.is_none() && angle.is_pole());
         let mut is_decided = regime.is_some();
         if regime == Some(Regime::NonSticking) {
             let wanted = |output| self.only.is_none_or(|only| only == output);
@@ -266,14 +266,20 @@ impl At<'_> {
     }
 
     /// The regime, where the balls do not overlap.
-    fn regime<const W: usize>(&self, alpha: &Known, ball: &Ball<W>, border: &Border<W>) -> Option<Regime> {
+    fn regime<const W: usize>(
+        &self,
+        alpha: &Known,
+        ball: &Ball<W>,
+        border: &Border<W>,
+        is_pole: bool,
+    ) -> Option<Regime> {
         if *alpha.high() <= 1 {
             return Some(Regime::Stuck);
         }
         if *alpha.low() <= 1 {
             return None;
         }
-        if ball.is_below(&border.min_force_ratio) {
+        if is_pole || ball.is_below(&border.min_force_ratio) {
             return Some(Regime::BelowBorder);
         }
         if !border.min_force_ratio.is_below(ball) {

@@ -6,6 +6,7 @@ use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::nonsticking::{best_force_ratio, best_loop_size};
 use crate::phase_function::{phase_function_beside_one, phase_function_of_tangent, tangent, turned};
+use core::cmp::Ordering;
 use rug::{Integer, Rational};
 
 /// The quantities that depend on Ω alone.
@@ -45,6 +46,12 @@ impl<const W: usize> Angle<W> {
         };
         let sin_cos = turned(quarter, remainder.sin_cos());
         Self { omega, known: known.clone(), quarter, remainder, one_minus_square, phase_function, sin_cos }
+    }
+
+    /// Whether Ω is exactly 1/(2n + 1), n ≥ 1, where K and the border are infinite.
+    pub(crate) fn is_pole(&self) -> bool {
+        let is_odd = self.quarter & 1 == 1 && self.remainder.sign() == Some(Ordering::Equal);
+        is_odd && *self.known.high() < 1
     }
 
     /// The force ratio of the largest loop (eq. 65).

@@ -60,6 +60,15 @@ fn the_closed_forms_with_their_error_bounds() {
             .starts_with("6.94973775590873527472295777499013999948596912741032010578658")
     );
     assert!(stdout("response --omega 0.5 --alpha 3 --enclose").starts_with("Undecided at 8256 bits"));
+    // At a pole the border is infinite.
+    let pole = stdout("response --omega 1/3 --alpha 1e9 --enclose");
+    assert!(
+        pole.starts_with("Below the border") && pole.contains("No output has a finite enclosure"),
+        "{pole}"
+    );
+    let resonant = "response --omega 1 --alpha 1.4 --enclose --static-friction-ratio";
+    assert!(stdout(&format!("{resonant} 1.5")).contains("other starts may lead to other motions"));
+    assert!(!stdout(&format!("{resonant} 1")).contains("other starts"));
 }
 
 #[test]

@@ -41,6 +41,27 @@ fn at_resonance_the_border_does_not_depend_on_static_friction() {
     }
 }
 
+/// At Ω = 1/(2n + 1) no force suffices for two reversals without a stop, except with a damper.
+#[test]
+fn at_a_pole_every_force_is_below_the_border() {
+    for omega in ["1/3", "0.2", "1/7"] {
+        for eta in ["1", "3"] {
+            for alpha in ["1.5", "1e6", "1e300"] {
+                assert_eq!(
+                    regime(omega, &text(alpha), "0", eta),
+                    Some(Regime::BelowBorder),
+                    "{omega} {alpha}"
+                );
+            }
+            assert_eq!(regime(omega, &text("1"), "0", eta), Some(Regime::Stuck));
+        }
+        assert_eq!(regime(omega, &text("1e6"), "0.1", "1"), Some(Regime::NonSticking), "{omega}");
+    }
+    for omega in ["0.5", "0.25", "1"] {
+        assert_ne!(regime(omega, &text("1e6"), "0", "1"), Some(Regime::BelowBorder), "{omega}");
+    }
+}
+
 /// Without damping the enclosure with static friction contains the border of each pair of ratios.
 #[test]
 fn the_border_with_static_friction_is_inside() {

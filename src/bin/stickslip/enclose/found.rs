@@ -104,7 +104,10 @@ impl Answer<'_> {
     fn text(&self, out: &mut impl Write) -> Outcome {
         let bits = self.found.bits;
         if self.has_regime {
-            let has_static_friction = self.typed.iter().any(|(name, _)| *name == "static_friction_ratio");
+            let has_static_friction = self
+                .typed
+                .iter()
+                .any(|(name, text)| *name == "static_friction_ratio" && text.parse() != Ok(1.0));
             let verdict = match self.found.regime {
                 Some(Regime::Stuck) => {
                     "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned()
@@ -140,6 +143,9 @@ impl Answer<'_> {
                 let unit = unit.map_or(String::new(), |unit| format!(" {unit}"));
                 writeln!(out, "  {:<31}{value}{unit}", output.name())?;
             }
+        }
+        if self.outputs.iter().all(|&output| self.found.get(output).is_none()) {
+            return Ok(writeln!(out, "No output has a finite enclosure; computed at {bits} bits.")?);
         }
         Ok(writeln!(out, "\nEach value lies within ± of the number printed; computed at {bits} bits.")?)
     }
