@@ -83,10 +83,10 @@ impl Known {
     /// The ratio, if it lies in its domain of [`crate::Ratios`].
     pub(crate) fn within(&self, quantity: Quantity, is_bounded_below: bool) -> Result<&Self, Error> {
         let greatest = Mp::<2>::exp2i(<f64 as Float>::RATIO_EXPONENT);
-        let least = Mp::int(1) / greatest;
+        let least = if is_bounded_below { Mp::int(1) / greatest } else { Mp::int(0) };
         for end in [&self.low, &self.high] {
             let x = positive(quantity, Mp::<2>::from_rational(end))?;
-            within(quantity, x, if is_bounded_below { least } else { x }, greatest)?;
+            within(quantity, x, least, greatest)?;
         }
         Ok(self)
     }
