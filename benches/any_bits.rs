@@ -13,7 +13,7 @@ use std::hint::black_box;
 use std::time::Instant;
 use stickslip::generators::{Machine, Point};
 use stickslip::{
-    Border, Cycle, Drive, Error, Oscillator, Output, PhaseFunction, Ratios, Regime, Response, Scales, design,
+    Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Ratios, Regime, Response, Scales, design,
 };
 
 #[path = "../tests/random/mod.rs"]
@@ -91,8 +91,7 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
     count.value(
         "regime",
         input,
-        Ratios::new(omega, alpha)
-            .map(|r| f64::from(u8::from(Response::new(r).regime == Regime::NonSticking))),
+        stickslip::regime(omega, alpha).map(|r| f64::from(u8::from(r == Regime::NonSticking))),
         Some(known && moved),
     );
     count.value("V₀ for", input, design::force_ratio_for_velocity(omega, 0.0, third), None);
@@ -109,14 +108,14 @@ fn closed_forms(count: &mut Count, input: [f64; 3]) {
         ("V₀", cycle.max_velocity),
         ("t₂", cycle.displacement_phase),
         ("t₁", cycle.velocity_phase),
-        ("A₁", Output::LoopSizeStiffness.of_cycle(cycle).unwrap()),
-        ("A₂", Output::LoopSizeInertia.of_cycle(cycle).unwrap()),
-        ("λ", Output::Contraction.of_cycle(cycle).unwrap()),
+        ("A₁", cycle.loop_size_stiffness()),
+        ("A₂", cycle.loop_size_inertia()),
+        ("λ", cycle.contraction()),
     ] {
         assert!(x >= 0.0, "{name} {input:?}: {x:e}");
         count.value(name, input, Ok(x), Some(true));
     }
-    count.value("Δ₁", input, Ok(Output::Deviation.of_cycle(cycle).unwrap()), Some(true));
+    count.value("Δ₁", input, Ok(cycle.deviation()), Some(true));
     let x = cycle.displacement_at(third);
     assert_eq!(x.is_nan(), !third.is_finite(), "x {input:?}");
     count.answered += 1;

@@ -11,7 +11,7 @@
 
 use std::io::Write;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float as _, Output, Ratios, Real as _};
+use stickslip::{Border, Cycle, Field, Float as _, Ratios, Real as _};
 
 /// A number with 231 digits.
 type Number = Mp<12>;
@@ -34,8 +34,7 @@ pub(crate) fn answer(out: &mut impl Write) -> Result<(), Box<dyn std::error::Err
             let cycle = Cycle::new(Ratios::new(omega, alpha)?)?;
             let reach = cycle.max_displacement;
             let scaled = reach * ((one - omega) * (one + omega)).abs();
-            let (off, settling) =
-                ((scaled / limit - one).abs(), one - Output::Contraction.of_cycle(&cycle).unwrap());
+            let (off, settling) = ((scaled / limit - one).abs(), one - cycle.contraction());
             writeln!(
                 out,
                 "{sign}1e{exponent:<6}  {:<13}  {:<27}  {}",

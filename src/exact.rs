@@ -36,7 +36,7 @@
 //! | `family`, `rest` | limits that are not unique: Ω = 1/(2n), α ≤ 1 |
 //! | `followed` | the limit of one start, where η > 1 |
 //! | `period_map` | m half turns with their derivative, and Newton's method for what they bring back |
-//! | [`attractors()`], [`start_within`], [`reach_of_starts`] | all limits that a set of starts leads to, and starts for it |
+//! | [`attractors()`], [`Starts`] | all limits that a set of starts leads to, and starts for it |
 //! | [`periodic_motions()`] | periodic motions that Newton's method finds, unstable ones among them |
 //!
 //! `Ω` must be within [2⁻²⁰, 2²⁰] here, and a phase within 2⁵² half turns.
@@ -100,7 +100,7 @@ pub use measures::{ErrorMeasures, Extreme};
 pub use peaks::Peaks;
 pub use periodic::{PeriodicMotion, periodic_motions};
 pub use samples::Samples;
-pub use starts::{reach_of_starts, start_within};
+pub use starts::Starts;
 pub use state::{Instant, State};
 pub use steady::{SteadyState, errors_after};
 pub use symmetry::{Loss, SymmetryBreak, symmetry_breaks};

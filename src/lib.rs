@@ -54,7 +54,7 @@
 #![doc = include_str!("formulae/border.html")]
 //!
 //! The dissipation per cycle in units of the static energy, and the force ratio that maximises A₁
-//! ([`Output::LoopSizeStiffness`], [`Output::LoopSizeInertia`], [`Response::best_force_ratio`]):
+//! ([`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`], [`Response::best_force_ratio`]):
 //!
 #![doc = include_str!("formulae/dissipation.html")]
 #![doc = include_str!("formulae/best_force_ratio.html")]
@@ -73,18 +73,18 @@
 //! | c, r₊, r₋ | [`Oscillator`] | damping constant, friction by direction | |
 //! | p₀, u_g0, ω_d, p̄ | [`Drive`] | force amplitude, base amplitude, angular frequency, mean force | |
 //! | ω_n | [`Oscillator::natural_frequency`] | √(k/m) | |
-//! | B | [`Scales::length`] | r_y/k | length |
+//! | B | [`Oscillator::friction_displacement`] | r_y/k | length |
 //! | Ω, α | [`Ratios`] | ω_d/ω_n, p₀/r_y | 1 |
 //! | A | [`Ratios::forced_amplitude`] | p₀/(k(1 − Ω²)) | B |
 //! | T | in [`PhaseFunction`] | tan(π/2Ω) = sin π₁/(1 + cos π₁) | 1 |
 //! | K | [`PhaseFunction::value`] | (1 − Ω²) T/Ω | 1 |
 //! | Δ₀, ω_d t₂ | [`Cycle::max_displacement`], [`Cycle::displacement_phase`] | maximum displacement, its phase | B, rad |
 //! | V₀, ω_d t₁ | [`Cycle::max_velocity`], [`Cycle::velocity_phase`] | maximum velocity, its phase | Bω_d, rad |
-//! | Δ₁ | [`Output::Deviation`] | displacement at the maximum velocity | B |
+//! | Δ₁ | [`Cycle::deviation`] | displacement at the maximum velocity | B |
 //! | α_min | [`Border::min_force_ratio`] | minimum force ratio without sticking | 1 |
-//! | A₁, A₂ | [`Output::LoopSizeStiffness`], [`Output::LoopSizeInertia`] | loop per static energy | 1 |
+//! | A₁, A₂ | [`Cycle::loop_size_stiffness`], [`Cycle::loop_size_inertia`] | loop per static energy | 1 |
 //! | α*, A₁max | [`Response::best_force_ratio`], [`Response::best_loop_size`] | the largest loop | 1 |
-//! | λ | [`Output::Contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
+//! | λ | [`Cycle::contraction`], [`Cycle::multipliers`] | multipliers per half cycle, the largest | 1 |
 //! | τ* | [`Border::touching_phase`] | where the velocity first touches zero | rad |
 //!
 //! # Features
@@ -222,7 +222,7 @@ pub use oscillator::{Drive, Excitation, Oscillator, Scales};
 pub use output::{Output, UnknownOutput};
 pub use phase_function::PhaseFunction;
 pub use ratios::Ratios;
-pub use regime::{Family, NoStop, Regime, Stops, Verdict, no_stop_force_ratios, stops_per_cycle};
+pub use regime::{Family, NoStop, Regime, Stops, Verdict, no_stop_force_ratios, regime, stops_per_cycle};
 // The regime of an exact motion, as the command and the Python package report it.
 #[doc(hidden)]
 pub use regime::{Observed, observed};

@@ -9,7 +9,7 @@ pub use scales::Scales;
 
 use crate::error::{Error, Quantity};
 use crate::float::Float;
-use crate::ratios::{non_negative, one_friction, positive, valid_static_friction_ratio};
+use crate::ratios::{frequency_ratio, non_negative, one_friction, positive, valid_static_friction_ratio};
 
 /// A body of mass m on a spring of stiffness k, with a viscous damper c, on a surface whose friction is at
 /// most r_y.
@@ -50,6 +50,17 @@ impl<F: Float> Oscillator<F> {
             friction_offset: F::int(0),
             static_friction_ratio: F::int(1),
         })
+    }
+
+    /// The oscillator of given mass m and friction bound r_y whose frequency ratio is Ω when driven at
+    /// ω_d: `ω_n = ω_d/Ω`, `k = m ω_n²` (the way the paper's own examples are set up).
+    ///
+    /// # Errors
+    /// Where an argument is not finite or not > 0, or k is not.
+    pub fn tuned(mass: F, friction_bound: F, angular_frequency: F, omega: F) -> Result<Self, Error> {
+        let omega = frequency_ratio(omega)?;
+        let natural_frequency = positive(Quantity::AngularFrequency, angular_frequency)? / omega;
+        Self::new(mass, mass * natural_frequency.square(), friction_bound)
     }
 
     /// The same with a viscous damper: the force −c x′ on the body.
@@ -155,7 +166,7 @@ impl<F: Float> Oscillator<F> {
 
     /// Friction displacement `B = r_y/k` (eq. 6): the deflection at which the spring just overcomes
     /// friction.
-    pub(crate) fn friction_displacement(&self) -> F {
+    pub fn friction_displacement(&self) -> F {
         self.friction_bound / self.stiffness
     }
 }
@@ -168,7 +179,7 @@ mod tests {
 
     /// The paper's machine at a chosen Ω: m = 50 kN s²/m, r_y = 5 kN, ω_d = 2π rad/s.
     fn paper(omega: f64) -> Oscillator<f64> {
-        Oscillator::new(50.0, 50.0 * (std::f64::consts::TAU / omega).powi(2), 5.0).unwrap()
+        Oscillator::tuned(50.0, 5.0, std::f64::consts::TAU, omega).unwrap()
     }
 
     fn close(a: f64, b: f64) {
@@ -179,7 +190,7 @@ mod tests {
     fn ratios_and_physical_units_are_two_views() {
         let oscillator = paper(0.8);
         close(oscillator.natural_frequency(), std::f64::consts::TAU / 0.8);
-        let drive = Drive::force(12.5, 0.8 * oscillator.natural_frequency()).unwrap();
+        let drive = Drive::with_force_ratio(&oscillator, 2.5, 0.8 * oscillator.natural_frequency()).unwrap();
         close(drive.force_amplitude(&oscillator), 12.5);
         close(drive.angular_frequency(), std::f64::consts::TAU);
         let back = drive.ratios(&oscillator).unwrap();

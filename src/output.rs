@@ -2,6 +2,7 @@
 //! parameters.
 
 use crate::float::{Field, Float};
+#[cfg(feature = "serde")]
 use crate::nonsticking::Cycle;
 use crate::nonsticking::dynamic_amplification;
 use crate::oscillator::Scales;
@@ -55,10 +56,9 @@ macro_rules! outputs {
                 }
             }
 
-            /// The dimensionless value of an output of a cycle; `None` for an output that does not belong to
-            /// the cycle alone.
-            #[inline]
-            pub fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
+            /// The value, if the output belongs to the cycle.
+            #[cfg(feature = "serde")]
+            pub(crate) fn of_cycle<F: Float>(self, cycle: &Cycle<F>) -> Option<F> {
                 match self {
                     $(Self::$output => outputs!(@of_cycle cycle, $from $from, $value),)*
                 }

@@ -84,14 +84,14 @@ impl<F: Float> Ratios<F> {
 
     /// Whether there is a damper, ζ > 0.
     #[inline]
-    pub(crate) fn is_damped(&self) -> bool {
+    pub fn is_damped(&self) -> bool {
         self.damping_ratio > F::int(0)
     }
 
     /// Whether the static friction is above the kinetic one, η > 1: the steady motion can then depend on the
     /// start.
     #[inline]
-    pub(crate) fn has_higher_static_friction(&self) -> bool {
+    pub fn has_higher_static_friction(&self) -> bool {
         self.static_friction_ratio > F::int(1)
     }
 

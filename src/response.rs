@@ -32,8 +32,7 @@ pub struct Response<F> {
     /// Loop size A₂ of the cycle (eq. 67), if there is one.
     pub loop_size_inertia: Option<F>,
     /// The force ratio of the largest loop A₁ at this Ω, `√2 |K|` (eq. 65), with damping `√(2Q(Q + qG))`, Q =
-    /// hypot(K, qG). It applies if it is not below the border; otherwise the best
-    /// non-sticking force ratio is the border itself.
+    /// hypot(K, qG). It applies if it is not below the border ([`Response::best_is_reached`]).
     pub best_force_ratio: F,
     /// The largest loop A₁ at this Ω (eq. 66); `None` at Ω = 1 and Ω = 1/(2n), where it is infinite.
     pub best_loop_size: Option<F>,
@@ -43,8 +42,7 @@ impl<F: Float> Response<F> {
     /// The answer at (Ω, α), which exists for all valid ratios.
     ///
     /// The regime is decided by comparing α with the rounded border: within a few units in the last place of
-    /// the border, either side may be named. The borders are those of [`crate::no_stop_force_ratios`], and
-    /// themselves count as non-sticking.
+    /// the border, either side may be named.
     ///
     /// **With a static friction above the kinetic one** (η > 1) the steady motion can depend on the start,
     /// and the regime states what the border alone guarantees. Non-sticking: the cycle without a stop exists,
@@ -150,6 +148,12 @@ impl<F: Float> Response<F> {
             (Regime::Stuck | Regime::Sticking | Regime::Unbounded, None) => None,
         }
     }
+
+    /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Otherwise the best non-sticking
+    /// force ratio is the border itself.
+    pub fn best_is_reached(&self) -> bool {
+        self.best_force_ratio >= self.border.min_force_ratio
+    }
 }
 
 /// The number, if it is not infinite.
@@ -187,7 +191,7 @@ impl<F: Float> Task for WithStaticFriction<F> {
 #[cfg(test)]
 mod tests {
     use super::Response;
-    use crate::{Cycle, Ratios, Regime};
+    use crate::{Cycle, Ratios, Regime, regime};
 
     #[test]
     fn each_regime_has_its_place() {
@@ -203,8 +207,9 @@ mod tests {
             (1e3, 1.9, Regime::NonSticking),
             (1e3, 1.8, Regime::Sticking),
         ] {
+            assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
             let response = Response::new(Ratios::new(omega, alpha).unwrap());
-            assert_eq!(response.regime, expected, "{omega} {alpha}");
+            assert_eq!(response.regime, expected);
             assert_eq!(response.cycle.as_ref().is_some(), expected == Regime::NonSticking);
             // Loop sizes are those of the cycle, and exist only with it.
             let of_cycle = |f: fn(&Cycle<f64>) -> f64| response.cycle.as_ref().map(f);
@@ -217,9 +222,8 @@ mod tests {
     fn the_optimum_counts_where_it_does_not_stick() {
         // Ω|T| ≥ 1 at Ω = 1.5 (T = √3) and not at 0.6 (T = −0.577).
         let at = |omega| Response::new(Ratios::new(omega, 3.0).unwrap());
-        let reached = |omega| at(omega).best_force_ratio >= at(omega).border.min_force_ratio;
-        assert!(reached(1.5));
-        assert!(!reached(0.6));
+        assert!(at(1.5).best_is_reached());
+        assert!(!at(0.6).best_is_reached());
         assert_eq!(at(0.5).best_loop_size, None);
         assert_eq!(at(1.0).best_loop_size, None);
     }

@@ -81,7 +81,7 @@ impl<F: Float + Serialize> Serialize for SteadyState<F> {
             map.serialize_entry("sticks_per_cycle", &self.sticks_per_cycle)?;
             map.serialize_entry("velocity_zeros_per_cycle", &self.velocity_zeros_per_cycle)?;
             map.serialize_entry("symmetric", &self.is_symmetric)?;
-            map.serialize_entry("stable", &(self.contraction() < F::int(1)))?;
+            map.serialize_entry("stable", &self.is_stable())?;
             map.serialize_entry("multipliers", &self.multipliers)?;
             for (name, output) in Self::OUTPUTS {
                 map.serialize_entry(name, &output(self))?;

@@ -2,7 +2,7 @@
 
 use stickslip::float::Task;
 use stickslip::nonsticking::Reversal;
-use stickslip::{Border, Cycle, Float, Output, PhaseFunction, Ratios, Response};
+use stickslip::{Border, Cycle, Float, PhaseFunction, Ratios, Response};
 
 /// {Δ₀, eq. 61, A₁}
 #[inline(never)]
@@ -32,8 +32,8 @@ pub(crate) fn cycle(omega: f64, alpha: f64) -> [f64; 6] {
             c.displacement_phase,
             c.max_velocity,
             c.velocity_phase,
-            Output::Deviation.of_cycle(&c).unwrap(),
-            Output::Contraction.of_cycle(&c).unwrap(),
+            c.deviation(),
+            c.contraction(),
         ],
         Err(_) => [f64::NAN; 6],
     }
@@ -72,12 +72,7 @@ pub(crate) fn damped(omega: f64, alpha: f64) -> [f64; 3] {
 #[inline(never)]
 pub(crate) fn five(omega: f64, alpha: f64) -> [f64; 4] {
     match Ratios::new(omega, alpha).and_then(Cycle::new) {
-        Ok(c) => [
-            c.max_displacement,
-            Output::LoopSizeStiffness.of_cycle(&c).unwrap(),
-            c.max_velocity,
-            c.velocity_phase,
-        ],
+        Ok(c) => [c.max_displacement, c.loop_size_stiffness(), c.max_velocity, c.velocity_phase],
         Err(_) => [f64::NAN; 4],
     }
 }

@@ -2,14 +2,13 @@
 
 use crate::interrupt::{Stop, interruptible};
 use crate::motion::Start;
-use crate::motion::irregular;
 use crate::points::{Point, ratios};
 use crate::refused;
 use numpy::IntoPyArray;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyList};
 use rayon::prelude::*;
-use stickslip::exact::{Attractor, Attractors, LongRun, State, reach_of_starts, start_within};
+use stickslip::exact::{Attractor, Attractors, LongRun, Starts, State};
 use stickslip::{Error, Ratios};
 
 /// Where the starts come from.
@@ -42,7 +41,7 @@ fn attractors_at<'py>(
     let dict = PyDict::new(py);
     dict.set_item("starts", found.of_start.len())?;
     dict.set_item("reach", reach)?;
-    dict.set_item("unsettled", found.of_start.iter().filter(|limit| limit.is_none()).count())?;
+    dict.set_item("unsettled", found.unsettled())?;
     dict.set_item("of_start", of_start.map(|n| n.unwrap_or(-1)).collect::<Vec<i64>>().into_pyarray(py))?;
     dict.set_item("attractors", list)?;
     Ok(dict)
@@ -52,16 +51,15 @@ fn attractors_at<'py>(
 fn states(ratios: Ratios<f64>, asked: Asked, reach: Option<f64>) -> PyResult<(Vec<State<f64>>, Option<f64>)> {
     match (asked, reach) {
         (Asked::Count(count), _) => {
-            let reach = reach.unwrap_or_else(|| reach_of_starts(&ratios));
-            let start = |number| {
-                start_within(reach, number)
-                    .ok_or_else(|| refused(format!("reach = {reach} must be > 0 and <= 2**40")))
+            let spread = match reach {
+                None => Starts::around(&ratios),
+                Some(reach) => Starts::within(reach)
+                    .ok_or_else(|| refused(format!("reach = {reach} must be > 0 and <= 2**40")))?,
             };
-            start(0)?;
             if !(1..=10_000_000).contains(&count) {
                 return Err(refused(format!("starts = {count} must be >= 1 and <= 10000000")));
             }
-            Ok(((0..count).map(start).collect::<Result<_, _>>()?, Some(reach)))
+            Ok(((0..count).map(|number| spread.get(number)).collect(), Some(spread.reach())))
         }
         (Asked::These(_), Some(reach)) => {
             Err(refused(format!("reach = {reach}: counts where starts is a number only; leave it out")))
@@ -94,7 +92,7 @@ fn row<'py>(
     starts: &[State<f64>],
 ) -> PyResult<Bound<'py, PyDict>> {
     let limit = &found.limit;
-    let (steady, irregular) = (limit.steady_state(), irregular(limit));
+    let (steady, irregular) = (limit.steady_state(), limit.irregular());
     let first = starts.get(found.first_start);
     let dict = PyDict::new(py);
     dict.set_item("attractor", place)?;

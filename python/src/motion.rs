@@ -10,9 +10,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use rayon::prelude::*;
 use stickslip::Error;
-use stickslip::exact::{
-    DEFAULT_BUDGET, End, FreeDecay, Irregular, Kind, LongRun, State, SteadyState, Trajectory,
-};
+use stickslip::exact::{DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Observed, observed};
 
 /// The most rows of a simulation: what fits into memory.
@@ -55,23 +53,14 @@ fn follow(
 /// A number of a limit, where it has it.
 type Number = fn(&LongRun<f64>) -> Option<f64>;
 
-/// The irregular motion, where the limit is one.
-pub(crate) const fn irregular<F>(limit: &LongRun<F>) -> Option<&Irregular<F>> {
-    if let LongRun::Irregular(motion) = limit { Some(motion) } else { None }
-}
-
-/// The place of rest, where the limit is one.
-pub(crate) const fn rest_position<F: Copy>(limit: &LongRun<F>) -> Option<F> {
-    if let LongRun::Rest(rest) = limit { Some(rest.position) } else { None }
-}
-
 /// The numbers of a limit beside those of its cycle.
-const NUMBERS: [(&str, Number); 2] = [("periods", |limit| limit.periods()), ("rest_position", rest_position)];
+const NUMBERS: [(&str, Number); 2] =
+    [("periods", |limit| limit.periods()), ("rest_position", |limit| limit.rest_position())];
 
 /// Those of a motion with a static friction above the kinetic one.
 const OF_STATIC_FRICTION: [(&str, Number); 2] = [
-    ("lyapunov_exponent", |limit| irregular(limit).map(|m| m.lyapunov_exponent)),
-    ("lyapunov_exponent_error", |limit| irregular(limit).map(|m| m.lyapunov_exponent_error)),
+    ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent)),
+    ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error)),
 ];
 
 /// A number of a cycle, or the extremes of an irregular motion.
@@ -125,7 +114,7 @@ fn steady_at<'py>(
     dict.set_item("reversals_per_cycle", found.seen.reversals)?;
     dict.set_item("turns_per_cycle", steady.map(|s| s.turns_per_cycle))?;
     dict.set_item("symmetric", steady.map(|s| s.is_symmetric))?;
-    dict.set_item("turns_observed", irregular(limit).map(|m| m.turns))?;
+    dict.set_item("turns_observed", limit.irregular().map(|m| m.turns))?;
     // The waves of a cycle under a slow drive are so many that their peaks take seconds.
     let peaks = match steady.copied() {
         Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
@@ -209,9 +198,9 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
         for (name, value) in OF_STATIC_FRICTION {
             table.number(name, numbers(&value));
         }
-        table.count("turns_per_cycle", of_cycle(|steady| steady.turns_per_cycle));
+        table.count("turns_per_cycle", of_cycle(|s| s.turns_per_cycle));
         table.count("symmetric", of_cycle(|steady| u32::from(steady.is_symmetric)));
-        table.count("turns_observed", counts(&|f| irregular(&f.limit).map(|m| m.turns)));
+        table.count("turns_observed", counts(&|f| f.limit.irregular().map(|m| m.turns)));
     }
     Ok(table)
 }

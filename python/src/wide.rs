@@ -1,7 +1,6 @@
 //! Answers at any number of bits: decimal digits in, decimal digits out.
 
 use crate::interrupt::{Stop, interruptible};
-use crate::motion::{irregular, rest_position};
 use crate::refused;
 use core::fmt::{Debug, Display, LowerExp};
 use core::str::FromStr;
@@ -85,7 +84,7 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
-    if ratios.static_friction_ratio() <= F::int(1)
+    if !ratios.has_higher_static_friction()
         && let Ok(no_stop) = no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
     {
         let ends = no_stop.intervals().map(|(low, high)| (low.to_string(), high.map(|x| x.to_string())));
@@ -113,7 +112,7 @@ fn steady<F: Float>(
         ("velocity_zeros_per_cycle", Cell::Count(steady.map(|s| s.velocity_zeros_per_cycle))),
         ("reversals_per_cycle", Cell::Count(seen.reversals)),
         ("multipliers", pairs.map_or(Cell::Digits(None), Cell::Pairs)),
-        ("rest_position", digits(rest_position(&limit))),
+        ("rest_position", digits(limit.rest_position())),
         ("periods", digits(limit.periods())),
         ("error_1", digits(errors.map(|e| e.error_1))),
         ("error_2", digits(errors.map(|e| e.error_2))),
@@ -121,8 +120,8 @@ fn steady<F: Float>(
         ("error_4", digits(errors.map(|e| e.error_4))),
     ];
     cells.extend(SteadyState::OUTPUTS.map(|(name, value)| (name, digits(steady.map(value)))));
-    if ratios.static_friction_ratio() > F::int(1) {
-        let irregular = irregular(&limit);
+    if ratios.has_higher_static_friction() {
+        let irregular = limit.irregular();
         let (least, most) = limit.extrema().unzip();
         cells.extend([
             ("max_displacement", digits(most)),

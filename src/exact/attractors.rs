@@ -99,6 +99,12 @@ impl<F: Float> Attractors<F> {
         Ok(all)
     }
 
+    /// How many starts had not settled.
+    #[must_use]
+    pub fn unsettled(&self) -> usize {
+        self.of_start.iter().filter(|place| place.is_none()).count()
+    }
+
     /// An empty list; [`Attractors::add`] fills it.
     #[doc(hidden)]
     pub const fn new() -> Self {

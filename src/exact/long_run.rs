@@ -102,16 +102,23 @@ impl<F: Float> LongRun<F> {
         }
     }
 
+    /// The place of rest, x/B; `None` for all other limits.
+    pub const fn rest_position(&self) -> Option<F> {
+        if let Self::Rest(rest) = self { Some(rest.position) } else { None }
+    }
+
+    /// The irregular motion, where it is one.
+    pub const fn irregular(&self) -> Option<&Irregular<F>> {
+        if let Self::Irregular(motion) = self { Some(motion) } else { None }
+    }
+
     /// The minimum and the maximum displacement x/B of a limit that moves: of a cycle, or of the turns of an
     /// irregular motion that were observed.
-    pub const fn extrema(&self) -> Option<(F, F)> {
-        match self {
-            Self::Irregular(motion) => Some((motion.min_displacement, motion.max_displacement)),
-            Self::Periodic(cycle) | Self::Family(cycle) => {
-                Some((cycle.min_displacement.value, cycle.max_displacement.value))
-            }
-            Self::Rest(_) | Self::Unbounded { .. } | Self::NotConverged { .. } => None,
-        }
+    pub fn extrema(&self) -> Option<(F, F)> {
+        let of_cycle =
+            |steady: &SteadyState<F>| (steady.min_displacement.value, steady.max_displacement.value);
+        let irregular = self.irregular().map(|motion| (motion.min_displacement, motion.max_displacement));
+        irregular.or_else(|| self.steady_state().map(of_cycle))
     }
 }
 

@@ -20,7 +20,7 @@ use core::ops::ControlFlow;
 #[non_exhaustive]
 #[must_use]
 pub struct PeriodicMotion<F> {
-    /// The motion; neighbours approach it where [`SteadyState::contraction`] is below 1.
+    /// The motion; [`SteadyState::is_stable`] says whether its neighbours approach it.
     pub steady_state: SteadyState<F>,
     /// The index of the mirror image among the motions found; `None` if the motion is symmetric, or if the
     /// search did not find its image.
@@ -90,7 +90,7 @@ impl<F: Float> Default for PeriodicMotions<F> {
 /// let starts = [(0.0, 0.0), (3.0, 0.0), (-5.0, 2.0)].map(|(x, v)| State::new(0.0, x, v));
 /// let starts: Vec<_> = starts.into_iter().collect::<Result<_, _>>()?;
 /// let all = periodic_motions(ratios, &starts, 1)?;
-/// assert!(all.iter().any(|motion| motion.steady_state.contraction() < 1.0));
+/// assert!(all.iter().any(|motion| motion.steady_state.is_stable()));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 ///

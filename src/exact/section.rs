@@ -77,7 +77,7 @@ pub(crate) fn fastest_point<F: Float>(equation: Equation<F>, cycle: &Cycle<F>) -
 /// A point of the six-reversal cycle half way from its third reversal to the next, and the natural time to
 /// that.
 pub(crate) fn on_six_reversals<F: Float>(equation: Equation<F>, cycle: &SixReversals<F>) -> (Point<F>, F) {
-    let [first, _, third] = cycle.reversal_phases;
+    let [first, _, third] = cycle.reversal_phases();
     let next = first + F::pi();
     let theta = (third + next) / F::int(2);
     let phase = DrivePhase::of_half_turn(0, F::int(0)).advanced(theta);

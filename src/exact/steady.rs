@@ -181,9 +181,14 @@ impl<F: Float> SteadyState<F> {
         if self.is_symmetric { self.turns_per_cycle } else { self.turns_per_cycle.saturating_mul(2) }
     }
 
-    /// Contraction per cycle: the modulus of the larger multiplier. Below 1 the neighbours approach the motion;
-    /// every limit of a motion is stable, and a search for periodic motions ([`super::periodic_motions()`])
-    /// also finds unstable ones.
+    /// Whether its neighbours approach it: both multipliers are within the unit circle. Every limit of a
+    /// motion is stable; a search for periodic motions ([`super::periodic_motions()`]) also finds unstable
+    /// ones.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|(re, im)| re.hypot(*im) < F::int(1))
+    }
+
+    /// Contraction per cycle: the modulus of the larger multiplier.
     pub fn contraction(&self) -> F {
         let [(a, b), (c, d)] = self.multipliers;
         a.hypot(b).or_larger(c.hypot(d))

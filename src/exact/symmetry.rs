@@ -204,7 +204,7 @@ pub fn symmetry_breaks<F: Float>(
         let alpha = step(i);
         let above = machine.all(alpha, &below)?;
         for (here, there) in [(&below, alpha), (&above, last)] {
-            for motion in here.iter().filter(|motion| motion.steady.contraction() < F::int(1)) {
+            for motion in here.iter().filter(|motion| motion.steady.is_stable()) {
                 breaks.extend(lost(&machine, motion, there)?);
             }
         }

@@ -11,7 +11,7 @@ fn at(omega: f64) -> Option<Response<f64>> {
 /// A value where the optimum of eq. 65 and 66 does not stick; NaN elsewhere.
 fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
-        let answer = at(omega).filter(|a| a.best_force_ratio >= a.border.min_force_ratio);
+        let answer = at(omega).filter(Response::best_is_reached);
         (omega, answer.as_ref().and_then(value).unwrap_or(f64::NAN))
     })
 }
@@ -19,7 +19,7 @@ fn where_reached(value: fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item
 /// A value where that optimum would stick, so that the border is the best choice; NaN elsewhere.
 fn where_not_reached(value: impl Fn(&Response<f64>) -> Option<f64>) -> impl Iterator<Item = (f64, f64)> {
     frequency_ratios().map(move |omega| {
-        let answer = at(omega).filter(|a| a.best_force_ratio < a.border.min_force_ratio);
+        let answer = at(omega).filter(|a| !a.best_is_reached());
         (omega, answer.as_ref().and_then(&value).unwrap_or(f64::NAN))
     })
 }

@@ -104,18 +104,20 @@ impl<F: Float> Border<F> {
         Ok(F::fused(Undamped { omega, eta }))
     }
 
-    /// [`Border::of`] at Ω and ζ.
-    pub(crate) fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
+    /// The border with viscous damping, at the frequency ratio Ω and the damping ratio ζ.
+    ///
+    /// Exact: every maximum of Den Hartog's condition is known (`src/nonsticking/damped/border.rs`). The
+    /// analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for ζ ≥ 1.
+    ///
+    /// # Errors
+    /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
+    pub fn with_damping(omega: F, damping_ratio: F) -> Result<Self, Error> {
         crate::Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio).map(|r| Self::of(&r))
     }
 
     /// The border at Ω, ζ and η of `ratios`; their α plays no part. With a static friction of η times the
     /// kinetic one the condition at the turning point is `Δ₀/B ≥ (η + G + 2ζΩH)/Ω² − G`, G = H = 0 without
     /// damping; inside the half cycle nothing changes.
-    ///
-    /// With viscous damping it is exact, too: every maximum of Den Hartog's condition is known
-    /// (`src/nonsticking/damped/border.rs`). The analogue of eq. 61 suffices for `Ω ≥ √(1 − ζ²)/2` and for
-    /// ζ ≥ 1.
     pub fn of(ratios: &crate::Ratios<F>) -> Self {
         if ratios.is_damped() {
             super::damped::border(&super::damped::half_period(ratios))

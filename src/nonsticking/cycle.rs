@@ -138,7 +138,7 @@ impl<F: Float> Cycle<F> {
 
     /// Deviation `Δ₁/B`: the displacement at the maximum velocity (eq. 47). Accuracy at f64: 4 ulp of
     /// max(|Δ₁/B|, V₀/(Bω_d)).
-    pub(crate) fn deviation(&self) -> F {
+    pub fn deviation(&self) -> F {
         match &self.motion {
             Motion::Undamped(cycle) => cycle.deviation(self.ratios.omega()),
             Motion::Damped(cycle) => cycle.deviation,
@@ -146,7 +146,7 @@ impl<F: Float> Cycle<F> {
     }
 
     /// Contraction per half cycle, max |λ|: the factor by which a small disturbance shrinks.
-    pub(crate) fn contraction(&self) -> F {
+    pub fn contraction(&self) -> F {
         match &self.motion {
             Motion::Undamped(cycle) => cycle.contraction(self.ratios.omega()),
             Motion::Damped(cycle) => cycle.contraction(),
@@ -159,12 +159,12 @@ impl<F: Float> Cycle<F> {
     }
 
     /// Loop size `A₁ = 8(Δ₀/B)/α²` (eq. 64). Accuracy at f64: 2 ulp.
-    pub(crate) fn loop_size_stiffness(&self) -> F {
+    pub fn loop_size_stiffness(&self) -> F {
         F::fused(LoopSizes(self)).0
     }
 
     /// Loop size `A₂ = Ω² A₁` (eq. 67). Accuracy at f64: 2 ulp.
-    pub(crate) fn loop_size_inertia(&self) -> F {
+    pub fn loop_size_inertia(&self) -> F {
         F::fused(LoopSizes(self)).1
     }
 

@@ -49,7 +49,7 @@ pub(crate) fn transmitted_force<R: Real>(max_displacement: R) -> R {
 impl<F: Float> Cycle<F> {
     /// Maximum transmitted force, in r_y: without damping `Δ₀/B + 1`; with damping the maximum of
     /// `|x + 2ζx′ + sgn x′|`, which includes the damper's force.
-    pub(crate) fn transmitted_force(&self) -> F {
+    pub fn transmitted_force(&self) -> F {
         match &self.motion {
             Motion::Undamped(_) => transmitted_force(self.max_displacement),
             Motion::Damped(cycle) => cycle.transmitted_force(),
@@ -60,7 +60,7 @@ impl<F: Float> Cycle<F> {
     /// otherwise it is the maximum over the half cycle.
     ///
     /// Accuracy at f64: 4 ulp without damping for Ω ≥ 1/2; otherwise 1e-13 of Δ₀/B + α/Ω².
-    pub(crate) fn max_acceleration(&self) -> F {
+    pub fn max_acceleration(&self) -> F {
         let omega = self.ratios.omega();
         match &self.motion {
             Motion::Damped(cycle) => cycle.max_acceleration() / omega.square(),
@@ -111,7 +111,7 @@ impl<F: Float> Cycle<F> {
     /// Without damping `y = x + u` has `y″ = −(x + 1)` on the half cycle with x′ > 0, where x increases.
     /// Hence y′ increases and then decreases, from −K/Ω² to K/Ω²; it has one zero, and y one extremum.
     /// Accuracy at f64: 1e-14 of Δ₀/B + α/Ω²; with damping 1e-13 of it.
-    pub(crate) fn max_absolute_displacement(&self) -> F {
+    pub fn max_absolute_displacement(&self) -> F {
         let omega = self.ratios.omega();
         let half = match &self.motion {
             Motion::Damped(cycle) => return cycle.max_absolute_displacement(),

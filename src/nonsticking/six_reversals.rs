@@ -101,22 +101,14 @@ fn is_between<F: Float>(omega: F, alpha: F) -> bool {
 /// use stickslip::{Ratios, nonsticking::SixReversals};
 /// let cycle = SixReversals::new(Ratios::new(0.331f64, 61.6)?).unwrap();
 /// // Around its maximum the body turns back, forth and back again.
-/// let [first, second, third] = cycle.reversal_phases;
+/// let [first, second, third] = cycle.reversal_phases();
 /// assert!(first < second && second < third);
 /// assert!(cycle.velocity_at(second).abs() < 1e-13);
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
-#[non_exhaustive]
 pub struct SixReversals<F> {
-    /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are
-    /// half a turn later.
-    ///
-    /// Between 0 and π, because the forced maximum is at π/2.
-    pub reversal_phases: [F; 3],
-    /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above 1, and 1 on an edge.
-    pub forces: [F; 3],
     ratios: Ratios<F>,
     unknowns: Unknowns<F>,
     /// With a damper.
@@ -141,7 +133,7 @@ impl<F: Float> SixReversals<F> {
         let force = ratios.forced_amplitude() * omega.square();
         let start = followed(frequency, force)?;
         let solved = newton::polished(omega, start, |y| y.residuals(&frequency, Closing::Force(force)));
-        solved.map(|unknowns| Self::of(ratios, unknowns, None))
+        solved.map(|unknowns| Self { ratios, unknowns, damped: None })
     }
 
     fn damped(ratios: Ratios<F>) -> Option<Self> {
@@ -151,18 +143,26 @@ impl<F: Float> SixReversals<F> {
         }
         let problem = damped::Problem::new(ratios.omega(), ratios.damping_ratio());
         let unknowns = damped::at_force(&problem, ratios.forced_amplitude() * ratios.omega().square())?;
-        Some(Self::of(ratios, unknowns, Some(problem)))
+        Some(Self { ratios, unknowns, damped: Some(problem) })
     }
 
-    fn of(ratios: Ratios<F>, unknowns: Unknowns<F>, damped: Option<damped::Problem<F>>) -> Self {
-        let (omega, y, zero) = (ratios.omega(), unknowns, [F::int(0); 3]);
-        let forces = match &damped {
-            Some(problem) => problem.forces(&y),
-            None => y.forces(omega),
+    /// The phases ω_d t of the three reversals around the maximum, increasing; those around the minimum are
+    /// half a turn later.
+    ///
+    /// Between 0 and π, because the forced maximum is at π/2.
+    pub fn reversal_phases(&self) -> [F; 3] {
+        let (omega, y) = (self.ratios.omega(), &self.unknowns);
+        let second = self.second_phase();
+        [second - omega * y.before, second, second + omega * y.after]
+    }
+
+    /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above 1, and 1 on an edge.
+    pub fn forces(&self) -> [F; 3] {
+        let forces = match &self.damped {
+            Some(problem) => problem.forces(&self.unknowns),
+            None => self.unknowns.forces(self.ratios.omega()),
         };
-        let cycle = Self { reversal_phases: zero, forces: forces.map(F::abs), ratios, unknowns, damped };
-        let second = cycle.second_phase();
-        Self { reversal_phases: [second - omega * y.before, second, second + omega * y.after], ..cycle }
+        forces.map(F::abs)
     }
 
     /// Displacement `x/B` at the phase ω_d t, finite.
@@ -290,7 +290,7 @@ mod tests {
                 let near = cycle.velocity_at(phase + h).signum() != cycle.velocity_at(phase - h).signum();
                 assert!(near || left.abs() < 1e-5 * size, "{omega} {alpha} {phase}: {left}");
             }
-            for reversal in cycle.reversal_phases {
+            for reversal in cycle.reversal_phases() {
                 assert!(cycle.velocity_at(reversal).abs() < 1e-13 * size, "{}", cycle.velocity_at(reversal));
             }
         }

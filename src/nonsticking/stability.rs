@@ -114,20 +114,9 @@ impl<F: Float> MultiplierPair<F> {
 /// The multipliers of a non-sticking cycle, in closed form.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-#[non_exhaustive]
 #[must_use]
 pub struct Multipliers<F> {
-    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the
-    /// one with im > 0 first; of two real ones the one of larger modulus is first.
-    pub half_cycle: [(F, F); 2],
-    /// Of a whole cycle: λ², in the same form.
-    pub cycle: [(F, F); 2],
-    /// The asymptotic contraction of a small disturbance per cycle: `max |λ|²`.
-    ///
-    /// The first few cycles may do better or worse, the map being not normal.
-    pub contraction: F,
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pair: MultiplierPair<F>,
+    half_cycle: MultiplierPair<F>,
 }
 
 impl<F: Float> Multipliers<F> {
@@ -159,23 +148,38 @@ impl<F: Float> Multipliers<F> {
             let smaller = if product < larger.square() { product / larger } else { larger };
             MultiplierPair::Real(larger, smaller)
         };
-        Self::of_half_cycle(half_cycle)
+        Self { half_cycle }
     }
 
     /// The multipliers of a known pair.
-    pub(super) fn of_half_cycle(pair: MultiplierPair<F>) -> Self {
-        Self {
-            half_cycle: pair.parts(),
-            cycle: pair.squared().parts(),
-            contraction: pair.modulus().square(),
-            pair,
-        }
+    pub(super) const fn of_half_cycle(half_cycle: MultiplierPair<F>) -> Self {
+        Self { half_cycle }
+    }
+
+    /// Of half a cycle, from one reversal to the next: λ, each (re, im). Two complex ones are conjugate, the
+    /// one with im > 0 first; of two real ones the one of larger modulus is first.
+    #[must_use]
+    pub fn half_cycle(&self) -> [(F, F); 2] {
+        self.half_cycle.parts()
+    }
+
+    /// Of a whole cycle: λ², in the same form.
+    #[must_use]
+    pub fn cycle(&self) -> [(F, F); 2] {
+        self.half_cycle.squared().parts()
     }
 
     /// λ, with its kind.
     #[cfg(any(test, feature = "matching"))]
     pub(crate) const fn pair(&self) -> MultiplierPair<F> {
-        self.pair
+        self.half_cycle
+    }
+
+    /// The asymptotic contraction of a small disturbance per cycle: `max |λ|²`.
+    ///
+    /// The first few cycles may do better or worse, the map being not normal.
+    pub fn contraction(&self) -> F {
+        self.half_cycle.modulus().square()
     }
 
     /// The least number of cycles after which a small disturbance is down to `tolerance` of itself, at the
@@ -188,7 +192,7 @@ impl<F: Float> Multipliers<F> {
         if tolerance >= one {
             return Some(0);
         }
-        let rate = self.contraction;
+        let rate = self.contraction();
         if rate >= one || tolerance <= F::int(0) {
             return None;
         }

@@ -28,7 +28,7 @@ pub struct Observed {
 /// a border near a pole and a few units in the last place elsewhere. There the borders decide, which are
 /// accurate to 8 and 64 units in the last place; a rounded border itself counts as non-sticking. The borders
 /// also decide where the motion has not settled, because the regime is that of its limit. This function and
-/// [`crate::Response::new`] therefore agree.
+/// [`crate::regime()`] therefore agree.
 ///
 /// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
 /// since other motions may coexist.

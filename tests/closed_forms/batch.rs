@@ -3,12 +3,7 @@
 
 use crate::random::Random;
 use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch, Level};
-use stickslip::{Border, Output, Ratios, Regime, Response};
-
-/// The regime at (Ω, α).
-fn regime(omega: f64, alpha: f64) -> Option<Regime> {
-    Ratios::new(omega, alpha).map(|ratios| Response::new(ratios).regime).ok()
-}
+use stickslip::{Border, Output, Ratios, Regime, Response, regime};
 
 /// Outputs that need no search of their own: those of the loops, and some that are computed point by point.
 const OUTPUTS: [Output; 13] = [
@@ -239,7 +234,7 @@ fn the_length_of_a_slice_does_not_matter() {
 #[test]
 fn the_regime_is_that_of_the_point() {
     let (omega, alpha) = points_and_others(6000);
-    let due: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| regime(omega, alpha)).collect();
+    let due: Vec<_> = omega.iter().zip(&alpha).map(|(&omega, &alpha)| regime(omega, alpha).ok()).collect();
     for level in levels() {
         assert!(answer(Batch::new().at_level(level), &omega, &alpha, &[]).regime == due, "{level:?}");
     }

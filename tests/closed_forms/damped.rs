@@ -6,7 +6,7 @@ mod ends;
 use super::random::Random;
 use std::f64::consts::PI;
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float, Output, Ratios, Response};
+use stickslip::{Border, Cycle, Field, Float, Ratios, Response};
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
     Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
@@ -22,18 +22,18 @@ fn answers<F: Float>(omega: F, zeta: F, alpha: F) -> Vec<(&'static str, F, F)> {
     let (border, c, one) = (found.border, found.cycle.as_ref().expect("non-sticking"), F::int(1));
     let phase = |x: F| if x > one { x } else { one };
     let sized = |name, x: F| (name, x, x);
-    let (speed, deviation) = (c.max_velocity, Output::Deviation.of_cycle(c).unwrap());
+    let speed = c.max_velocity;
     vec![
         sized("max_displacement", c.max_displacement),
         ("displacement_phase", c.displacement_phase, phase(c.displacement_phase)),
         sized("max_velocity", speed),
         ("velocity_phase", c.velocity_phase, phase(c.velocity_phase)),
-        ("deviation", deviation, if deviation.abs() > speed { deviation } else { speed }),
+        ("deviation", c.deviation(), if c.deviation().abs() > speed { c.deviation() } else { speed }),
         sized("min_force_ratio", border.min_force_ratio),
         sized("min_force_ratio_turning_point", border.turning_point),
         ("border_phase", border.touching_phase, phase(border.touching_phase)),
         sized("least_displacement", border.min_displacement),
-        sized("contraction", Output::Contraction.of_cycle(c).unwrap()),
+        sized("contraction", c.contraction()),
         sized("damper_work", c.damper_work()),
     ]
 }
@@ -157,8 +157,7 @@ fn the_cycle_is_the_motion_and_its_border_is_where_it_stops() {
     let mut random = Random(16);
     for _ in 0..150 {
         let (omega, zeta) = plane(&mut random);
-        let least =
-            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let run = |over: f64, from: f64, half_turns: u32| {
             let c = cycle(omega, zeta, least * from);
             let machine = Machine { omega, zeta, alpha: least * over };
@@ -190,8 +189,7 @@ fn no_velocity_of_the_cycle_is_greater_or_negative() {
     let mut random = Random(17);
     for _ in 0..400 {
         let (omega, zeta) = plane(&mut random);
-        let least =
-            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let c = cycle(omega, zeta, least * (1.0 + 10f64.powf(random.between(-9.0, 1.0))));
         let count = (300.0 / omega.min(1.0)) as u32;
         let mut greatest = 0.0f64;
@@ -207,7 +205,7 @@ fn no_velocity_of_the_cycle_is_greater_or_negative() {
         let close = |a: f64, b: f64| assert!((a - b).abs() < 1e-11 * c.max_velocity.max(c.max_displacement));
         close(at(c.displacement_phase).0, c.max_displacement);
         close(at(c.velocity_phase).1, c.max_velocity);
-        close(at(c.velocity_phase).0, Output::Deviation.of_cycle(&c).unwrap());
+        close(at(c.velocity_phase).0, c.deviation());
     }
 }
 
@@ -216,8 +214,7 @@ fn what_the_drive_gives_friction_and_the_damper_take() {
     let mut random = Random(18);
     for _ in 0..2000 {
         let (omega, zeta) = plane(&mut random);
-        let least =
-            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let alpha = least * (1.0 + 10f64.powf(random.between(-1.0, 2.0)));
         let c = cycle(omega, zeta, alpha);
         // ∮ α sin θ dx: the work is that of the first harmonic, the response to the drive and to the square
@@ -253,13 +250,13 @@ fn multipliers_are_those_of_the_differenced_map() {
         let slope = |a: (f64, f64), b: (f64, f64)| ((a.0 - b.0) / (2.0 * h), (a.1 - b.1) / (2.0 * h));
         let (by_t, by_x) = (slope(map(h, 0.0), map(-h, 0.0)), slope(map(0.0, h), map(0.0, -h)));
         let (trace, product) = (by_t.0 + by_x.1, by_t.0 * by_x.1 - by_t.1 * by_x.0);
-        let [(re, im), (other, _)] = c.multipliers().half_cycle;
+        let [(re, im), (other, _)] = c.multipliers().half_cycle();
         let found = (re + other, if im == 0.0 { re * other } else { re * re + im * im });
         assert!(
             (found.0 - trace).abs() < 1e-7 && (found.1 - product).abs() < 1e-7,
             "{omega} {zeta}: {found:?}"
         );
-        assert!((Output::Contraction.of_cycle(&c).unwrap() - re.hypot(im)).abs() < 1e-14);
+        assert!((c.contraction() - re.hypot(im)).abs() < 1e-14);
     }
 }
 
@@ -274,7 +271,7 @@ fn without_a_damper_in_the_limit() {
         close(a.displacement_phase, b.displacement_phase);
         close(a.max_velocity, b.max_velocity);
         close(a.velocity_phase, b.velocity_phase);
-        close(Output::Contraction.of_cycle(&a).unwrap(), Output::Contraction.of_cycle(&b).unwrap());
+        close(a.contraction(), b.contraction());
         close(damped.border.min_force_ratio, plain.border.min_force_ratio);
         close(damped.best_force_ratio, plain.best_force_ratio);
         close(damped.loop_size_inertia.unwrap(), plain.loop_size_inertia.unwrap());
@@ -284,8 +281,7 @@ fn without_a_damper_in_the_limit() {
 }
 
 fn size_exists(omega: f64, zeta: f64) -> bool {
-    let answer = Response::new(ratios(omega, zeta, 50.0));
-    answer.best_force_ratio >= answer.border.min_force_ratio
+    Response::new(ratios(omega, zeta, 50.0)).best_is_reached()
 }
 
 #[test]
@@ -301,7 +297,7 @@ fn no_force_ratio_makes_a_larger_loop() {
                 assert!(other.is_none_or(|a| a <= at_best * (1.0 + 1e-15)), "{omega} {zeta}");
             }
         } else {
-            assert!(found.best_force_ratio < found.border.min_force_ratio);
+            assert!(!found.best_is_reached());
         }
     }
     assert!(size_exists(1.5, 0.05));

@@ -5,14 +5,14 @@ use stickslip::design::{
     force_ratio_for_velocity, frequency_bands, most_dissipating_force_ratio,
     most_dissipating_frequency_ratio, most_dissipating_stiffness,
 };
-use stickslip::{Border, Cycle, Drive, Error, Oscillator, Output, Ratios};
+use stickslip::{Border, Cycle, Drive, Error, Oscillator, Ratios};
 
 fn all(alpha: f64, zeta: f64, low: f64, high: f64) -> Vec<Band<f64>> {
     bands(alpha, zeta, low, high).unwrap().collect::<Result<_, _>>().unwrap()
 }
 
 fn least(omega: f64, zeta: f64) -> f64 {
-    Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio
+    Border::with_damping(omega, zeta).unwrap().min_force_ratio
 }
 
 /// Compared with 200,000 values of the border: no point outside the bands slides, and none inside sticks.
@@ -85,7 +85,7 @@ fn the_border_is_above_its_proved_bound() {
 fn energy(mass: f64, stiffness: f64, friction: f64, damping: f64, drive: &Drive<f64>) -> f64 {
     let body = Oscillator::new(mass, stiffness, friction).unwrap().with_damping(damping).unwrap();
     let cycle = drive.ratios(&body).and_then(Cycle::new);
-    cycle.map_or(0.0, |c| 4.0 * friction * c.max_displacement * (body.friction_bound() / body.stiffness()))
+    cycle.map_or(0.0, |c| 4.0 * friction * c.max_displacement * body.friction_displacement())
 }
 
 #[test]
@@ -133,8 +133,7 @@ fn cycle(omega: f64, zeta: f64, alpha: f64) -> Cycle<f64> {
 fn a_target_is_reached() {
     for omega in [0.02, 0.21, 0.334, 0.4, 0.7, 1.0, 1.6, 20.0] {
         for zeta in [1e-9, 0.01, 0.2, 0.7, 1.0, 1.5, 8.0] {
-            let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap())
-                .min_force_ratio;
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
             for over in [1.0 + 1e-9, 1.2, 5.0, 1e4] {
                 let wanted = cycle(omega, zeta, least * over);
                 let by_velocity: f64 = force_ratio_for_velocity(omega, zeta, wanted.max_velocity).unwrap();
@@ -192,9 +191,8 @@ fn the_best_friction_is_the_best() {
     for omega in [0.3, 0.45, 0.7, 1.0, 1.4, 3.0] {
         for zeta in [0.001, 0.05, 0.3, 1.0, 2.0] {
             let best = most_dissipating_force_ratio(omega, zeta).unwrap();
-            let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap())
-                .min_force_ratio;
-            let at = |alpha: f64| Output::LoopSizeStiffness.of_cycle(&cycle(omega, zeta, alpha)).unwrap();
+            let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
+            let at = |alpha: f64| cycle(omega, zeta, alpha).loop_size_stiffness();
             assert!((at(best.at) / best.value - 1.0).abs() < 1e-12, "{omega} {zeta}: {best:?}");
             assert!(
                 (0..2000).all(|i| at(least * (1.0 + 0.003 * f64::from(i))) <= best.value * (1.0 + 1e-12))

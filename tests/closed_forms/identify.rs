@@ -28,7 +28,7 @@ fn coverage(trials: u32, seed: u64) -> (f64, f64) {
             let drive = Drive::force(12.0, angular_frequency).unwrap();
             let body = body(friction, zeta);
             let cycle = Cycle::new(drive.ratios(&body).unwrap()).unwrap();
-            let exact = cycle.max_displacement * (body.friction_bound() / body.stiffness());
+            let exact = cycle.max_displacement * body.friction_displacement();
             Measurement { angular_frequency, amplitude: exact * (1.0 + 0.01 * normal(random)), phase: None }
         };
         let curve: Vec<_> = (0..30).map(|i| measure(i, &mut random)).collect();

@@ -1,6 +1,6 @@
 //! The closed forms compared with values computed independently at 90 digits, from the doubles of Ω and α.
 
-use stickslip::{Float, Output, Ratios, Response};
+use stickslip::{Float, Ratios, Response};
 
 /// One row of `tests/data/points.csv`: 40 digits per value, empty where the value is infinite.
 struct Point {
@@ -35,7 +35,7 @@ pub(crate) fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Op
         ("displacement_phase", Some(cycle.displacement_phase)),
         ("max_velocity", Some(cycle.max_velocity)),
         ("velocity_phase", Some(cycle.velocity_phase)),
-        ("deviation", Some(Output::Deviation.of_cycle(cycle).unwrap())),
+        ("deviation", Some(cycle.deviation())),
         ("min_force_ratio", Some(border.min_force_ratio)),
         ("min_force_ratio_turning_point", Some(border.turning_point)),
         ("border_phase", Some(border.touching_phase)),
@@ -43,7 +43,7 @@ pub(crate) fn outputs<F: Float>(response: &Response<F>) -> Vec<(&'static str, Op
         ("loop_size_inertia", response.loop_size_inertia),
         ("best_force_ratio", Some(response.best_force_ratio)),
         ("best_loop_size", response.best_loop_size),
-        ("contraction", Some(Output::Contraction.of_cycle(cycle).unwrap())),
+        ("contraction", Some(cycle.contraction())),
     ]
 }
 
@@ -54,11 +54,7 @@ fn every_output_at_every_point_to_1e_13() {
     for Point { omega, alpha, values } in &points {
         let response = Response::new(Ratios::new(*omega, *alpha).unwrap());
         let cycle = response.cycle.unwrap();
-        let loops = [
-            Output::LoopSizeStiffness.of_cycle(&cycle).unwrap(),
-            Output::LoopSizeInertia.of_cycle(&cycle).unwrap(),
-        ]
-        .map(Some);
+        let loops = [cycle.loop_size_stiffness(), cycle.loop_size_inertia()].map(Some);
         assert_eq!(loops, [response.loop_size_stiffness, response.loop_size_inertia]);
         let answers = outputs(&response);
         assert_eq!(answers.len(), values.len(), "every column has its answer");

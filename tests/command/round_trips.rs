@@ -14,7 +14,7 @@ use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::generators::{Machine, Point, Start};
-use stickslip::{Drive, Oscillator, Output, Ratios, Response, Scales};
+use stickslip::{Drive, Oscillator, Ratios, Response, Scales};
 
 /// Random values of a type of `stickslip::generators`.
 fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
@@ -146,7 +146,7 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     let mut of_ratios = of_response(&response);
     if let (true, Some(cycle)) = (drive.excitation().moves_foot(), response.cycle.as_ref()) {
         // Foot and surface together carry the inertia m x″.
-        let (acceleration, omega) = (Output::MaxAcceleration.of_cycle(cycle).unwrap(), ratios.omega());
+        let (acceleration, omega) = (cycle.max_acceleration(), ratios.omega());
         let force = acceleration * (omega * omega);
         let felt = [
             ("transmitted_force", force),

@@ -2,12 +2,7 @@
 //! the fuzz target.
 
 use stickslip::batch::{Batch, Columns, FixedOmega, Level};
-use stickslip::{Output, Ratios, Regime, Response};
-
-/// The regime at (Ω, α).
-fn regime(omega: f64, alpha: f64) -> Option<Regime> {
-    Ratios::new(omega, alpha).map(|ratios| Response::new(ratios).regime).ok()
-}
+use stickslip::{Output, Ratios, Regime, Response, regime};
 
 /// The outputs of the loops, and one that is computed point by point.
 const OUTPUTS: [Output; 10] = [
@@ -97,7 +92,7 @@ struct Due {
 impl Due {
     fn of(points: &[(f64, f64)], offset: usize, length: usize) -> Self {
         let due = |&(omega, alpha): &(f64, f64)| {
-            let (regime, values) = (regime(omega, alpha), alone(omega, alpha));
+            let (regime, values) = (regime(omega, alpha).ok(), alone(omega, alpha));
             Point { omega, alpha, regime, values }
         };
         Self { points: points.iter().take(offset + length).map(due).collect(), offset, length }

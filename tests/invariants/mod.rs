@@ -5,8 +5,8 @@
 
 use stickslip::no_stop_force_ratios;
 use stickslip::{
-    Border, Cycle, Drive, Error, Oscillator, Output, PhaseFunction, Quantity, Ratios, Regime, Response,
-    Scales, Verdict, design,
+    Border, Cycle, Drive, Error, Oscillator, PhaseFunction, Quantity, Ratios, Regime, Response, Scales,
+    Verdict, design,
 };
 
 /// Checks all promises of the closed forms at (Ω, α), and the waveform at one phase.
@@ -67,10 +67,10 @@ pub(crate) fn damped_closed_forms(omega: f64, alpha: f64, zeta: f64, phase: f64)
         }
         Err(error) => return refused(&error, range.contains(&omega), alpha > 0.0 && alpha <= *range.end()),
     };
-    if ratios.damping_ratio() == 0.0 {
+    if !ratios.is_damped() {
         return closed_forms(omega, alpha, phase);
     }
-    let border = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap());
+    let border = Border::with_damping(omega, zeta).unwrap();
     let least = border.min_force_ratio;
     assert!(least >= border.turning_point && least > 0.0 && least.is_finite(), "α_min = {least:e}");
     // Proved: α_min ≥ 1/Ω² − 1, and the turning point suffices from half the damped frequency on.
@@ -106,12 +106,8 @@ fn damped_cycle(cycle: &Cycle<f64>, phase: f64) {
     for value in [cycle.displacement_phase, cycle.velocity_phase] {
         assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
     }
-    assert!(Output::Deviation.of_cycle(cycle).unwrap().is_finite());
-    assert!(
-        (0.0..=1.0 + 1e-15).contains(&Output::Contraction.of_cycle(cycle).unwrap()),
-        "λ = {:e}",
-        Output::Contraction.of_cycle(cycle).unwrap()
-    );
+    assert!(cycle.deviation().is_finite());
+    assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
     assert_eq!(x.is_nan(), !phase.is_finite());
     if phase.is_finite() {
@@ -186,25 +182,15 @@ fn cycle(cycle: &Cycle<f64>, phase: f64) {
     for value in [cycle.displacement_phase, cycle.velocity_phase] {
         assert!((0.0..std::f64::consts::TAU).contains(&value), "phase {value:e}");
     }
-    assert!(Output::Deviation.of_cycle(cycle).unwrap().is_finite());
-    assert!(
-        (0.0..=1.0 + 1e-15).contains(&Output::Contraction.of_cycle(cycle).unwrap()),
-        "λ = {:e}",
-        Output::Contraction.of_cycle(cycle).unwrap()
-    );
+    assert!(cycle.deviation().is_finite());
+    assert!((0.0..=1.0 + 1e-15).contains(&cycle.contraction()), "λ = {:e}", cycle.contraction());
     let multipliers = cycle.multipliers();
     let modulus = |[first, second]: [(f64, f64); 2]| first.0.hypot(first.1).max(second.0.hypot(second.1));
-    assert!(modulus(multipliers.cycle) <= 1.0 + 4e-15, "{multipliers:?}");
-    let [first, second] = multipliers.half_cycle;
+    assert!(modulus(multipliers.cycle()) <= 1.0 + 4e-15, "{multipliers:?}");
+    let [first, second] = multipliers.half_cycle();
     assert!(first.0.hypot(first.1) >= second.0.hypot(second.1), "{multipliers:?}");
-    assert!(
-        (modulus(multipliers.half_cycle) - Output::Contraction.of_cycle(cycle).unwrap()).abs() <= 1e-7,
-        "{multipliers:?}"
-    );
-    assert!(
-        Output::LoopSizeStiffness.of_cycle(cycle).unwrap() >= 0.0
-            && Output::LoopSizeInertia.of_cycle(cycle).unwrap() >= 0.0
-    );
+    assert!((modulus(multipliers.half_cycle()) - cycle.contraction()).abs() <= 1e-7, "{multipliers:?}");
+    assert!(cycle.loop_size_stiffness() >= 0.0 && cycle.loop_size_inertia() >= 0.0);
     let (x, v) = (cycle.displacement_at(phase), cycle.velocity_at(phase));
     assert_eq!(x.is_nan(), !phase.is_finite());
     if phase.is_finite() {

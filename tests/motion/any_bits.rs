@@ -7,8 +7,8 @@ use arbitrary::Unstructured;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
 use std::fmt::Debug;
+use stickslip::Border;
 use stickslip::generators::{DampingRatio, Machine, Point, Question, Start};
-use stickslip::{Border, Ratios};
 
 /// Inputs at which fuzzing found an error.
 #[test]
@@ -170,7 +170,7 @@ proptest! {
         phase in -700.0..700.0,
     ) {
         crate::invariants::damped_closed_forms(point.omega, point.alpha, zeta.0, phase);
-        if let Ok(border) = Ratios::new(point.omega, 1.0).and_then(|r| r.with_damping_ratio(zeta.0)).map(|r| Border::of(&r)) {
+        if let Ok(border) = Border::with_damping(point.omega, zeta.0) {
             let alpha = border.min_force_ratio * f64::exp2(over);
             crate::invariants::damped_closed_forms(point.omega, alpha, zeta.0, phase);
         }

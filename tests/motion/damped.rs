@@ -10,7 +10,7 @@ use crate::random::{Random, sampled};
 use std::f64::consts::{PI, TAU};
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::float::{Field, Float, Mp, Real};
-use stickslip::{Border, Cycle, Output, Ratios};
+use stickslip::{Border, Cycle, Ratios};
 
 fn ratios<F: Float>(omega: F, zeta: F, alpha: F) -> Ratios<F> {
     Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap()
@@ -205,8 +205,7 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
     for _ in 0..points {
         let [omega, zeta, _] = plane(&mut random);
         let omega = omega.clamp(1e-5, 1e6);
-        let least =
-            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         let alpha = least.max(1.0) * (1.0 + random.scale(1e-3, 10.0));
         let ratios = ratios(omega, zeta, alpha);
         let cycle = Cycle::new(ratios).unwrap();
@@ -231,7 +230,7 @@ fn closed_forms_are_the_limit(points: u64, seed: u64) -> u64 {
             // The spectral radius per cycle is the square of that per half cycle; a double root splits by the
             // square root of the rounding of the angle dπ/Ω.
             let split = 4.0 * (f64::EPSILON * (1.0 + PI / omega)).sqrt();
-            close(steady.contraction(), Output::Contraction.of_cycle(&cycle).unwrap().square(), split);
+            close(steady.contraction(), cycle.contraction() * cycle.contraction(), split);
             assert_eq!((steady.sticks_per_cycle, steady.velocity_zeros_per_cycle), (0, 2), "{ratios:?}");
         }
         compared += 1;
@@ -251,8 +250,7 @@ fn border_is_where_stops_begin(points: u64, seed: u64) -> (u64, Vec<String>) {
     for _ in 0..points {
         let omega = if random.next() < 0.5 { random.between(0.06, 0.5) } else { random.scale(0.06, 30.0) };
         let zeta = random.scale(1e-4, 3.0);
-        let least =
-            Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap()).min_force_ratio;
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio;
         if least < 1.0 + 1e-6 {
             continue;
         }

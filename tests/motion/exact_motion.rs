@@ -4,7 +4,7 @@ mod limits;
 
 use crate::random::Random;
 use stickslip::exact::{End, Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::{Border, Cycle, Output, PhaseFunction, Ratios};
+use stickslip::{Border, Cycle, PhaseFunction, Ratios};
 
 fn ratios(omega: f64, alpha: f64) -> Ratios<f64> {
     Ratios::new(omega, alpha).unwrap()
@@ -71,8 +71,7 @@ fn condition(cycle: &Cycle<f64>) -> f64 {
     let k = PhaseFunction::new(omega).unwrap().value();
     let size = cycle.max_displacement + cycle.max_velocity + alpha / (1.0 + omega * omega);
     let own = alpha * alpha / ((alpha - k) * (alpha + k));
-    (1.0 + 1.0 / omega) * size / cycle.max_displacement / (1.0 - Output::Contraction.of_cycle(cycle).unwrap())
-        + own
+    (1.0 + 1.0 / omega) * size / cycle.max_displacement / (1.0 - cycle.contraction()) + own
 }
 
 #[test]
@@ -90,7 +89,7 @@ fn the_closed_forms_where_it_does_not_stick() {
         let Ok(cycle) = Cycle::new(ratios(omega, least * random.scale(1.001, 20.0))) else { continue };
         let condition = condition(&cycle);
         // Near Ω = 1/n a motion never settles, and near 1/(2n+1) K is infinite.
-        if Output::Contraction.of_cycle(&cycle).unwrap() > 1.0 - 1e-6 || condition > 1e8 {
+        if cycle.contraction() > 1.0 - 1e-6 || condition > 1e8 {
             continue;
         }
         points += 1;
@@ -107,7 +106,7 @@ fn the_closed_forms_where_it_does_not_stick() {
             worst[i] = worst[i].max(error);
             assert!(error < 4.0, "{:?}: {x:e} {v:e} at condition {condition:e}, {s:?}", cycle.ratios);
             assert_eq!((s.sticks_per_cycle, s.velocity_zeros_per_cycle), (0, 2));
-            let contraction = Output::Contraction.of_cycle(&cycle).unwrap().powi(2);
+            let contraction = cycle.contraction().powi(2);
             assert!((s.contraction() - contraction).abs() < 1e-6, "{:?}", cycle.ratios);
             let phase = s.max_displacement.phase.reduced() - cycle.displacement_phase;
             assert!(phase.sin().abs() < 1e-15 * (4.0 * condition), "{:?}: {phase:e}", cycle.ratios);

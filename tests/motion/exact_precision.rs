@@ -6,7 +6,7 @@
 use super::random::Random;
 use stickslip::exact::{LongRun, State, SteadyState, Trajectory};
 use stickslip::float::Mp;
-use stickslip::{Cycle, Field, Float, Output, Ratios};
+use stickslip::{Cycle, Field, Float, Ratios};
 
 fn ratios<F: Float>((p, q): (i32, i32), (r, s): (i32, i32)) -> Ratios<F> {
     Ratios::new(F::ratio(p, q), F::ratio(r, s)).unwrap()
@@ -36,16 +36,14 @@ fn matches_the_closed_form<F: Float>() {
         let ratios = ratios::<F>(omega, alpha);
         let cycle = Cycle::new(ratios).unwrap();
         // The condition number due to the contraction, as in `exact_motion`.
-        let condition = (1.0 + 1.0 / ratios.omega().to_f64()) * 8.0
-            / (1.0 - Output::Contraction.of_cycle(&cycle).unwrap().to_f64());
+        let condition = (1.0 + 1.0 / ratios.omega().to_f64()) * 8.0 / (1.0 - cycle.contraction().to_f64());
         for s in
             [steady(ratios, State::default()), *LongRun::try_from(&cycle).unwrap().steady_state().unwrap()]
         {
             let x = ulps(s.max_displacement.value, cycle.max_displacement, cycle.max_displacement);
             let v = ulps(s.max_velocity.value, cycle.max_velocity, cycle.max_velocity);
             let energy = ulps(s.energy_in, s.energy_out, s.energy_out);
-            let lambda =
-                ulps(s.contraction(), Output::Contraction.of_cycle(&cycle).unwrap().square(), F::int(1));
+            let lambda = ulps(s.contraction(), cycle.contraction().square(), F::int(1));
             assert!(x < 4.0 * condition && v < 4.0 * condition, "{omega:?} {alpha:?}: {x} {v} {condition}");
             assert!(energy < 100.0 * condition, "{omega:?} {alpha:?}: {energy}");
             assert!(lambda < 1e3 * condition, "{omega:?} {alpha:?}: {lambda}");

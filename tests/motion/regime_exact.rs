@@ -6,7 +6,7 @@
 use crate::random::Random;
 use stickslip::exact::{LongRun, State};
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Error, Float, Output, Ratios, Regime, Verdict};
+use stickslip::{Border, Cycle, Error, Float, Ratios, Regime, Verdict};
 use stickslip::{Stops, stops_per_cycle};
 
 /// The regime of the exact motion from rest; `None` where it is undecided.
@@ -119,15 +119,13 @@ fn stops_per_cycle_and_what_has_none() {
 fn multipliers_apart<F: Float>(omega: F, alpha: F) -> F {
     let cycle = Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap();
     let LongRun::Periodic(steady) = LongRun::try_from(&cycle).unwrap() else { panic!("({omega}, {alpha})") };
-    let (closed, monodromy) = (cycle.multipliers().cycle, steady.multipliers);
+    let (closed, monodromy) = (cycle.multipliers().cycle(), steady.multipliers);
     let apart = |(a, b): (F, F), (c, d): (F, F)| (a - c).hypot(b - d);
     let both = |i: usize| apart(closed[0], monodromy[i]).or_larger(apart(closed[1], monodromy[1 - i]));
     let (straight, crossed) = (both(0), both(1));
     let squared = |(a, b): (F, F)| a.hypot(b);
     let modulus = squared(closed[0]).or_larger(squared(closed[1]));
-    assert!(
-        (modulus - Output::Contraction.of_cycle(&cycle).unwrap().square()).abs() < F::epsilon() * F::int(64)
-    );
+    assert!((modulus - cycle.contraction().square()).abs() < F::epsilon() * F::int(64));
     if straight < crossed { straight } else { crossed }
 }
 

@@ -21,9 +21,7 @@ fn ratios<F: Float>([omega, zeta, eta, alpha]: [f64; 4]) -> Ratios<F> {
 fn unstable<F: Float>(machine: [f64; 4], turns: u32, start: State<F>, most: f64) -> SteadyState<F> {
     let found =
         periodic_motions_from(ratios(machine), start, turns, &mut || ControlFlow::Continue(())).unwrap();
-    let is = |s: &SteadyState<F>| {
-        s.contraction() >= F::int(1) && (s.max_displacement.value.to_f64() - most).abs() < 1e-8
-    };
+    let is = |s: &SteadyState<F>| !s.is_stable() && (s.max_displacement.value.to_f64() - most).abs() < 1e-8;
     found.into_iter().find(is).unwrap_or_else(|| panic!("{machine:?}: none of {most}"))
 }
 
@@ -82,7 +80,7 @@ fn unstable_motions_at_any_precision() {
             let start = State::new(0.0, part(0.754_878), part(0.569_841)).unwrap();
             let mut go_on = || ControlFlow::Continue(());
             let all = periodic_motions_from(ratios(machine), start, turns, &mut go_on).unwrap();
-            all.into_iter().find(|s| s.contraction() >= 1.0 && (s.max_displacement.value - most).abs() < 1e-8)
+            all.into_iter().find(|s| !s.is_stable() && (s.max_displacement.value - most).abs() < 1e-8)
         });
         let motion = found.unwrap_or_else(|| panic!("{machine:?}: none of {most}"));
         let seed = motion.state;
@@ -145,7 +143,7 @@ fn at_random(machines: u32) -> (u32, u32, u32) {
                 println!("missed: {machine:?} {steady:?}");
             }
         }
-        for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| s.contraction() >= 1.0) {
+        for motion in all.iter().map(|motion| &motion.steady_state).filter(|s| !s.is_stable()) {
             unstable += 1;
             comes_back::<Mp<2>>(machine, motion.turns_per_cycle, motion.state, motion.max_displacement.value);
         }

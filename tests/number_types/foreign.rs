@@ -4,7 +4,7 @@ use super::octuple::Octuple;
 use ::f256::f256;
 use stickslip::float::Foreign;
 use stickslip::float::conformance;
-use stickslip::{Border, Cycle, Field, Float, Output, Ratios, Real};
+use stickslip::{Border, Cycle, Field, Float, Ratios, Real};
 use twofloat::TwoFloat;
 
 /// {Δ₀, V₀, ω_d t₂, ω_d t₁, α_min, A₁} at one point.
@@ -17,7 +17,7 @@ fn answers<F: Float>(omega: (i32, i32), alpha: (i32, i32)) -> [F; 6] {
         cycle.displacement_phase,
         cycle.velocity_phase,
         Border::new(ratios.omega()).unwrap().min_force_ratio,
-        Output::LoopSizeStiffness.of_cycle(&cycle).unwrap(),
+        cycle.loop_size_stiffness(),
     ]
 }
 

@@ -52,7 +52,7 @@ fn exact(body: &Oscillator<f64>, force: f64, frequency: f64) -> (f64, u32) {
     let ratios: Ratios<f64> = Drive::force(force, frequency).unwrap().ratios(body).unwrap();
     let motion = LongRun::from_start(ratios, State::default()).unwrap();
     let steady = motion.steady_state().unwrap();
-    (steady.max_displacement.value * (body.friction_bound() / body.stiffness()), steady.sticks_per_cycle)
+    (steady.max_displacement.value * body.friction_displacement(), steady.sticks_per_cycle)
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! figure_3` writes it.
 
 use stickslip::exact::{ErrorMeasures, LongRun, State, errors_after};
-use stickslip::{Cycle, Output, Ratios};
+use stickslip::{Cycle, Ratios};
 
 const CYCLES: u32 = 20;
 const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/figure-3.md");
@@ -27,8 +27,7 @@ fn rows() -> Vec<(f64, f64, [f64; 6])> {
                 LongRun::Unbounded { .. } => f64::NAN,
                 other => panic!("{ratios:?}: {other:?}"),
             };
-            let contraction =
-                Cycle::new(ratios).map_or(1.0, |c| Output::Contraction.of_cycle(&c).unwrap().powi(2));
+            let contraction = Cycle::new(ratios).map_or(1.0, |c| c.contraction().powi(2));
             rows.push((omega, inverse, [contraction, e1, e2, e3, e4, settled]));
         }
     }

@@ -5,7 +5,7 @@
 use crate::kept::Kept;
 use std::fmt::Write;
 use stickslip::figures::{Figure, NAMES, Series, Style, figure};
-use stickslip::{Border, Cycle, Output, Ratios};
+use stickslip::{Border, Cycle, Ratios};
 
 fn all() -> impl Iterator<Item = Figure> {
     NAMES.into_iter().map(|name| figure(name).unwrap())
@@ -128,7 +128,7 @@ fn figure_2_measures_the_cycle_it_draws() {
         .map(|s| (s.points[1].0 - s.points[0].0).hypot(s.points[1].1 - s.points[0].1))
         .collect();
     assert_eq!(lengths.len(), 6);
-    for due in [Output::Deviation.of_cycle(&cycle).unwrap(), cycle.max_velocity, cycle.max_displacement] {
+    for due in [cycle.deviation(), cycle.max_velocity, cycle.max_displacement] {
         assert_eq!(lengths.iter().filter(|l| (**l - due).abs() < 1e-12).count(), 2, "{due} of {lengths:?}");
     }
     // The arrows show the direction: to the right in the upper half.
@@ -164,11 +164,7 @@ fn damping_bounds_resonance_and_the_poles() {
         }
         assert!(compared > 200, "{compared}");
         for (omega, least) in line(1).into_iter().filter(|p| p.1.is_finite()) {
-            assert_eq!(
-                least,
-                Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap())
-                    .min_force_ratio
-            );
+            assert_eq!(least, Border::with_damping(omega, zeta).unwrap().min_force_ratio);
         }
         let gap = |panel: usize, at: f64| {
             line(panel).iter().any(|(omega, y)| (omega - at).abs() < 0.02 && y.is_nan())

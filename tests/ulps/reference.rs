@@ -2,7 +2,7 @@
 
 use super::{COUNT, OUTPUTS, Unit};
 use stickslip::float::Mp;
-use stickslip::{Border, Cycle, Field, Float, Output, PhaseFunction, Ratios, Real, Response};
+use stickslip::{Border, Cycle, Field, Float, PhaseFunction, Ratios, Real, Response};
 
 /// A number type whose errors are measured.
 pub(crate) trait Narrow: Float {
@@ -57,15 +57,15 @@ pub(crate) fn answers<F: Float>(omega: F, alpha: F) -> Option<[Option<F>; COUNT]
         Some(cycle.displacement_phase),
         Some(cycle.max_velocity),
         Some(cycle.velocity_phase),
-        Some(Output::Deviation.of_cycle(cycle).unwrap()),
+        Some(cycle.deviation()),
         Some(border.min_force_ratio),
         Some(border.turning_point),
         Some(border.touching_phase),
-        Some(Output::LoopSizeStiffness.of_cycle(cycle).unwrap()),
-        Some(Output::LoopSizeInertia.of_cycle(cycle).unwrap()),
+        Some(cycle.loop_size_stiffness()),
+        Some(cycle.loop_size_inertia()),
         Some(response.best_force_ratio),
         response.best_loop_size,
-        Some(Output::Contraction.of_cycle(cycle).unwrap()),
+        Some(cycle.contraction()),
         Some(PhaseFunction::new(omega).ok()?.value()),
     ])
 }

@@ -17,7 +17,7 @@ use others::Others;
 use serde::Serialize;
 use std::io::Write;
 use stickslip::Ratios;
-use stickslip::exact::{Attractor, Attractors, LongRun, State, SteadyState, reach_of_starts, start_within};
+use stickslip::exact::{Attractor, Attractors, LongRun, Starts as Spread, State, SteadyState};
 
 /// The greatest number of starts, whose limits are kept in memory.
 const MOST_STARTS: u64 = 10_000_000;
@@ -79,20 +79,17 @@ impl<W: Write> Task for Run<'_, W> {
 
 /// The range of the starts.
 pub(crate) fn reach<F: Value>(text: Option<&str>, ratios: &Ratios<F>) -> Result<F, Failure> {
-    let Some(text) = text else { return Ok(reach_of_starts(ratios)) };
-    let reach = input::number("--reach", text)?;
-    start(0, reach).map(|_| reach)
+    let Some(text) = text else { return Ok(Spread::around(ratios).reach()) };
+    spread(input::number("--reach", text)?).map(|spread| spread.reach())
 }
 
 /// The start with this number.
 pub(crate) fn start<F: Value>(number: u64, reach: F) -> Result<State<F>, Failure> {
-    start_within(reach, number)
-        .ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
+    Ok(spread(reach)?.get(number))
 }
 
-/// How many starts had not settled.
-pub(crate) fn unsettled<F: Value>(all: &Attractors<F>) -> usize {
-    all.of_start.iter().filter(|limit| limit.is_none()).count()
+fn spread<F: Value>(reach: F) -> Result<Spread<F>, Failure> {
+    Spread::within(reach).ok_or_else(|| Failure::Input(format!("--reach {reach}: must be > 0 and ≤ 2⁴⁰")))
 }
 
 /// The fraction of the starts that lead to a limit.
@@ -202,7 +199,7 @@ impl<'a, F: Value> Answer<'a, F> {
                 .then(|| number(ratios.static_friction_ratio())),
             starts: all.of_start.len() as u64,
             reach: number(reach),
-            unsettled: unsettled(all) as u64,
+            unsettled: all.unsettled() as u64,
             attractors: rows,
             other_motions,
         }
@@ -221,9 +218,8 @@ fn text<F: Value>(
         n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
     };
     writeln!(out, "{}", style::verdict(&sentence))?;
-    let unsettled = unsettled(all);
-    if unsettled > 0 {
-        writeln!(out, "{unsettled} starts had not settled; allow more with --max-periods.")?;
+    if all.unsettled() > 0 {
+        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);

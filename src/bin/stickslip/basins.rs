@@ -1,7 +1,7 @@
 //! `stickslip basins`: the limit that each start in a plane of starts leads to.
 
 use crate::args::BasinsArgs;
-use crate::attractors::{described, reach, unsettled};
+use crate::attractors::{described, reach};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::figure::Target;
@@ -132,7 +132,7 @@ impl<F: Value> Basins<F> {
         let value = |place: Option<usize>| place.map_or(f64::NAN, |place| place.min(MOST_NAMES - 1) as f64);
         let values: Vec<f64> = self.starts().map(|(.., place)| value(place)).collect();
         let mut series = Vec::new();
-        if unsettled(&self.all) > 0 {
+        if self.all.unsettled() > 0 {
             series.push(Series::new("white: not settled", Style::Note, 0, []));
         }
         Ok(Figure {

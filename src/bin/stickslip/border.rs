@@ -27,7 +27,7 @@ type Answer<F> = (Response<F>, Option<NoStop<F>>, Record<F>);
 
 /// The forces without any stop; they are unknown for a static friction above the kinetic one.
 fn no_stop<F: Value>(ratios: Ratios<F>) -> Result<NoStop<F>, Error> {
-    if ratios.static_friction_ratio() > F::int(1) {
+    if ratios.has_higher_static_friction() {
         let static_friction_ratio = ratios.static_friction_ratio().into();
         return Err(Error::StaticFriction { static_friction_ratio });
     }

@@ -121,8 +121,5 @@ fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>),
         static_friction: given.has_static_friction().then(|| eta.unwrap_or(body.static_friction_ratio())),
     };
     let time = F::int(1) / body.natural_frequency();
-    Ok((
-        Some(Scales { length: body.friction_bound() / body.stiffness(), time, system: given.system }),
-        frictions,
-    ))
+    Ok((Some(Scales { length: body.friction_displacement(), time, system: given.system }), frictions))
 }

@@ -4,7 +4,7 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};
 use stickslip::units::System;
-use stickslip::{Drive, Error, Excitation, Oscillator, Ratios, Scales};
+use stickslip::{Drive, Error, Excitation, Oscillator, Scales};
 
 /// A machine in physical units and the scale of its answers.
 pub(crate) struct Machine<F> {
@@ -87,7 +87,7 @@ impl<F: Value> Given<F> {
         let missing = |names: &str| Failure::Input(format!("{names} is missing"));
         let friction = self.friction()?.ok_or_else(|| missing("--friction (or --friction-coefficient)"))?;
         match self.one_of(&[P::Omega, P::Stiffness, P::Period])? {
-            Some((P::Omega, omega)) => tuned(mass, friction, self.required(P::Frequency)?, omega),
+            Some((P::Omega, omega)) => Oscillator::tuned(mass, friction, self.required(P::Frequency)?, omega),
             Some(_) => {
                 let stiffness = self.stiffness()?.unwrap_or(F::int(0));
                 Oscillator::new(mass, stiffness, friction)
@@ -149,18 +149,8 @@ impl<F: Value> Given<F> {
         } else if parameter == P::Force {
             Excitation::Force
         } else {
-            // p₀ = α r_y.
-            return Ratios::new(F::int(1), amplitude)
-                .and_then(|ratios| Drive::force(ratios.alpha() * body.friction_bound(), frequency))
-                .map_err(|e| self.at_fault(e));
+            return Drive::with_force_ratio(body, amplitude, frequency).map_err(|e| self.at_fault(e));
         };
         Drive::new(excitation, amplitude, frequency).map_err(|e| self.at_fault(e))
     }
-}
-
-/// The body whose frequency ratio is Ω when driven at ω_d: `ω_n = ω_d/Ω`, `k = m ω_n²`.
-fn tuned<F: Value>(mass: F, friction: F, frequency: F, omega: F) -> Result<Oscillator<F>, Error> {
-    let omega = Ratios::new(omega, F::int(1))?.omega();
-    let natural_frequency = Drive::force(F::int(1), frequency)?.angular_frequency() / omega;
-    Oscillator::new(mass, mass * natural_frequency.square(), friction)
 }

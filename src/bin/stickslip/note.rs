@@ -4,11 +4,10 @@ mod force;
 
 use crate::bits::Value;
 use crate::machine::{Machine, base_motion};
-use crate::record::of_cycle;
 use crate::style;
 use std::io::{self, Write};
 use stickslip::units::{Kind, System};
-use stickslip::{Cycle, Output, PhaseFunction, Regime, Response};
+use stickslip::{Cycle, PhaseFunction, Regime, Response};
 
 use force::needed_force;
 pub(crate) use force::{border, no_stop};
@@ -82,17 +81,17 @@ pub(crate) fn response<F: Value>(
     writeln!(out, "{}\n", style::verdict(&verdict(response)))?;
     writeln!(out, "  frequency ratio Ω        {}", digits(omega))?;
     writeln!(out, "  force ratio α            {}", digits(alpha))?;
-    if response.ratios.damping_ratio() > F::int(0) {
+    if response.ratios.is_damped() {
         writeln!(out, "  damping ratio ζ          {}", digits(response.ratios.damping_ratio()))?;
     }
-    if response.ratios.static_friction_ratio() > F::int(1) {
+    if response.ratios.has_higher_static_friction() {
         let eta = digits(response.ratios.static_friction_ratio());
         writeln!(out, "  static friction ratio η  {eta}")?;
     }
     if let Some(machine) = machine {
         given(machine, out)?;
     }
-    if response.ratios.static_friction_ratio() > F::int(1) && response.regime != Regime::Stuck {
+    if response.ratios.has_higher_static_friction() && response.regime != Regime::Stuck {
         writeln!(
             out,
             "\nWith static friction above the kinetic one the motion can depend on the start, and the \
@@ -109,7 +108,7 @@ pub(crate) fn response<F: Value>(
         )?;
     }
     if response.regime == Regime::NonSticking
-        && response.ratios.damping_ratio() == F::int(0)
+        && !response.ratios.is_damped()
         && PhaseFunction::new(omega).is_ok_and(|p| p.value() == F::int(0))
     {
         let (one, least) = (F::int(1), response.border.min_force_ratio);
@@ -176,44 +175,32 @@ fn motion<F: Value>(
     writeln!(out, "    at ω_d t₂              {}", phases(cycle.displacement_phase))?;
     writeln!(out, "  maximum velocity         {speed}")?;
     writeln!(out, "    at ω_d t₁              {}", phases(cycle.velocity_phase))?;
-    writeln!(out, "    where x = Δ₁           {}", lengths(of_cycle(cycle, Output::Deviation)))?;
+    writeln!(out, "    where x = Δ₁           {}", lengths(cycle.deviation()))?;
     let acceleration = scales.map(|s| s.velocity / s.time);
-    let acceleration = both(
-        of_cycle(cycle, Output::MaxAcceleration),
-        "B ω_d²",
-        acceleration,
-        &units.name(Kind::Acceleration),
-    );
+    let acceleration =
+        both(cycle.max_acceleration(), "B ω_d²", acceleration, &units.name(Kind::Acceleration));
     writeln!(out, "  maximum acceleration     {acceleration}")?;
     if machine.is_some_and(|m| m.drive.excitation().carries_surface()) {
-        writeln!(
-            out,
-            "  absolute displacement    {}",
-            lengths(of_cycle(cycle, Output::MaxAbsoluteDisplacement))
-        )?;
+        writeln!(out, "  absolute displacement    {}", lengths(cycle.max_absolute_displacement()))?;
     }
     writeln!(
         out,
         "  dynamic amplification    k Δ₀/p₀ = {}",
         digits(cycle.max_displacement / cycle.ratios.alpha())
     )?;
-    writeln!(
-        out,
-        "  a disturbance            {}",
-        decay(of_cycle(cycle, Output::Contraction), "half a cycle")
-    )?;
+    writeln!(out, "  a disturbance            {}", decay(cycle.contraction(), "half a cycle"))?;
     writeln!(out, "\nDissipation in a cycle")?;
     if let Some(Machine { scales, .. }) = machine {
-        let energy = scales.energy_stiffness * of_cycle(cycle, Output::LoopSizeStiffness);
+        let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
         writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(energy))?;
     }
-    if cycle.ratios.damping_ratio() > F::int(0) {
+    if cycle.ratios.is_damped() {
         let scale = scales.map(|s| s.force * s.length);
         let work = both(cycle.damper_work(), "r_y B", scale, &format!("{force}·{length}"));
         writeln!(out, "  energy of the damper     {work}")?;
     }
-    writeln!(out, "  per static energy        A₁ = {}", digits(of_cycle(cycle, Output::LoopSizeStiffness)))?;
-    writeln!(out, "  per pseudo-static energy A₂ = {}", digits(of_cycle(cycle, Output::LoopSizeInertia)))
+    writeln!(out, "  per static energy        A₁ = {}", digits(cycle.loop_size_stiffness()))?;
+    writeln!(out, "  per pseudo-static energy A₂ = {}", digits(cycle.loop_size_inertia()))
 }
 
 /// The fraction of a disturbance that remains after a time.

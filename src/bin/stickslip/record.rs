@@ -9,8 +9,9 @@ use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
+use stickslip::NoStop;
+use stickslip::Response;
 use stickslip::units::Kind;
-use stickslip::{Cycle, NoStop, Output, Response};
 
 pub(crate) use cell::Cell;
 
@@ -56,19 +57,13 @@ impl<F: Value> Serialize for Record<F> {
     }
 }
 
-/// An output that every cycle has.
-pub(crate) fn of_cycle<F: Value>(cycle: &Cycle<F>, output: Output) -> F {
-    output.of_cycle(cycle).unwrap_or_else(|| F::from_f64(f64::NAN))
-}
-
 impl<F: Value> Record<F> {
     /// All outputs of a response; `None` for outputs that the regime does not have, and for the peaks if they
     /// are not requested.
     pub(crate) fn of_response(response: &Response<F>, peaks: bool) -> Self {
         let (ratios, border, cycle) = (response.ratios, response.border, response.cycle.as_ref());
         let of_cycle = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.map(value));
-        let output = |output: Output| Cell::Number(output.of(response));
-        let peak = |output: Output| Cell::Number(output.of(response).filter(|_| peaks));
+        let peak = |value: fn(&stickslip::Cycle<F>) -> F| Cell::Number(cycle.filter(|_| peaks).map(value));
         Self {
             fields: vec![
                 ("omega", Cell::Number(Some(ratios.omega()))),
@@ -78,24 +73,21 @@ impl<F: Value> Record<F> {
                 ("displacement_phase", of_cycle(|c| c.displacement_phase)),
                 ("max_velocity", of_cycle(|c| c.max_velocity)),
                 ("velocity_phase", of_cycle(|c| c.velocity_phase)),
-                ("deviation", output(Output::Deviation)),
+                ("deviation", of_cycle(|c| c.deviation())),
                 ("min_force_ratio", Cell::Number(Some(border.min_force_ratio))),
                 ("min_force_ratio_turning_point", Cell::Number(Some(border.turning_point))),
                 ("loop_size_stiffness", Cell::Number(response.loop_size_stiffness)),
                 ("loop_size_inertia", Cell::Number(response.loop_size_inertia)),
                 ("best_force_ratio", Cell::Number(Some(response.best_force_ratio))),
                 ("best_loop_size", Cell::Number(response.best_loop_size)),
-                ("contraction", output(Output::Contraction)),
+                ("contraction", of_cycle(|c| c.contraction())),
                 ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
-                (
-                    "best_force_ratio_slides",
-                    Cell::Flag(response.best_force_ratio >= response.border.min_force_ratio),
-                ),
-                ("dynamic_amplification", output(Output::DynamicAmplification)),
-                ("max_acceleration", peak(Output::MaxAcceleration)),
-                ("transmitted_force", peak(Output::TransmittedForce)),
-                ("transmissibility", peak(Output::Transmissibility)),
-                ("max_absolute_displacement", peak(Output::MaxAbsoluteDisplacement)),
+                ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
+                ("dynamic_amplification", of_cycle(|c| c.max_displacement / c.ratios.alpha())),
+                ("max_acceleration", peak(|c| c.max_acceleration())),
+                ("transmitted_force", peak(|c| c.transmitted_force())),
+                ("transmissibility", peak(|c| c.transmitted_force() / c.ratios.alpha())),
+                ("max_absolute_displacement", peak(|c| c.max_absolute_displacement())),
             ],
             physical: Physical::default(),
         }

@@ -95,7 +95,7 @@ pub(crate) fn answer<F: Value>(
 fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: &LongRun<F>) -> Record<F> {
     let mut record = record.with_static_friction_ratio(ratios.static_friction_ratio());
     let steady = limit.steady_state();
-    let irregular = if let LongRun::Irregular(motion) = limit { Some(motion) } else { None };
+    let irregular = limit.irregular();
     let number = |value: fn(&Irregular<F>) -> F| Cell::Number(irregular.map(value));
     let symmetric = steady.map_or("", |s| if s.is_symmetric { "yes" } else { "no" });
     let extrema = limit.extrema();
@@ -127,7 +127,6 @@ pub(crate) fn of_motion<F: Value>(given: &Given<F>, error: Error) -> Failure {
 /// All outputs of a steady state; the peaks only if requested.
 fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Result<Record<F>, Error> {
     let steady = limit.steady_state();
-    let rest = if let LongRun::Rest(rest) = limit { Some(rest) } else { None };
     let number = |value: fn(&SteadyState<F>) -> F| Cell::Number(steady.map(value));
     let count = |value: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(value(s))));
     let errors = steady.map(SteadyState::errors).transpose()?;
@@ -161,7 +160,7 @@ fn record<F: Value>(ratios: Ratios<F>, limit: &LongRun<F>, peaks: bool) -> Resul
             ("energy_out", number(|s| s.energy_out)),
             ("multipliers", Cell::Pairs(steady.map(|it| it.multipliers))),
             ("distance", number(|s| s.distance.0)),
-            ("rest_position", Cell::Number(rest.map(|rest| rest.position))),
+            ("rest_position", Cell::Number(limit.rest_position())),
             ("periods", Cell::Number(limit.periods())),
             ("reversals_per_cycle", Cell::Count(seen.reversals.map(u64::from))),
             ("dynamic_amplification", Cell::Number(amplitude.map(|x| x / ratios.alpha()))),

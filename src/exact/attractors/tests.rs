@@ -11,7 +11,7 @@ type Found = (f64, f64, u32, u32, bool, bool);
 
 fn found(ratios: Ratios<f64>, count: u32) -> Vec<Found> {
     let all = attractors(ratios, &starts(count, 10.0), 1000).unwrap();
-    assert!(all.of_start.iter().all(Option::is_some));
+    assert_eq!(all.unsettled(), 0);
     assert_eq!(all.limits.iter().map(|limit| limit.starts).sum::<u64>(), u64::from(count));
     let mut found: Vec<_> = all
         .limits

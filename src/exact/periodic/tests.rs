@@ -28,7 +28,7 @@ fn unstable_motions_beside_the_limits() {
     for (ratios, turns, expected) in cases {
         let starts = starts(60, 10.0);
         let all = periodic_motions(ratios, &starts, turns).unwrap();
-        let unstable: Vec<_> = all.iter().filter(|m| m.steady_state.contraction() >= 1.0).collect();
+        let unstable: Vec<_> = all.iter().filter(|m| !m.steady_state.is_stable()).collect();
         assert_eq!(unstable.len(), expected.len(), "{ratios:?}: {unstable:#?}");
         for motion in unstable {
             let s = motion.steady_state;
@@ -69,7 +69,7 @@ fn the_limits_are_among_them() {
         let limits = attractors(ratios, &starts, 1000).unwrap();
         let all = periodic_motions(ratios, &starts, turns).unwrap();
         let signature = |s| Signature::of(&LongRun::Periodic(s)).unwrap();
-        let stable = all.iter().map(|m| m.steady_state).filter(|s| s.contraction() < 1.0);
+        let stable = all.iter().map(|m| m.steady_state).filter(|s| s.is_stable());
         let mut seen: Vec<_> = stable.map(|s| limits.place_of(&signature(s))).collect();
         seen.sort_unstable();
         assert_eq!(seen, (0..limits.limits.len()).map(Some).collect::<Vec<_>>(), "{ratios:?}");

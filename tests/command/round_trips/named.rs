@@ -5,7 +5,7 @@ use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{End, Kind, LongRun, Segment, SteadyState};
 use stickslip::no_stop_force_ratios;
-use stickslip::{Drive, Float, Oscillator, Output, Ratios, Regime, Response, Scales};
+use stickslip::{Drive, Float, Oscillator, Ratios, Regime, Response, Scales};
 
 /// A value. A number is stored as the digits of `{:e}`, which identify it within its type, including the sign
 /// of zero.
@@ -96,30 +96,21 @@ pub(crate) fn of_response<F: Float + LowerExp>(response: &Response<F>) -> Named 
         ("displacement_phase", Cell::or_absent(cycle.map(|c| c.displacement_phase))),
         ("max_velocity", Cell::or_absent(cycle.map(|c| c.max_velocity))),
         ("velocity_phase", Cell::or_absent(cycle.map(|c| c.velocity_phase))),
-        ("deviation", Cell::or_absent(cycle.map(|c| Output::Deviation.of_cycle(c).unwrap()))),
+        ("deviation", Cell::or_absent(cycle.map(|c| c.deviation()))),
         ("min_force_ratio", Cell::of(border.min_force_ratio)),
         ("min_force_ratio_turning_point", Cell::of(border.turning_point)),
         ("loop_size_stiffness", Cell::or_absent(response.loop_size_stiffness)),
         ("loop_size_inertia", Cell::or_absent(response.loop_size_inertia)),
         ("best_force_ratio", Cell::of(response.best_force_ratio)),
         ("best_loop_size", Cell::or_absent(response.best_loop_size)),
-        ("contraction", Cell::or_absent(cycle.map(|c| Output::Contraction.of_cycle(c).unwrap()))),
+        ("contraction", Cell::or_absent(cycle.map(|c| c.contraction()))),
         ("reversals_per_cycle", Cell::or_absent(response.reversals_per_cycle())),
-        (
-            "best_force_ratio_slides",
-            Cell::text(&(response.best_force_ratio >= response.border.min_force_ratio).to_string()),
-        ),
+        ("best_force_ratio_slides", Cell::text(&response.best_is_reached().to_string())),
         ("dynamic_amplification", Cell::or_absent(cycle.map(|c| c.max_displacement / c.ratios.alpha()))),
-        ("max_acceleration", Cell::or_absent(cycle.map(|c| Output::MaxAcceleration.of_cycle(c).unwrap()))),
-        ("transmitted_force", Cell::or_absent(cycle.map(|c| Output::TransmittedForce.of_cycle(c).unwrap()))),
-        (
-            "transmissibility",
-            Cell::or_absent(cycle.map(|c| Output::TransmittedForce.of_cycle(c).unwrap() / c.ratios.alpha())),
-        ),
-        (
-            "max_absolute_displacement",
-            Cell::or_absent(cycle.map(|c| Output::MaxAbsoluteDisplacement.of_cycle(c).unwrap())),
-        ),
+        ("max_acceleration", Cell::or_absent(cycle.map(|c| c.max_acceleration()))),
+        ("transmitted_force", Cell::or_absent(cycle.map(|c| c.transmitted_force()))),
+        ("transmissibility", Cell::or_absent(cycle.map(|c| c.transmitted_force() / c.ratios.alpha()))),
+        ("max_absolute_displacement", Cell::or_absent(cycle.map(|c| c.max_absolute_displacement()))),
     ])
 }
 
@@ -279,18 +270,9 @@ pub(crate) fn of_machine(
         ("displacement_time", scaled(cycle.map(|c| c.displacement_phase), scales.time)),
         ("max_velocity", scaled(cycle.map(|c| c.max_velocity), scales.velocity)),
         ("velocity_time", scaled(cycle.map(|c| c.velocity_phase), scales.time)),
-        ("deviation", scaled(cycle.map(|c| Output::Deviation.of_cycle(c).unwrap()), scales.length)),
-        (
-            "max_acceleration",
-            scaled(
-                cycle.map(|c| Output::MaxAcceleration.of_cycle(c).unwrap()),
-                scales.velocity / scales.time,
-            ),
-        ),
-        (
-            "transmitted_force",
-            scaled(cycle.map(|c| Output::TransmittedForce.of_cycle(c).unwrap()), scales.force),
-        ),
+        ("deviation", scaled(cycle.map(|c| c.deviation()), scales.length)),
+        ("max_acceleration", scaled(cycle.map(|c| c.max_acceleration()), scales.velocity / scales.time)),
+        ("transmitted_force", scaled(cycle.map(|c| c.transmitted_force()), scales.force)),
         ("min_force", scaled(Some(border.min_force_ratio), scales.force)),
         ("min_force_turning_point", scaled(Some(border.turning_point), scales.force)),
         ("energy_per_cycle", scaled(response.loop_size_stiffness, scales.energy_stiffness)),

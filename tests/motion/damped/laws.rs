@@ -3,9 +3,9 @@
 use super::{from_rest, plane, ratios};
 use crate::random::Random;
 use std::f64::consts::TAU;
+use stickslip::Border;
 use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::float::{Field, Float, Mp, Real};
-use stickslip::{Border, Ratios};
 
 /// The works of random steady states: the greatest difference between the energy supplied and that taken by
 /// friction and damper, in total and relative to the possible rounding.
@@ -140,9 +140,7 @@ fn campaign_of_multipliers() {
     let mut worst = (0.0, (0.0, 0.0, 0.0));
     for _ in 0..2_000 {
         let (omega, zeta) = (random.scale(0.1, 10.0), random.scale(1e-3, 3.0));
-        let least = Border::of(&Ratios::new(omega, 1.0).unwrap().with_damping_ratio(zeta).unwrap())
-            .min_force_ratio
-            .max(1.0);
+        let least = Border::with_damping(omega, zeta).unwrap().min_force_ratio.max(1.0);
         let at = (omega, zeta, least * random.scale(1.01, 10.0));
         let error = multipliers_are_off(at);
         worst = if error > worst.0 { (error, at) } else { worst };

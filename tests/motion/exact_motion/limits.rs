@@ -4,14 +4,14 @@ use super::{ratios, start, steady};
 use crate::random::Random;
 use std::ops::ControlFlow;
 use stickslip::exact::{Kind, LongRun, State, SteadyState, Trajectory};
-use stickslip::{Border, Cycle, Ratios, Regime, Response};
+use stickslip::{Border, Cycle, Ratios, Regime};
 
 #[test]
 fn one_limit_from_every_start_and_it_is_symmetric() {
     let mut random = Random(8);
     for _ in 0..2000 {
         let (omega, alpha) = (random.scale(0.02, 20.0), random.scale(1.01, 30.0));
-        let regime = Response::new(Ratios::new(omega, alpha).unwrap()).regime;
+        let regime = stickslip::regime(omega, alpha).unwrap();
         assert!(regime == Regime::Sticking || regime == Regime::NonSticking);
         let rest = steady(omega, alpha);
         let from = start(&mut random, omega, alpha);

@@ -73,7 +73,7 @@ impl<F: Value> Others<F> {
         let row = |Other { number, mirror, steady }: &Other<F>| {
             Row {
                 number: *number,
-                limit: if steady.contraction() < F::int(1) { "periodic" } else { "unstable" },
+                limit: if steady.is_stable() { "periodic" } else { "unstable" },
                 share: 0.0,
                 starts: 0,
                 first: None,
@@ -97,7 +97,7 @@ impl<F: Value> Others<F> {
         };
         writeln!(out, "\n{found} of {of} that no start leads to, by a search from the same starts.")?;
         for Other { number, mirror, steady } in &self.0 {
-            let stability = if steady.contraction() < F::int(1) { "stable" } else { "unstable" };
+            let stability = if steady.is_stable() { "stable" } else { "unstable" };
             let mirror = mirror.map_or(String::new(), |number| format!(", the mirror image of {number}"));
             writeln!(out, "\n{number}. {}, {stability}{mirror}", shape(steady))?;
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;

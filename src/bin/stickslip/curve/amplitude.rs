@@ -5,10 +5,9 @@ use crate::args::Curve;
 use crate::failure::Failure;
 use crate::input::Point;
 use crate::machine::transmitted;
-use crate::record::of_cycle;
 use stickslip::exact::{LongRun, State};
 use stickslip::units::Kind;
-use stickslip::{Error, Output, Regime, Response};
+use stickslip::{Error, Regime, Response};
 
 impl Asked {
     /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound.
@@ -30,11 +29,11 @@ impl Asked {
                 let of_cycle = match self.what {
                     Curve::Displacement => c.max_displacement,
                     Curve::Velocity => c.max_velocity,
-                    Curve::Acceleration => of_cycle(c, Output::MaxAcceleration),
+                    Curve::Acceleration => c.max_acceleration(),
                     Curve::Force | Curve::Transmissibility => {
-                        felt(of_cycle(c, Output::TransmittedForce), of_cycle(c, Output::MaxAcceleration))
+                        felt(c.transmitted_force(), c.max_acceleration())
                     }
-                    Curve::Absolute => of_cycle(c, Output::MaxAbsoluteDisplacement),
+                    Curve::Absolute => c.max_absolute_displacement(),
                 };
                 (Some(of_cycle), "non-sticking", false)
             }

@@ -73,7 +73,7 @@ fn breaks(ratios: Ratios<f64>, from: f64, steps: u32) -> Result<Option<[Vec<f64>
     let high = ratios.alpha();
     let low = (from * high).max(LEAST);
     // Nothing is lost with η = 1.
-    if ratios.static_friction_ratio() <= 1.0 || low >= high {
+    if !ratios.has_higher_static_friction() || low >= high {
         return Ok(Some([Vec::new(), Vec::new()]));
     }
     let found = match symmetry_breaks(ratios, low, high, steps) {

@@ -4,10 +4,9 @@ use super::{both, digits};
 use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
-use crate::record::of_cycle;
 use std::io::{self, Write};
 use stickslip::units::System;
-use stickslip::{NoStop, Output, no_stop_force_ratios};
+use stickslip::{NoStop, no_stop_force_ratios};
 use stickslip::{Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.
@@ -21,10 +20,9 @@ pub(super) fn needed_force<F: Value>(
     let forces = |x| both(x, "r_y", machine.map(|m| m.scales.force), units.force());
     writeln!(out, "\nForce")?;
     if let Some(cycle) = response.cycle.as_ref() {
-        let (ratios, acceleration) = (response.ratios, of_cycle(cycle, Output::MaxAcceleration));
+        let (ratios, acceleration) = (response.ratios, cycle.max_acceleration());
         let at = (ratios.omega(), ratios.alpha());
-        let (force, ratio) =
-            transmitted(machine, at, of_cycle(cycle, Output::TransmittedForce), acceleration);
+        let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
         let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
             "per foot acceleration"
@@ -34,7 +32,7 @@ pub(super) fn needed_force<F: Value>(
         writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
     let ratios = response.ratios;
-    let no_stop = if ratios.static_friction_ratio() > F::int(1) {
+    let no_stop = if ratios.has_higher_static_friction() {
         None
     } else {
         no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).ok()
@@ -49,12 +47,12 @@ pub(super) fn needed_force<F: Value>(
         }
     }
     not_to_be_held(response.ratios.omega(), border.min_force_ratio, out)?;
-    if border.turning_point < border.min_force_ratio && response.ratios.damping_ratio() == F::int(0) {
+    if border.turning_point < border.min_force_ratio && !response.ratios.is_damped() {
         let eq_61 = digits(border.turning_point);
         writeln!(out, "    (eq. 61 gives {eq_61} r_y, which is too little below Ω = 1/2)")?;
     }
     match response.best_loop_size {
-        Some(size) if response.best_force_ratio >= response.border.min_force_ratio => {
+        Some(size) if response.best_is_reached() => {
             writeln!(out, "  of maximum dissipation   {}", forces(response.best_force_ratio))?;
             writeln!(out, "    with A₁ =              {}", digits(size))?;
             if size.to_f64() > ABSURD {
@@ -62,7 +60,7 @@ pub(super) fn needed_force<F: Value>(
             }
             Ok(())
         }
-        None if response.best_force_ratio >= response.border.min_force_ratio => {
+        None if response.best_is_reached() => {
             writeln!(
                 out,
                 "  of maximum dissipation   any above the minimum: at Ω = 1 the loop grows in every cycle"
@@ -130,7 +128,7 @@ pub(crate) fn border<F: Value>(
             writeln!(out, "At Ω = {} the body does not stop {}.\n", digits(omega), no_stop(found, "r_y"))?;
         }
     }
-    if answer.ratios.damping_ratio() > F::int(0) {
+    if answer.ratios.is_damped() {
         writeln!(out, "  damping ratio ζ          {}", digits(answer.ratios.damping_ratio()))?;
     }
     if let Some((low, high)) = found.and_then(|it| it.six_reversals) {

@@ -85,7 +85,7 @@ pub(super) fn note<F: Value>(
 
 /// The starts that lead to the motion, and the properties of its cycle.
 fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
-    if point.ratios.static_friction_ratio() <= F::int(1) {
+    if !point.ratios.has_higher_static_friction() {
         return "One periodic motion, from every start.".to_owned();
     }
     let cycle = match steady.turns_per_cycle {
