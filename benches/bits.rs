@@ -12,8 +12,8 @@
     reason = "a program of its own: what it prints is its answer"
 )]
 
-use stickslip::batch::{Batch, Columns, LengthMismatch, Level};
-use stickslip::{Border, Output, Ratios, Response};
+use stickslip::batch::{Batch, Columns, Level};
+use stickslip::{Border, Error, Output, Ratios, Response};
 
 /// The number of points whose answers are kept at a time.
 const CHUNK: usize = 100_000;
@@ -93,7 +93,7 @@ fn batched(
     omega: &[f64],
     alpha: &[f64],
     length: usize,
-) -> Result<Vec<Vec<f64>>, LengthMismatch> {
+) -> Result<Vec<Vec<f64>>, Error> {
     let mut found = vec![vec![0.0; omega.len()]; set.len()];
     let mut rests: Vec<&mut [f64]> = found.iter_mut().map(Vec::as_mut_slice).collect();
     for (omega, alpha) in omega.chunks(length).zip(alpha.chunks(length)) {
@@ -110,7 +110,7 @@ fn batched(
 
 /// The hash of the answers of a chunk, starting from `state`; `None` where a batch has other bits than the
 /// single points.
-fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, LengthMismatch> {
+fn chunk(points: &[(f64, f64)], state: u64) -> Result<Option<u64>, Error> {
     let due: Vec<_> = points.iter().map(|&(omega, alpha)| alone(omega, alpha)).collect();
     let (omega, alpha): (Vec<_>, Vec<_>) = points.iter().copied().unzip();
     let mut is_same = true;

@@ -12,7 +12,7 @@
 //! assert!((displacement[0] - 3.488507872497762_f64).abs() < 1e-14);
 //! // At (0.4, 6) the body sticks; the border is at α = 6.949….
 //! assert!(displacement[2].is_nan() && (border[2] - 6.949737755908733_f64).abs() < 1e-13);
-//! # Ok::<(), stickslip::batch::LengthMismatch>(())
+//! # Ok::<(), stickslip::Error>(())
 //! ```
 //!
 //! # How it works
@@ -49,7 +49,7 @@ mod straight;
 mod threads;
 mod velocity;
 
-pub use columns::{Columns, LengthMismatch};
+pub use columns::Columns;
 pub use fixed::FixedOmega;
 pub use level::Level;
 
@@ -114,8 +114,8 @@ impl Batch {
     /// one more each. The others are computed point by point.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices differ in length.
-    pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), LengthMismatch> {
+    /// [`Error::LengthMismatch`] where the slices differ in length.
+    pub fn run(&self, omega: &[f64], alpha: &[f64], columns: Columns<'_>) -> Result<(), Error> {
         same_length(omega.len(), "alpha", alpha.len())?;
         let mut columns = columns.of_length(omega.len())?;
         self.looped(None, omega, alpha, columns.take_looped());
@@ -126,13 +126,8 @@ impl Batch {
     /// The same at one Ω.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices differ in length.
-    pub fn run_at(
-        &self,
-        row: &FixedOmega,
-        alpha: &[f64],
-        columns: Columns<'_>,
-    ) -> Result<(), LengthMismatch> {
+    /// [`Error::LengthMismatch`] where the slices differ in length.
+    pub fn run_at(&self, row: &FixedOmega, alpha: &[f64], columns: Columns<'_>) -> Result<(), Error> {
         let mut columns = columns.of_length(alpha.len())?;
         self.looped(Some(row), alpha, alpha, columns.take_looped());
         self.each(alpha.len(), columns, &|i| Ratios::new(row.omega(), *alpha.get(i)?).ok());
@@ -143,13 +138,13 @@ impl Batch {
     /// by point; NaN where there are no ratios.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where a slice does not have `n` elements.
+    /// [`Error::LengthMismatch`] where a slice does not have `n` elements.
     pub fn run_each(
         &self,
         n: usize,
         ratios: impl Fn(usize) -> Option<Ratios<f64>> + Sync,
         columns: Columns<'_>,
-    ) -> Result<(), LengthMismatch> {
+    ) -> Result<(), Error> {
         self.each(n, columns.of_length(n)?, &ratios);
         Ok(())
     }
@@ -159,12 +154,8 @@ impl Batch {
     /// A point outside the domain has an [`Error`] in its place.
     ///
     /// # Errors
-    /// [`LengthMismatch`] where the slices differ in length.
-    pub fn steady(
-        &self,
-        omega: &[f64],
-        alpha: &[f64],
-    ) -> Result<Vec<Result<LongRun<f64>, Error>>, LengthMismatch> {
+    /// [`Error::LengthMismatch`] where the slices differ in length.
+    pub fn steady(&self, omega: &[f64], alpha: &[f64]) -> Result<Vec<Result<LongRun<f64>, Error>>, Error> {
         same_length(omega.len(), "force ratio α", alpha.len())?;
         #[cfg(feature = "rayon")]
         if self.threads {

@@ -53,8 +53,9 @@ pub enum Error {
         /// Static friction ratio η = r_s/r_y.
         static_friction_ratio: Number,
     },
-    /// A value so small or so large that a result could underflow or overflow.
-    #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest} in this number type")]
+    /// A value so small or so large that a result could underflow or overflow in this number type, or a
+    /// setting outside its range.
+    #[error("{quantity} = {value} must be ≥ {least} and ≤ {greatest}")]
     OutOfRange {
         /// The quantity.
         quantity: Quantity,
@@ -141,6 +142,16 @@ pub enum Error {
     AtResonance {
         /// The requested quantity.
         quantity: Quantity,
+    },
+    /// Slices of a batch whose lengths differ.
+    #[error("{name} has {found} elements, but must have {expected}, as the others")]
+    LengthMismatch {
+        /// The name of the slice: that of an output, `alpha` or `regime`.
+        name: &'static str,
+        /// Its length.
+        found: usize,
+        /// The length of the first slice.
+        expected: usize,
     },
     /// A response curve with too few measurements of cycles that do not stick.
     #[error(
@@ -238,6 +249,7 @@ impl Error {
             | Self::BaseMotion
             | Self::SearchBound { .. }
             | Self::Interrupted
+            | Self::LengthMismatch { .. }
             | Self::Unbounded { .. } => None,
         }
     }

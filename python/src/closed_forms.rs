@@ -7,9 +7,9 @@ use crate::table::Table;
 use numpy::PyReadwriteArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch};
+use stickslip::batch::{Batch, Columns, FixedOmega};
 use stickslip::no_stop_force_ratios;
-use stickslip::{Output, Regime, Response};
+use stickslip::{Error, Output, Regime, Response};
 
 /// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a
 /// task.
@@ -124,7 +124,7 @@ pub(crate) fn table(
     columns: &[Column],
     regime: bool,
     stop: &Stop,
-) -> Result<Table, LengthMismatch> {
+) -> Result<Table, Error> {
     let mut numbers: Vec<_> = columns.iter().map(|column| (*column, vec![0.0; points.n])).collect();
     let mut codes = vec![0; if regime { points.n } else { 0 }];
     let places = Places {
@@ -144,7 +144,7 @@ pub(crate) fn table(
 }
 
 /// Fills the places, until it is told to stop.
-fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), LengthMismatch> {
+fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error> {
     // One Ω is worked out once, where it is one of the domain.
     let row = match points.omega {
         Values::One(omega, _) if points.is_plain() && points.n > 1 => FixedOmega::new(omega).ok(),
@@ -161,7 +161,7 @@ fn halves(
     places: Places<'_>,
     row: Option<&FixedOmega>,
     stop: &Stop,
-) -> Result<(), LengthMismatch> {
+) -> Result<(), Error> {
     // Point by point takes longer.
     let task = if points.is_plain() { TASK } else { TASK / 32 };
     if points.n <= task {
@@ -174,7 +174,7 @@ fn halves(
 }
 
 /// One task.
-fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> Result<(), LengthMismatch> {
+fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> Result<(), Error> {
     let mut wanted = Columns::new();
     let mut regimes = vec![None; places.regimes.as_ref().map_or(0, |codes| codes.len())];
     let at = |i: usize| ratios(points.at(i)?).ok();

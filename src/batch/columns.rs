@@ -1,30 +1,14 @@
 //! The requested outputs of a batch, and the slices that receive them.
 
+use crate::error::Error;
 use crate::output::Output;
 use crate::ratios::Ratios;
 use crate::regime::Regime;
 use crate::response::Response;
 
-/// The error for slices whose lengths differ.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
-#[error("{name} has {found} elements where {expected} are due")]
-#[non_exhaustive]
-pub struct LengthMismatch {
-    /// The name of the slice: that of an output, `alpha` or `regime`.
-    pub name: &'static str,
-    /// Its length.
-    pub found: usize,
-    /// The length of the first slice.
-    pub expected: usize,
-}
-
 /// An error unless a slice of length `found` is as long as the first.
-pub(super) const fn same_length(
-    expected: usize,
-    name: &'static str,
-    found: usize,
-) -> Result<(), LengthMismatch> {
-    if found == expected { Ok(()) } else { Err(LengthMismatch { name, found, expected }) }
+pub(super) const fn same_length(expected: usize, name: &'static str, found: usize) -> Result<(), Error> {
+    if found == expected { Ok(()) } else { Err(Error::LengthMismatch { name, found, expected }) }
 }
 
 /// The requested outputs of a batch, each with the slice that receives it: any of [`Output::ALL`], and the
@@ -37,7 +21,7 @@ pub(super) const fn same_length(
 /// let columns = Columns::new().with(Output::MinForceRatio, &mut border).with_regime(&mut regime);
 /// Batch::new().run(&[0.4, 1.5], &[6.0, 2.5], columns)?;
 /// assert_eq!(regime, [Some(Regime::Sticking), Some(Regime::NonSticking)]);
-/// # Ok::<(), stickslip::batch::LengthMismatch>(())
+/// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Default)]
 #[must_use]
@@ -93,7 +77,7 @@ impl<'a> Columns<'a> {
     }
 
     /// The slices, if all have length `n`.
-    pub(super) fn of_length(self, n: usize) -> Result<Slices<'a, { Output::ALL.len() }>, LengthMismatch> {
+    pub(super) fn of_length(self, n: usize) -> Result<Slices<'a, { Output::ALL.len() }>, Error> {
         for (slice, output) in self.0.numbers.iter().zip(Output::ALL) {
             slice.as_ref().map_or(Ok(()), |slice| same_length(n, output.name(), slice.len()))?;
         }

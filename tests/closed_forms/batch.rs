@@ -1,9 +1,14 @@
 //! Batches compared with the library's own code for one point, with every instruction set of the processor:
 //! the same bits, and therefore the accuracy of a point (`accuracy.rs`).
 
+#[cfg(feature = "generators")]
+mod any;
+mod lengths;
+mod steady;
+
 use crate::random::Random;
-use stickslip::batch::{Batch, Columns, FixedOmega, LengthMismatch, Level};
-use stickslip::{Border, Output, Ratios, Regime, Response, regime};
+use stickslip::batch::{Batch, Columns, FixedOmega, Level};
+use stickslip::{Border, Error, Output, Ratios, Regime, Response, regime};
 
 /// Outputs that need no search of their own: those of the loops, and some that are computed point by point.
 const OUTPUTS: [Output; 13] = [
@@ -38,7 +43,7 @@ struct Answer {
 }
 
 impl Answer {
-    fn of(n: usize, outputs: &[Output], run: impl FnOnce(Columns<'_>) -> Result<(), LengthMismatch>) -> Self {
+    fn of(n: usize, outputs: &[Output], run: impl FnOnce(Columns<'_>) -> Result<(), Error>) -> Self {
         let (mut regime, mut columns) = (vec![None; n], vec![vec![f64::INFINITY; n]; outputs.len()]);
         let slices = outputs.iter().zip(&mut columns);
         let wanted = slices.fold(Columns::new(), |wanted, (&output, slice)| wanted.with(output, slice));
@@ -265,49 +270,6 @@ fn rows_of_one_frequency() {
     assert!(FixedOmega::new(0.0).is_err());
 }
 
-#[test]
-fn slices_of_different_lengths() {
-    let [mut ten, mut nine, mut regime] = [vec![0.0; 10], vec![0.0; 9], vec![0.0; 9]];
-    let (omega, alpha) = ([1.5; 10], [3.0; 10]);
-    let wanted = Columns::new().with(Output::Deviation, &mut ten).with(Output::MinForceRatio, &mut nine);
-    let error = Batch::new().run(&omega, &alpha, wanted).unwrap_err();
-    assert_eq!(error.to_string(), "min_force_ratio has 9 elements where 10 are due");
-    let error = Batch::new().run(&omega, &alpha[1..], Columns::new()).unwrap_err();
-    assert_eq!(error.to_string(), "alpha has 9 elements where 10 are due");
-    let wanted = Columns::new().with(Output::Deviation, &mut regime);
-    let error = Batch::new().run_each(10, |i| Ratios::new(omega[i], alpha[i]).ok(), wanted).unwrap_err();
-    assert_eq!(error.to_string(), "deviation has 9 elements where 10 are due");
-    let row = FixedOmega::new(1.5).unwrap();
-    let wanted = Columns::new().with(Output::Margin, &mut regime);
-    assert_eq!(Batch::new().run_at(&row, &alpha, wanted).unwrap_err().found, 9);
-    let mut regime = [None; 9];
-    let error = Batch::new().run(&omega, &alpha, Columns::new().with_regime(&mut regime)).unwrap_err();
-    assert_eq!(error.name, "regime");
-    assert!(Batch::new().steady(&[1.5; 10], &[3.0; 11]).is_err());
-}
-
-#[test]
-fn the_exact_motion() {
-    use stickslip::exact::{LongRun, State};
-    let omega = [1.5, 0.4, 0.7, 0.5, 1.0, f64::NAN];
-    let alpha = [2.5, 6.0, 1.2, 4.0, 2.0, 2.0];
-    let answers = Batch::new().steady(&omega, &alpha).unwrap();
-    for (i, answer) in answers.iter().enumerate() {
-        let expected = Ratios::new(omega[i], alpha[i]).and_then(|r| LongRun::from_start(r, State::default()));
-        match (answer, expected) {
-            (Ok(LongRun::Periodic(a)), Ok(LongRun::Periodic(b))) => {
-                assert!(
-                    (a.max_displacement.value / b.max_displacement.value - 1.0).abs() < 1e-12,
-                    "{}",
-                    omega[i]
-                );
-                assert!((a.max_velocity.value / b.max_velocity.value - 1.0).abs() < 1e-12, "{}", omega[i]);
-            }
-            (a, b) => assert_eq!(a, &b),
-        }
-    }
-}
-
 #[cfg(feature = "rayon")]
 #[test]
 fn threads_change_nothing() {
@@ -325,6 +287,3 @@ fn threads_change_nothing() {
     );
     assert_eq!(format!("{a:?}"), format!("{b:?}"));
 }
-
-#[cfg(feature = "generators")]
-mod any;

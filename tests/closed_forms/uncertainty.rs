@@ -1,8 +1,12 @@
 //! Ranges over boxes of parameters, compared with many points of the boxes.
 
+mod machines;
+#[cfg(feature = "random")]
+mod monte_carlo;
+
 use crate::random::Random;
 use stickslip::uncertainty::{Interval, Known, MachineBox, Range, RatioBox};
-use stickslip::{Border, Drive, Error, Oscillator, Output, Ratios, Regime, Response, Scales};
+use stickslip::{Border, Error, Output, Ratios, Regime, Response};
 
 fn interval(random: &mut Random, x: f64, width: f64) -> Interval<f64> {
     let share = width * random.next();
@@ -155,123 +159,6 @@ fn what_is_guaranteed_is_close_and_what_is_sampled_is_not_wider() {
 }
 
 #[test]
-fn guaranteed_ranges_of_machines_hold_everywhere() {
-    let mut random = Random(63);
-    let (mut guaranteed, mut never, mut always) = (0, 0, 0);
-    for i in 0..800 {
-        let is_base = i % 2 == 0;
-        let (m, k, r) = (random.scale(0.1, 10.0), random.scale(0.1, 10.0), random.scale(0.1, 10.0));
-        let omega = random.scale(0.1, 8.0);
-        let p0 = r * Border::new(omega).unwrap().min_force_ratio * random.scale(0.4, 8.0);
-        let a = if is_base { p0 / k } else { p0 };
-        let width = if i % 3 == 0 { 0.05 } else { 0.004 };
-        let [m, k, r, a, w] = [m, k, r, a, omega * (k / m).sqrt()].map(|x| interval(&mut random, x, width));
-        let machine =
-            if is_base { MachineBox::foot_motion(m, k, r, a, w) } else { MachineBox::force(m, k, r, a, w) };
-        let machine = machine.unwrap();
-        let sticks = machine.verdict().unwrap().sticks();
-        (never, always) =
-            (never + i32::from(sticks == Some(false)), always + i32::from(sticks == Some(true)));
-        let ranges: Vec<_> = Output::ALL.iter().map(|o| machine.range(*o, 20).unwrap()).collect();
-        for _ in 0..40 {
-            let [m, k, r, a, w] = [m, k, r, a, w].map(|i| within(&mut random, i));
-            let body = Oscillator::new(m, k, r).unwrap();
-            let drive = if is_base {
-                Drive::new(stickslip::Excitation::FootMotion, a, w)
-            } else {
-                Drive::force(a, w)
-            }
-            .unwrap();
-            let scales = Scales::new(&body, &drive).unwrap();
-            let response = Response::new(drive.ratios(&body).unwrap());
-            match sticks {
-                Some(true) => assert!(response.cycle.as_ref().is_none()),
-                Some(false) => {
-                    assert!(response.cycle.as_ref().is_some() || response.regime == Regime::Unbounded)
-                }
-                None => {}
-            }
-            for (output, range) in Output::ALL.iter().zip(&ranges) {
-                let value = output.of(&response).map(|y| y * output.unit(&scales));
-                if let (Some(range), Some(value)) = (range, value)
-                    && range.is_guaranteed()
-                {
-                    guaranteed += 1;
-                    assert!(holds(range, value), "{output:?}: {value} {range:?} {machine:?}");
-                }
-            }
-        }
-    }
-    assert!(guaranteed > 50_000 && never > 100 && always > 50, "{guaranteed} {never} {always}");
-}
-
-/// A box of a single machine contains its ratios, with their rounding, and gives the same verdict and margin.
-#[test]
-fn one_machine_is_in_its_own_box() {
-    let mut random = Random(64);
-    for _ in 0..2000 {
-        let mut one = || Interval::exactly(random.scale(0.01, 100.0));
-        let [m, k, r, a, w] = [one(), one(), one(), one(), one()];
-        for is_base in [false, true] {
-            let machine = if is_base {
-                MachineBox::foot_motion(m, k, r, a, w)
-            } else {
-                MachineBox::force(m, k, r, a, w)
-            };
-            let machine = machine.unwrap();
-            let body = Oscillator::new(m.low(), k.low(), r.low()).unwrap();
-            let excitation =
-                if is_base { stickslip::Excitation::FootMotion } else { stickslip::Excitation::Force };
-            let drive = Drive::new(excitation, a.low(), w.low()).unwrap();
-            let (whole, ratios) = (machine.ratios().unwrap(), drive.ratios(&body).unwrap());
-            let holds =
-                |i: Interval<f64>, x: f64| i.low() <= x && x <= i.high() && i.high() - i.low() < 1e-14 * x;
-            assert!(
-                holds(whole.omega(), ratios.omega()) && holds(whole.alpha(), ratios.alpha()),
-                "{machine:?}"
-            );
-            let margin = machine.range(Output::Margin, 1).unwrap().unwrap();
-            assert_eq!(margin.known, Known::Guaranteed { sharp: false });
-        }
-    }
-}
-
-/// Where the stiffness is the least certain parameter, the guaranteed range with many pieces is nearly
-/// attained.
-#[test]
-fn guaranteed_ranges_of_machines_are_close() {
-    let mut random = Random(65);
-    let mut seen = 0;
-    for _ in 0..60 {
-        let exactly = |x: f64| Interval::exactly(x);
-        let (k, w) = (random.scale(0.1, 10.0), random.scale(0.3, 4.0));
-        let stiffness = Interval::relative(k, 0.15).unwrap();
-        let least = Border::new(w / stiffness.low().sqrt()).unwrap().min_force_ratio;
-        let p0 = least * random.scale(1.5, 6.0);
-        let machine =
-            MachineBox::force(exactly(1.0), stiffness, exactly(1.0), exactly(p0), exactly(w)).unwrap();
-        for output in [Output::MaxDisplacement, Output::LoopSizeStiffness, Output::LoopSizeInertia] {
-            let Some(range) = machine.range(output, 4000).unwrap().filter(Range::is_guaranteed) else {
-                continue;
-            };
-            seen += 1;
-            let (mut low, mut high) = (f64::INFINITY, 0.0);
-            for i in 0..=400 {
-                let k = stiffness.low() + (stiffness.high() - stiffness.low()) * f64::from(i) / 400.0;
-                let (body, drive) = (Oscillator::new(1.0, k, 1.0).unwrap(), Drive::force(p0, w).unwrap());
-                let scales = Scales::new(&body, &drive).unwrap();
-                let response = Response::new(drive.ratios(&body).unwrap());
-                let value = output.of(&response).unwrap() * output.unit(&scales);
-                (low, high) = (f64::min(low, value), f64::max(high, value));
-            }
-            let slack = 0.03 * (high - low);
-            assert!(range.low >= low - slack && range.high <= high + slack, "{range:?} {low} {high}");
-        }
-    }
-    assert!(seen > 60, "{seen}");
-}
-
-#[test]
 fn what_is_wrong_is_named() {
     assert!(matches!(Interval::between(2.0, 1.0), Err(Error::EmptyInterval { .. })));
     assert!(Interval::relative(2.0, -0.1).is_err() && Interval::absolute(2.0, f64::NAN).is_err());
@@ -292,9 +179,6 @@ fn what_is_wrong_is_named() {
     };
     assert!(existing > 30 && existing < points);
 }
-
-#[cfg(feature = "random")]
-mod monte_carlo;
 
 /// With a damper, the verdict of a box is proved by ball arithmetic, and undecided without it; its ranges are
 /// sampled.

@@ -34,6 +34,7 @@ fn text(file: &Path) -> String {
                 Field::Double(number) => serde_json::to_string(number).unwrap(),
                 Field::Long(count) => count.to_string(),
                 Field::Str(text) => text.clone(),
+                Field::Bool(flag) => flag.to_string(),
                 other => panic!("{other:?}"),
             })
             .collect();
@@ -86,6 +87,23 @@ fn columns_have_types_and_the_file_says_what_it_is() {
     assert_eq!(note("omega").as_deref(), Some("0.3:1.3:3"));
     assert!(note("units").unwrap().contains("r_y/k"));
     assert!(metadata.created_by().unwrap().starts_with("stickslip "));
+}
+
+/// `symmetric` is a truth value, null at a point whose motion has no period.
+#[test]
+fn truth_values_are_booleans() {
+    let file = place("booleans.parquet");
+    stdout(&format!(
+        "sweep steady --static-friction-ratio 1.3 --omega 0.5:1.5:2 --alpha 0.5:4:2 --out {}",
+        file.display()
+    ));
+    let reader = reader(&file);
+    let rows = reader.get_row_iter(None).unwrap().map(Result::unwrap);
+    let symmetric = |row: parquet::record::Row| {
+        row.get_column_iter().find(|(name, _)| *name == "symmetric").map(|(_, field)| field.clone()).unwrap()
+    };
+    let found: Vec<_> = rows.map(symmetric).collect();
+    assert_eq!(found, [Field::Null, Field::Bool(false), Field::Null, Field::Bool(true)]);
 }
 
 #[test]

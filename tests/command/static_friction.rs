@@ -11,7 +11,7 @@ fn a_long_run_says_that_it_is_of_its_start() {
     let (most, least) = (number("max_displacement"), number("min_displacement"));
     assert!((most - least - 10.548_676).abs() < 2e-6 && (most + least).abs() > 0.1, "{answer}");
     assert_eq!((number("static_friction_ratio"), number("turns_per_cycle")), (1.3, 1.0));
-    assert_eq!((answer["symmetric"].as_str(), answer["limit"].as_str()), (Some("no"), Some("periodic")));
+    assert_eq!((answer["symmetric"].as_bool(), answer["limit"].as_str()), (Some(false), Some("periodic")));
     let text = stdout(&format!("steady {PAIR}"));
     assert!(text.contains("The limit of this start") && !text.contains("every start"), "{text}");
     let rest = json("steady --omega 0.8 --alpha 1.2 --static-friction-ratio 1.3 --format json");
@@ -82,7 +82,7 @@ fn attractors_are_found_whatever_the_number_of_threads() {
     let starts: u64 = limits.iter().map(|limit| limit["starts"].as_u64().unwrap()).sum();
     assert_eq!(starts, 60);
     for (limit, other) in [(&limits[0], 2), (&limits[1], 1)] {
-        assert_eq!((limit["mirror"].as_u64(), limit["symmetric"].as_str()), (Some(other), Some("no")));
+        assert_eq!((limit["mirror"].as_u64(), limit["symmetric"].as_bool()), (Some(other), Some(false)));
         assert_eq!(limit["sticks_per_cycle"].as_u64(), Some(1));
     }
     let rows = stdout(&format!("attractors {PAIR} --starts 60 --format csv"));
@@ -102,7 +102,7 @@ fn motions_that_no_start_leads_to() {
     assert_eq!(others.len(), 1, "{answer}");
     let other = &others[0];
     assert_eq!((other["attractor"].as_u64(), other["starts"].as_u64()), (Some(3), Some(0)), "{answer}");
-    assert_eq!((other["limit"].as_str(), other["symmetric"].as_str()), (Some("unstable"), Some("yes")));
+    assert_eq!((other["limit"].as_str(), other["symmetric"].as_bool()), (Some("unstable"), Some(true)));
     assert!((other["max_displacement"].as_f64().unwrap() - 5.271_292_025).abs() < 1e-8, "{answer}");
     let multiplier = other["multipliers"][0][0].as_f64().unwrap();
     assert!((multiplier - 1.192_208_330_88).abs() < 1e-9, "{answer}");

@@ -22,7 +22,7 @@ const OUTPUTS: [Output; 10] = [
 fn outputs(
     n: usize,
     places: &[usize],
-    run: impl FnOnce(Columns<'_>) -> Result<(), stickslip::batch::LengthMismatch>,
+    run: impl FnOnce(Columns<'_>) -> Result<(), stickslip::Error>,
 ) -> (Vec<Option<Regime>>, Vec<Vec<f64>>) {
     let (mut regimes, mut numbers) = (vec![None; n], vec![vec![0.0; n]; places.len()]);
     let slices = places.iter().zip(&mut numbers);

@@ -1,6 +1,7 @@
 //! Enclosures of the closed forms, compared with the same outputs at 1024 bits, where they are sharp and
 //! where a decision is close.
 
+mod damped;
 mod edges;
 mod many;
 mod ranges;
@@ -159,97 +160,6 @@ proptest! {
             prop_assert!(velocity.rad.to_f64() < 1e5 * width, "{velocity}");
         }
     }
-}
-
-/// Checks the closed forms with damping and static friction against the same outputs at 1024 bits.
-fn check_damped(omega: f64, alpha: Exact, zeta: f64, eta: f64, bits: u32) -> f64 {
-    let found = enclosed::response(&double(omega), &known(alpha), &double(zeta), &double(eta), bits).unwrap();
-    let ratios = Ratios::new(Exact::from(omega), alpha).unwrap();
-    let ratios = ratios.with_damping_ratio(Exact::from(zeta)).unwrap();
-    let exact = Response::new(ratios.with_static_friction_ratio(Exact::from(eta)).unwrap());
-    let (mut widest, mut values) = (0.0f64, 0);
-    for output in Output::ALL {
-        let (Some(enclosure), Some(value)) = (found.get(output), output.of(&exact)) else { continue };
-        let off = radii(enclosure, value);
-        assert!(
-            off <= 1.0,
-            "{omega} {alpha} {zeta} {eta} {output:?}: {value} is {off} radii from {enclosure}"
-        );
-        values += 1;
-        widest = if value == Exact::ZERO { widest } else { widest.max(units(enclosure)) };
-    }
-    let is_above = alpha > exact.border.min_force_ratio;
-    let expected = if is_above { Regime::NonSticking } else { Regime::BelowBorder };
-    assert_eq!(found.regime, Some(expected), "{omega} {alpha} {zeta} {eta}");
-    let all = if is_above { Output::ALL.len() } else { 7 };
-    assert!(values >= all - 1, "{omega} {alpha} {zeta} {eta}: {values} of {all}");
-    widest
-}
-
-#[test]
-fn damping_and_static_friction_have_enclosures() {
-    for (i, (omega, zeta, eta, over)) in [
-        (0.7, 0.05, 1.0, 1.5),
-        (0.7, 0.05, 1.3, 1.01),
-        (1.0, 0.2, 1.0, 2.0),
-        (1.6, 1.0, 1.0, 1.2),
-        (0.5, 1.0, 1.6, 3.0),
-        (0.8, 2.5, 1.0, 1.5),
-        (2.0, 40.0, 1.2, 1.5),
-        (0.41, 0.003, 1.0, 1.1),
-        (0.34, 0.02, 1.0, 1.0001),
-        (0.29, 0.01, 2.0, 1.3),
-        (0.19, 0.001, 1.0, 1.4),
-        (0.11, 0.03, 1.0, 2.0),
-        (0.07, 0.3, 1.0, 1.4),
-        (0.4, 0.0, 1.5, 1.2),
-        (0.7, 0.0, 1.3, 1.5),
-        (1.4, 0.0, 2.0, 1.1),
-        (0.6, 0.05, 1.3, 0.9),
-        (0.36, 0.01, 1.0, 0.99),
-        (3.0, 1e-9, 1.0, 1.5),
-        (0.99999, 1e-6, 1.0, 1.5),
-    ]
-    .into_iter()
-    .enumerate()
-    {
-        let ratios = Ratios::new(Exact::from(omega), Exact::from(2.0)).unwrap();
-        let ratios = ratios.with_damping_ratio(Exact::from(zeta)).unwrap();
-        let ratios = ratios.with_static_friction_ratio(Exact::from(eta)).unwrap();
-        let least = Response::new(ratios).border.min_force_ratio;
-        let alpha = Exact::rounded(Mp::<2>::rounded(least * Exact::from(over)));
-        let widest = check_damped(omega, alpha, zeta, eta, if i % 2 == 0 { 64 } else { 200 });
-        assert!(widest <= 1.5, "{omega} {zeta} {eta}: {widest} units");
-    }
-}
-
-/// For intervals of ζ and η, the enclosures contain the outputs of every point.
-#[test]
-fn intervals_of_damping_have_the_outputs_of_all_their_numbers() {
-    let about = |x: f64| Known::between(&double(x), &double(x * (1.0 + 2f64.powi(-20)))).unwrap();
-    for (omega, alpha, zeta, eta) in [(0.7, 2.2, 0.1, 1.2), (1.3, 9.0, 1.5, 1.0), (0.42, 14.0, 0.01, 1.1)] {
-        let found = enclosed::response(&about(omega), &about(alpha), &about(zeta), &about(eta), 64).unwrap();
-        assert_eq!(found.regime, Some(Regime::NonSticking), "{omega} {zeta}");
-        for share in [0.0, 0.3, 1.0] {
-            let at = |x: f64| x * (1.0 + share * 2f64.powi(-20));
-            let ratios = Ratios::new(Exact::from(at(omega)), Exact::from(at(alpha))).unwrap();
-            let ratios = ratios.with_damping_ratio(Exact::from(at(zeta))).unwrap();
-            let exact = Response::new(ratios.with_static_friction_ratio(Exact::from(at(eta))).unwrap());
-            for output in Output::ALL {
-                let (Some(enclosure), Some(value)) = (found.get(output), output.of(&exact)) else { continue };
-                assert!(radii(enclosure, value) <= 1.0, "{omega} {output:?}: {enclosure} {value}");
-            }
-            let displacement = found.get(Output::MaxDisplacement).unwrap();
-            assert!(displacement.rad.to_f64() < 1e-3, "{displacement}");
-        }
-    }
-    // An interval across critical damping, and a ratio outside its domain.
-    let both = Known::between(&text("0.99"), &text("1.01")).unwrap();
-    let found = enclosed::response(&text("0.7"), &text("3"), &both, &whole(1), 64).unwrap();
-    assert_eq!((found.regime, found.get(Output::MaxDisplacement)), (None, None));
-    let fails =
-        |zeta, eta| enclosed::response(&text("0.7"), &text("3"), &text(zeta), &text(eta), 64).is_err();
-    assert!(fails("-0.1", "1") && fails("1e200", "1") && fails("0", "0.9"));
 }
 
 #[test]

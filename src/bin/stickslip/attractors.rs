@@ -135,7 +135,6 @@ pub(crate) struct Row<'a, F> {
 impl<F: Value> Row<'_, F> {
     pub(crate) fn record(&self) -> Record<F> {
         let steady = self.steady;
-        let yes = |flag: bool| if flag { "yes" } else { "no" };
         let count = |of: fn(&SteadyState<F>) -> u32| Cell::Count(steady.map(|s| u64::from(of(s))));
         let fields = vec![
             ("attractor", Cell::Count(Some(self.number as u64))),
@@ -145,7 +144,7 @@ impl<F: Value> Row<'_, F> {
             ("first_x", Cell::Number(self.first.map(|s| s.x))),
             ("first_v", Cell::Number(self.first.map(|s| s.v))),
             ("mirror", Cell::Count(self.mirror.map(|number| number as u64))),
-            ("symmetric", Cell::Text(steady.map_or("", |s| yes(s.is_symmetric)))),
+            ("symmetric", Cell::Flag(steady.map(|s| s.is_symmetric))),
             ("turns_per_cycle", count(|s| s.turns_per_cycle)),
             ("max_displacement", Cell::Number(self.extrema.map(|(_, most)| most))),
             ("min_displacement", Cell::Number(self.extrema.map(|(least, _)| least))),

@@ -112,7 +112,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
                 "",
                 "turns of the drive in a cycle; this and the next four outputs where static friction was given",
             ),
-            ("symmetric", "", "whether half a cycle is the mirror image of the other half: yes or no"),
+            ("symmetric", "", "whether half a cycle is the mirror image of the other half: true or false"),
             ("lyapunov_exponent", "1", "Lyapunov exponent of an irregular motion, per turn of the drive"),
             ("lyapunov_exponent_error", "1", "its standard error"),
             ("turns_observed", "", "turns of the drive over which an irregular motion was observed"),

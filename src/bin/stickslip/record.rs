@@ -82,7 +82,7 @@ impl<F: Value> Record<F> {
                 ("best_loop_size", Cell::Number(response.best_loop_size)),
                 ("contraction", of_cycle(|c| c.contraction())),
                 ("reversals_per_cycle", Cell::Count(response.reversals_per_cycle().map(u64::from))),
-                ("best_force_ratio_slides", Cell::Flag(response.best_is_reached())),
+                ("best_force_ratio_slides", Cell::Flag(Some(response.best_is_reached()))),
                 ("dynamic_amplification", of_cycle(|c| c.max_displacement / c.ratios.alpha())),
                 ("max_acceleration", peak(|c| c.max_acceleration())),
                 ("transmitted_force", peak(|c| c.transmitted_force())),

@@ -97,7 +97,6 @@ fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: 
     let steady = limit.steady_state();
     let irregular = limit.irregular();
     let number = |value: fn(&Irregular<F>) -> F| Cell::Number(irregular.map(value));
-    let symmetric = steady.map_or("", |s| if s.is_symmetric { "yes" } else { "no" });
     let extrema = limit.extrema();
     for (name, cell) in &mut record.fields {
         match *name {
@@ -108,7 +107,7 @@ fn with_static_friction<F: Value>(record: Record<F>, ratios: &Ratios<F>, limit: 
     }
     record.fields.extend([
         ("turns_per_cycle", Cell::Count(steady.map(|s| u64::from(s.turns_per_cycle)))),
-        ("symmetric", Cell::Text(symmetric)),
+        ("symmetric", Cell::Flag(steady.map(|s| s.is_symmetric))),
         ("lyapunov_exponent", number(|m| m.lyapunov_exponent)),
         ("lyapunov_exponent_error", number(|m| m.lyapunov_exponent_error)),
         ("turns_observed", Cell::Count(irregular.map(|m| m.turns))),

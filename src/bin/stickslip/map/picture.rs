@@ -128,11 +128,11 @@ impl Map<'_> {
                     whole = false;
                     number.unwrap_or(f64::NAN)
                 }
-                Cell::Flag(flag) => {
+                Cell::Flag(Some(flag)) => {
                     named = true;
                     place_of(if flag { "true" } else { "false" }, &mut names)
                 }
-                Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
+                Cell::Flag(None) | Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
             });
             Ok(())
         })?;

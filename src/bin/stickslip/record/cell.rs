@@ -13,8 +13,8 @@ pub(crate) enum Cell<F> {
     Number(Option<F>),
     /// An integer.
     Count(Option<u64>),
-    /// A truth value.
-    Flag(bool),
+    /// A truth value; `None` where it does not exist.
+    Flag(Option<bool>),
     /// At most two intervals; the last may have no greatest value.
     Intervals([Option<(F, Option<F>)>; 2]),
     /// Two complex numbers, each as its real and imaginary part.
@@ -48,7 +48,7 @@ impl<F: Value> Cell<F> {
             Self::Text(text) => (*text).to_owned(),
             Self::Number(number) => number.map_or_else(dash, note::digits),
             Self::Count(count) => count.map_or_else(dash, |n| n.to_string()),
-            Self::Flag(flag) => flag.to_string(),
+            Self::Flag(flag) => flag.map_or_else(dash, |flag| flag.to_string()),
             Self::Intervals(intervals) => {
                 let text = |&(low, high): &(F, Option<F>)| match high {
                     Some(high) => format!("{} to {}", note::digits(low), note::digits(high)),

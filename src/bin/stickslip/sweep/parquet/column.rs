@@ -23,6 +23,7 @@ pub(super) struct Column {
 enum Values {
     Doubles(Vec<f64>),
     Counts(Vec<i64>),
+    Flags(Vec<bool>),
     /// Text, and numbers with more digits than a double.
     Texts(Vec<ByteArray>),
 }
@@ -35,7 +36,8 @@ impl Column {
                 Values::Doubles(Vec::new())
             }
             Cell::Count(_) => Values::Counts(Vec::new()),
-            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) | Cell::Text(_) | Cell::Flag(_) => {
+            Cell::Flag(_) => Values::Flags(Vec::new()),
+            Cell::Number(_) | Cell::Pairs(_) | Cell::Intervals(_) | Cell::Text(_) => {
                 Values::Texts(Vec::new())
             }
         };
@@ -47,6 +49,7 @@ impl Column {
         let (physical, logical) = match self.values {
             Values::Doubles(_) => (Physical::DOUBLE, None),
             Values::Counts(_) => (Physical::INT64, None),
+            Values::Flags(_) => (Physical::BOOLEAN, None),
             Values::Texts(_) => (Physical::BYTE_ARRAY, Some(LogicalType::String)),
         };
         Type::primitive_type_builder(&self.name, physical)
@@ -62,7 +65,8 @@ impl Column {
             (Values::Counts(values), Cell::Count(count)) => {
                 values.extend(count.and_then(|n| i64::try_from(n).ok()));
             }
-            (Values::Texts(values), Cell::Number(Some(_)) | Cell::Text(_) | Cell::Flag(_)) => {
+            (Values::Flags(values), Cell::Flag(flag)) => values.extend(flag),
+            (Values::Texts(values), Cell::Number(Some(_)) | Cell::Text(_)) => {
                 let text = cell.text();
                 self.bytes += text.len();
                 values.push(text.into_bytes().into());
@@ -79,6 +83,7 @@ impl Column {
         match &self.values {
             Values::Doubles(values) => values.len(),
             Values::Counts(values) => values.len(),
+            Values::Flags(values) => values.len(),
             Values::Texts(values) => values.len(),
         }
     }
@@ -92,6 +97,9 @@ impl Column {
                 reader.read_records(count, there, None, values)?
             }
             (Values::Counts(values), ColumnReader::Int64ColumnReader(reader)) => {
+                reader.read_records(count, there, None, values)?
+            }
+            (Values::Flags(values), ColumnReader::BoolColumnReader(reader)) => {
                 reader.read_records(count, there, None, values)?
             }
             (Values::Texts(values), ColumnReader::ByteArrayColumnReader(reader)) => {
@@ -125,6 +133,10 @@ impl Column {
                 writer.write_batch(values, there, None)?;
                 values.clear();
             }
+            (Values::Flags(values), ColumnWriter::BoolColumnWriter(writer)) => {
+                writer.write_batch(values, there, None)?;
+                values.clear();
+            }
             (Values::Texts(values), ColumnWriter::ByteArrayColumnWriter(writer)) => {
                 writer.write_batch(values, there, None)?;
                 values.clear();
@@ -150,8 +162,11 @@ pub(super) fn is<F: Value>(row: &Row, record: &Record<F>) -> bool {
     let field = |cell: Cell<F>| match cell {
         Cell::Number(Some(number)) if F::PRECISION <= f64::MANTISSA_DIGITS => Field::Double(number.to_f64()),
         Cell::Count(Some(count)) => i64::try_from(count).map_or(Field::Null, Field::Long),
-        Cell::Number(Some(_)) | Cell::Text(_) | Cell::Flag(_) => Field::Str(cell.text()),
-        Cell::Number(None) | Cell::Count(None) | Cell::Pairs(_) | Cell::Intervals(_) => Field::Null,
+        Cell::Flag(Some(flag)) => Field::Bool(flag),
+        Cell::Number(Some(_)) | Cell::Text(_) => Field::Str(cell.text()),
+        Cell::Number(None) | Cell::Count(None) | Cell::Flag(None) | Cell::Pairs(_) | Cell::Intervals(_) => {
+            Field::Null
+        }
     };
     row.get_column_iter().map(|(_, field)| field.clone()).eq(record.cells().map(field))
 }
