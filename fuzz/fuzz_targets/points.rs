@@ -46,12 +46,13 @@ static FILE: LazyLock<PathBuf> =
 
 const COMMANDS: [&str; 4] = ["response", "border", "response --units kN,mm", "border --units kN,mm"];
 /// Headers before the input bytes; the first is empty, so that the bytes have their own header.
-const HEADERS: [&str; 6] = [
+const HEADERS: [&str; 7] = [
     "",
     "omega,alpha\n",
     "note,alpha,omega,damping_ratio\r\n",
     "mass[t],stiffness[kN/mm],friction[kN],frequency[Hz],force[kN]\n",
     "mass,period,friction_coefficient,frequency,base_acceleration\n",
+    "mass,stiffness,friction,friction_backward,mean_force,frequency,force,static_ratio\n",
     "\u{feff}\"omega\" , \"alpha\"\n",
 ];
 /// Rows before the input bytes.

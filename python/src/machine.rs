@@ -6,7 +6,7 @@ use numpy::{IntoPyArray, PyArray1, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use stickslip::units::{Kind, Reader, System, UnitError};
-use stickslip::{Drive, Error, Excitation, Oscillator, Output, Scales};
+use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Scales};
 
 /// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant,
 /// static friction ratio.
@@ -53,14 +53,19 @@ fn static_friction_ratio(of: Body, static_friction: f64) -> PyResult<f64> {
 fn transmitted<'py>(
     py: Python<'py>,
     kind: &str,
-    columns: [PyReadonlyArray1<'py, f64>; 4],
+    columns: [PyReadonlyArray1<'py, f64>; 5],
 ) -> PyResult<[Bound<'py, PyArray1<f64>>; 2]> {
     let kind = excitation(kind)?;
-    let [omega, alpha, force, acceleration] = &columns;
-    let (omega, alpha) = (omega.as_slice()?, alpha.as_slice()?);
-    let points = omega.iter().zip(alpha).zip(force.as_slice()?.iter().zip(acceleration.as_slice()?));
-    let (force, ratio): (Vec<_>, Vec<_>) =
-        points.map(|((&omega, &alpha), (&force, &a))| kind.transmitted(omega, alpha, force, a)).unzip();
+    let [omega, alpha, zeta, force, acceleration] = &columns;
+    let (omega, alpha, zeta) = (omega.as_slice()?, alpha.as_slice()?, zeta.as_slice()?);
+    let points =
+        omega.iter().zip(alpha).zip(zeta).zip(force.as_slice()?.iter().zip(acceleration.as_slice()?));
+    let (force, ratio): (Vec<_>, Vec<_>) = points
+        .map(|(((&omega, &alpha), &zeta), (&force, &acceleration))| {
+            let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(zeta));
+            ratios.map_or((f64::NAN, f64::NAN), |ratios| kind.transmitted(&ratios, force, acceleration))
+        })
+        .unzip();
     Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
 }
 
@@ -136,8 +141,9 @@ fn machine_columns<'py>(
         "energy_inertia",
         "acceleration",
         "mean_displacement",
+        "mean_friction",
     ];
-    let mut columns: [Vec<f64>; 12] = Default::default();
+    let mut columns: [Vec<f64>; 13] = Default::default();
     for (&amplitude, &frequency) in amplitude.as_slice()?.iter().zip(angular_frequency.as_slice()?) {
         let row = (|| {
             let drive = Drive::new(kind, amplitude, frequency)?.with_mean_force(mean_force)?;
@@ -155,6 +161,7 @@ fn machine_columns<'py>(
                 scales.energy_inertia,
                 scales.velocity / scales.time,
                 scales.mean_displacement,
+                scales.mean_friction,
             ])
         })();
         for (column, value) in columns.iter_mut().zip(row.map_err(refused)?) {
@@ -179,6 +186,7 @@ fn units() -> Vec<(&'static str, &'static str)> {
         energy_stiffness: 11.0,
         energy_inertia: 13.0,
         mean_displacement: 0.0,
+        mean_friction: 0.0,
     };
     let names = [
         (marks.length, "length"),

@@ -74,11 +74,15 @@ def in_units(answer: Result, drive: Drive, ratios: Mapping[str, Any], scales: Ma
     }
     kinds = dict(zip(physical, ("frequency", "force", "length", "length")))
     for name in answer._names:
+        # A damper on the moving foot dissipates by the velocity between body and foot, which is not in these.
+        if drive.excitation == "damped_foot_displacement" and name in ("damper_work", "energy_in"):
+            continue
         scale = "time" if name.endswith("_phase") else units.get(name, "")
         value = getattr(answer, name) if scale else None
         if value is not None:
             named = _PHYSICAL.get(name, name.replace("_phase", "_time"))
-            physical[named] = value * sizes[scale]
+            # Friction that differs by direction is symmetric about its mean.
+            physical[named] = value * sizes[scale] + (scales["mean_friction"] if name == "friction" else 0.0)
             kinds[named] = _KIND_OF_SCALE[scale]
     return Physical(physical, names_of(drive.units, kinds))
 
@@ -90,7 +94,7 @@ def felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict
     if "foot" not in drive.excitation or acceleration is None:
         return values
     shape = np.shape(acceleration)
-    given = (ratios["omega"], ratios["alpha"], 0.0, acceleration)
+    given = (ratios["omega"], ratios["alpha"], ratios["damping_ratio"], 0.0, acceleration)
     columns = tuple(np.ascontiguousarray(np.broadcast_to(value, shape), np.float64).reshape(-1) for value in given)
     force, ratio = (column.reshape(shape) for column in _native.transmitted(drive.excitation, columns))
     # Over the surface, which stays.

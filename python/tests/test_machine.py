@@ -119,6 +119,10 @@ def test_friction_by_direction_and_a_mean_force_are_a_shift():
     machine = ss.Machine(mass=2.0, stiffness=8.0, friction=5.0, friction_backward=3.0)
     answer = machine.response(ss.Drive(force=12.0, angular_frequency=4.0, mean_force=9.0))
     assert answer.alpha == 3.0 and answer.physical.mean_displacement == 1.0
+    motion = machine.simulate(ss.Drive(force=12.0, angular_frequency=4.0, mean_force=9.0), cycles=2, samples=16)
+    sliding = motion.physical.velocity != 0
+    due = np.where(motion.physical.velocity > 0, 5.0, -3.0)
+    assert sliding.sum() > 20 and (motion.physical.friction_force == due)[sliding].all()
 
 
 @pytest.mark.parametrize(

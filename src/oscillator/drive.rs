@@ -85,13 +85,20 @@ impl Excitation {
     ///
     /// If the foot moves, foot and surface together carry the force m x″, which is `Ω²` times the
     /// acceleration, because nothing else acts on the body; the transmissibility is then the ratio of the
-    /// accelerations of body and foot. Otherwise they are the force, and the force over p₀.
+    /// accelerations of body and foot, of which a damper on the foot leaves `√(1 + (2ζΩ)²) u₀ = p₀/k`.
+    /// Otherwise they are the force, and the force over p₀.
     #[doc(hidden)]
-    pub fn transmitted<F: Float>(self, omega: F, alpha: F, force: F, acceleration: F) -> (F, F) {
-        if self.moves_foot() {
-            (acceleration * omega.square(), acceleration / alpha)
-        } else {
-            (force, force / alpha)
+    pub fn transmitted<F: Float>(self, ratios: &Ratios<F>, force: F, acceleration: F) -> (F, F) {
+        let (omega, alpha) = (ratios.omega(), ratios.alpha());
+        let damper = F::int(2) * ratios.damping_ratio() * omega;
+        match self {
+            Self::FootMotion => (acceleration * omega.square(), acceleration / alpha),
+            Self::DampedFootMotion => {
+                (acceleration * omega.square(), acceleration * F::int(1).hypot(damper) / alpha)
+            }
+            Self::Force | Self::SurfaceMotion | Self::SurfaceVelocity | Self::SurfaceAcceleration => {
+                (force, force / alpha)
+            }
         }
     }
 }

@@ -28,6 +28,11 @@ pub struct Scales<F> {
     /// Displacements in this crate are measured from there. A constant force shifts the motion, stops
     /// included, and changes nothing else.
     pub mean_displacement: F,
+    /// The mean of friction in both directions, `(r₊ − r₋)/2`; it is 0 where they are the same.
+    ///
+    /// The friction of this crate's answers is symmetric: that of the machine is r times [`Scales::force`]
+    /// plus this force.
+    pub mean_friction: F,
 }
 
 impl<F: Float> Scales<F> {
@@ -52,6 +57,7 @@ impl<F: Float> Scales<F> {
                 Quantity::MeanDisplacement,
                 (drive.mean_force() - oscillator.friction_offset()) / oscillator.stiffness(),
             )?,
+            mean_friction: oscillator.friction_offset(),
         })
     }
 }

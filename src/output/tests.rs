@@ -24,6 +24,7 @@ fn each_has_the_unit_of_its_dimension() {
         energy_stiffness: 13.0,
         energy_inertia: 17.0,
         mean_displacement: 19.0,
+        mean_friction: 23.0,
     };
     let expected = [
         ("max_displacement", 3.0),

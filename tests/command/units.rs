@@ -3,6 +3,7 @@
 //! The motions are compared with small time steps in the fixed frame, which use neither p₀ nor Ω nor α.
 
 pub(crate) mod base_motion;
+mod mean_force;
 
 use crate::command_line::{json, refused, stdout};
 use serde_json::Value;
@@ -186,7 +187,7 @@ fn every_output_is_defined() {
     for arguments in [
         format!("response {machine} --base-acceleration 0.15g --damping-ratio 0.01"),
         format!("response {machine} --foot-displacement 0.3m"),
-        format!("steady {machine} --base-acceleration 0.15g"),
+        format!("steady {machine} --base-acceleration 0.15g --mean-force 1kN --friction-backward 0.3kN"),
         format!("border {machine} --damping 3N*s/m"),
         "border --omega 0.4 --no-stop".to_owned(),
     ] {

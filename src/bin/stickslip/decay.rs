@@ -4,13 +4,13 @@ use crate::args::{DecayArgs, ForceArgs, Format};
 use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
-use crate::note::both;
+use crate::note::{self, both};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use std::io::Write;
-use stickslip::Quantity;
 use stickslip::exact::FreeDecay;
 use stickslip::units::{Kind, System};
+use stickslip::{Drive, Oscillator, Quantity};
 
 /// The command with its arguments and its output.
 struct Run<'a, W>(&'a DecayArgs, &'a mut W);
@@ -23,6 +23,8 @@ pub(crate) fn run(args: &DecayArgs, out: &mut impl Write) -> Outcome {
 struct Scales<F> {
     length: F,
     time: F,
+    /// The displacement about which friction is symmetric, if a mean force or backward friction was given.
+    mean_displacement: Option<F>,
     system: System,
 }
 
@@ -77,6 +79,11 @@ impl<W: Write> Task for Run<'_, W> {
                 if rests {
                     writeln!(out, "  after a time of          {}", time(decay.rest_time))?;
                 }
+                if let Some((mean, system)) =
+                    scales.as_ref().and_then(|s| Some((s.mean_displacement?, &s.system)))
+                {
+                    note::mean_displacement(mean, system, out)?;
+                }
                 Ok(())
             }
             Format::Jsonl | Format::Csv => {
@@ -105,6 +112,9 @@ fn record<F: Value>(decay: &FreeDecay<F>, scales: Option<&Scales<F>>, frictions:
             "rest_time" => Some(("rest_time", Kind::Time, scales.time)),
             _ => None,
         });
+        if let Some(mean) = scales.mean_displacement {
+            record.physical.values.push(("mean_displacement", Kind::Length, number(mean)));
+        }
     }
     record
 }
@@ -120,6 +130,21 @@ fn body<F: Value>(given: &Given<F>) -> Result<(Option<Scales<F>>, Frictions<F>),
         damping: given.has_damper().then(|| zeta.unwrap_or(body.damping_ratio())),
         static_friction: given.has_static_friction().then(|| eta.unwrap_or(body.static_friction_ratio())),
     };
-    let time = F::int(1) / body.natural_frequency();
-    Ok((Some(Scales { length: body.friction_displacement(), time, system: given.system }), frictions))
+    let shifted = given.has(P::MeanForce) || given.has(P::FrictionBackward);
+    let scales = Scales {
+        length: body.friction_displacement(),
+        time: F::int(1) / body.natural_frequency(),
+        mean_displacement: shifted.then(|| mean_displacement(given, &body)).transpose()?,
+        system: given.system,
+    };
+    Ok((Some(scales), frictions))
+}
+
+/// The shift of the motion, which is the same under any drive.
+fn mean_displacement<F: Value>(given: &Given<F>, body: &Oscillator<F>) -> Result<F, Failure> {
+    Drive::force(body.friction_bound(), body.natural_frequency())
+        .and_then(|drive| given.with_mean_force(drive))
+        .and_then(|drive| stickslip::Scales::new(body, &drive))
+        .map(|scales| scales.mean_displacement)
+        .map_err(|e| given.at_fault(e))
 }

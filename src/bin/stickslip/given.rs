@@ -82,20 +82,20 @@ impl<F: Value> Given<F> {
         self.values.iter().any(|(p, ..)| p.is_physical())
     }
 
-    /// The error for a damper or a static friction in physical units where all else are ratios.
+    /// The error for a single quantity in physical units where all else are ratios.
     pub(crate) fn in_units_beside_ratios(&self) -> Option<Failure> {
         let mut physical = self.values.iter().map(|&(p, ..)| p).filter(|p| p.is_physical());
         let (found, others) = (physical.next()?, physical.next());
-        let ratio = match (found, others) {
-            (P::Damping, None) => P::DampingRatio,
-            (P::StaticFriction, None) => P::StaticFrictionRatio,
+        let instead = match (found, others) {
+            (P::Damping, None) => "; with ratios give --damping-ratio",
+            (P::StaticFriction, None) => "; with ratios give --static-friction-ratio",
+            (P::MeanForce | P::FrictionBackward, None) => "",
             _ => return None,
         };
         Some(Failure::Input(format!(
-            "{}: the {} needs a machine in units, and --mass is missing; with ratios give {}",
+            "{}: the {} needs a machine in units, and --mass is missing{instead}",
             self.label(found),
             found.symbol(),
-            ratio.option()
         )))
     }
 
@@ -167,10 +167,12 @@ fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Paramete
         P::Friction => &machine.friction,
         P::FrictionCoefficient => &machine.friction_coefficient,
         P::Gravity => &machine.gravity,
+        P::FrictionBackward => &machine.friction_backward,
         P::DampingRatio => &machine.damping_ratio,
         P::Damping => &machine.damping,
         P::StaticFrictionRatio => &machine.static_friction_ratio,
         P::StaticFriction => &machine.static_friction,
+        P::MeanForce => &machine.mean_force,
         P::Frequency => &machine.frequency,
         P::Alpha => &force.alpha,
         P::Force => &force.force,
@@ -178,6 +180,7 @@ fn typed<'a>(machine: &'a MachineArgs, force: &'a ForceArgs, parameter: Paramete
         P::BaseVelocity => &force.base_velocity,
         P::BaseDisplacement => &force.base_displacement,
         P::FootDisplacement => &force.foot_displacement,
+        P::DampedFootDisplacement => &force.damped_foot_displacement,
     }
     .as_ref()
 }

@@ -57,6 +57,8 @@ pub(crate) fn point<F: Value>(given: &Given<F>) -> Result<Point<F>, Failure> {
         system: given.system,
         has_damper: given.has_damper(),
         has_static_friction: given.has_static_friction(),
+        directional_friction: given.directional_friction()?,
+        mean_force: given.get(P::MeanForce),
         friction_coefficient: given.get(P::FrictionCoefficient),
     };
     Ok(Point { ratios, machine: Some(machine) })

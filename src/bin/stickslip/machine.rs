@@ -4,7 +4,7 @@ use crate::bits::Value;
 use crate::failure::Failure;
 use crate::given::{Given, Parameter as P};
 use stickslip::units::System;
-use stickslip::{Drive, Error, Excitation, Oscillator, Scales};
+use stickslip::{Drive, Error, Excitation, Oscillator, Ratios, Scales};
 
 /// A machine in physical units and the scale of its answers.
 pub(crate) struct Machine<F> {
@@ -16,28 +16,51 @@ pub(crate) struct Machine<F> {
     pub(crate) has_damper: bool,
     /// Whether static friction was given, even if equal to the kinetic one.
     pub(crate) has_static_friction: bool,
+    /// The friction against forward and against backward motion, if they were given apart.
+    pub(crate) directional_friction: Option<(F, F)>,
+    /// The constant force, if it was given, even if zero.
+    pub(crate) mean_force: Option<F>,
     /// The coefficient of friction, if friction was given by it.
     pub(crate) friction_coefficient: Option<F>,
+}
+
+impl<F> Machine<F> {
+    /// Whether the damper stands on the spring's moving foot. Its heat is then not the work of `c x′`, and the
+    /// foot's work not that of p: neither is known here.
+    pub(crate) fn has_damped_foot(&self) -> bool
+    where
+        F: Value,
+    {
+        self.drive.excitation() == Excitation::DampedFootMotion
+    }
+
+    /// Whether a constant force or backward friction was given, which shift the motion.
+    pub(crate) const fn is_shifted(&self) -> bool {
+        self.mean_force.is_some() || self.directional_friction.is_some()
+    }
 }
 
 /// The transmitted force in r_y and the transmissibility of a machine, from those of a body under a force.
 pub(crate) fn transmitted<F: Value>(
     machine: Option<&Machine<F>>,
-    (omega, alpha): (F, F),
+    ratios: &Ratios<F>,
     force: F,
     acceleration: F,
 ) -> (F, F) {
     let excitation = machine.map_or(Excitation::Force, |m| m.drive.excitation());
-    excitation.transmitted(omega, alpha, force, acceleration)
+    excitation.transmitted(ratios, force, acceleration)
 }
 
 /// The kind of base motion, and the meaning of x; `None` for a force.
 pub(crate) const fn base_motion(excitation: Excitation) -> Option<&'static str> {
     match excitation {
         Excitation::Force => None,
-        Excitation::FootMotion | Excitation::DampedFootMotion => {
+        Excitation::FootMotion => {
             Some("of the spring's foot over a surface that stays: p₀ = k u₀, x over the surface")
         }
+        Excitation::DampedFootMotion => Some(
+            "of the foot of spring and damper over a surface that stays: p₀ = √(k² + c²ω_d²) u₀, x over the surface",
+        ),
         // The library may add kinds of motion of a base that carries the surface.
         Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
             Some("of a base that carries the surface: p₀ = m ω_d² u₀, x relative to the base")
@@ -98,9 +121,14 @@ impl<F: Value> Given<F> {
         .and_then(|body| self.with_damper(body))
     }
 
-    /// The body with its damper and its static friction, if given.
+    /// The body with its damper, its backward friction and its static friction, if given.
     pub(crate) fn with_damper(&self, body: Oscillator<F>) -> Result<Oscillator<F>, Failure> {
         self.one_of(&P::STATIC_FRICTIONS)?;
+        let body = match self.get(P::FrictionBackward) {
+            Some(backward) => body.with_directional_friction(body.friction_bound(), backward),
+            None => Ok(body),
+        }
+        .map_err(|e| self.at_fault(e))?;
         match self.one_of(&P::DAMPERS)? {
             Some((P::Damping, damping)) => body.with_damping(damping),
             Some((_, ratio)) => body.with_damping_ratio(ratio),
@@ -134,12 +162,14 @@ impl<F: Value> Given<F> {
         let Some((parameter, amplitude)) = self.one_of(&P::DRIVES)? else {
             return Err(Failure::Input(
                 "--force (or --base-acceleration, --base-velocity, --base-displacement, --foot-displacement, \
-                 --alpha) is missing"
+                 --damped-foot-displacement, --alpha) is missing"
                     .to_owned(),
             ));
         };
         let excitation = if parameter == P::FootDisplacement {
             Excitation::FootMotion
+        } else if parameter == P::DampedFootDisplacement {
+            Excitation::DampedFootMotion
         } else if parameter == P::BaseAcceleration {
             Excitation::SurfaceAcceleration
         } else if parameter == P::BaseVelocity {
@@ -149,8 +179,22 @@ impl<F: Value> Given<F> {
         } else if parameter == P::Force {
             Excitation::Force
         } else {
-            return Drive::with_force_ratio(body, amplitude, frequency).map_err(|e| self.at_fault(e));
+            return Drive::with_force_ratio(body, amplitude, frequency)
+                .and_then(|drive| self.with_mean_force(drive))
+                .map_err(|e| self.at_fault(e));
         };
-        Drive::new(excitation, amplitude, frequency).map_err(|e| self.at_fault(e))
+        Drive::new(excitation, amplitude, frequency)
+            .and_then(|drive| self.with_mean_force(drive))
+            .map_err(|e| self.at_fault(e))
+    }
+
+    /// The drive with its constant force, if given.
+    pub(crate) fn with_mean_force(&self, drive: Drive<F>) -> Result<Drive<F>, Error> {
+        self.get(P::MeanForce).map_or(Ok(drive), |force| drive.with_mean_force(force))
+    }
+
+    /// The friction against forward and against backward motion, if given apart.
+    pub(crate) fn directional_friction(&self) -> Result<Option<(F, F)>, Failure> {
+        Ok(self.friction()?.zip(self.get(P::FrictionBackward)))
     }
 }

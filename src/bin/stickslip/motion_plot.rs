@@ -39,6 +39,8 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let scale =
         |of: fn(&stickslip::Scales<f64>) -> f64| point.machine.as_ref().map_or(1.0, |m| of(&m.scales));
     let (length, velocity, force) = (scale(|s| s.length), scale(|s| s.velocity), scale(|s| s.force));
+    let mean_friction = point.machine.as_ref().map_or(0.0, |m| m.scales.mean_friction);
+    let friction = |s: &Instant<f64>| s.friction * force + mean_friction;
     let label = |name: &str, symbol: &str, kind: Kind| match point.machine {
         Some(_) => format!("{name} ({})", system.name(kind)),
         None => format!("{name} {symbol}"),
@@ -79,8 +81,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
         }
     };
     let (x, r) = (label("displacement", "x/B", Kind::Length), label("friction force", "r/r_y", Kind::Force));
-    let loop_points: Vec<(f64, f64)> =
-        samples.iter().map(|s| (s.state.x * length, s.friction * force)).collect();
+    let loop_points: Vec<(f64, f64)> = samples.iter().map(|s| (s.state.x * length, friction(s))).collect();
     let mut friction_loop = panel("friction loop", &x, r.clone(), loop_points);
     friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);
     let figure = Figure {
@@ -99,7 +100,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
                 label("velocity", "x′/(Bω_d)", Kind::Velocity),
                 over_time(&|s| s.state.v * velocity),
             ),
-            panel("friction force", when, r, over_time(&|s| s.friction * force)),
+            panel("friction force", when, r, over_time(&friction)),
             friction_loop,
         ],
     };

@@ -145,7 +145,17 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
     )?;
     writeln!(out, "  mass m                   {} {}", digits(oscillator.mass()), system.name(Kind::Mass))?;
     writeln!(out, "  stiffness k              {} {force}/{length}", digits(oscillator.stiffness()))?;
-    writeln!(out, "  friction bound r_y       {} {force}", digits(oscillator.friction_bound()))?;
+    let bound = digits(oscillator.friction_bound());
+    match machine.directional_friction {
+        Some((forward, backward)) => {
+            let (forward, backward) = (digits(forward), digits(backward));
+            writeln!(
+                out,
+                "  friction bound r_y       {bound} {force} = ({forward} forward + {backward} backward)/2"
+            )?;
+        }
+        None => writeln!(out, "  friction bound r_y       {bound} {force}")?,
+    }
     if *has_damper {
         writeln!(
             out,
@@ -155,7 +165,20 @@ pub(crate) fn given<F: Value>(machine: &Machine<F>, out: &mut impl Write) -> io:
         )?;
     }
     writeln!(out, "  force amplitude p₀       {} {force}", digits(drive.force_amplitude(oscillator)))?;
-    writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))
+    writeln!(out, "  friction displacement B  {} {length}", digits(scales.length))?;
+    if let Some(force) = machine.mean_force {
+        writeln!(out, "  mean force p̄             {} {}", digits(force), system.force())?;
+    }
+    if machine.is_shifted() {
+        mean_displacement(scales.mean_displacement, system, out)?;
+    }
+    Ok(())
+}
+
+/// The shift of the motion by a mean force and by friction that differs by direction.
+pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut impl Write) -> io::Result<()> {
+    let (mean, length) = (digits(mean), system.length());
+    writeln!(out, "  mean displacement        {mean} {length}; displacements are measured from there")
 }
 
 /// The numbers of a non-sticking cycle.
@@ -194,7 +217,7 @@ fn motion<F: Value>(
         let energy = scales.energy_stiffness * cycle.loop_size_stiffness();
         writeln!(out, "  energy 4 r_y Δ₀          {} {force}·{length}", digits(energy))?;
     }
-    if cycle.ratios.is_damped() {
+    if cycle.ratios.is_damped() && !machine.is_some_and(Machine::has_damped_foot) {
         let scale = scales.map(|s| s.force * s.length);
         let work = both(cycle.damper_work(), "r_y B", scale, &format!("{force}·{length}"));
         writeln!(out, "  energy of the damper     {work}")?;

@@ -43,7 +43,14 @@ impl<F: Value> Physical<F> {
         add("period", Kind::Time, turn / oscillator.natural_frequency());
         add("mass", Kind::Mass, oscillator.mass());
         add("stiffness", Kind::Stiffness, oscillator.stiffness());
-        add("friction", Kind::Force, oscillator.friction_bound());
+        match machine.directional_friction {
+            Some((forward, backward)) => {
+                add("friction", Kind::Force, forward);
+                add("friction_backward", Kind::Force, backward);
+                add("friction_bound", Kind::Force, oscillator.friction_bound());
+            }
+            None => add("friction", Kind::Force, oscillator.friction_bound()),
+        }
         if let Some(coefficient) = machine.friction_coefficient {
             add("friction_coefficient", Kind::Ratio, coefficient);
         }
@@ -57,8 +64,10 @@ impl<F: Value> Physical<F> {
         add("force_amplitude", Kind::Force, p0);
         match drive.excitation() {
             Excitation::Force => {}
-            Excitation::FootMotion | Excitation::DampedFootMotion => {
-                add("foot_displacement", Kind::Length, drive.amplitude());
+            Excitation::FootMotion => add("foot_displacement", Kind::Length, drive.amplitude()),
+            Excitation::DampedFootMotion => {
+                add("damped_foot_displacement", Kind::Length, drive.amplitude());
+                add("lead_time", Kind::Time, drive.phase_lead(oscillator) * scales.time);
             }
             // The library may add kinds of motion of a base that carries the surface.
             Excitation::SurfaceMotion | Excitation::SurfaceVelocity | Excitation::SurfaceAcceleration | _ => {
@@ -69,6 +78,12 @@ impl<F: Value> Physical<F> {
             }
         }
         add("friction_displacement", Kind::Length, scales.length);
+        if let Some(mean_force) = machine.mean_force {
+            add("mean_force", Kind::Force, mean_force);
+        }
+        if machine.is_shifted() {
+            add("mean_displacement", Kind::Length, scales.mean_displacement);
+        }
         physical
     }
 

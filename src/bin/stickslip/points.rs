@@ -168,7 +168,7 @@ fn columns<F: Value>(
         };
         let plain = own.replace('-', "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
-        let Some(&parameter) = used.iter().find(|p| p.column() == plain) else {
+        let Some(&parameter) = used.iter().find(|p| p.is_column(&plain)) else {
             // A misspelt column must not be ignored silently.
             match used.iter().find(|p| is_misspelt(&plain, &p.column())) {
                 Some(p) => return refused(&format!("is unknown; spell it {}, or rename it", p.column())),

@@ -9,9 +9,8 @@ use crate::input::BorderScales;
 use crate::machine::Machine;
 use crate::physical::Physical;
 use serde::ser::{Serialize, SerializeMap, Serializer};
-use stickslip::NoStop;
-use stickslip::Response;
 use stickslip::units::Kind;
+use stickslip::{NoStop, Ratios, Response};
 
 pub(crate) use cell::Cell;
 
@@ -182,9 +181,11 @@ impl<F: Value> Record<F> {
             Some(_) | None => None,
         };
         let felt = number("omega").zip(number("alpha")).zip(number("max_acceleration"));
-        let none = F::int(0);
-        let felt =
-            felt.map(|((omega, alpha), a)| machine.drive.excitation().transmitted(omega, alpha, none, a));
+        let (none, zeta) = (F::int(0), machine.oscillator.damping_ratio());
+        let felt = felt.and_then(|((omega, alpha), a)| {
+            let ratios = Ratios::new(omega, alpha).and_then(|ratios| ratios.with_damping_ratio(zeta)).ok()?;
+            Some(machine.drive.excitation().transmitted(&ratios, none, a))
+        });
         let least = number("min_displacement").map_or(F::int(0), F::abs);
         let amplitude = number("max_displacement").map(|most| most.abs().or_larger(least));
         for (name, cell) in &mut self.fields {
@@ -230,7 +231,9 @@ impl<F: Value> Record<F> {
             "min_force_ratio" => Some(("min_force", Kind::Force, scales.force)),
             "min_force_ratio_turning_point" => Some(("min_force_turning_point", Kind::Force, scales.force)),
             "loop_size_stiffness" => Some(("energy_per_cycle", Kind::Energy, scales.energy_stiffness)),
-            "damper_work" => Some(("damper_energy_per_cycle", Kind::Energy, scales.force * scales.length)),
+            "damper_work" if !machine.has_damped_foot() => {
+                Some(("damper_energy_per_cycle", Kind::Energy, scales.force * scales.length))
+            }
             "best_force_ratio" => Some(("best_force", Kind::Force, scales.force)),
             "best_loop_size" => Some(("best_force_energy", Kind::Energy, best_energy)),
             _ => None,

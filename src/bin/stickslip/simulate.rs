@@ -216,7 +216,7 @@ fn of_instant<F: Value>(instant: &Instant<F>, machine: Option<&Machine<F>>) -> R
             ("time", number(time(state.phase, machine))),
             ("displacement", number(state.x * scales.length)),
             ("velocity", number(state.v * scales.velocity)),
-            ("friction_force", number(instant.friction * scales.force)),
+            ("friction_force", number(instant.friction * scales.force + scales.mean_friction)),
         ]);
     }
     Record { fields, physical: Physical::default() }

@@ -192,6 +192,7 @@ fn with_machine<F: Value>(record: Record<F>, machine: &Machine<F>) -> Record<F> 
             "max_absolute_displacement" if machine.drive.excitation().carries_surface() => {
                 ("max_absolute_displacement", Kind::Length, scales.length)
             }
+            "energy_in" | "damper_work" if machine.has_damped_foot() => return None,
             "energy_in" => ("energy_in", Kind::Energy, scales.force * scales.length),
             "energy_out" => ("energy_out", Kind::Energy, scales.force * scales.length),
             "damper_work" => ("damper_energy_per_cycle", Kind::Energy, scales.force * scales.length),

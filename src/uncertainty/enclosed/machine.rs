@@ -160,6 +160,7 @@ impl<'a> Machine<'a> {
             energy_stiffness: static_energy(self.stiffness),
             energy_inertia: static_energy(&inertia),
             mean_displacement: B::int(0),
+            mean_friction: B::int(0),
         }
     }
 }

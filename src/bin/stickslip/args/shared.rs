@@ -29,6 +29,10 @@ pub(crate) struct MachineArgs {
     /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
     pub(crate) gravity: Option<String>,
+    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion;
+    /// r_y is the mean of the two
+    #[arg(long, value_name = "R", allow_hyphen_values = true)]
+    pub(crate) friction_backward: Option<String>,
     /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5%
     #[arg(long, value_name = "ζ", allow_hyphen_values = true)]
     pub(crate) damping_ratio: Option<String>,
@@ -37,11 +41,15 @@ pub(crate) struct MachineArgs {
     pub(crate) damping: Option<String>,
     /// Static friction ratio η = r_s/r_y, such as 1.3: a body at rest stays until the force exceeds η r_y
     /// [default: 1]
-    #[arg(long, value_name = "η", allow_hyphen_values = true)]
+    #[arg(long, value_name = "η", allow_hyphen_values = true, visible_alias = "static-ratio")]
     pub(crate) static_friction_ratio: Option<String>,
     /// Static friction r_s, such as 6.5kN, in place of the ratio
     #[arg(long, value_name = "RS", allow_hyphen_values = true)]
     pub(crate) static_friction: Option<String>,
+    /// Constant force on the body, such as a preload of 2kN. It shifts the motion by P/k; displacements are
+    /// measured from the mean displacement
+    #[arg(long, value_name = "P", allow_hyphen_values = true)]
+    pub(crate) mean_force: Option<String>,
     /// Frequency of the drive, such as 2Hz, 120rpm or 12.5rad/s; a bare number is ω_d in rad/s
     #[arg(long, value_name = "WD", allow_hyphen_values = true)]
     pub(crate) frequency: Option<String>,
@@ -69,6 +77,9 @@ pub(crate) struct ForceArgs {
     /// Displacement amplitude of the spring's foot over a surface that stays, such as 9mm: p₀ = k u₀
     #[arg(long, value_name = "U0", allow_hyphen_values = true, alias = "base-motion")]
     pub(crate) foot_displacement: Option<String>,
+    /// The same with the damper on the moving foot, too: p₀ = √(k² + c²ω_d²) u₀
+    #[arg(long, value_name = "U0", allow_hyphen_values = true)]
+    pub(crate) damped_foot_displacement: Option<String>,
 }
 
 #[derive(Debug, Args)]

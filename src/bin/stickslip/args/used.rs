@@ -28,29 +28,36 @@ impl Mode {
 }
 
 /// The options that only a machine and its drive have.
-const MACHINE: [&str; 14] = [
+const MACHINE: [&str; 17] = [
     "mass",
     "stiffness",
     "period",
     "friction",
     "friction_coefficient",
     "gravity",
+    "friction_backward",
     "damping",
     "static_friction",
+    "mean_force",
     "frequency",
     "force",
     "base_acceleration",
     "base_velocity",
     "base_displacement",
     "foot_displacement",
+    "damped_foot_displacement",
 ];
 
 /// The options that a command uses in a mode. A command that is not listed has one mode and uses all of its
 /// options.
 const USED: &[(&str, Mode, &str)] = &[
     ("response", Ratios, "omega alpha damping_ratio static_friction_ratio enclose format bits"),
-    ("response", Machine, "omega alpha BODY STATIC frequency DRIVE format bits units"),
-    ("response", Points, "points omega alpha BODY STATIC frequency DRIVE format header bits units"),
+    ("response", Machine, "omega alpha BODY STATIC mean_force frequency DRIVE format bits units"),
+    (
+        "response",
+        Points,
+        "points omega alpha BODY STATIC mean_force frequency DRIVE format header bits units",
+    ),
     ("border", Ratios, "omega damping_ratio static_friction_ratio no_stop enclose format bits"),
     ("border", Machine, "omega BODY STATIC frequency no_stop format bits units"),
     ("border", Points, "points omega BODY STATIC frequency no_stop format header bits units"),
@@ -59,11 +66,15 @@ const USED: &[(&str, Mode, &str)] = &[
         Ratios,
         "omega alpha damping_ratio static_friction_ratio x0 v0 max_periods enclose format bits",
     ),
-    ("steady", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format bits units"),
+    (
+        "steady",
+        Machine,
+        "omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 max_periods format bits units",
+    ),
     (
         "steady",
         Points,
-        "points omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods format header bits units",
+        "points omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 max_periods format header bits units",
     ),
     (
         "attractors",
@@ -86,7 +97,11 @@ const USED: &[(&str, Mode, &str)] = &[
         "omega alpha BODY STATIC frequency DRIVE x0 v0 max_periods rows resume bits units out overwrite",
     ),
     ("simulate", Ratios, "omega alpha damping_ratio static_friction_ratio x0 v0 cycles samples format bits"),
-    ("simulate", Machine, "omega alpha BODY STATIC frequency DRIVE x0 v0 cycles samples format bits units"),
+    (
+        "simulate",
+        Machine,
+        "omega alpha BODY STATIC mean_force frequency DRIVE x0 v0 cycles samples format bits units",
+    ),
     (
         "sweep",
         Ratios,
@@ -95,7 +110,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "sweep",
         Machine,
-        "question omega alpha BODY STATIC frequency DRIVE units outputs format out resume shard header no_header bits",
+        "question omega alpha BODY STATIC mean_force frequency DRIVE units outputs format out resume shard header no_header bits",
     ),
     ("map", Ratios, "quantity omega alpha damping_ratio static_friction_ratio out overwrite"),
     ("map", Machine, "quantity omega alpha BODY STATIC frequency DRIVE units out overwrite"),
@@ -110,7 +125,7 @@ const USED: &[(&str, Mode, &str)] = &[
          foot_displacement format units",
     ),
     ("decay", Ratios, "damping_ratio static_friction_ratio x0 v0 format bits"),
-    ("decay", Machine, "BODY STATIC x0 v0 format bits units"),
+    ("decay", Machine, "BODY STATIC mean_force x0 v0 format bits units"),
     ("design force", Ratios, "omega damping_ratio static_friction_ratio no_stop format bits"),
     ("design force", Machine, "BODY STATIC frequency no_stop format bits units"),
     ("design friction", Ratios, "omega damping_ratio static_friction_ratio format bits"),
@@ -135,7 +150,7 @@ const USED: &[(&str, Mode, &str)] = &[
     (
         "design stiffness",
         Machine,
-        "mass friction friction_coefficient gravity damping_ratio damping frequency DRIVE from to format bits units",
+        "mass friction friction_coefficient gravity friction_backward damping_ratio damping frequency DRIVE from to format bits units",
     ),
 ];
 
@@ -143,10 +158,11 @@ const USED: &[(&str, Mode, &str)] = &[
 fn options(used: &str) -> impl Iterator<Item = &str> {
     used.split(' ').flat_map(|name| match name {
         "BODY" => {
-            "mass stiffness period friction friction_coefficient gravity damping_ratio damping".split(' ')
+            "mass stiffness period friction friction_coefficient gravity friction_backward damping_ratio damping"
+                .split(' ')
         }
         "STATIC" => "static_friction_ratio static_friction".split(' '),
-        "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement".split(' '),
+        "DRIVE" => "force base_acceleration base_velocity base_displacement foot_displacement damped_foot_displacement".split(' '),
         single => single.split(' '),
     })
 }

@@ -19,7 +19,7 @@ impl Asked {
         let (omega, alpha) = (point.ratios.omega(), point.ratios.alpha());
         let machine = point.machine.as_ref();
         let felt = |force: f64, acceleration: f64| {
-            let (force, ratio) = transmitted(machine, (omega, alpha), force, acceleration);
+            let (force, ratio) = transmitted(machine, &point.ratios, force, acceleration);
             if self.what == Curve::Force { force } else { ratio }
         };
         // Displacement, velocity, acceleration, transmitted force and absolute displacement, in B, B ω_d, B

@@ -63,6 +63,8 @@ impl<'a, F: Value> Asked<'a, F> {
         let given = |several: &[P]| several.iter().any(|p| self.given.has(*p));
         if given(&[P::FootDisplacement]) {
             base_motion(Excitation::FootMotion)
+        } else if given(&[P::DampedFootDisplacement]) {
+            base_motion(Excitation::DampedFootMotion)
         } else if given(&[P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement]) {
             base_motion(Excitation::SurfaceMotion)
         } else {

@@ -13,10 +13,12 @@ pub(crate) enum Parameter {
     Friction,
     FrictionCoefficient,
     Gravity,
+    FrictionBackward,
     DampingRatio,
     Damping,
     StaticFrictionRatio,
     StaticFriction,
+    MeanForce,
     Frequency,
     Alpha,
     Force,
@@ -24,12 +26,13 @@ pub(crate) enum Parameter {
     BaseVelocity,
     BaseDisplacement,
     FootDisplacement,
+    DampedFootDisplacement,
 }
 
 use Parameter as P;
 
 impl Parameter {
-    pub(crate) const ALL: [Self; 18] = [
+    pub(crate) const ALL: [Self; 21] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -37,10 +40,12 @@ impl Parameter {
         P::Friction,
         P::FrictionCoefficient,
         P::Gravity,
+        P::FrictionBackward,
         P::DampingRatio,
         P::Damping,
         P::StaticFrictionRatio,
         P::StaticFriction,
+        P::MeanForce,
         P::Frequency,
         P::Alpha,
         P::Force,
@@ -48,6 +53,7 @@ impl Parameter {
         P::BaseVelocity,
         P::BaseDisplacement,
         P::FootDisplacement,
+        P::DampedFootDisplacement,
     ];
 
     /// The option; without its dashes it is the name of a column.
@@ -60,10 +66,12 @@ impl Parameter {
             P::Friction => "--friction",
             P::FrictionCoefficient => "--friction-coefficient",
             P::Gravity => "--gravity",
+            P::FrictionBackward => "--friction-backward",
             P::DampingRatio => "--damping-ratio",
             P::Damping => "--damping",
             P::StaticFrictionRatio => "--static-friction-ratio",
             P::StaticFriction => "--static-friction",
+            P::MeanForce => "--mean-force",
             P::Frequency => "--frequency",
             P::Alpha => "--alpha",
             P::Force => "--force",
@@ -71,12 +79,18 @@ impl Parameter {
             P::BaseVelocity => "--base-velocity",
             P::BaseDisplacement => "--base-displacement",
             P::FootDisplacement => "--foot-displacement",
+            P::DampedFootDisplacement => "--damped-foot-displacement",
         }
     }
 
     /// The name of its column in a file of points.
     pub(crate) fn column(self) -> String {
         self.option().trim_start_matches('-').replace('-', "_")
+    }
+
+    /// Whether a column of a file of points has its name, or its short name.
+    pub(crate) fn is_column(self, name: &str) -> bool {
+        self.column() == name || (self == P::StaticFrictionRatio && name == "static_ratio")
     }
 
     /// Whether it is a quantity of a machine in physical units.
@@ -94,17 +108,19 @@ impl Parameter {
             P::Friction => "friction bound r_y",
             P::FrictionCoefficient => "coefficient of friction µ",
             P::Gravity => "gravity g",
+            P::FrictionBackward => "backward friction r₋",
             P::DampingRatio => "damping ratio ζ",
             P::Damping => "damping constant c",
             P::StaticFrictionRatio => "static friction ratio η",
             P::StaticFriction => "static friction r_s",
+            P::MeanForce => "mean force p̄",
             P::Frequency => "angular frequency ω_d",
             P::Alpha => "force ratio α",
             P::Force => "force amplitude p₀",
             P::BaseAcceleration => "base acceleration amplitude",
             P::BaseVelocity => "base velocity amplitude",
             P::BaseDisplacement => "base amplitude",
-            P::FootDisplacement => "amplitude of the foot",
+            P::FootDisplacement | P::DampedFootDisplacement => "amplitude of the foot",
         }
     }
 
@@ -117,11 +133,11 @@ impl Parameter {
             P::Mass => Kind::Mass,
             P::Stiffness => Kind::Stiffness,
             P::Period => Kind::Time,
-            P::Friction | P::StaticFriction | P::Force => Kind::Force,
+            P::Friction | P::FrictionBackward | P::StaticFriction | P::MeanForce | P::Force => Kind::Force,
             P::Gravity | P::BaseAcceleration => Kind::Acceleration,
             P::Frequency => Kind::Frequency,
             P::BaseVelocity => Kind::Velocity,
-            P::BaseDisplacement | P::FootDisplacement => Kind::Length,
+            P::BaseDisplacement | P::FootDisplacement | P::DampedFootDisplacement => Kind::Length,
         }
     }
 
@@ -133,19 +149,25 @@ impl Parameter {
             P::Mass => &[Q::Mass, Q::FrequencyRatio, Q::PseudoStiffness],
             P::Stiffness | P::Period => &[Q::Stiffness, Q::FrequencyRatio, Q::FrictionDisplacement],
             P::Friction | P::FrictionCoefficient => {
-                &[Q::FrictionBound, Q::ForceRatio, Q::FrictionDisplacement]
+                &[Q::FrictionBound, Q::ForwardFriction, Q::ForceRatio, Q::FrictionDisplacement]
             }
-            P::Gravity => &[Q::FrictionBound],
+            P::Gravity => &[Q::FrictionBound, Q::ForwardFriction],
+            P::FrictionBackward => &[Q::BackwardFriction],
             P::DampingRatio => &[Q::DampingRatio],
             P::Damping => &[Q::Damping, Q::DampingRatio],
             P::StaticFrictionRatio => &[Q::StaticFrictionRatio],
             P::StaticFriction => &[Q::StaticFriction, Q::StaticFrictionRatio],
+            P::MeanForce => &[Q::MeanForce, Q::MeanDisplacement],
             P::Frequency => {
                 &[Q::AngularFrequency, Q::FrequencyRatio, Q::VelocityScale, Q::TimeScale, Q::PseudoStiffness]
             }
             P::Alpha => &[Q::ForceRatio, Q::ForceAmplitude],
             P::Force => &[Q::ForceAmplitude, Q::ForceRatio, Q::StaticEnergy, Q::PseudoStaticEnergy],
-            P::BaseAcceleration | P::BaseVelocity | P::BaseDisplacement | P::FootDisplacement => &[
+            P::BaseAcceleration
+            | P::BaseVelocity
+            | P::BaseDisplacement
+            | P::FootDisplacement
+            | P::DampedFootDisplacement => &[
                 Q::BaseAmplitude,
                 Q::BaseVelocity,
                 Q::BaseAcceleration,
@@ -158,7 +180,7 @@ impl Parameter {
     }
 
     /// The parameters that the border of sticking depends on.
-    pub(crate) const BORDER: [Self; 12] = [
+    pub(crate) const BORDER: [Self; 13] = [
         P::Omega,
         P::Mass,
         P::Stiffness,
@@ -166,6 +188,7 @@ impl Parameter {
         P::Friction,
         P::FrictionCoefficient,
         P::Gravity,
+        P::FrictionBackward,
         P::DampingRatio,
         P::Damping,
         P::StaticFrictionRatio,
@@ -189,6 +212,13 @@ impl Parameter {
     ];
 
     /// The excitations: exactly one of these is given.
-    pub(crate) const DRIVES: [Self; 6] =
-        [P::Force, P::BaseAcceleration, P::BaseVelocity, P::BaseDisplacement, P::FootDisplacement, P::Alpha];
+    pub(crate) const DRIVES: [Self; 7] = [
+        P::Force,
+        P::BaseAcceleration,
+        P::BaseVelocity,
+        P::BaseDisplacement,
+        P::FootDisplacement,
+        P::DampedFootDisplacement,
+        P::Alpha,
+    ];
 }

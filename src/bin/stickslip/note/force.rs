@@ -21,8 +21,7 @@ pub(super) fn needed_force<F: Value>(
     writeln!(out, "\nForce")?;
     if let Some(cycle) = response.cycle.as_ref() {
         let (ratios, acceleration) = (response.ratios, cycle.max_acceleration());
-        let at = (ratios.omega(), ratios.alpha());
-        let (force, ratio) = transmitted(machine, at, cycle.transmitted_force(), acceleration);
+        let (force, ratio) = transmitted(machine, &ratios, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
         let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
             "per foot acceleration"

@@ -2,7 +2,7 @@
 
 use crate::bits::Value;
 use crate::input::Point;
-use crate::machine::{base_motion, transmitted};
+use crate::machine::{Machine, base_motion, transmitted};
 use crate::note::{both, decay, digits};
 use crate::style;
 use std::io::{self, Write};
@@ -23,6 +23,11 @@ pub(super) fn note<F: Value>(
     let seen = observed(point.ratios, limit);
     if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
+    }
+    let mean = point.machine.as_ref().filter(|m| m.is_shifted()).map(|m| m.scales.mean_displacement);
+    if let Some(mean) = mean {
+        let (mean, unit) = (digits(mean), units.length());
+        writeln!(out, "Displacements are measured from the mean displacement of {mean} {unit}.")?;
     }
     match limit {
         LongRun::Periodic(steady) => {
@@ -142,9 +147,12 @@ fn motion<F: Value>(
         peaks(&found, point, units, out)?;
     }
     writeln!(out, "  velocity zeros in a cycle {}", steady.velocity_zeros_per_cycle)?;
-    writeln!(out, "  work of the drive        {}", work(steady.energy_in))?;
+    let has_damped_foot = point.machine.as_ref().is_some_and(Machine::has_damped_foot);
+    if !has_damped_foot {
+        writeln!(out, "  work of the drive        {}", work(steady.energy_in))?;
+    }
     writeln!(out, "  work against friction    {}", work(steady.energy_out))?;
-    if steady.damper_work > F::int(0) {
+    if steady.damper_work > F::int(0) && !has_damped_foot {
         writeln!(out, "  work against the damper  {}", work(steady.damper_work))?;
     }
     writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
@@ -165,8 +173,8 @@ fn peaks<F: Value>(
     let acceleration = scales.map(|s| s.velocity / s.time);
     let text = both(peaks.acceleration, "B ω_d²", acceleration, &units.name(Kind::Acceleration));
     writeln!(out, "  maximum acceleration     {text}")?;
-    let (machine, at) = (point.machine.as_ref(), (point.ratios.omega(), point.ratios.alpha()));
-    let (force, ratio) = transmitted(machine, at, peaks.transmitted_force, peaks.acceleration);
+    let machine = point.machine.as_ref();
+    let (force, ratio) = transmitted(machine, &point.ratios, peaks.transmitted_force, peaks.acceleration);
     writeln!(
         out,
         "  transmitted force        {}",
