@@ -7,7 +7,7 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
-use crate::note::{both, digits};
+use crate::note::{both, digits, measured_from};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -49,6 +49,7 @@ impl<W: Write> Task for Run<'_, W> {
             Format::Text => {
                 let scale = point.machine.as_ref().map(|m| m.scales.length);
                 let length = |x| both(x, "B", scale, given.system.length());
+                measured_from(point.machine.as_ref(), out)?;
                 text(&all, reach, length, out)?;
                 args.unstable.map_or(Ok(()), |turns| others.text(turns, length, out))
             }

@@ -8,6 +8,7 @@ use crate::figure::Target;
 use crate::given::Given;
 use crate::grid::Grid;
 use crate::input;
+use crate::machine::Machine;
 use crate::note::digits;
 use crate::starts::Starts;
 use std::io::Write;
@@ -74,7 +75,8 @@ impl<F: Value> Basins<F> {
             };
             let unit = if scales.is_some() { given.system.name(kind) } else { symbol.to_owned() };
             let name = option.trim_start_matches('-');
-            let what = if name == "x0" { "displacement" } else { "velocity" };
+            let displacement = point.machine.as_ref().map_or("displacement", Machine::displacement);
+            let what = if name == "x0" { displacement } else { "velocity" };
             let (label, column) = (format!("{what} at the start ({unit})"), format!("{name}[{unit}]"));
             Ok::<_, Failure>(Axed { grid, scale, label, column })
         };

@@ -34,6 +34,11 @@ impl<F> Machine<F> {
         self.drive.excitation() == Excitation::DampedFootMotion
     }
 
+    /// The name of a displacement, which in a shifted motion is measured from the mean.
+    pub(crate) const fn displacement(&self) -> &'static str {
+        if self.is_shifted() { "displacement from the mean" } else { "displacement" }
+    }
+
     /// Whether a constant force or backward friction was given, which shift the motion.
     pub(crate) const fn is_shifted(&self) -> bool {
         self.mean_force.is_some() || self.directional_friction.is_some()

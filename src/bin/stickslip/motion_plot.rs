@@ -5,6 +5,7 @@ use crate::failure::{Failure, Outcome};
 use crate::figure;
 use crate::given::Given;
 use crate::input;
+use crate::machine::Machine;
 use crate::steady::of_motion;
 use std::io::Write;
 use stickslip::exact::{Instant, LongRun, Trajectory};
@@ -39,6 +40,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
     let scale =
         |of: fn(&stickslip::Scales<f64>) -> f64| point.machine.as_ref().map_or(1.0, |m| of(&m.scales));
     let (length, velocity, force) = (scale(|s| s.length), scale(|s| s.velocity), scale(|s| s.force));
+    let displacement = point.machine.as_ref().map_or("displacement", Machine::displacement);
     let mean_friction = point.machine.as_ref().map_or(0.0, |m| m.scales.mean_friction);
     let friction = |s: &Instant<f64>| s.friction * force + mean_friction;
     let label = |name: &str, symbol: &str, kind: Kind| match point.machine {
@@ -80,7 +82,7 @@ pub(crate) fn run(args: &MotionPlotArgs, out: &mut impl Write) -> Outcome {
             series,
         }
     };
-    let (x, r) = (label("displacement", "x/B", Kind::Length), label("friction force", "r/r_y", Kind::Force));
+    let (x, r) = (label(displacement, "x/B", Kind::Length), label("friction force", "r/r_y", Kind::Force));
     let loop_points: Vec<(f64, f64)> = samples.iter().map(|s| (s.state.x * length, friction(s))).collect();
     let mut friction_loop = panel("friction loop", &x, r.clone(), loop_points);
     friction_loop.x = axis(&x, samples.iter().map(|s| s.state.x * length), 0.08);

@@ -181,6 +181,13 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
     writeln!(out, "  mean displacement        {mean} {length}; displacements are measured from there")
 }
 
+/// The displacement from which a shifted motion is measured, in a sentence.
+pub(crate) fn measured_from<F: Value>(machine: Option<&Machine<F>>, out: &mut impl Write) -> io::Result<()> {
+    let Some(machine) = machine.filter(|machine| machine.is_shifted()) else { return Ok(()) };
+    let (mean, unit) = (digits(machine.scales.mean_displacement), machine.system.length());
+    writeln!(out, "Displacements are measured from the mean displacement of {mean} {unit}.")
+}
+
 /// The numbers of a non-sticking cycle.
 fn motion<F: Value>(
     cycle: &Cycle<F>,

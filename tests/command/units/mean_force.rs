@@ -94,6 +94,15 @@ fn a_mean_force_is_given_in_units_in_rows_and_in_sweeps() {
     }
     let steady = stdout(&format!("steady {BODY} --frequency 4 --force 12 --mean-force 9"));
     assert!(steady.starts_with("Displacements are measured from the mean displacement of 1 m."), "{steady}");
+    for question in ["attractors --starts 5", "steady --mean-force 0"] {
+        let text = stdout(&format!("{question} {BODY} --frequency 4 --force 12"));
+        assert!(
+            text.starts_with("Displacements are measured from the mean displacement of -0.125 m."),
+            "{text}"
+        );
+    }
+    let picture = stdout(&format!("motion-plot {BODY} --frequency 4 --force 12"));
+    assert!(picture.contains("displacement from the mean (m)"));
     assert!(stdout(&format!("decay {BODY} --x0 2.9")).contains("mean displacement        -0.125 m"));
 
     let rows = "frequency[rad/s],mean_force[kN],friction_backward[N],static_ratio\n4,0.009,3,1.25\n4,0,5,1\n";

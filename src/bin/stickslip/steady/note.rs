@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::input::Point;
 use crate::machine::{Machine, base_motion, transmitted};
-use crate::note::{both, decay, digits};
+use crate::note::{both, decay, digits, measured_from};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
@@ -24,11 +24,7 @@ pub(super) fn note<F: Value>(
     if let Some(base) = point.machine.as_ref().and_then(|m| base_motion(m.drive.excitation())) {
         writeln!(out, "Base motion {base}.")?;
     }
-    let mean = point.machine.as_ref().filter(|m| m.is_shifted()).map(|m| m.scales.mean_displacement);
-    if let Some(mean) = mean {
-        let (mean, unit) = (digits(mean), units.length());
-        writeln!(out, "Displacements are measured from the mean displacement of {mean} {unit}.")?;
-    }
+    measured_from(point.machine.as_ref(), out)?;
     match limit {
         LongRun::Periodic(steady) => {
             let verdict = style::verdict(&verdict(steady, &seen));
