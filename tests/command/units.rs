@@ -3,6 +3,7 @@
 //! The motions are compared with small time steps in the fixed frame, which use neither p₀ nor Ω nor α.
 
 pub(crate) mod base_motion;
+mod damped_foot;
 mod mean_force;
 
 use crate::command_line::{json, refused, stdout};

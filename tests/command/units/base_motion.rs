@@ -182,58 +182,6 @@ fn a_moving_foot_and_the_surface_feel_the_inertia() {
     let last = rows.lines().last().unwrap().split(',').nth(3).unwrap().parse::<f64>().unwrap();
     assert!((0.005..0.006).contains(&last), "{rows}");
 }
-/// With the damper on the foot, too, the force is √(k² + c²ω_d²) u₀, ahead of the foot by atan(c ω_d/k); small
-/// time steps with the foot's own place and velocity give the same motion.
-#[test]
-fn a_foot_of_spring_and_damper_acts_by_both() {
-    let (mass, stiffness, damping, friction, frequency, foot) = (2.0, 8.0, 3.0, 4.0, 4.0, 1.5);
-    let machine = format!(
-        "--mass {mass} --stiffness {stiffness} --friction {friction} --damping {damping} --frequency {frequency}"
-    );
-    let answer = json(&format!("response {machine} --damped-foot-displacement {foot} --format json"));
-    let physical = &answer["physical"];
-    let of = |name: &str| number(&physical[name]);
-    close(of("force_amplitude"), 208f64.sqrt() * foot, 1e-14);
-    close(of("lead_time"), 1.5f64.atan() / frequency, 1e-14);
-    assert_eq!(of("damped_foot_displacement"), foot);
-    let dt = TAU / frequency / 20_000.0;
-    let (mut x, mut v, mut most, mut acceleration, mut when) = (0.0f64, 0.0, 0.0, 0.0f64, 0.0);
-    for step in 0..400_000 {
-        let theta = frequency * dt * f64::from(step);
-        let (place, speed) = (foot * theta.sin(), foot * frequency * theta.cos());
-        let free = v + dt * (stiffness * (place - x) + damping * (speed - v)) / mass;
-        let lost = friction * dt / mass;
-        let after = free - free.clamp(-lost, lost);
-        if step >= 380_000 {
-            acceleration = acceleration.max(((after - v) / dt).abs());
-            if x > most {
-                (most, when) = (x, theta % TAU);
-            }
-        }
-        v = after;
-        x += dt * v;
-    }
-    close(of("max_displacement"), most, 1e-3);
-    close(of("max_acceleration"), acceleration, 1e-3);
-    close(number(&answer["transmissibility"]), acceleration / (foot * frequency * frequency), 1e-3);
-    close(of("displacement_time") - of("lead_time"), when / frequency, 1e-2);
-    let steady = json(&format!("steady {machine} --damped-foot-displacement {foot} --format json"));
-    // The damper's heat is not c ∮ x′ dx here.
-    for (answer, name) in
-        [(&answer, "damper_energy_per_cycle"), (&steady, "damper_energy_per_cycle"), (&steady, "energy_in")]
-    {
-        assert!(answer["physical"].get(name).is_none(), "{name}");
-    }
-    close(number(&steady["transmissibility"]), number(&answer["transmissibility"]), 1e-12);
-    assert!(
-        stdout(&format!("response {machine} --damped-foot-displacement {foot}"))
-            .contains("foot of spring and damper")
-    );
-    refused(
-        &format!("response {machine} --damped-foot-displacement 1 --foot-displacement 1"),
-        &["--foot-displacement and --damped-foot-displacement"],
-    );
-}
 /// For a base with a given acceleration, the force is the same at every frequency.
 #[test]
 fn bands_of_a_base_with_a_given_acceleration_are_those_of_its_force() {
