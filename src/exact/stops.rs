@@ -4,7 +4,7 @@
 //! is sought in the whole range of displacements at which a body can rest and be released,
 //! `−(1 + α) < x < α − 1` for a release forward.
 //!
-//! ****G(x) − x never increases.** Two bodies at rest at x and y under the same drive, and again half a turn
+//! **G(x) − x never increases.** Two bodies at rest at x and y under the same drive, and again half a turn
 //! later, have not moved apart (`shooting`): `|G(x) − G(y)| ≤ |x − y|`. So the signs found bracket a zero. In
 //! the bracket the zero of the cubic through the last two points with their slopes G′ − 1 is tried next,
 //! which converges with the order 1 + √3. If that does not halve the residual, the bracket is halved. Only

@@ -33,7 +33,7 @@ pub(crate) fn loop_size_inertia<R: Field>(loop_size_stiffness: R, omega: R) -> R
 
 /// The force ratio of the largest A₁ at a given Ω (eq. 65): `α* = √2 |K|`, from dA₁/dα = 0.
 ///
-/// ****Condition.** The paper does not say that the optimum is reached only if the body does not stick there,
+/// **Condition.** The paper does not say that the optimum is reached only if the body does not stick there,
 /// α* ≥ α_min(Ω): for Ω ≥ 1/2 that is `Ω|T| ≥ 1`. Elsewhere the best non-sticking force ratio is the border
 /// itself. At Ω = 1/(2n) K = 0, and this formula gives 0. Source: Hong & Liu 2001, eq. 65.
 #[inline]
