@@ -1,4 +1,4 @@
-//! Tables of Arrow, in and out by the PyCapsule interface.
+//! Arrow tables, exchanged through the PyCapsule interface.
 
 use crate::closed_forms;
 use crate::interrupt::{Stop, interruptible};
@@ -17,8 +17,8 @@ use pyo3::types::PyCapsule;
 use pyo3_arrow::input::AnyRecordBatch;
 use std::sync::Arc;
 
-/// The ratios of a batch; ζ and η only where the batch has them. Where one is null, so is every answer: NaN
-/// is outside of the domain.
+/// The ratios of a batch; ζ and η are optional. A null becomes NaN, which is outside the domain, so that all
+/// outputs of its row are null.
 struct Columns {
     omega: Float64Array,
     alpha: Float64Array,
@@ -30,7 +30,7 @@ impl Columns {
     fn of(batch: &RecordBatch) -> PyResult<Self> {
         let column = |name: &str| batch.column_by_name(name).map(|column| numbers(name, column)).transpose();
         let due = |name: &str| column(name)?.ok_or_else(|| refused(format!("column {name}: is missing")));
-        // Without a damper at any point the loops of a batch do.
+        // A column of default values is dropped, so that the batch kernels apply.
         let or_none = |name: &str, none: f64| {
             Ok::<_, PyErr>(column(name)?.filter(|values| values.values().iter().any(|&x| x != none)))
         };
@@ -56,15 +56,15 @@ impl Columns {
     }
 }
 
-/// A column as numbers, NaN for null: without a copy where it has no null and is of their type.
+/// A column as 64-bit floats, with NaN for null. A column of 64-bit floats without nulls is not copied.
 fn numbers(name: &str, column: &Arc<dyn Array>) -> PyResult<Float64Array> {
-    /// Every integer of these types rounds as `as` does: to the nearest number.
+    /// `as` rounds every integer of these types to the nearest float.
     macro_rules! rounded {
         ($($kind:ident $of:ident),*) => {
             match column.data_type() {
                 DataType::Float64 => column.as_primitive::<Float64Type>().clone(),
                 $(DataType::$kind => column.as_primitive::<$of>().unary(|x| x as f64),)*
-                // What literals of SQL are.
+                // Literals in SQL have this type.
                 DataType::Decimal128(_, places) => {
                     let unit = 10f64.powi(i32::from(*places));
                     column.as_primitive::<Decimal128Type>().unary(|x| x as f64 / unit)
@@ -84,13 +84,13 @@ fn numbers(name: &str, column: &Arc<dyn Array>) -> PyResult<Float64Array> {
     Ok(numbers.iter().map(|x| Some(x.unwrap_or(f64::NAN))).collect())
 }
 
-/// A batch of answers, which any library of Arrow takes over without a copy.
+/// A batch of results, which any Arrow library takes over without a copy.
 #[pyclass(frozen, module = "stickslip.arrow")]
 struct Batch(RecordBatch);
 
 #[pymethods]
 impl Batch {
-    /// The interface of Arrow: schema and array. A requested schema is another library's work.
+    /// The interface of Arrow: schema and array. A requested schema is ignored: the caller converts.
     #[pyo3(signature = (requested_schema = None))]
     fn __arrow_c_array__<'py>(
         &self,
@@ -115,7 +115,7 @@ impl Batch {
     }
 }
 
-/// A table of answers, likewise.
+/// A table of results, which any Arrow library takes over without a copy.
 #[pyclass(frozen, module = "stickslip.arrow", name = "Table")]
 struct Batches {
     schema: Arc<Schema>,
@@ -159,7 +159,7 @@ fn names(schema: &Schema) -> String {
     schema.fields().iter().map(|field| field.name().as_str()).collect::<Vec<_>>().join(", ")
 }
 
-/// Each batch by itself, in order; a batch for a batch, a table for a stream.
+/// Computes the answer to each batch in order. A batch gives a batch, and a stream gives a table.
 fn mapped<'py>(
     py: Python<'py>,
     input: AnyRecordBatch,

@@ -1,4 +1,4 @@
-//! All limits that a set of starts leads to.
+//! All attractors that a set of starts leads to.
 
 use crate::interrupt::{Stop, interruptible};
 use crate::motion::Start;
@@ -11,17 +11,17 @@ use rayon::prelude::*;
 use stickslip::exact::{Attractor, Attractors, LongRun, Starts, State};
 use stickslip::{Error, Ratios};
 
-/// Where the starts come from.
+/// The requested starts.
 #[derive(FromPyObject)]
 enum Asked {
-    /// So many, spread evenly.
+    /// A number of starts, spread evenly.
     Count(u64),
-    /// These.
+    /// A list of starts.
     These(Vec<Start>),
 }
 
-/// The limits from so many starts within `reach`, or from those given, each followed for at most
-/// `max_periods`.
+/// The attractors of a number of starts within `reach`, or of a list of starts, each followed for at most
+/// `max_periods` periods.
 #[pyfunction]
 fn attractors_at<'py>(
     py: Python<'py>,
@@ -47,7 +47,7 @@ fn attractors_at<'py>(
     Ok(dict)
 }
 
-/// The starts, and how far they reach where they are spread.
+/// The starts, and the reach of spread starts.
 fn states(ratios: Ratios<f64>, asked: Asked, reach: Option<f64>) -> PyResult<(Vec<State<f64>>, Option<f64>)> {
     match (asked, reach) {
         (Asked::Count(count), _) => {
@@ -62,7 +62,7 @@ fn states(ratios: Ratios<f64>, asked: Asked, reach: Option<f64>) -> PyResult<(Ve
             Ok(((0..count).map(|number| spread.get(number)).collect(), Some(spread.reach())))
         }
         (Asked::These(_), Some(reach)) => {
-            Err(refused(format!("reach = {reach}: counts where starts is a number only; leave it out")))
+            Err(refused(format!("reach = {reach}: applies only if starts is a number; leave it out")))
         }
         (Asked::These(starts), None) => {
             if starts.is_empty() {

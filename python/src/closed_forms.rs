@@ -11,8 +11,7 @@ use stickslip::batch::{Batch, Columns, FixedOmega};
 use stickslip::no_stop_force_ratios;
 use stickslip::{Error, Output, Regime, Response};
 
-/// Points of one task: about the work that is worth a look for a signal, and more than enough to be worth a
-/// task.
+/// Points per task: enough work to justify a task, and little enough to check for signals between tasks.
 const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
@@ -34,7 +33,7 @@ pub(crate) const fn code(regime: Option<Regime>) -> u8 {
     }
 }
 
-/// All outputs at one point, `None` for what does not exist there.
+/// All outputs at one point; an output that does not exist there is `None`.
 #[pyfunction]
 fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
     let answer = Response::new(ratios(point).map_err(refused)?);
@@ -47,7 +46,7 @@ fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
     Ok(dict)
 }
 
-/// What a column is made by.
+/// The source of a column.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Column {
     Output(Output),
@@ -63,13 +62,13 @@ pub(crate) fn columns(names: &[String]) -> PyResult<(Vec<Column>, bool)> {
             ("regime", _) => regime = true,
             ("reversals_per_cycle", _) => found.push(Column::Reversals),
             (_, Some(output)) => found.push(Column::Output(output)),
-            (_, None) => return Err(refused(format!("output {name}: is none; see stickslip.OUTPUTS"))),
+            (_, None) => return Err(refused(format!("output {name}: is unknown; see stickslip.OUTPUTS"))),
         }
     }
     Ok((found, regime))
 }
 
-/// Where outputs go, all of one length.
+/// The slices that receive the outputs, all of the same length.
 struct Places<'a> {
     numbers: Vec<(Column, &'a mut [f64])>,
     regimes: Option<&'a mut [u8]>,
@@ -89,8 +88,8 @@ impl Places<'_> {
     }
 }
 
-/// Outputs at many points, written to arrays that are there: NaN for what does not exist. The regimes, as
-/// codes, go to an array of their own.
+/// Writes outputs at many points to existing arrays, with NaN for values that do not exist. The regimes go to
+/// a separate array, as codes.
 #[pyfunction]
 fn response_into<'py>(
     py: Python<'py>,
@@ -108,7 +107,7 @@ fn response_into<'py>(
     let lengths = places.numbers.iter().map(|(_, slice)| slice.len());
     let n = lengths.chain(places.regimes.as_ref().map(|codes| codes.len())).next().unwrap_or(0);
     let points = Points::of(&points, n)?;
-    // What takes less than a millisecond or so is not worth the way to other threads.
+    // Work of less than about a millisecond is not worth handing to other threads.
     let worth = if points.is_plain() { TASK / 2 } else { 256 };
     let filled = if n < worth {
         py.detach(|| fill(points, places, &Stop::never()))
@@ -118,7 +117,7 @@ fn response_into<'py>(
     filled.map_err(refused)
 }
 
-/// The columns at some points.
+/// The columns at the given points.
 pub(crate) fn table(
     points: Points<'_>,
     columns: &[Column],
@@ -145,7 +144,7 @@ pub(crate) fn table(
 
 /// Fills the places, until it is told to stop.
 fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error> {
-    // One Ω is worked out once, where it is one of the domain.
+    // A single Ω inside the domain is evaluated once for all points.
     let row = match points.omega {
         Values::One(omega, _) if points.is_plain() && points.n > 1 => FixedOmega::new(omega).ok(),
         Values::One(..) | Values::Many(_) => None,
@@ -155,14 +154,14 @@ fn fill(points: Points<'_>, places: Places<'_>, stop: &Stop) -> Result<(), Error
     halves(points, places, row.as_ref(), stop)
 }
 
-/// The halves of halves, on the threads that there are.
+/// Halves the points recursively, and distributes the tasks over the available threads.
 fn halves(
     points: Points<'_>,
     places: Places<'_>,
     row: Option<&FixedOmega>,
     stop: &Stop,
 ) -> Result<(), Error> {
-    // Point by point takes longer.
+    // Points with damping or static friction are computed one by one, which takes longer.
     let task = if points.is_plain() { TASK } else { TASK / 32 };
     if points.n <= task {
         return if stop.asked().is_break() { Ok(()) } else { run(points, places, row) };
@@ -173,7 +172,7 @@ fn halves(
     low.and(high)
 }
 
-/// One task.
+/// Fills the places of one task.
 fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> Result<(), Error> {
     let mut wanted = Columns::new();
     let mut regimes = vec![None; places.regimes.as_ref().map_or(0, |codes| codes.len())];
@@ -205,7 +204,8 @@ fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> 
     Ok(())
 }
 
-/// The intervals of the force ratio without any stop, (least, greatest); `None` where there is no greatest.
+/// The intervals of the force ratio without any stop, as (least, greatest); the greatest is `None` if it does
+/// not exist.
 #[pyfunction]
 fn no_stop(omega: f64, damping_ratio: f64) -> PyResult<Vec<(f64, Option<f64>)>> {
     let found = no_stop_force_ratios(omega, damping_ratio).map_err(refused)?;

@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use stickslip::design::{self, Edge, Measurement, OptimumKind};
 use stickslip::{Drive, Error, figures};
 
-/// The least amplitude of an excitation with which the body does not stick at a frequency.
+/// The minimum amplitude of an excitation at which the body does not stick, at a given frequency.
 #[pyfunction]
 fn min_amplitude(of: Body, kind: &str, angular_frequency: f64) -> PyResult<f64> {
     let kind = excitation(kind)?;
@@ -33,14 +33,14 @@ fn drive(kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<Drive<f
     Drive::new(excitation(kind)?, amplitude, angular_frequency).map_err(refused)
 }
 
-/// The greatest friction bound with which the body does not stick.
+/// The maximum friction bound with which the body does not stick.
 #[pyfunction]
 fn max_friction(of: Body, kind: &str, amplitude: f64, angular_frequency: f64) -> PyResult<f64> {
     let drive = drive(kind, amplitude, angular_frequency)?;
     body(of).and_then(|body| design::max_friction(&body, &drive)).map_err(refused)
 }
 
-/// The friction bound that dissipates most, the energy of a cycle, and the reason.
+/// The friction bound that dissipates most, the energy of a cycle, and the kind of optimum.
 #[pyfunction]
 fn best_friction(
     of: Body,
@@ -54,8 +54,8 @@ fn best_friction(
     Ok((best.at, best.value, why))
 }
 
-/// The bands of angular frequency without sticking: ends, and whether each is one of the range that was asked
-/// about.
+/// The bands of angular frequency without sticking: both ends, and whether each is an end of the requested
+/// range.
 #[pyfunction]
 fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<Vec<(f64, f64, bool, bool)>> {
     let drive = drive(kind, amplitude, 1.0)?;

@@ -1,4 +1,4 @@
-//! Answers with an error bound: decimal numbers in, midpoint and radius out.
+//! Results with error bounds: decimal numbers in, midpoint and radius out.
 
 use crate::interrupt::interruptible;
 use crate::refused;
@@ -11,7 +11,7 @@ fn known(name: &str, text: &str) -> PyResult<Known> {
     text.parse().map_err(|error| refused(format!("{name} = {text}: {error}")))
 }
 
-/// The regime, the bits and the outputs that there are.
+/// The regime, the bits and the outputs, `None` for those without an enclosure.
 fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<'py, PyDict>> {
     let found = found.map_err(refused)?;
     let dict = PyDict::new(py);
@@ -23,7 +23,7 @@ fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<
     Ok(dict)
 }
 
-/// Ω, α, ζ and η as they were given.
+/// Ω, α, ζ and η, exactly as given.
 fn four([omega, alpha, zeta, eta]: &[String; 4]) -> PyResult<[Known; 4]> {
     Ok([
         known("omega", omega)?,
@@ -49,7 +49,7 @@ fn enclosed_border<'py>(py: Python<'py>, ratios: [String; 3], bits: u32) -> PyRe
     dict(py, interruptible(py, |_| enclosed::border(&omega, &zeta, &eta, bits))?)
 }
 
-/// A steady motion that is proved to exist, or why it is not proved.
+/// A steady motion that is proved to exist, or the reason why there is no proof.
 #[pyfunction]
 fn enclosed_steady<'py>(py: Python<'py>, ratios: [String; 4], bits: u32) -> PyResult<Bound<'py, PyDict>> {
     let [omega, alpha, zeta, eta] = four(&ratios)?;

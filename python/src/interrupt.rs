@@ -1,4 +1,4 @@
-//! Long work without the interpreter's lock, on threads of this process, which Ctrl-C still ends.
+//! Runs long work on worker threads without the interpreter's lock; Ctrl-C still interrupts it.
 
 use core::ops::ControlFlow;
 use core::panic::AssertUnwindSafe;
@@ -10,44 +10,44 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Mutex, OnceLock};
 use std::time::Duration;
 
-/// How often the interpreter is asked for a signal.
+/// The interval at which the interpreter is asked for signals.
 const EVERY: Duration = Duration::from_millis(50);
 
-/// Whether work is to be left: set once the interpreter has a signal.
+/// Whether work should stop: set once the interpreter has a signal.
 pub(crate) struct Stop(AtomicBool);
 
 impl Stop {
-    /// Never set: for work that is short.
+    /// A flag that is not set, which suffices for short work.
     pub(crate) const fn never() -> Self {
         Self(AtomicBool::new(false))
     }
 
-    /// The answer in the form that the library's hooks take.
+    /// The flag in the form that the library's hooks expect.
     pub(crate) fn asked(&self) -> ControlFlow<()> {
         if self.0.load(Ordering::Relaxed) { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
     }
 }
 
-/// The pools of this process and of those it was forked from, of which a fork has the memory but not the
-/// threads: work given to one of them would wait for ever.
+/// The thread pools of this process and of those it was forked from. A fork inherits the memory of a pool but
+/// not its threads, so that work given to an inherited pool would wait for ever.
 static POOLS: [OnceLock<Option<ThreadPool>>; 16] = [const { OnceLock::new() }; 16];
-/// How many forks this process is away from the first one.
+/// The number of forks between the first process and this one.
 static FORKS: AtomicUsize = AtomicUsize::new(0);
 
-/// Told by the interpreter in the child after a fork.
+/// Called by the interpreter in the child after a fork.
 #[pyfunction]
 fn forked() {
     FORKS.fetch_add(1, Ordering::Relaxed);
 }
 
-/// The threads of this process; `None` where the system gives none.
+/// The thread pool of this process; `None` if it cannot be created.
 fn pool() -> Option<&'static ThreadPool> {
     let own = POOLS.get(FORKS.load(Ordering::Relaxed))?;
     own.get_or_init(|| ThreadPoolBuilder::new().build().ok()).as_ref()
 }
 
-/// Waits for an answer, and for signals, with which `signalled` is called; an error where it returns one, or
-/// where the work ended without an answer.
+/// Waits for an answer, and calls `signalled` at intervals to check for signals. It fails if `signalled`
+/// fails, or if the work ends without an answer.
 fn awaited<T: Send>(
     py: Python<'_>,
     ended: Receiver<T>,
@@ -64,11 +64,11 @@ fn awaited<T: Send>(
 }
 
 fn no_answer() -> PyErr {
-    crate::refused("the work ended without an answer: a defect of this package")
+    crate::refused("the computation ended without an answer: this is a defect of stickslip")
 }
 
-/// Runs `work` on the threads of this process, while this one waits for it and for signals. A signal, such as
-/// that of Ctrl-C, sets the flag and is raised when the work has ended.
+/// Runs `work` on the worker threads, while the calling thread waits for its end and for signals. A signal,
+/// such as that of Ctrl-C, sets the flag and is raised when the work has ended.
 pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) -> T + Send) -> PyResult<T> {
     let stop = Stop::never();
     let Some(pool) = pool() else { return Ok(py.detach(|| work(&stop))) };
@@ -77,7 +77,7 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
     let result = pool.in_place_scope(|scope| {
         let stop = &stop;
         scope.spawn(move |_| {
-            // Nobody but this function receives, and it waits.
+            // Sending succeeds: the receiver is this function, which waits.
             let _ = done.send(catch_unwind(AssertUnwindSafe(|| work(stop))));
         });
         awaited(py, ended, |py| {
@@ -96,14 +96,14 @@ pub(crate) fn interruptible<T: Send>(py: Python<'_>, work: impl FnOnce(&Stop) ->
     }
 }
 
-/// Runs work that nothing can break off on a thread of its own, which a signal leaves behind.
+/// Runs work that cannot be interrupted on a separate thread, which is abandoned on a signal.
 pub(crate) fn left_behind<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
     let (done, ended) = mpsc::channel();
     std::thread::spawn(move || {
-        // Nobody waits for it after a signal.
+        // After a signal there is no receiver, and the result is discarded.
         let _ = done.send(work());
     });
     awaited(py, ended, |py| py.check_signals())

@@ -1,4 +1,5 @@
-//! The compiled part of the Python package: arrays in, arrays out. What users call is in `stickslip/*.py`.
+//! The compiled part of the Python package: arrays in, arrays out. The public functions are in
+//! `stickslip/*.py`.
 
 mod arrow;
 mod attractors;

@@ -8,8 +8,8 @@ use pyo3::types::PyDict;
 use stickslip::units::{Kind, Reader, System, UnitError};
 use stickslip::{Drive, Error, Excitation, Oscillator, Output, Ratios, Scales};
 
-/// Mass, stiffness, friction against motion forward, the same backward (NaN for the same), damping constant,
-/// static friction ratio.
+/// Mass, stiffness, friction bound of forward motion, that of backward motion (NaN if equal), damping
+/// constant and static friction ratio.
 pub(crate) type Body = (f64, f64, f64, f64, f64, f64);
 
 pub(crate) fn body(
@@ -29,7 +29,7 @@ pub(crate) fn excitation(name: &str) -> PyResult<Excitation> {
         "base_displacement" => Excitation::SurfaceMotion,
         "base_velocity" => Excitation::SurfaceVelocity,
         "base_acceleration" => Excitation::SurfaceAcceleration,
-        _ => return Err(refused(format!("excitation {name}: is none"))),
+        _ => return Err(refused(format!("excitation {name}: is unknown"))),
     })
 }
 
@@ -41,14 +41,15 @@ fn damping_constant(mass: f64, stiffness: f64, friction: f64, damping_ratio: f64
     Ok(body.map_err(refused)?.damping())
 }
 
-/// The ratio of a static friction to the kinetic one of a body.
+/// The ratio of a static friction to the kinetic friction of a body.
 #[pyfunction]
 fn static_friction_ratio(of: Body, static_friction: f64) -> PyResult<f64> {
     let body = body(of).and_then(|body| body.with_static_friction(static_friction));
     Ok(body.map_err(refused)?.static_friction_ratio())
 }
 
-/// The transmitted force in r_y and the transmissibility under an excitation, from those of a force.
+/// The transmitted force (in r_y) and the transmissibility under an excitation, from the transmitted force
+/// and the acceleration under a force.
 #[pyfunction]
 fn transmitted<'py>(
     py: Python<'py>,
@@ -69,8 +70,8 @@ fn transmitted<'py>(
     Ok([force.into_pyarray(py), ratio.into_pyarray(py)])
 }
 
-/// Values with units, or bare ones, in the system named, or in SI: name, text and kind of each. And the
-/// system, where one is known.
+/// Reads values, each given by name, text and kind, in the named system of units or else in SI. Also returns
+/// the system, if it is known.
 #[pyfunction]
 fn read_values(
     values: Vec<(String, String, String)>,
@@ -113,7 +114,7 @@ fn kind(name: &str) -> PyResult<Kind> {
         "stiffness" => Kind::Stiffness,
         "damping" => Kind::Damping,
         "energy" => Kind::Energy,
-        _ => return Err(refused(format!("kind {name}: is none"))),
+        _ => return Err(refused(format!("kind {name}: is unknown"))),
     })
 }
 
@@ -175,9 +176,9 @@ fn machine_columns<'py>(
     table.into_dict(py)
 }
 
-/// The scale of each output by its name: a name of [`machine_columns`], or nothing for a pure number.
+/// The scale of each output by its name: a column of [`machine_columns`], or empty for a pure number.
 fn units() -> Vec<(&'static str, &'static str)> {
-    // Scales that no two dimensions share, so that a unit tells which it is.
+    // Each dimension has a different scale, so that a unit identifies its dimension.
     let marks = Scales {
         length: 2.0,
         velocity: 3.0,

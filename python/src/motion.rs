@@ -13,7 +13,7 @@ use stickslip::Error;
 use stickslip::exact::{DEFAULT_BUDGET, End, FreeDecay, Kind, LongRun, State, SteadyState, Trajectory};
 use stickslip::{Observed, observed};
 
-/// The most rows of a simulation: what fits into memory.
+/// The maximum number of rows of a simulation, which memory limits.
 const MOST_ROWS: usize = 1 << 28;
 
 /// Displacement and velocity at a phase of the drive.
@@ -32,7 +32,7 @@ pub(crate) fn limit_code(limit: Option<&LongRun<f64>>) -> u8 {
     place.map_or(6, |place| place as u8)
 }
 
-/// A limit and what is seen of it.
+/// A limit and its observed regime and counts.
 struct Found {
     limit: LongRun<f64>,
     seen: Observed,
@@ -50,14 +50,14 @@ fn follow(
     Ok(Found { limit, seen })
 }
 
-/// A number of a limit, where it has it.
+/// A number of a limit, if it exists.
 type Number = fn(&LongRun<f64>) -> Option<f64>;
 
-/// The numbers of a limit beside those of its cycle.
+/// The numbers of a limit in addition to those of its cycle.
 const NUMBERS: [(&str, Number); 2] =
     [("periods", |limit| limit.periods()), ("rest_position", |limit| limit.rest_position())];
 
-/// Those of a motion with a static friction above the kinetic one.
+/// The numbers of a motion with a static friction above the kinetic one.
 const OF_STATIC_FRICTION: [(&str, Number); 2] = [
     ("lyapunov_exponent", |limit| limit.irregular().map(|m| m.lyapunov_exponent)),
     ("lyapunov_exponent_error", |limit| limit.irregular().map(|m| m.lyapunov_exponent_error)),
@@ -72,10 +72,10 @@ fn number(limit: &LongRun<f64>, name: &str, of_cycle: fn(&SteadyState<f64>) -> f
     }
 }
 
-/// Frequency ratios below this are of a slow drive.
+/// A drive is slow below this frequency ratio.
 const SLOW: f64 = 1e-3;
 
-/// All of the limit from one start.
+/// All outputs of the limit from one start.
 #[pyfunction]
 fn steady_at<'py>(
     py: Python<'py>,
@@ -115,7 +115,7 @@ fn steady_at<'py>(
     dict.set_item("turns_per_cycle", steady.map(|s| s.turns_per_cycle))?;
     dict.set_item("symmetric", steady.map(|s| s.is_symmetric))?;
     dict.set_item("turns_observed", limit.irregular().map(|m| m.turns))?;
-    // The waves of a cycle under a slow drive are so many that their peaks take seconds.
+    // A cycle under a slow drive has so many oscillations that the computation of its peaks takes seconds.
     let peaks = match steady.copied() {
         Some(steady) if point.0 < SLOW => left_behind(py, move || Some(steady.peaks()))?,
         steady => steady.map(|steady| steady.peaks()),
@@ -141,8 +141,8 @@ fn steady_at<'py>(
     Ok(dict)
 }
 
-/// Columns of the limits at `n` points, all from one start; NaN, or −1 for a count, for what does not exist
-/// there.
+/// Columns of the limits at `n` points, all from one start. A value that does not exist is NaN, and such a
+/// count is −1.
 #[pyfunction]
 fn steady_columns<'py>(
     py: Python<'py>,
@@ -152,13 +152,13 @@ fn steady_columns<'py>(
     max_periods: u32,
 ) -> PyResult<Bound<'py, PyDict>> {
     let points = Points::of(&points, n)?;
-    // A start that no point can have is refused once and not by silence at every point.
+    // An invalid start is one error; it does not mark every point as invalid.
     State::new(start.0, start.1, start.2).map_err(refused)?;
     let work = |stop: &Stop| table(points, start, max_periods, stop);
     interruptible(py, work)?.map_err(refused)?.into_dict(py)
 }
 
-/// The columns at some points.
+/// The columns at the given points.
 pub(crate) fn table(points: Points<'_>, start: Start, max_periods: u32, stop: &Stop) -> Result<Table, Error> {
     let nowhere = (f64::NAN, f64::NAN, f64::NAN, f64::NAN);
     let limit = |i: usize| follow(points.at(i).unwrap_or(nowhere), start, max_periods, &mut || stop.asked());
@@ -166,7 +166,7 @@ pub(crate) fn table(points: Points<'_>, start: Start, max_periods: u32, stop: &S
     columns(&found, points.has_static_friction())
 }
 
-/// The columns. A point outside the domain is marked; any other error is one of the whole.
+/// The columns. A point outside the domain is marked as invalid; any other error is returned.
 fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result<Table, Error> {
     let is_of_domain = |error: &Error| error.quantity().is_some();
     if let Some(Err(error)) = found.iter().find(|f| f.as_ref().is_err_and(|e| !is_of_domain(e))) {
@@ -205,7 +205,8 @@ fn columns(found: &[Result<Found, Error>], with_static_friction: bool) -> Result
     Ok(table)
 }
 
-/// The phases of a motion up to a number of drive cycles after its start, the last one whole.
+/// The segments of a motion that begin within a number of drive cycles after its start; the last one is
+/// complete.
 #[pyfunction]
 fn phases(py: Python<'_>, point: Point, start: Start, cycles: f64) -> PyResult<Bound<'_, PyDict>> {
     let until = last_phase(start.0, cycles)?;
@@ -286,7 +287,7 @@ fn samples(
     }
     let work = |stop: &Stop| -> Result<Table, String> {
         let mut columns: [Vec<f64>; 4] = Default::default();
-        // Half a step of rounding, so that the last sample of whole cycles belongs to them.
+        // A tolerance of half a step keeps the last sample of whole cycles in spite of rounding.
         let half_step = core::f64::consts::PI / f64::from(per_cycle);
         while let Some(instant) = motion.next_while(|| stop.asked()) {
             let instant = match instant {

@@ -12,10 +12,10 @@ pub(crate) enum Given<'py> {
     One(f64),
 }
 
-/// A ratio at each of some points.
+/// The values of a ratio at a number of points.
 #[derive(Clone, Copy)]
 pub(crate) enum Values<'a> {
-    /// One number, and a slice that has it in every place, for what takes slices.
+    /// One number, and a slice filled with it for functions that take slices.
     One(f64, &'a [f64]),
     Many(&'a [f64]),
 }
@@ -46,7 +46,7 @@ impl<'a> Values<'a> {
         }
     }
 
-    /// With a slice of the one number, to be found in `room`.
+    /// The same values; a single number also gets a slice, stored in `room`.
     fn with_room<'b>(self, room: &'b mut Vec<f64>, most: usize) -> Values<'b>
     where
         'a: 'b,
@@ -87,7 +87,7 @@ pub(crate) struct Points<'a> {
 }
 
 impl<'a> Points<'a> {
-    /// `n` points.
+    /// The ratios at `n` points.
     pub(crate) fn of(given: &'a [Given<'_>; 4], n: usize) -> PyResult<Self> {
         let [omega, alpha, damping, static_friction] = given;
         let points = Self {
@@ -115,7 +115,7 @@ impl<'a> Points<'a> {
         )
     }
 
-    /// With room for slices of the numbers that are the same at all points, up to `most` of them.
+    /// The same points; an Ω or α common to all of them also gets a slice of length `most`, stored in `room`.
     pub(crate) fn with_room<'b>(self, room: &'b mut [Vec<f64>; 2], most: usize) -> Points<'b>
     where
         'a: 'b,
@@ -124,22 +124,22 @@ impl<'a> Points<'a> {
         Points { omega: self.omega.with_room(omega, most), alpha: self.alpha.with_room(alpha, most), ..self }
     }
 
-    /// Ω and α as slices, of points of no more than there is room for.
+    /// Ω and α as slices; the number of points must not exceed the room.
     pub(crate) fn slices(self) -> (&'a [f64], &'a [f64]) {
         (self.omega.slice(self.n), self.alpha.slice(self.n))
     }
 
-    /// Whether none has a damper or a static friction of its own.
+    /// Whether no point has damping or a static friction above the kinetic one.
     pub(crate) fn is_plain(self) -> bool {
         self.damping.is(0.0) && self.static_friction.is(1.0)
     }
 
-    /// Whether some may have a static friction above the kinetic one.
+    /// Whether any point may have a static friction above the kinetic one.
     pub(crate) fn has_static_friction(self) -> bool {
         !self.static_friction.is(1.0)
     }
 
-    /// The numbers at a point.
+    /// The ratios at a point.
     pub(crate) fn at(self, i: usize) -> Option<Point> {
         Some((self.omega.at(i)?, self.alpha.at(i)?, self.damping.at(i)?, self.static_friction.at(i)?))
     }

@@ -1,4 +1,4 @@
-//! Columns of numbers by name, on their way to NumPy or Arrow.
+//! Named columns of numbers, for NumPy or Arrow.
 
 use arrow_array::{ArrayRef, Float64Array, Int64Array, RecordBatch, StringArray};
 use arrow_schema::ArrowError;
@@ -7,10 +7,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::sync::Arc;
 
-/// A column of words as places in a list, of which the last stands for none.
+/// A column of words, as indices into a list whose last entry stands for a missing value in Arrow.
 type Codes = (&'static str, Vec<u8>, &'static [&'static str]);
 
-/// Named columns: NaN and −1 stand for what does not exist.
+/// Named columns; NaN and −1 stand for values that do not exist.
 #[derive(Default)]
 pub(crate) struct Table {
     numbers: Vec<(&'static str, Vec<f64>)>,
@@ -46,7 +46,7 @@ impl Table {
         Ok(dict)
     }
 
-    /// A batch of Arrow, with nulls for what does not exist.
+    /// An Arrow batch, with nulls for values that do not exist.
     pub(crate) fn into_batch(self) -> Result<RecordBatch, ArrowError> {
         let mut columns: Vec<(&str, ArrayRef)> = Vec::new();
         for (name, column, words) in self.codes {

@@ -1,4 +1,4 @@
-//! Answers at any number of bits: decimal digits in, decimal digits out.
+//! Results at a chosen precision: decimal digits in, decimal digits out.
 
 use crate::interrupt::{Stop, interruptible};
 use crate::refused;
@@ -22,10 +22,10 @@ enum Cell {
 
 type Cells = Vec<(&'static str, Cell)>;
 
-/// What is asked at a point.
+/// The question at a point.
 enum Question {
     Response,
-    /// From a start, for at most so many periods.
+    /// The steady state from a start, followed for at most `periods` periods.
     Steady {
         start: [String; 3],
         periods: u32,
@@ -43,7 +43,8 @@ fn number<F: FromStr<Err = ParseError>>(text: &str) -> Result<F, String> {
 }
 
 impl Task<'_> {
-    /// At the least width of two that has the bits: each is a copy of all that is computed at it.
+    /// Computes the cells at the smaller of two widths that holds the bits. There are only two, because each
+    /// compiles the whole computation once more.
     fn at(self, bits: u32) -> Result<Cells, String> {
         match bits {
             ..=256 => self.run::<Mp<4>>(),

@@ -5,14 +5,14 @@ A body of mass m on a spring k slides over a surface whose friction carries at m
     m x'' + k x + r sgn(x') = p0 sin(w t)
 
 The package computes whether the body sticks, how far and how fast it moves, the minimum force that keeps it from
-sticking, and the friction that dissipates most: in closed form where it does not stick, and by its exact motion, stops
-included, everywhere.
+sticking, and the friction that dissipates most. It gives closed forms where the body does not stick, and the exact
+motion, stops included, everywhere.
 
 Two ratios decide the motion: the frequency ratio ``omega = w/sqrt(k/m)`` and the force ratio ``alpha = p0/r``.
 Displacements are in units of ``B = r/k``, velocities in ``B w``, energies of a cycle in ``r B``, phases in
 radians of the drive. `Machine` and `Drive` convert from and to physical units.
 
-Every function takes numbers or arrays, and broadcasts as NumPy does.
+`response`, `border` and `steady` take numbers or arrays, and broadcast as NumPy does.
 
 >>> import stickslip as ss
 >>> ss.response(omega=1.5, alpha=2.5).max_displacement
@@ -36,7 +36,7 @@ from ._native import Error, __version__
 from ._steady import Steady, steady
 
 if hasattr(_os, "register_at_fork"):
-    # A child has the memory of the threads that work here, and not the threads.
+    # A forked child inherits the memory of the worker threads, but not the threads themselves.
     _os.register_at_fork(after_in_child=_native.forked)
 
 __all__ = [

@@ -1,4 +1,4 @@
-"""All limits of a motion that depends on its start."""
+"""The attractors of a motion whose steady state depends on its start."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ._start import Start, periods_of, state
 
 
 class Attractor(Result):
-    """A limit and the starts that lead to it; see `attractors`.
+    """An attractor and the starts that lead to it; see `attractors`.
 
     Attributes
     ----------
@@ -25,21 +25,21 @@ class Attractor(Result):
     share, starts : float and int
         The share and the number of starts that lead to it.
     first_x, first_v : float
-        The first of its starts (B, B w).
+        Displacement (B) and velocity (B w) of the first start that leads to it.
     mirror : int or None
-        The index of the mirror image of this limit.
+        The index of its mirror image.
     symmetric : bool or None
     turns_per_cycle : int or None
         Turns of the drive in a cycle.
     max_displacement, min_displacement : float or None
-        Extremes of a limit that moves (B).
+        Extreme displacements if the body moves (B).
     sticks_per_cycle, velocity_zeros_per_cycle : int or None
     stick_fraction : float or None
     multipliers : list of (float, float) or None
     lyapunov_exponent, lyapunov_exponent_error : float or None
-        Of an irregular motion, per turn of the drive.
+        Lyapunov exponent of an irregular motion per turn of the drive, and its standard error.
     rest_from, rest_to : float or None
-        The range of the places of rest that were found, or of the middles of a family (B).
+        The range of the rest positions found, or of the midpoints of the members of a family (B).
     """
 
     _names: ClassVar[Sequence[str]] = (
@@ -86,18 +86,18 @@ class Attractor(Result):
 
 
 class Attractors(Result):
-    """The limits of many starts; see `attractors`.
+    """The attractors that many starts lead to; see `attractors`.
 
     Attributes
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float
     starts : int
     reach : float or None
-        The largest displacement and velocity of the spread starts (B, B w).
+        The largest displacement (B) and velocity (B w) of the spread starts; None for a list of starts.
     unsettled : int
         Starts whose motion had not settled.
     of_start : array of int
-        The index of the limit that each start leads to; -1 if it had not settled.
+        The index of the attractor that each start leads to; -1 if the motion had not settled.
     attractors : list of Attractor
     """
 
@@ -114,7 +114,7 @@ class Attractors(Result):
     attractors: list[Attractor]
 
     def to_dict(self) -> dict[str, Any]:
-        """All values by name, the limits as dictionaries."""
+        """All values by name, with the attractors as dictionaries."""
         return {**super().to_dict(), "attractors": [found.to_dict() for found in self.attractors]}
 
 
@@ -128,19 +128,19 @@ def attractors(
     reach: Optional[float] = None,
     max_periods: int = 2000,
 ) -> Attractors:
-    """All limits that many starts lead to: with a static friction above the kinetic one there can be several.
+    """All attractors that many starts lead to. There can be several if static friction exceeds kinetic friction.
 
-    The list is not proved to be complete: it holds for these starts.
+    The list is not proved to be complete: other starts may lead to further attractors.
 
     Parameters
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float
-        Frequency ratio, force ratio, damping ratio, and static friction over the kinetic one.
+        Frequency ratio, force ratio, damping ratio, and ratio of static to kinetic friction.
     starts : int or sequence of (phase, displacement, velocity)
-        The number of starts at phase 0, the first at rest and the others spread evenly, always the same; or a list of
-        starts.
+        The number of starts at phase 0: the first at rest, the others spread evenly and the same in every call. Or a
+        list of starts.
     reach : float, optional
-        Their largest displacement (B) and velocity (B w).
+        The largest displacement (B) and velocity (B w) of the spread starts.
     max_periods : int
         Periods of the drive to follow from each start.
 

@@ -1,4 +1,4 @@
-"""Closed forms of the cycle that does not stick, and its border."""
+"""Closed forms of the non-sticking cycle, and its border."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 from . import _native
 from ._result import Codes, Physical, Points, Result, Value, decimals, digits, points, precision
 
-#: The ratios that decide everything.
+#: The ratios that determine the motion.
 RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
 _OF_POINT = ("regime", "reversals_per_cycle")
-#: Names of the outputs that `response` can be asked for.
+#: Names of the outputs of `response`.
 OUTPUTS: tuple[str, ...] = (*_OF_POINT, *_native.OUTPUTS)
-#: Those that it gives for arrays unless asked for others: what one pass of vector instructions yields.
+#: The default outputs for arrays: those that one pass of vector instructions computes.
 OF_ARRAYS = (
     "regime",
     "max_displacement",
@@ -39,12 +39,12 @@ _OF_BORDER = (
 
 
 class Response(Result):
-    """The answer at one point or many; see `response`.
+    """The closed-form response at one point or many; see `response`.
 
     Attributes
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float or array
-        The ratios of the answer.
+        The ratios of the point or points.
     regime : str or array of str
         ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``; ``"invalid"`` in an array for a
         point outside the domain.
@@ -57,11 +57,11 @@ class Response(Result):
     deviation : float or array
         Displacement at the maximum velocity (B).
     min_force_ratio : float or array
-        The border: from this force ratio on the body does not stick.
+        The border: at this force ratio or a larger one the body does not stick.
     loop_size_stiffness, loop_size_inertia : float or array
-        Energy of a cycle in units of ``p0**2/(2 k)`` and of ``p0**2/(2 m w**2)``.
+        Energy that friction dissipates in a cycle, in units of ``p0**2/(2 k)`` and of ``p0**2/(2 m w**2)``.
     best_force_ratio, best_loop_size : float or array
-        Force ratio of the largest loop at this omega, and its size.
+        Force ratio of the largest loop at this omega, and the size of that loop.
     contraction : float or array
         Share of a disturbance that remains after half a cycle.
     margin : float or array
@@ -69,12 +69,12 @@ class Response(Result):
     dynamic_amplification : float or array
         ``k max_displacement/p0``.
     max_acceleration, transmitted_force, max_absolute_displacement : float or array
-        Maximum acceleration (B w**2), maximum force of spring, damper and friction on the base (r), and the greatest
-        displacement over ground where a base carries the surface (B).
+        Maximum acceleration (B w**2), maximum force of spring, damper and friction on the base (r), and
+        maximum absolute displacement if a base carries the surface (B).
     transmissibility : float or array
         ``transmitted_force/p0``.
     physical : Physical or None
-        The same names in the units of the machine, where there is one.
+        The same outputs in the machine's units; None without a machine.
     """
 
     _names: ClassVar[Sequence[str]] = (*RATIOS, *OUTPUTS, "physical")
@@ -109,7 +109,7 @@ class Response(Result):
 
 
 class Border(Result):
-    """The border of the cycle that does not stick; see `border`.
+    """The border of the non-sticking cycle; see `border`.
 
     Attributes
     ----------
@@ -117,7 +117,8 @@ class Border(Result):
     min_force_ratio : float or array
         The minimum force ratio without sticking.
     min_force_ratio_turning_point : float or array
-        The same by eq. 61 of the source paper, which is necessary for every omega and sufficient from 1/2 on.
+        The minimum force ratio by the turning-point condition, eq. 61 of the source paper. The condition is necessary
+        at every omega, and sufficient for omega >= 1/2.
     border_phase : float or array
         Phase where the velocity first touches zero on the border (rad).
     least_displacement : float or array
@@ -125,7 +126,8 @@ class Border(Result):
     best_force_ratio : float or array
         Force ratio of the largest loop.
     no_stop_force_ratios : list of (float, float or None), or None
-        The intervals of the force ratio without any stop, for a single omega with one friction.
+        The intervals of the force ratio without any stop, for a single omega with equal static and kinetic
+        friction.
     """
 
     _names: ClassVar[Sequence[str]] = ("omega", *RATIOS[2:], *_OF_BORDER, "no_stop_force_ratios")
@@ -151,7 +153,7 @@ def response(
     out: Optional[Mapping[str, NDArray[np.float64]]] = None,
     bits: Optional[int] = None,
 ) -> Response:
-    """The answer at (omega, alpha) in closed form.
+    """The response at (omega, alpha) in closed form.
 
     Parameters
     ----------
@@ -162,17 +164,16 @@ def response(
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float or array
-        Static friction over the kinetic one, >= 1. It raises the border; the cycle that does not stick is the same.
+        Ratio of static to kinetic friction, >= 1. It raises the border, but does not change the non-sticking cycle.
     outputs : names, optional
         The outputs to compute for arrays, from `OUTPUTS`; a few take less time than all. The others are None.
     out : mapping of names to arrays, optional
-        For arrays: the arrays that receive the named outputs, instead of new ones. Each is a C-contiguous array of float64 of the
-        broadcast shape; a reused array needs no new memory.
+        For array arguments: existing arrays that receive the named outputs. Each is C-contiguous, of type float64 and
+        of the broadcast shape. Reusing arrays avoids new memory.
     bits : int, optional
         For a single point: the precision in bits, up to 1024, with every output rounded once. Arguments may then be
-        text,
-        `decimal.Decimal` or numbers of mpmath, and the answers are `decimal.Decimal`. A float is the binary number
-        that it is: ``"0.7"`` and ``0.7`` differ in the 17th digit.
+        text, `decimal.Decimal` or numbers of mpmath, and the outputs are `decimal.Decimal`. A float has its exact
+        binary value: ``"0.7"`` and ``0.7`` differ in the 17th digit.
 
     Returns
     -------
@@ -183,7 +184,8 @@ def response(
     Raises
     ------
     Error
-        If a single number is outside the domain. In an array such a point, or a masked one, is ``"invalid"`` and NaN.
+        If a single number is outside the domain. In an array such a point, or a masked one, has the regime
+        ``"invalid"`` and NaN for its numbers.
 
     Examples
     --------
@@ -245,7 +247,7 @@ def border(
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float or array
-        Static friction over the kinetic one, >= 1.
+        Ratio of static to kinetic friction, >= 1.
     bits : int, optional
         For a single omega: the precision, as for `response`.
 
@@ -263,7 +265,7 @@ def border(
     >>> [round(low, 3) for low, high in ss.border(0.331).no_stop_force_ratios]
     [53.673, 179.876]
     """
-    # The border is that of every force ratio.
+    # The border does not depend on the force ratio, so any value serves.
     if bits is not None:
         texts = wide_ratios(omega, "1", damping_ratio, static_friction_ratio)
         wide = decimals(_native.wide_response(precision(bits), texts))
@@ -275,7 +277,7 @@ def border(
 
 
 def wide_ratios(*values: Any) -> tuple[str, ...]:
-    """All digits of the ratios, in their order."""
+    """The ratios as text with all their digits, in the order of `RATIOS`."""
     return tuple(digits(name, value) for name, value in zip(RATIOS, values))
 
 

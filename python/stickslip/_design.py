@@ -17,11 +17,11 @@ FIGURES: tuple[str, ...] = tuple(_native.FIGURES)
 
 
 class Band(NamedTuple):
-    """A band of angular frequency in which the body does not stick; its ends belong to it."""
+    """A band of angular frequency in which the body does not stick, both ends included."""
 
     low: float
     high: float
-    #: Whether the lower end is that of the range that was asked about, and not a border.
+    #: Whether the lower end is that of the requested range, rather than a border.
     low_is_end_of_range: bool
     high_is_end_of_range: bool
 
@@ -41,7 +41,7 @@ class Estimate(NamedTuple):
 
     value: float
     standard_error: float
-    #: The interval that holds the true value in 95 % of such measurements.
+    #: The 95 % confidence interval.
     interval: tuple[float, float]
 
 
@@ -52,12 +52,13 @@ class Identified(NamedTuple):
     damping_ratio: Estimate
     #: Relative standard error of one amplitude, estimated from the residuals.
     noise: float
-    #: Measured minus computed amplitude, relative to the measured one; NaN if the body sticks and it was omitted.
+    #: Measured minus computed amplitude, relative to the measured one; NaN for a point that was omitted because
+    #: the body sticks.
     residuals: Floats
 
 
 class Figure(NamedTuple):
-    """A figure, which a notebook displays."""
+    """A figure that a notebook displays."""
 
     title: str
     caption: str
@@ -82,13 +83,13 @@ def identify(
     Parameters
     ----------
     mass, stiffness, force : float or str
-        Of the machine, and the amplitude of the harmonic force; with or without units.
+        Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units.
     angular_frequency, amplitude : array
         Angular frequencies, and the maximum displacement measured at each.
     phase : array, optional
-        Phase of the maximum displacement behind the force, in radians; NaN where it was not measured.
+        Phase lag of the maximum displacement behind the force, in radians; NaN where it was not measured.
     units : str, optional
-        The system of numbers without units, such as ``"kN,mm"``; it is required if other values have units.
+        The system of units of bare numbers, such as ``"kN,mm"``; it is required if other values have units.
 
     Returns
     -------
@@ -111,7 +112,8 @@ def identify(
     lengths = {column.size for column in columns.values()}
     if len(lengths) != 1:
         raise _native.Error(f"columns of the curve have different lengths: {sorted(lengths)}")
-    # The friction bound is what is asked for: its value here plays no part. A length is among the columns.
+    # The first amplitude stands for the columns when units are checked. The friction bound is the unknown, so that
+    # its value here has no effect.
     texts = {"mass": (mass, "mass"), "stiffness": (stiffness, "stiffness"), "force": (force, "force")}
     first = {"amplitude": (columns["amplitude"][0], "length")} if columns["amplitude"].size else {}
     values, _ = read({**texts, **first}, units)

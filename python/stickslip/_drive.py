@@ -46,20 +46,20 @@ class Drive:
     force : float, str or array
         Amplitude of a force on the body; as text with its unit, such as ``"12 kN"``.
     foot_displacement : float, str or array
-        Amplitude of a motion of the spring's foot, over a surface that stays.
+        Amplitude of a motion of the spring's foot over a fixed surface.
     damped_foot_displacement : float, str or array
-        The same with the damper standing on the moving foot.
+        The same, with the damper attached to the moving foot.
     base_displacement, base_velocity, base_acceleration : float, str or array
-        Amplitude of a motion of the base that carries the surface along, as under an isolator. The
-        displacement of the answer is that of the body relative to the base.
+        Amplitude of a motion of the base that carries the surface, as under an isolator. The resulting
+        displacement is that of the body relative to the base.
     frequency : float, str or array
         In hertz, or as text such as ``"2 Hz"`` or ``"120 rpm"``.
     angular_frequency : float or array
-        The same in radians per second; one of the two is given.
+        The same in radians per second; give one of the two.
     mean_force : float or str
-        A constant force beside the harmonic one; it shifts the motion.
+        A constant force in addition to the harmonic one; it shifts the motion.
     units : str, optional
-        The system of numbers without units, such as ``"kN,mm"``; values with units are converted to it.
+        The system of units of bare numbers, such as ``"kN,mm"``; values with units are converted to it.
 
     Attributes
     ----------
@@ -110,7 +110,8 @@ class Drive:
             raise _native.Error("give one of frequency (in Hz) and angular_frequency (in rad/s)")
         object.__setattr__(self, "excitation", name)
         object.__setattr__(self, "angular_frequency", angular_of(frequency, angular_frequency))
-        # What is no text is one number, or many; the first of them stands for all where units must not mix.
+        # An amplitude that is not text is a number or an array. The first element of an array stands for all when
+        # units are checked.
         texts: dict[str, tuple[Any, str]] = {}
         several = None if isinstance(amplitude, str) else numbers(name, amplitude)
         if several is None or several.size:
@@ -150,7 +151,7 @@ def _plain(array: np.ndarray) -> ArrayLike:
 
 
 def angular_of(frequency: Optional[ArrayLike], angular_frequency: Optional[ArrayLike]) -> ArrayLike:
-    """The angular frequency; a frequency is the same in all systems of units."""
+    """The angular frequency, whose unit is the same in all systems of units."""
     for name, value in (("frequency", frequency), ("angular_frequency", angular_frequency)):
         if isinstance(value, str):
             values, system = read({name: (value, "frequency")}, None)

@@ -25,7 +25,7 @@ _STANDARD_GRAVITY = 9.80665
 
 
 def _one_of(given: Mapping[str, Any], *names: str) -> Optional[str]:
-    """The name of the given one among several equivalent parameters."""
+    """The name of the one that is given among equivalent parameters."""
     found = [name for name in names if given[name] is not None]
     if len(found) > 1:
         raise _native.Error(f"{found[0]} and {found[1]}: give one of the two, the other follows")
@@ -54,20 +54,20 @@ class Machine:
     friction : float or str
         Friction bound: the force of friction while the body slides.
     friction_coefficient, gravity : float or str
-        In place of the friction bound: ``friction_coefficient * mass * gravity``. Gravity is 9.80665 m/s**2 unless given, in
-        SI where no system of units is known.
+        In place of the friction bound: ``friction_coefficient * mass * gravity``. The default gravity is
+        9.80665 m/s**2; bare numbers without a known system of units are then in SI.
     friction_backward : float or str, optional
         Friction bound of backward motion, if it differs from that of forward motion.
     damping : float or str
         Constant of a viscous damper, >= 0.
     damping_ratio : float or str
-        In place of it: ``c/(2 sqrt(k m))``.
+        In place of the damping constant: ``c/(2 sqrt(k m))``.
     static_friction : float or str
         The force that releases the body at rest, at least the friction bound.
     static_friction_ratio : float
-        In place of it: static friction over the kinetic one, >= 1.
+        In place of the static friction: its ratio to the kinetic friction, >= 1.
     units : str, optional
-        A force and a length, such as ``"kN,mm"``: the system of the answers and of numbers without units.
+        Units of force and length, such as ``"kN,mm"``: the system of units of results and of bare numbers.
 
     Attributes
     ----------
@@ -152,7 +152,7 @@ class Machine:
         if static == "static_friction":
             ratio = _native.static_friction_ratio(self._body, values["static_friction"])
         self._set(values, system, constant, ratio)
-        # Its messages for bad values.
+        # This call refuses bad values, with the messages of the library.
         _native.machine_columns(self._body, "force", np.ones(0), np.ones(0), 0.0)
 
     def _set(self, values: Mapping[str, float], system: Optional[str], damping: float, ratio: float) -> None:
@@ -174,22 +174,22 @@ class Machine:
         return (self.mass, self.stiffness, self.friction, backward, self.damping, self.static_friction_ratio)
 
     def response(self, drive: Drive, *, outputs: Optional[Iterable[str]] = None) -> Response:
-        """The answer in closed form, in ratios and, as ``physical``, in the units of the machine; see `response`."""
+        """The response in closed form, in ratios and, as ``physical``, in the machine's units; see `response`."""
         drive, ratios, scales = self._ratios(drive)
         answer = Response(felt_around(response(**ratios, outputs=outputs), drive, ratios))
         physical = in_units(answer, drive, ratios, scales)
         values = physical.to_dict()
         if "best_force_energy" in values:
-            # The loop at the best force, not at this one.
+            # This is the loop at the best force, not at the given one.
             best = values["best_force"] / values["force_amplitude"]
             values["best_force_energy"] = values["best_force_energy"] * best**2
             physical = Physical({name: values[name] for name in physical._names}, physical.units)
         return Response(answer._with({"physical": physical}))
 
     def steady(self, drive: Drive, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Steady:
-        """The steady motion, in ratios and, as ``physical``, in the units of the machine; see `steady`.
+        """The steady state, in ratios and, as ``physical``, in the machine's units; see `steady`.
 
-        The start is in radians, B and B w.
+        The start is given in radians, B and B w.
         """
         drive, ratios, scales = self._ratios(drive)
         answer = Steady(felt_around(steady(**ratios, start=start, max_periods=max_periods), drive, ratios))
@@ -229,10 +229,10 @@ class Machine:
         cycles: float = 1.0,
         samples: Optional[int] = None,
     ) -> Union[Phases, Samples]:
-        """The exact motion from a phase of the drive (rad), a displacement and a velocity, in ratios and as ``physical``; see `simulate`.
+        """The exact motion from a start, in ratios and, as ``physical``, in the machine's units; see `simulate`.
 
-        Displacements are measured from ``physical.mean_displacement``, the shift by a mean force or by friction that
-        depends on the direction.
+        The start is a phase of the drive (rad), a displacement and a velocity. Displacements are measured from
+        ``physical.mean_displacement``, the shift due to a mean force or to friction that depends on the direction.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="50 kg", stiffness="1 kN/mm", friction="5 kN")
@@ -255,12 +255,14 @@ class Machine:
     def attractors(
         self, drive: Drive, *, starts: Any = 1000, reach: Optional[float] = None, max_periods: int = 2000
     ) -> Attractors:
-        """All limits that many starts lead to, in ratios; see `attractors`."""
+        """All attractors that many starts lead to, in ratios; see `attractors`."""
         _, ratios, _ = self._ratios(drive)
         return attractors(**ratios, starts=starts, reach=reach, max_periods=max_periods)
 
     def decay(self, displacement: Quantity, velocity: Quantity = 0.0) -> Decay:
-        """Free vibration from a displacement and a velocity of the machine to rest, in ratios and as ``physical``; see `decay`.
+        """Free vibration to rest, in ratios and, as ``physical``, in the machine's units; see `decay`.
+
+        The start is a displacement and a velocity of the machine.
 
         >>> import stickslip as ss
         >>> machine = ss.Machine(mass="2 kg", stiffness="800 N/m", friction="3 N")
@@ -280,14 +282,16 @@ class Machine:
         return Decay({**found.to_dict(), "physical": Physical(physical, units)})
 
     def border(self, angular_frequency: Union[ArrayLike, str]) -> Border:
-        """The border at an angular frequency, in ratios; `min_force` is the same in units of force."""
+        """The border at an angular frequency, in ratios; `min_force` gives it as a force."""
         drive = Drive(force=self.friction, angular_frequency=angular_frequency, units=self.units)
         _, ratios, _ = self._ratios(drive)
         return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
 
     def min_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
-        """The minimum amplitude at which the body does not stick, of a force or of another excitation by its name in
-        `Drive`."""
+        """The minimum amplitude of an excitation at which the body does not stick.
+
+        The excitation is the force, or another amplitude by its name in `Drive`.
+        """
         return _native.min_amplitude(self._body, excitation, self._frequency(angular_frequency))
 
     def max_friction(self, drive: Drive) -> float:
@@ -295,7 +299,7 @@ class Machine:
         return _native.max_friction(self._body, *self._single(drive))
 
     def best_friction(self, drive: Drive) -> "BestFriction":
-        """The friction bound that dissipates most under a drive, among those that do not stick."""
+        """The friction bound that dissipates most under a drive, among those at which the body does not stick."""
         from ._design import BestFriction
 
         friction, energy, optimum = _native.best_friction(self._body, *self._single(drive))
@@ -319,17 +323,17 @@ class Machine:
         return [Band(*band) for band in _native.bands(self._body, kind, amplitude, *ends)]
 
     def force_for_displacement(self, angular_frequency: Quantity, max_displacement: Quantity) -> float:
-        """The force amplitude with which the cycle has a maximum displacement."""
+        """The force amplitude at which the cycle has a given maximum displacement."""
         target = self._value("max_displacement", max_displacement, "length")
         return _native.force_for(self._body, self._frequency(angular_frequency), target, False)
 
     def force_for_velocity(self, angular_frequency: Quantity, max_velocity: Quantity) -> float:
-        """The force amplitude with which the cycle has a maximum velocity."""
+        """The force amplitude at which the cycle has a given maximum velocity."""
         target = self._value("max_velocity", max_velocity, "velocity")
         return _native.force_for(self._body, self._frequency(angular_frequency), target, True)
 
     def _value(self, name: str, value: Quantity, kind: str) -> float:
-        """A number in the machine's system, in which a bare one is."""
+        """A value as a number in the machine's system of units, to which bare numbers belong."""
         if isinstance(value, str) and self.units is None:
             raise _native.Error(f"{name} {value}: has a unit, and the machine's values have none")
         return read({name: (value, kind)}, self.units)[0][name]
@@ -348,7 +352,7 @@ class Machine:
         }
         ratios = {name: of_shape.pop(name) for name in RATIOS}
         if at.shape is not None:
-            # The same in all points: then the loops of a batch do.
+            # These ratios are the same at all points. Passed as single numbers, they permit the batch kernels.
             ratios.update({name: float(ratios[name].flat[0]) for name in RATIOS[2:] if ratios[name].size})
         return drive, ratios, of_shape
 

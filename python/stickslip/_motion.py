@@ -25,11 +25,11 @@ class Phases(Result):
     ends_by : array of str
         ``"reversal"``, ``"stop"``, ``"grazing"``, ``"release"`` or ``"never"``.
     start_phase, end_phase, duration : array
-        Radians of the drive; NaN where it never ends.
+        In radians of the drive; NaN for a segment that never ends.
     start_displacement, start_velocity, end_displacement : array
         In B and B w.
     physical : Physical or None
-        The times, displacements and velocities in the units of the machine, where there is one.
+        The times, displacements and velocities in the machine's units; None without a machine.
     """
 
     _names: ClassVar[Sequence[str]] = (
@@ -65,9 +65,9 @@ class Samples(Result):
     displacement, velocity : array
         In B and B w.
     friction : array
-        Force of friction in units of the kinetic one: -1 or 1 while it slides.
+        Friction force in units of the kinetic friction: -1 or 1 while the body slides.
     physical : Physical or None
-        Time, displacement, velocity and force of friction in the units of the machine, where there is one.
+        Time, displacement, velocity and friction force in the machine's units; None without a machine.
     """
 
     _names: ClassVar[Sequence[str]] = ("phase", "displacement", "velocity", "friction", "physical")
@@ -85,13 +85,13 @@ class Decay(Result):
     Attributes
     ----------
     half_cycles : int
-        Half cycles after the first turn.
+        Half cycles of sliding until rest, counted from the start.
     first_turn, rest_position : float
-        Displacements (B).
+        Displacements at the first turning point and at rest (B).
     rest_time : float or None
         Time until rest, in units of ``sqrt(m/k)``; None if the body creeps for ever.
     physical : Physical or None
-        The same names in the units of the machine, where there is one.
+        The same outputs in the machine's units; None without a machine.
     """
 
     _names: ClassVar[Sequence[str]] = ("half_cycles", "first_turn", "rest_position", "rest_time", "physical")
@@ -144,9 +144,9 @@ def simulate(
     Parameters
     ----------
     omega, alpha, damping_ratio, static_friction_ratio : float
-        Frequency ratio, force ratio, damping ratio, and static friction over the kinetic one.
+        Frequency ratio, force ratio, damping ratio, and ratio of static to kinetic friction.
     start : (phase, displacement, velocity)
-        In radians of the drive, B and B w; rest unless given.
+        In radians of the drive, B and B w; at rest by default.
     cycles : float
         Drive cycles to follow, > 0.
     samples : int, optional
@@ -195,7 +195,7 @@ def decay(
     damping_ratio : float
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float
-        Static friction over the kinetic one, >= 1: the body stays at rest from a larger displacement.
+        Ratio of static to kinetic friction, >= 1. A larger ratio holds the body at rest at larger displacements.
 
     Returns
     -------

@@ -10,7 +10,7 @@ from . import _native
 from ._drive import Drive
 from ._result import Physical, Result
 
-#: Names of values in physical units, where they are not those in ratios. Both loop sizes are one energy.
+#: Names of values in physical units that differ from those in ratios. Both loop sizes are the same energy.
 _PHYSICAL = {
     "min_force_ratio": "min_force",
     "min_force_ratio_turning_point": "min_force_turning_point",
@@ -22,7 +22,7 @@ _PHYSICAL = {
     "phase": "time",
     "friction": "friction_force",
 }
-#: Scales of what `steady` and `simulate` give, beside those of `response`.
+#: Scales of the outputs of `steady` and `simulate` that `response` does not have.
 _OF_MOTION = {
     "min_displacement": "length",
     "rest_position": "length",
@@ -41,7 +41,7 @@ _OF_MOTION = {
     "velocity": "velocity",
     "friction": "force",
 }
-#: What the scales of `_native.machine_columns` are, and those made of them.
+#: The kind of quantity of each scale, of `_native.machine_columns` or derived from its scales.
 _KIND_OF_SCALE = {
     "length": "length",
     "velocity": "velocity",
@@ -97,7 +97,7 @@ def felt_around(answer: Result, drive: Drive, ratios: Mapping[str, Any]) -> dict
     given = (ratios["omega"], ratios["alpha"], ratios["damping_ratio"], 0.0, acceleration)
     columns = tuple(np.ascontiguousarray(np.broadcast_to(value, shape), np.float64).reshape(-1) for value in given)
     force, ratio = (column.reshape(shape) for column in _native.transmitted(drive.excitation, columns))
-    # Over the surface, which stays.
+    # The surface is fixed, so that the displacement over it is absolute.
     least = values.get("min_displacement")
     amplitude = values["max_displacement"] if least is None else max(abs(values["max_displacement"]), abs(least))
     felt = {"transmitted_force": force, "transmissibility": ratio, "max_absolute_displacement": amplitude}

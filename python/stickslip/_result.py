@@ -1,4 +1,4 @@
-"""What results are made of, and how numbers and arrays come in."""
+"""Base classes of results, and conversion of numbers and arrays."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class Result:
         return f"{type(self).__name__}({', '.join(values)})"
 
     def to_dict(self) -> dict[str, Any]:
-        """All values by name: None where a single point has none, NaN in an array."""
+        """All values by name. A value that does not exist is None for a single point, and NaN in an array."""
         return {name: getattr(self, name) for name in self._names}
 
     def _with(self, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -74,7 +74,7 @@ class Physical(Result):
     Attributes
     ----------
     units : dict of str to str, or None
-        The unit of each value; None where the machine was given in numbers without units.
+        The unit of each value; None if the machine was given in numbers without units.
     """
 
     units: Optional[Mapping[str, str]]
@@ -108,7 +108,7 @@ class Points(NamedTuple):
     shape: Optional[tuple[int, ...]]
     #: Each ratio as given.
     given: Mapping[str, Floats]
-    #: Each as a column of one length, or as one number for all points.
+    #: Each ratio as a column with one value for each point, or as one number for all points.
     columns: tuple[Value, ...]
 
     @property
@@ -123,10 +123,10 @@ class Points(NamedTuple):
 
 
 def numbers(name: str, value: ArrayLike) -> Floats:
-    """A number or an array of any type of numbers as 64-bit floats, NaN where it is masked."""
+    """A number or an array of any numeric type as 64-bit floats, with NaN for masked elements."""
     array = np.ma.asarray(value) if isinstance(value, np.ma.MaskedArray) else np.asarray(value)
     if array.dtype.kind in "OUS" and array.ndim == 0 and value is not None or array.dtype.kind == "O" and array.ndim:
-        # A number as text or of another library; columns of numbers with gaps, such as those of pandas.
+        # This is a number as text or of another library, or a column of numbers with gaps, as in pandas.
         try:
             array = np.asarray(value, dtype=np.float64)
         except (TypeError, ValueError):
@@ -146,7 +146,7 @@ def one(name: str, value: Any) -> float:
 
 
 def points(**values: ArrayLike) -> Points:
-    """The points of ratios that broadcast."""
+    """The points of ratios, broadcast to a common shape."""
     given = {name: numbers(name, value) for name, value in values.items()}
     try:
         shape = np.broadcast_shapes(*(array.shape for array in given.values()))

@@ -1,4 +1,4 @@
-"""The long run of the exact motion."""
+"""The steady state of the exact motion."""
 
 from __future__ import annotations
 
@@ -24,37 +24,37 @@ class Steady(Result):
         ``"periodic"``, ``"family"``, ``"rest"``, ``"irregular"``, ``"none"`` or ``"not-converged"``.
     max_displacement, min_displacement, max_velocity, min_velocity : float or array
         Extremes of a cycle (B, B w), and their phases (rad) under the same names with ``_phase``. For an irregular
-        motion, the extreme displacements of the turns observed.
+        motion, the displacements are the extremes over the turns observed.
     sticks_per_cycle, velocity_zeros_per_cycle, reversals_per_cycle : int or array
-        Counts; -1 in an array where there is none.
+        Counts; -1 in an array where a count does not exist.
     stick_fraction : float or array
         Share of the cycle at rest.
     energy_in, energy_out : float or array
         Work of the drive, and work against friction in a cycle (r B).
     damper_work : float or array
-        Work against the damper in a cycle (r B): the rest of ``energy_in``.
+        Work against the damper in a cycle (r B), the remainder of ``energy_in``.
     multipliers : list of (float, float)
-        Multipliers of a whole cycle, real and imaginary parts (a single point only).
+        Floquet multipliers of a cycle, as real and imaginary parts (a single point only).
     contraction : float or array
         Share of a disturbance that remains after a cycle.
     distance : float or array
         Estimated distance of the displacement from the limit (B).
     periods : float or array
-        Number of drive periods that were followed.
+        Number of drive periods followed.
     rest_position : float or array
-        Where a stuck body rests (B).
+        Rest position of a stuck body (B).
     error_1, error_2, error_3, error_4 : float
         The source paper's measures of asymmetry (a single point only).
     turns_per_cycle : int or array
-        Turns of the drive in a cycle; above 1 with a static friction above the kinetic one only.
+        Turns of the drive in a cycle; above 1 only if static friction exceeds kinetic friction.
     symmetric : bool or array
-        Whether half a cycle later the motion is the same upside down; in an array 1, 0, or -1 where there is no cycle.
+        Whether each half of a cycle is the mirror image of the other; in an array 1, 0, or -1 where there is no cycle.
     lyapunov_exponent, lyapunov_exponent_error, turns_observed : float, float and int, or arrays
-        Of an irregular motion, per turn of the drive.
+        Lyapunov exponent of an irregular motion per turn of the drive, its standard error, and the turns observed.
     dynamic_amplification, max_acceleration, transmitted_force, transmissibility, max_absolute_displacement : float
         As for `response` (a single point only).
     physical : Physical or None
-        The same names in the units of the machine, where there is one.
+        The same outputs in the machine's units; None without a machine.
     """
 
     _names: ClassVar[Sequence[str]] = (
@@ -162,11 +162,11 @@ def steady(
     damping_ratio : float or array
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float or array
-        Static friction over the kinetic one, >= 1. Above 1 the limit may depend on the start (`attractors`).
+        Ratio of static to kinetic friction, >= 1. Above 1 the steady state may depend on the start; see `attractors`.
     start : (phase, displacement, velocity)
-        In radians of the drive, B and B w; rest unless given.
+        In radians of the drive, B and B w; at rest by default.
     max_periods : int
-        Periods of the drive after which a motion that has not settled is ``"not-converged"``.
+        Periods of the drive to follow; a motion that has not settled by then is ``"not-converged"``.
     bits : int, optional
         For a single point: the precision, as for `response`.
 

@@ -1,8 +1,8 @@
-"""Tables of Arrow in, tables of Arrow out: for pyarrow, polars, arro3, DuckDB and the engines that use them.
+"""Arrow tables as input and output, for pyarrow, polars, arro3, DuckDB and the engines that use them.
 
-Whatever has the PyCapsule interface (``__arrow_c_array__`` or ``__arrow_c_stream__``) is a table here, and the results
-have it, too: ``pyarrow.table(result)``, ``polars.DataFrame(result)``. Columns of 64-bit numbers are read without a
-copy. A batch gives a batch, so that the functions fit ``map_batches`` and ``mapInArrow`` as they are.
+A table is any object with the PyCapsule interface (``__arrow_c_array__`` or ``__arrow_c_stream__``). Results have the
+same interface: ``pyarrow.table(result)``, ``polars.DataFrame(result)``. Columns of 64-bit floats without nulls are
+read without a copy. A batch gives a batch, as ``map_batches`` and ``mapInArrow`` require.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
     table : Arrow table or record batch
         With the columns ``omega`` and ``alpha``, and optionally ``damping_ratio`` and ``static_friction_ratio``.
     outputs : names, optional
-        The columns of the result, of `stickslip.OUTPUTS`.
+        The columns of the result, from `stickslip.OUTPUTS`.
 
     Returns
     -------
@@ -47,7 +47,7 @@ def response(table: Table, outputs: Optional[Iterable[str]] = None) -> Any:
 
 
 def steady(table: Table, *, start: Start = REST, max_periods: int = _native.MAX_PERIODS) -> Any:
-    """The steady motion at every row; see `stickslip.steady`.
+    """The steady state at every row; see `stickslip.steady`.
 
     Parameters
     ----------

@@ -1,7 +1,6 @@
-"""Answers with a guarantee: each output as a midpoint and a radius that contain it, rounding included.
+"""Results with a guarantee: each output as an interval that contains it, rounding included.
 
-Ratios are taken as they are written: ``"0.4"`` is four tenths, and ``"1/3"`` a third; a float is the binary number that
-it is.
+Ratios are exact: ``"0.4"`` is four tenths, ``"1/3"`` is one third, and a float has its exact binary value.
 """
 
 from __future__ import annotations
@@ -45,11 +44,11 @@ class Response(Result):
     Attributes
     ----------
     regime : str or None
-        ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None where that is undecided.
+        ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None if it is undecided.
     bits : int
         The final precision of the computation, in bits.
     max_displacement, max_velocity, ... : Enclosure or None
-        The outputs, named as by `stickslip.response`; None if one does not exist or has no enclosure.
+        The outputs, with the names of `stickslip.response`; None if one does not exist or has no enclosure.
     """
 
     _names: ClassVar[Sequence[str]] = ("regime", "bits", *_native.OUTPUTS)
@@ -59,7 +58,7 @@ class Response(Result):
 
 
 class Steady(Result):
-    """A periodic motion proved to exist; see `steady`. Its truth value is true, that of `Unproved` is false.
+    """A periodic motion proved to exist; see `steady`. It counts as true, and `Unproved` as false.
 
     Attributes
     ----------
@@ -68,14 +67,14 @@ class Steady(Result):
     turns_per_cycle : int
         Turns of the drive in a cycle.
     max_displacement, min_displacement, max_velocity, min_velocity, stick_fraction : Enclosure
-        In B, in B w, and as a part of a cycle.
+        In B, in B w, and as a fraction of a cycle.
     sticks_per_cycle, velocity_zeros_per_cycle : int
     multipliers : list of (Enclosure, Enclosure)
         Real and imaginary parts of the Floquet multipliers of a cycle.
     start_phase, start_displacement : Enclosure
-        A release, or a reversal where the body never stops.
+        Phase and displacement of a release, or of a reversal if the body never stops.
     only_within : float
-        Within this distance (B) of that displacement there is no other motion of the same kind.
+        Within this distance (B) of ``start_displacement`` there is no other motion of the same kind.
     bits : int
     """
 
@@ -113,7 +112,7 @@ class Steady(Result):
 
 
 class Unproved(NamedTuple):
-    """Why a steady motion is not proved to exist; its truth value is false.
+    """The reason why a steady motion is not proved to exist; it counts as false.
 
     >>> from stickslip import enclosed
     >>> enclosed.steady("0.7", "0.9")
@@ -184,7 +183,7 @@ def steady(
     *,
     bits: int = 64,
 ) -> Union[Steady, Unproved]:
-    """The steady motion from rest, stops included, proved to exist; or why it is not proved.
+    """The steady motion from rest, stops included, proved to exist; or the reason why there is no proof.
 
     Parameters
     ----------

@@ -1,7 +1,8 @@
-"""Ten machines by this package and by SciPy's `solve_ivp`: processor time, and error of the maximum displacement.
+"""Compares this package with SciPy's `solve_ivp` on ten machines: processor time and error of the displacement.
 
-`solve_ivp` is given what it cannot know: the number of periods after which the motion has settled to a millionth. The
-sign function of friction is smoothed, tanh(v/eps): with the sign itself the step size collapses wherever the body stops.
+`solve_ivp` is also given the number of periods after which the motion has settled to a millionth, which it cannot
+know. The sign function of friction is smoothed to tanh(v/eps), because with the sign itself the step size collapses
+wherever the body stops.
 
     python beside_scipy.py
 """
@@ -33,7 +34,7 @@ MACHINES = [
 
 
 def by_scipy(omega: float, alpha: float, damping: float, periods: int, eps: float, rtol: float) -> float:
-    """The maximum displacement in the last of some periods from rest."""
+    """The maximum displacement in the last of a number of periods from rest."""
 
     def slope(t: float, y: NDArray[np.float64]) -> tuple[float, float]:
         return y[1], alpha * np.sin(omega * t) - y[0] - 2 * damping * y[1] - np.tanh(y[1] / eps)
@@ -46,7 +47,7 @@ def by_scipy(omega: float, alpha: float, damping: float, periods: int, eps: floa
 
 
 def timed(call: Any, repeats: int) -> tuple[Any, float]:
-    """What the call gives, and its least processor time in seconds."""
+    """The result of the call, and its minimum processor time in seconds."""
     least = float("inf")
     for _ in range(repeats):
         start = time.process_time()
@@ -59,7 +60,7 @@ def main() -> None:
     print("| Ω, α, ζ | stops | periods | here | LSODA, rtol 1e-6, eps 1e-3 | LSODA, rtol 1e-9, eps 1e-5 |")
     print("|---|---|---|---|---|---|")
     for omega, alpha, damping in MACHINES:
-        # A single answer is too short to time.
+        # The time of a single answer is too short to measure.
         found, here = timed(lambda: ss.steady(np.full(1000, omega), alpha, damping), 5)
         left = found.contraction[0]
         periods = 3 if left < 1e-6 else int(np.ceil(np.log(1e-6) / np.log(left))) + 3

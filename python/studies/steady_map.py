@@ -1,9 +1,9 @@
-"""A study that outgrows one process: steady states over frequency and force ratio, on Dask or on Ray Data.
+"""A study too large for one process: steady states over frequency and force ratio, on Dask or on Ray Data.
 
-Each part is a file of its own, computed from the part's number alone. It is written under a name of its own and then
-renamed, so that a task tried twice, or a worker that dies while writing, leaves a whole file or none. The reductions
-of the parts are small and come back to the client, which adds them up in the order of the parts: the result is the
-same, bit for bit, on any number of workers.
+Each part is a separate file, computed from the part's number alone. It is written to a temporary file and then
+renamed, so that a repeated task, or a worker that dies while writing, leaves a complete file or none. The reductions
+of the parts are small and return to the client, which combines them in the order of the parts. The result is
+therefore bit for bit the same on any number of workers.
 
     python steady_map.py --workers 2 --parts 16 --out map
     python steady_map.py --workers 2 --parts 16 --out map --engine ray
@@ -22,12 +22,12 @@ import numpy as np
 
 import stickslip as ss
 
-#: Number of parts, rows and columns of the map, and the directory.
+#: Number of parts, rows and columns of the map, and the output directory.
 Options = tuple[int, int, int, str]
 
 
 def part(number: int, parts: int, rows: int, columns: int, out: str) -> dict[str, float]:
-    """Computes the rows of one part, writes them as a file, and gives what the whole study needs of them."""
+    """Computes the rows of one part, writes them to a file, and returns their reductions."""
     omega = np.geomspace(0.1, 2.0, rows)[number::parts]
     alpha = np.geomspace(1.05, 10.0, columns)
     found = ss.steady(omega[:, None], alpha)
@@ -51,7 +51,7 @@ def part(number: int, parts: int, rows: int, columns: int, out: str) -> dict[str
 
 
 def whole(parts: list[dict[str, float]]) -> dict[str, float]:
-    """The reductions of all parts, in their order."""
+    """The reductions of all parts, combined in their order."""
     total = {name: 0.0 for name in parts[0]}
     for found in parts:
         for name, value in found.items():
@@ -60,7 +60,7 @@ def whole(parts: list[dict[str, float]]) -> dict[str, float]:
 
 
 def on_dask(workers: int, options: Options) -> list[dict[str, float]]:
-    """All parts, on worker processes of Dask."""
+    """Computes all parts on worker processes of Dask."""
     from distributed import Client, LocalCluster
 
     with LocalCluster(n_workers=workers, threads_per_worker=1, dashboard_address=None) as cluster:
@@ -70,7 +70,7 @@ def on_dask(workers: int, options: Options) -> list[dict[str, float]]:
 
 
 def on_ray(workers: int, options: Options) -> list[dict[str, float]]:
-    """All parts, as the rows of a dataset of Ray Data."""
+    """Computes all parts as the rows of a dataset of Ray Data."""
     import ray
 
     def row(batch: dict[str, Any]) -> dict[str, Any]:
@@ -90,11 +90,11 @@ def on_ray(workers: int, options: Options) -> list[dict[str, float]]:
 def main() -> None:
     parser = argparse.ArgumentParser(description="A map of steady states on Dask or Ray")
     parser.add_argument("--engine", choices=["dask", "ray"], default="dask")
-    parser.add_argument("--workers", type=int, default=2, help="worker processes; 0 computes in this one")
+    parser.add_argument("--workers", type=int, default=2, help="worker processes; 0 computes in this process")
     parser.add_argument("--parts", type=int, default=16)
     parser.add_argument("--rows", type=int, default=160)
     parser.add_argument("--columns", type=int, default=100)
-    parser.add_argument("--out", required=True, help="a directory for the parts")
+    parser.add_argument("--out", required=True, help="directory for the files of the parts")
     args = parser.parse_args()
     Path(args.out).mkdir(parents=True, exist_ok=True)
     options = (args.parts, args.rows, args.columns, args.out)
