@@ -1,7 +1,6 @@
 //! Friction and damping from noisy response curves: the frequency with which the stated interval contains the
 //! true values.
 
-
 use crate::random::Random;
 use std::f64::consts::TAU;
 use stickslip::design::{Measurement, identify};
