@@ -179,7 +179,11 @@ fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
             break;
         }
         assert_eq!(status, if signal == "-KILL" { None } else { Some(130) });
-        assert!(!file.exists(), "there before it is whole");
+        // A signal can come after the file is in its place and before the command ends.
+        if file.exists() {
+            assert!(text(&file) == whole, "there before it is whole");
+            break;
+        }
         // No complete row is lost; an interrupt keeps all.
         let now = rows_of_parts(&file);
         assert!(now >= kept, "{now} rows of {kept}");
