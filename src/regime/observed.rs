@@ -24,11 +24,11 @@ pub struct Observed {
 /// The regime of a long run at (Ω, α, ζ).
 ///
 /// **The convention at a border.** A motion is known to within [`SteadyState::distance`] and its rounding. A
-/// stop, or the clearance of a velocity that nearly vanishes, may be smaller than that, within about 1e-10 of
-/// a border near a pole and a few units in the last place elsewhere. There the borders decide, which are
-/// accurate to 8 and 64 units in the last place; a rounded border itself counts as non-sticking. The borders
-/// also decide where the motion has not settled, because the regime is that of its limit. This function and
-/// [`crate::regime()`] therefore agree.
+/// stop, or the clearance of a velocity that nearly vanishes, may be smaller than that: within about 1e-10 of
+/// a border near a pole (1e-8 at a relative distance of 1e-12 from it), and a few units in the last place
+/// elsewhere. There the borders decide, which are accurate to 8 and 64 units in the last place; a rounded
+/// border itself counts as non-sticking. The borders also decide where the motion has not settled, because
+/// the regime is that of its limit. This function and [`crate::regime()`] therefore agree.
 ///
 /// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
 /// since other motions may coexist.

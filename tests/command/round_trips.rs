@@ -181,6 +181,15 @@ fn machine(body: &Oscillator<f64>, drive: &Drive<f64>) {
     assert_eq!(of_json::<f64>(&answer), sorted(of_ratios), "{line}");
 }
 
+/// Here one float of Ω moves the border by 1.5e-4, and the motion at f64 shows two reversals 7e-9 below it.
+#[test]
+fn beside_a_pole_the_border_decides() {
+    let p = Point { omega: 0.012_345_679_012_334_45, alpha: 41_074_586_362_949.69 };
+    let limit = LongRun::from_start(ratios(&p), State::default()).unwrap();
+    assert_eq!(limit.steady_state().unwrap().velocity_zeros_per_cycle, 2);
+    both::<f64>("steady", &table(&[p], plain), vec![of_steady(ratios(&p), &limit)]);
+}
+
 #[test]
 fn what_the_units_have_no_number_for_is_refused() {
     let near = "--mass 1e-295 --stiffness 1e-295 --friction 1e4 --frequency 1.0000000001 --force 1e5";

@@ -128,7 +128,8 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 
 /// Regime, stops and reversals in a cycle as counted from the exact motion. The borders decide where it has
 /// not settled, and within a billionth of a border, where a stop may be smaller than the rounding of the
-/// motion.
+/// motion. Near a pole they decide within the change of the border by one float of Ω, too: the motion is known
+/// as that of a frequency to within its rounding.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) =
         (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
@@ -154,7 +155,10 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
         return (found.0, Some(sticks), found.1);
     }
     let edges = [Some(without_stop.border), six.map(|(low, _)| low), six.map(|(_, high)| high)];
-    let beside = edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < 1e-9);
+    let of_next = no_stop_force_ratios(ratios.omega().next_up(), ratios.damping_ratio()).unwrap();
+    let one_float = (of_next.border / without_stop.border - 1.0).abs();
+    let known = one_float.clamp(1e-9, 1e-3);
+    let beside = edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < known);
     assert!(beside, "{found:?} by the motion, {due:?} by the borders at {ratios:?}");
     (due.0, Some(if due.0 == Regime::NonSticking { 0 } else { sticks }), due.1)
 }
