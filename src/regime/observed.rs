@@ -12,7 +12,7 @@ use crate::ratios::Ratios;
 pub struct Observed {
     /// The regime.
     pub regime: Regime,
-    /// The number of stops in a cycle, if there is a cycle.
+    /// The number of stops in a cycle, if there is a cycle and friction is not lost in its rounding.
     pub sticks: Option<u32>,
     /// The number of reversals in a cycle, if there is a cycle without a stop.
     pub reversals: Option<u32>,
@@ -28,7 +28,9 @@ pub struct Observed {
 /// a border near a pole (1e-8 at a relative distance of 1e-12 from it), and a few units in the last place
 /// elsewhere. There the borders decide, which are accurate to 8 and 64 units in the last place; a rounded
 /// border itself counts as non-sticking. The borders also decide where the motion has not settled, because
-/// the regime is that of its limit. This function and [`crate::regime()`] therefore agree.
+/// the regime is that of its limit, and where displacements are so large that friction is lost in their
+/// rounding: the body is held while `|α sin θ − x| ≤ 1`, so that a stop says nothing once `64 ε (α + |x|) ≥ 1`
+/// (at f64 from α = 3.5e13 on). This function and [`crate::regime()`] therefore agree.
 ///
 /// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
 /// since other motions may coexist.
@@ -52,23 +54,36 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let seen = if sticks > 0 { Regime::Sticking } else { Regime::NonSticking };
     let of = |regime, sticks, by_border| Observed {
         regime,
-        sticks: Some(sticks),
+        sticks,
         reversals: (regime == Regime::NonSticking).then_some(zeros),
         by_border,
     };
     if ratios.has_higher_static_friction() {
         // There can be motions with stops above the border, and motions without below it: only the motion
         // itself decides.
-        return of(seen, sticks, false);
+        return of(seen, Some(sticks), false);
     }
-    let agrees = expected == seen && (seen == Regime::Sticking || zeros == reversals);
-    if agrees || !is_hidden(ratios, &border, steady) {
-        return of(seen, sticks, false);
+    let is_lost = is_lost(ratios, steady);
+    let agrees = expected == seen && if sticks > 0 { !is_lost } else { zeros == reversals };
+    if agrees || !(is_lost || is_hidden(ratios, &border, steady)) {
+        return of(seen, Some(sticks), false);
     }
     match expected {
-        Regime::NonSticking => Observed { reversals: Some(reversals), ..of(expected, 0, true) },
-        Regime::Stuck | Regime::Sticking | Regime::Unbounded => of(expected, sticks, true),
+        Regime::NonSticking => Observed { reversals: Some(reversals), ..of(expected, Some(0), true) },
+        Regime::Stuck | Regime::Sticking | Regime::Unbounded => {
+            of(expected, (!is_lost).then_some(sticks), true)
+        }
     }
+}
+
+/// Whether friction is lost in the rounding of the motion.
+///
+/// At a reversal, α sin θ and x are known to some four units in the last place, as in the residual of half a
+/// turn; the margin of sixteen is that of [`is_hidden`].
+fn is_lost<F: Float>(ratios: Ratios<F>, steady: &SteadyState<F>) -> bool {
+    let (most, least) = (steady.max_displacement.value, steady.min_displacement.value);
+    let size = ratios.alpha() + most.abs().or_larger(least.abs());
+    F::int(64) * F::epsilon() * size >= F::int(1)
 }
 
 /// The border next to α, if the decisive quantity is below the accuracy of the motion.
@@ -111,6 +126,35 @@ mod tests {
             motion.stops = stops;
             assert_eq!(observed(ratios, &LongRun::Irregular(motion)).regime, regime, "{stops}");
         }
+    }
+
+    /// Near a pole, in the gap between the forces of six reversals and the border, the body stops. Whether
+    /// its motion does says nothing from 64 ε (α + |x|) = 1 on.
+    #[test]
+    fn a_stop_of_a_motion_in_which_friction_is_lost_does_not_count() {
+        let ratios = Ratios::new(0.331, 170.0).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let LongRun::Periodic(mut steady) = limit else { panic!("{limit:?}") };
+        let (sticks, least) = (steady.sticks_per_cycle, 1.0 / (64.0 * f64::EPSILON));
+        assert!(sticks > 0);
+        for (size, stops, by_border) in
+            [(0.99 * least, Some(sticks), false), (1.01 * least, None, true), (-1.01 * least, None, true)]
+        {
+            (steady.max_displacement.value, steady.min_displacement.value) = (size.max(0.0), size.min(0.0));
+            let seen = observed(ratios, &LongRun::Periodic(steady));
+            assert_eq!((seen.regime, seen.sticks, seen.by_border), (Regime::Sticking, stops, by_border));
+        }
+        // Without a stop the motion and the border agree.
+        let ratios = Ratios::new(0.331, 200.0).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let LongRun::Periodic(mut steady) = limit else { panic!("{limit:?}") };
+        steady.max_displacement.value = 1.01 * least;
+        let seen = observed(ratios, &LongRun::Periodic(steady));
+        assert_eq!((seen.sticks, seen.reversals, seen.by_border), (Some(0), Some(2), false));
+        // Here it is the border that knows the stops of the motion for rounding.
+        steady.sticks_per_cycle = 2;
+        let seen = observed(ratios, &LongRun::Periodic(steady));
+        assert_eq!((seen.sticks, seen.reversals, seen.by_border), (Some(0), Some(2), true));
     }
 
     /// A difference is hidden if it is below 64 units in the last place of α, or below sixteen times the

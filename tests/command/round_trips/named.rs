@@ -129,7 +129,9 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 /// Regime, stops and reversals in a cycle as counted from the exact motion. The borders decide where it has
 /// not settled, and within a billionth of a border, where a stop may be smaller than the rounding of the
 /// motion. Near a pole they decide within the change of the border by one float of Ω, too: the motion is known
-/// as that of a frequency to within its rounding.
+/// as that of a frequency to within its rounding. And they decide about any stop where friction is lost in the
+/// rounding of the motion, at which stops cannot be counted: a stop is `|α sin θ − x| ≤ 1`, and α sin θ and x are
+/// each known to four units in the last place, with the margin of sixteen that the distance from the limit has.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) =
         (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
@@ -151,8 +153,13 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
     };
     let (sticks, zeros) = (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle);
     let found = if sticks > 0 { (Regime::Sticking, None) } else { (Regime::NonSticking, Some(zeros)) };
-    if found == due {
+    let (most, least) = (steady.max_displacement.value, steady.min_displacement.value);
+    let is_lost = 4.0 * 16.0 * f64::EPSILON * (alpha + f64::max(most, -least)) >= 1.0;
+    if found == due && !(is_lost && sticks > 0) {
         return (found.0, Some(sticks), found.1);
+    }
+    if is_lost {
+        return (due.0, (due.0 == Regime::NonSticking).then_some(0), due.1);
     }
     let edges = [Some(without_stop.border), six.map(|(low, _)| low), six.map(|(_, high)| high)];
     let of_next = no_stop_force_ratios(ratios.omega().next_up(), ratios.damping_ratio()).unwrap();

@@ -7,7 +7,7 @@ use crate::input::Point;
 use crate::machine::transmitted;
 use stickslip::exact::{LongRun, State};
 use stickslip::units::Kind;
-use stickslip::{Error, Regime, Response};
+use stickslip::{Error, Regime, Response, observed};
 
 impl Asked {
     /// The value at a point, in the machine's units or in those of p₀; `None` where it grows without bound.
@@ -43,7 +43,7 @@ impl Asked {
                 let limit = LongRun::from_start(point.ratios, State::default()).map_err(fail)?;
                 match (limit.steady_state(), &limit) {
                     (Some(s), _) => {
-                        let sticks = s.sticks_per_cycle > 0;
+                        let regime = observed(point.ratios, &limit).regime;
                         let peaks = s.peaks().map_err(fail)?;
                         let of_motion = match self.what {
                             Curve::Displacement => {
@@ -56,7 +56,7 @@ impl Asked {
                             }
                             Curve::Absolute => peaks.absolute_displacement,
                         };
-                        (Some(of_motion), if sticks { "sticking" } else { "non-sticking" }, sticks)
+                        (Some(of_motion), regime.name(), regime == Regime::Sticking)
                     }
                     // At rest friction carries the whole force, and the body moves with its base.
                     (None, LongRun::Rest(_)) => {

@@ -103,6 +103,10 @@ fn from_where<F: Value>(point: &Point<F>, steady: &SteadyState<F>) -> String {
 
 fn verdict<F: Value>(steady: &SteadyState<F>, seen: &Observed) -> String {
     match seen.sticks.unwrap_or_default() {
+        0 if seen.sticks.is_none() => {
+            "Sticking: its stops cannot be counted, because friction is lost in the rounding of the motion."
+                .to_owned()
+        }
         0 if seen.regime == Regime::Sticking => {
             "Sticking: α is so close below the border that the stops are too short for this arithmetic."
                 .to_owned()
