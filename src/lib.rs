@@ -125,6 +125,9 @@
 #[cfg(test)]
 extern crate self as stickslip;
 #[cfg(test)]
+#[path = "../tests/drawn/mod.rs"]
+mod drawn;
+#[cfg(test)]
 #[path = "../tests/formulae/mod.rs"]
 mod formulae;
 #[cfg(all(test, feature = "matching"))]

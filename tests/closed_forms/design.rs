@@ -1,6 +1,7 @@
 //! The inverse problems and the border behind them, from outside: every answer is substituted into the
 //! forward functions.
 
+use crate::drawn::cases;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 use stickslip::design::{
@@ -64,7 +65,7 @@ fn den_hartog(omega: f64, tau: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #![proptest_config(cases(2000))]
 
     /// A billionth above the border f stays below Δ₀/B; a billionth below it f exceeds Δ₀/B at the limiting
     /// phase.

@@ -1,5 +1,7 @@
 //! The closed forms: independent values, any precision, batches, sensitivities, ranges, inverse problems.
 
+#[path = "../drawn/mod.rs"]
+mod drawn;
 #[path = "../random/mod.rs"]
 mod random;
 #[cfg(feature = "mp")]

@@ -2,6 +2,9 @@
 
 #[path = "../command_line/mod.rs"]
 mod command_line;
+#[cfg(feature = "generators")]
+#[path = "../drawn/mod.rs"]
+mod drawn;
 #[path = "../kept/mod.rs"]
 mod kept;
 

@@ -4,6 +4,7 @@
 mod named;
 
 use crate::command_line::{json, refused, stdout, stickslip};
+use crate::drawn::cases;
 use arbitrary::{Arbitrary, Unstructured};
 use named::{
     Cell, Named, cells, foot, of_border, of_csv, of_json, of_machine, of_phase, of_response, of_steady,
@@ -14,7 +15,7 @@ use std::fmt::{Debug, LowerExp};
 use std::str::FromStr;
 use stickslip::exact::{LongRun, State, Trajectory};
 use stickslip::generators::{Machine, Point, Start};
-use stickslip::{Drive, Oscillator, Ratios, Response, Scales};
+use stickslip::{Drive, Oscillator, Ratios, Regime, Response, Scales, no_stop_force_ratios};
 
 /// Random values of a type of `stickslip::generators`.
 fn hard<T: for<'a> Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
@@ -62,7 +63,7 @@ fn both<F: FromStr<Err: Debug> + LowerExp>(command: &str, table: &str, due: Vec<
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(cases(24))]
 
     #[test]
     fn responses_and_borders(points in points(100)) {
@@ -94,7 +95,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     /// The motion from a typed start is the motion from that start.
     #[test]
@@ -190,6 +191,27 @@ fn beside_a_pole_the_border_decides() {
     both::<f64>("steady", &table(&[p], plain), vec![of_steady(ratios(&p), &limit)]);
 }
 
+/// Here friction is lost in the rounding of the motion: a unit in the last place of a displacement is 4, and a
+/// stop is a difference below 1. The borders decide: the body reverses six times without a stop at the first
+/// force, and stops at the second, nobody knows how often.
+#[test]
+fn where_friction_is_lost_in_rounding_the_border_decides() {
+    let omega: f64 = 0.010_309_278_350_515_464;
+    let no_stop = no_stop_force_ratios(omega, 0.0).unwrap();
+    let (_, greatest) = no_stop.six_reversals.unwrap();
+    for (alpha, regime, stops) in [
+        (3.335_884_628_701_366_8e16, Regime::NonSticking, Cell::of(0)),
+        ((greatest * no_stop.border).sqrt(), Regime::Sticking, Cell::Absent),
+    ] {
+        let p = Point { omega, alpha };
+        let due = of_steady(ratios(&p), &LongRun::from_start(ratios(&p), State::default()).unwrap());
+        for cell in [("regime", Cell::Text(regime.to_string())), ("sticks_per_cycle", stops)] {
+            assert!(due.contains(&(cell.0.to_owned(), cell.1)), "{due:?}");
+        }
+        both::<f64>("steady", &table(&[p], plain), vec![due]);
+    }
+}
+
 #[test]
 fn what_the_units_have_no_number_for_is_refused() {
     let near = "--mass 1e-295 --stiffness 1e-295 --friction 1e4 --frequency 1.0000000001 --force 1e5";
@@ -222,12 +244,13 @@ fn what_the_units_have_no_number_for_is_refused() {
 #[cfg(feature = "mp")]
 mod wide {
     use super::{Named, Point, both, of_response, points};
+    use crate::drawn::cases;
     use proptest::prelude::*;
     use stickslip::float::Mp;
     use stickslip::{Ratios, Response};
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(16))]
+        #![proptest_config(cases(16))]
 
         #[test]
         fn responses(points in points(12)) {

@@ -3,8 +3,8 @@
 //! Each check is a residual relative to the size of its terms. The points keep a distance of 1e-3 from Ω = 1
 //! and 1/(2n+1), where the paper's own forms, unlike the library's, lose digits.
 
+use crate::drawn::cases;
 use proptest::prelude::*;
-use proptest::test_runner::FileFailurePersistence;
 use stickslip::nonsticking::{self, border};
 use stickslip::verify::{self, Case, Standing};
 use stickslip::{Border, Cycle, PhaseFunction, Ratios};
@@ -39,13 +39,33 @@ macro_rules! vanish {
     };
 }
 
-proptest! {
-    // This file is part of the unit tests, whose default directory is that of `src/lib.rs`.
-    #![proptest_config(ProptestConfig {
-        failure_persistence: Some(Box::new(FileFailurePersistence::WithSource("regressions"))),
-        ..ProptestConfig::with_cases(3000)
-    })]
+fn meet_on_the_border(omega: f64) {
+    let p = PhaseFunction::new(omega).unwrap();
+    let q = (1.0 - omega) * (1.0 + omega);
+    let alpha = border::turning_point_border(p.value(), q, omega);
+    let delta = nonsticking::max_displacement(p.value(), alpha, q);
+    let sine = nonsticking::sin_displacement_phase(delta, alpha, q);
+    let scale = 1.0 + alpha * alpha / (q * q);
+    assert!((delta * omega * omega - 1.0).abs() < 1e-10 * scale);
+    assert!(border::slip_excess(alpha, sine, 1.0, delta, 1.0).abs() < 1e-10 * scale);
+    // There eq. 60 vanishes for any B, and nowhere else.
+    for b in [1.0, 0.37] {
+        let at = |alpha| border::turning_point_residual(b, alpha, omega, p.tangent());
+        assert!(at(alpha).abs() < 1e-10 * scale * omega.powi(4).max(1.0), "{}", at(alpha));
+        assert!(at(alpha * 1.01) > 0.0 && at(alpha * 0.99) < 0.0);
+    }
+    assert!(border::turning_point_criterion(p.value(), omega, alpha));
+    assert!(!border::turning_point_criterion(p.value(), omega, alpha.next_down() * (1.0 - 1e-15)));
+}
 
+/// An input that failed once.
+#[test]
+fn equations_57_to_62_met_here_too() {
+    meet_on_the_border(0.401_897_162_409_002_03);
+}
+
+proptest! {
+    #![proptest_config(cases(3000))]
 
     /// Every identity of the library's own list holds, and the misprints fail where they must.
     #[test]
@@ -94,22 +114,7 @@ proptest! {
     #[test]
     fn equations_57_to_62_meet_on_the_border(omega in 0.15f64..4.0) {
         prop_assume!([1.0, 3.0, 5.0].iter().all(|n| (omega * n - 1.0).abs() > 1e-3));
-        let p = PhaseFunction::new(omega).unwrap();
-        let q = (1.0 - omega) * (1.0 + omega);
-        let alpha = border::turning_point_border(p.value(), q, omega);
-        let delta = nonsticking::max_displacement(p.value(), alpha, q);
-        let sine = nonsticking::sin_displacement_phase(delta, alpha, q);
-        let scale = 1.0 + alpha * alpha / (q * q);
-        prop_assert!((delta * omega * omega - 1.0).abs() < 1e-10 * scale);
-        prop_assert!(border::slip_excess(alpha, sine, 1.0, delta, 1.0).abs() < 1e-10 * scale);
-        // There eq. 60 vanishes for any B, and nowhere else.
-        for b in [1.0, 0.37] {
-            let at = |alpha| border::turning_point_residual(b, alpha, omega, p.tangent());
-            prop_assert!(at(alpha).abs() < 1e-10 * scale * omega.powi(4).max(1.0), "{}", at(alpha));
-            prop_assert!(at(alpha * 1.01) > 0.0 && at(alpha * 0.99) < 0.0);
-        }
-        prop_assert!(border::turning_point_criterion(p.value(), omega, alpha));
-        prop_assert!(!border::turning_point_criterion(p.value(), omega, alpha.next_down() * (1.0 - 1e-15)));
+        meet_on_the_border(omega);
     }
 
     #[test]

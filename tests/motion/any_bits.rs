@@ -3,6 +3,7 @@
 #[path = "../invariants/motion.rs"]
 mod motion;
 
+use crate::drawn::cases;
 use arbitrary::Unstructured;
 use proptest::num::f64::ANY;
 use proptest::prelude::*;
@@ -43,14 +44,56 @@ fn findings() {
     motion::damped_trajectory(1.0, alpha, zeta, -6.121_357_536_128_328e-183, x, 2.03e-322);
 }
 
+/// Inputs at which the property tests found an error.
+#[test]
+fn drawn_findings() {
+    let omega = 2f64.powf(202.323_722_724_297_2);
+    let least = Border::new(omega).unwrap().min_force_ratio;
+    crate::invariants::closed_forms(omega, least * 2f64.powf(6.195_851_899_143_836), 0.0);
+    for mass in [4.847_466_758_696_551e50, -4.847_466_758_696_551e50] {
+        let (stiffness, friction) = (3.997_004_238_553_642e-177, 9.476_341_076_216_729e62);
+        let (force, frequency) = (2.994_214_671_600_481e84, 4.244_708_920_713_355e-60);
+        crate::invariants::physical_units(mass, stiffness, friction, force, frequency, false);
+    }
+    crate::invariants::closed_forms(1.013_660_924_498_726_3e68, 1.781_207_932_351_694e44, 0.0);
+    hard_point(1.999_999_999_534_338_7, 1.677_050_983_042_832_2, 0.0);
+    for (omega, alpha, zeta) in [
+        (1.0, 1.273_239_544_735_162_8, 2.600_625_097_921_38e-18),
+        (2.000_000_000_000_026, 1.677_050_983_124_846_8, 0.0),
+    ] {
+        hard_damped_point(omega, alpha, zeta, 0.0, 0.0);
+    }
+    let (omega, alpha) = (0.999_999_999_999_997_3, 1.539_843_259_433_123_8e38);
+    motion::trajectory(omega, alpha, 0.0, 0.0, 0.0);
+    motion::long_run(omega, alpha, 0.0, 0.0, 0.0);
+    motion::questions(5.527_147_875_260_45e-76, 0.0, 0.0, 0.0, 0.0);
+    let (omega, zeta) = (1.000_015_258_789_062_5, 8.890_784_283_350_59e-18);
+    motion::damped_questions(omega, zeta, 1.249_961_853_900_441, 0.0, 1.0, 1.0);
+}
+
+/// The closed forms at a point and just below its force.
+fn hard_point(omega: f64, alpha: f64, phase: f64) {
+    crate::invariants::closed_forms(omega, alpha, phase);
+    crate::invariants::closed_forms(omega, alpha.next_down(), phase);
+}
+
+/// The closed forms with a damper, at a force and at the border times `2^over`.
+fn hard_damped_point(omega: f64, alpha: f64, zeta: f64, over: f64, phase: f64) {
+    crate::invariants::damped_closed_forms(omega, alpha, zeta, phase);
+    if let Ok(border) = Border::with_damping(omega, zeta) {
+        let alpha = border.min_force_ratio * f64::exp2(over);
+        crate::invariants::damped_closed_forms(omega, alpha, zeta, phase);
+    }
+}
+
 /// Values of a type of `stickslip::generators`.
-fn hard<T: for<'a> arbitrary::Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
+pub(crate) fn hard<T: for<'a> arbitrary::Arbitrary<'a> + Debug>() -> impl Strategy<Value = T> {
     prop::collection::vec(any::<u8>(), 0..96)
         .prop_filter_map("bytes", |bytes| T::arbitrary(&mut Unstructured::new(&bytes)).ok())
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(20_000))]
+    #![proptest_config(cases(20_000))]
 
     #[test]
     fn any_three_numbers(omega in ANY, alpha in ANY, phase in ANY) {
@@ -59,8 +102,7 @@ proptest! {
 
     #[test]
     fn any_hard_point(point in hard::<Point>(), phase in -700.0..700.0) {
-        crate::invariants::closed_forms(point.omega, point.alpha, phase);
-        crate::invariants::closed_forms(point.omega, point.alpha.next_down(), phase);
+        hard_point(point.omega, point.alpha, phase);
     }
 
     #[test]
@@ -85,7 +127,7 @@ proptest! {
 
 // A motion takes some hundred times as long as a closed form.
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4_000))]
+    #![proptest_config(cases(4_000))]
 
     #[test]
     fn any_motion(numbers in prop::array::uniform5(ANY)) {
@@ -169,11 +211,7 @@ proptest! {
         over in -2.0..8.0,
         phase in -700.0..700.0,
     ) {
-        crate::invariants::damped_closed_forms(point.omega, point.alpha, zeta.0, phase);
-        if let Ok(border) = Border::with_damping(point.omega, zeta.0) {
-            let alpha = border.min_force_ratio * f64::exp2(over);
-            crate::invariants::damped_closed_forms(point.omega, alpha, zeta.0, phase);
-        }
+        hard_damped_point(point.omega, point.alpha, zeta.0, over, phase);
     }
 
     #[test]

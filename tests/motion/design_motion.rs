@@ -1,5 +1,6 @@
 //! The answers to the inverse problems, checked by the exact motion.
 
+use crate::drawn::cases;
 use proptest::prelude::*;
 use stickslip::design;
 use stickslip::exact::{LongRun, State, SteadyState};
@@ -22,7 +23,7 @@ fn loop_size(omega: f64, alpha: f64) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(1500))]
+    #![proptest_config(cases(1500))]
 
     #[test]
     fn the_force_for_a_target_moves_it_there(omega in 0.15f64..6.0, over in 1.001f64..20.0) {
@@ -66,7 +67,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(cases(60))]
 
     #[test]
     fn no_friction_dissipates_more(omega in 0.2f64..3.0, other in prop::collection::vec(1.01f64..20.0, 20)) {

@@ -1,6 +1,8 @@
 //! The exact motion: independent values, laws, brute force, arbitrary input, and comparison with the closed
 //! forms.
 
+#[path = "../drawn/mod.rs"]
+mod drawn;
 #[cfg(feature = "generators")]
 #[path = "../invariants/mod.rs"]
 mod invariants;

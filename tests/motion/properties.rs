@@ -4,6 +4,7 @@
 #[path = "../invariants/rounded.rs"]
 mod rounded;
 
+use crate::drawn::cases;
 use arbitrary::{Arbitrary, Unstructured};
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -43,7 +44,7 @@ fn within(phase: &Segment<f64>, part: f64) -> DrivePhase<f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(2_000))]
+    #![proptest_config(cases(2_000))]
 
     #[test]
     fn half_a_period_on_it_is_upside_down(c in cycles(), theta in -7.0..7.0) {
@@ -121,16 +122,29 @@ proptest! {
     fn the_border_is_eq_61_from_one_half_on_and_above_it_elsewhere(
         bytes in prop::collection::vec(any::<u8>(), 16),
     ) {
-        let omega = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega;
-        let Ok(border) = Border::new(omega) else { return Ok(()) };
-        prop_assert!(border.min_force_ratio >= border.turning_point);
-        prop_assert!(omega < 0.5 || border.min_force_ratio == border.turning_point);
-        prop_assert!(border.touching_phase == 0.0 || omega < 0.5);
+        eq_61_or_above(Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap().omega);
     }
 }
 
+fn eq_61_or_above(omega: f64) {
+    let Ok(border) = Border::new(omega) else { return };
+    assert!(border.min_force_ratio >= border.turning_point);
+    assert!(omega < 0.5 || border.min_force_ratio == border.turning_point);
+    assert!(border.touching_phase == 0.0 || omega < 0.5);
+}
+
+/// An input that failed once.
+#[test]
+fn a_border_that_broke_one() {
+    let mut bytes = [0; 16];
+    bytes[..2].copy_from_slice(&[75, 133]);
+    let Point { omega, .. } = Point::arbitrary(&mut Unstructured::new(&bytes)).unwrap();
+    eq_61_or_above(omega);
+    rounded::borders(omega);
+}
+
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(3_000))]
+    #![proptest_config(cases(3_000))]
 
     /// The value at f64 is that at 512 bits, rounded, to within the documented accuracy.
     #[test]

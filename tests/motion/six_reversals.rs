@@ -210,6 +210,29 @@ fn one_verdict_for_one_point() {
     }
 }
 
+#[cfg(feature = "generators")]
+mod hard {
+    use super::agree;
+    use crate::any_bits::hard;
+    use crate::drawn::cases;
+    use proptest::prelude::*;
+    use stickslip::Ratios;
+    use stickslip::generators::Point;
+
+    proptest! {
+        #![proptest_config(cases(4_000))]
+
+        /// A motion at Ω = 1/100 has a hundred slides in half a turn.
+        #[test]
+        fn one_verdict_for_a_hard_point(point in hard::<Point>()) {
+            let Point { omega, alpha } = point;
+            if (1e-2..1e6).contains(&omega) && Ratios::new(omega, alpha).is_ok() {
+                agree(omega, alpha);
+            }
+        }
+    }
+}
+
 /// A rounded border or edge, its neighbours, and points slightly further away.
 #[test]
 fn one_verdict_on_a_border_and_beside_it() {
@@ -237,6 +260,8 @@ fn found_points_have_one_verdict() {
         (0.33333, 0.999 * Border::new(0.33333f64).unwrap().min_force_ratio, Regime::NonSticking),
         (1.0 / 3.0, 80.0, Regime::NonSticking),
         (0.066_658_079_476_532_49, 42_358.137_294_718_49, Regime::NonSticking),
+        (0.012_345_679_012_334_45, 41_074_586_362_949.69, Regime::NonSticking),
+        (0.010_309_278_350_515_464, 3.335_884_628_701_366_8e16, Regime::NonSticking),
     ] {
         assert_eq!(regime(omega, alpha), Ok(expected), "{omega} {alpha}");
         agree(omega, alpha);

@@ -6,6 +6,8 @@
 mod multiple;
 #[macro_use]
 mod widths;
+#[path = "../drawn/mod.rs"]
+mod drawn;
 #[path = "../random/mod.rs"]
 mod random;
 
@@ -18,6 +20,7 @@ mod machines;
 mod text;
 mod traits;
 
+use drawn::cases;
 use multiple::{END, Recipe, binary, same, ternary, text, unary};
 use num_traits::{FloatConst, FromPrimitive, One, Signed, ToPrimitive, Zero};
 use proptest::prelude::*;
@@ -47,7 +50,7 @@ fn words() -> impl Strategy<Value = u64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(700))]
+    #![proptest_config(cases(700))]
 
     #[test]
     fn functions_of_one_number(x in recipe()) {

@@ -66,6 +66,7 @@ fn text_as_f64_writes_it() {
 #[cfg(feature = "serde")]
 mod serialised {
     use super::Mp;
+    use crate::drawn::cases;
     use crate::multiple::{Recipe, same};
     use crate::recipe;
     use proptest::prelude::*;
@@ -79,6 +80,8 @@ mod serialised {
     }
 
     proptest! {
+        #![proptest_config(cases(256))]
+
         #[test]
         fn json_reads_back(x in recipe()) {
             at_widths!(round_trip(&x));

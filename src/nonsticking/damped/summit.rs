@@ -176,6 +176,7 @@ impl<F: Float> Summit<F> {
 #[cfg(test)]
 mod tests {
     use super::OneSummit;
+    use crate::drawn::cases;
     use crate::float::{Float, Task};
     use crate::nonsticking::damped::fastest::fastest_time;
     use crate::nonsticking::damped::rising::Rising;
@@ -197,7 +198,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(4000))]
+        #![proptest_config(cases(4000))]
 
         /// The result without a search agrees with that of the search.
         #[test]

@@ -1,6 +1,7 @@
 //! Tests of `stability.rs`.
 
 use super::{Multipliers, characteristic_polynomial, contraction, multiplier_product};
+use crate::drawn::cases;
 use crate::{Border, Cycle, Ratios};
 use proptest::prelude::*;
 
@@ -97,6 +98,8 @@ fn cycles_to_settle() {
 }
 
 proptest! {
+    #![proptest_config(cases(256))]
+
     #[test]
     fn roots_of_the_characteristic_polynomial(omega in 0.05f64..20.0, over in 1.0f64..8.0) {
         prop_assume!((omega - 1.0).abs() > 1e-9);

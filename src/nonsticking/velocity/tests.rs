@@ -2,6 +2,7 @@
 
 use super::{Given, by_low_waves, fastest};
 use super::{centre::from_centre, iteration::from_bracket};
+use crate::drawn::cases;
 use crate::nonsticking::{Border, Cycle, half_cycle::HalfCycle, max_displacement, reversal::Reversal};
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use crate::ratios::Ratios;
@@ -14,7 +15,7 @@ fn half(omega: f64, alpha: f64) -> (HalfCycle<f64>, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(4000))]
+    #![proptest_config(cases(4000))]
 
     /// Checks the module's proof by a scan of the whole half cycle.
     #[test]
