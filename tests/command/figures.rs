@@ -2,15 +2,9 @@
 
 use crate::command_line::{refused, stdout};
 use crate::kept::Kept;
-use std::path::PathBuf;
-
-/// A path for a file or a folder of one test.
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    let _ = std::fs::remove_dir_all(&place);
-    place
-}
+use crate::place::place;
+#[cfg(feature = "png")]
+use std::path::Path;
 
 #[test]
 fn a_figure_goes_to_standard_output_or_a_file() {
@@ -43,7 +37,7 @@ fn all_figures_by_one_command() {
 #[cfg(feature = "png")]
 #[test]
 fn figures_and_maps_as_png() {
-    let is_png = |file: &PathBuf| std::fs::read(file).unwrap().starts_with(b"\x89PNG\r\n\x1a\n");
+    let is_png = |file: &Path| std::fs::read(file).unwrap().starts_with(b"\x89PNG\r\n\x1a\n");
     let file = place("figure-9b.png");
     stdout(&format!("figure 9b --out {}", file.display()));
     assert!(is_png(&file));

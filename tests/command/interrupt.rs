@@ -1,8 +1,8 @@
 //! An interrupt takes effect within 0.3 s, whatever the command is doing; a system failure is reported.
 
-use crate::command_line::stickslip;
+use crate::command_line::{listens, stickslip};
+use crate::place::place;
 use std::io::{Read, Write};
-use std::path::PathBuf;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
@@ -67,19 +67,14 @@ fn heard(what: &str, interrupted: impl Fn() -> Child) {
     assert!(message.contains("interrupted") && message.lines().count() == 1, "{what}: {message}");
 }
 
-/// A command that gets a signal some milliseconds after its start.
+/// A command that gets a signal after some milliseconds of work.
 fn interrupted(arguments: &str, after: u64, name: &str) -> Child {
     let mut child = start(arguments);
+    listens(&mut child);
     std::thread::sleep(Duration::from_millis(after));
     assert!(child.try_wait().unwrap().is_none(), "{arguments}: over before it was interrupted");
     signal(&child, name);
     child
-}
-
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    place
 }
 
 #[test]
@@ -110,7 +105,6 @@ fn an_interrupt_is_heard_while_waiting_for_input() {
     assert!(Command::new("mkfifo").arg(&pipe).status().unwrap().success());
     let waiting = format!("response --points {}", pipe.display());
     heard("a pipe that nobody writes to", || interrupted(&waiting, 200, "-TERM"));
-    std::fs::remove_file(pipe).unwrap();
 }
 
 /// A writer waits for its reader; the rows that the reader received are complete.
@@ -128,13 +122,14 @@ fn an_interrupt_is_heard_where_the_last_write_finds_no_reader() {
     // The capacity of a pipe on Linux.
     full.write_all(&[b'x'; 1 << 16]).unwrap();
     let mut child = ends_in_time("a full pipe", || {
-        let child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
+        let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
             .args("simulate --omega 1e-6 --alpha 2 --cycles 9 --samples 1 --format csv".split(' '))
             .stdin(Stdio::null())
             .stdout(full.try_clone().unwrap())
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
+        listens(&mut child);
         std::thread::sleep(Duration::from_millis(400));
         signal(&child, "-INT");
         child

@@ -7,6 +7,8 @@ mod command_line;
 mod drawn;
 #[path = "../kept/mod.rs"]
 mod kept;
+#[path = "../place/mod.rs"]
+mod place;
 
 mod answers;
 mod design;

@@ -1,6 +1,8 @@
 //! Every option with every command: it either changes the answer or is refused.
 
 use crate::command_line::{self, stickslip};
+use crate::place::{Place, place};
+use std::path::Path;
 
 /// Commands that have an answer, each in every form.
 const QUESTIONS: [&str; 27] = [
@@ -69,10 +71,15 @@ const OPTIONS: &[&str] = &[
     "--bits 100",
 ];
 
-fn asked(question: &str) -> String {
-    let points = concat!(env!("CARGO_TARGET_TMPDIR"), "/options.csv");
-    std::fs::write(points, "omega,alpha\n0.5,6\n0.4,6\n").unwrap();
-    question.replace("POINTS", points)
+/// The file that questions name POINTS.
+fn points() -> Place {
+    let file = place("points.csv");
+    std::fs::write(&file, "omega,alpha\n0.5,6\n0.4,6\n").unwrap();
+    file
+}
+
+fn asked(question: &str, points: &Path) -> String {
+    question.replace("POINTS", &points.display().to_string())
 }
 
 /// The answer, or `None` if the command refuses with one line that names the option.
@@ -93,9 +100,10 @@ fn answer(arguments: &str, option: &str) -> Option<Vec<u8>> {
 
 #[test]
 fn an_option_changes_the_answer_or_is_refused() {
+    let points = points();
     let mut refused = 0;
     for question in QUESTIONS {
-        let question = asked(question);
+        let question = asked(question, &points);
         let without = answer(&question, "").unwrap_or_else(|| panic!("{question}"));
         for option in OPTIONS {
             let name = option.split(' ').next().unwrap();
@@ -116,15 +124,15 @@ fn an_option_changes_the_answer_or_is_refused() {
 
 #[test]
 fn a_start_holds_for_every_point_of_a_file() {
-    let points = asked("steady --points POINTS --x0 2 --v0 0.2 --format csv");
-    let rows = command_line::stdout(&points);
+    let points = points();
+    let rows = command_line::stdout(&asked("steady --points POINTS --x0 2 --v0 0.2 --format csv", &points));
     for (row, ratios) in rows.lines().skip(1).zip(["--omega 0.5 --alpha 6", "--omega 0.4 --alpha 6"]) {
         let single = command_line::json(&format!("steady {ratios} --x0 2 --v0 0.2 --format json"));
         let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect();
         assert_eq!(Some(cells[4]), single["max_displacement"].as_f64(), "{row}");
     }
     // At Ω = 1/2 the answer depends on the start.
-    assert_ne!(rows, command_line::stdout(&asked("steady --points POINTS --format csv")));
+    assert_ne!(rows, command_line::stdout(&asked("steady --points POINTS --format csv", &points)));
 }
 
 /// Help lists the options that a command uses, and no others.

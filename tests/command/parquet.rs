@@ -1,19 +1,13 @@
 //! `stickslip sweep` to Parquet files, which are read back.
 
 #[cfg(unix)]
-use crate::command_line::stickslip;
+use crate::command_line::{listens, stickslip};
 use crate::command_line::{refused, stdout};
+use crate::place::place;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use std::fs::File;
 use std::path::{Path, PathBuf};
-
-/// A path for the file of one test.
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    place
-}
 
 fn reader(file: &Path) -> SerializedFileReader<File> {
     SerializedFileReader::new(File::open(file).unwrap()).unwrap()
@@ -128,13 +122,6 @@ fn parts(file: &Path) -> PathBuf {
     name.into()
 }
 
-/// A path without a file or parts.
-fn fresh(name: &str) -> PathBuf {
-    let file = place(name);
-    let _ = std::fs::remove_dir_all(parts(&file));
-    file
-}
-
 /// The total number of rows in all parts.
 fn rows_of_parts(file: &Path) -> i64 {
     let Ok(found) = std::fs::read_dir(parts(file)) else { return 0 };
@@ -153,6 +140,7 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
         .stderr(Stdio::null())
         .spawn()
         .unwrap();
+    listens(&mut child);
     std::thread::sleep(after);
     let _ =
         Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status().unwrap();
@@ -165,12 +153,12 @@ fn broken_off(sweep: &str, signal: &str, after: std::time::Duration) -> Option<i
 #[test]
 fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
     let sweep = "sweep steady --omega 0.05:1.3:230 --alpha 0.9:8:330";
-    let whole = fresh("all.parquet");
+    let whole = place("all.parquet");
     let begin = std::time::Instant::now();
     stdout(&format!("{sweep} --out {}", whole.display()));
     let usual = begin.elapsed();
     let whole = text(&whole);
-    let file = fresh("broken-off.parquet");
+    let file = place("broken-off.parquet");
     let goes_on = format!("{sweep} --out {} --resume", file.display());
     let mut kept = 0;
     for (round, signal) in (1u32..).zip(["-INT", "-KILL", "-TERM", "-KILL", "-INT", "-KILL"]) {
@@ -202,7 +190,7 @@ fn a_sweep_that_is_broken_off_goes_on_where_it_was() {
 
 #[test]
 fn another_sweep_or_a_cut_file_is_not_gone_on_with() {
-    let file = fresh("another.parquet");
+    let file = place("another.parquet");
     let sweep = "response --omega 0.5:2:10 --alpha 2,3";
     stdout(&format!("sweep {sweep} --out {}", file.display()));
     let kept = std::fs::read(&file).unwrap();
@@ -230,7 +218,7 @@ fn another_sweep_or_a_cut_file_is_not_gone_on_with() {
 /// Files of other origin do not disturb a sweep, and a sweep does not touch them.
 #[test]
 fn what_is_beside_the_file_is_left_alone() {
-    let file = fresh("beside.parquet");
+    let file = place("beside.parquet");
     let sweep = format!("sweep border --omega 0.5:2:10 --out {}", file.display());
     let resumed = file.with_extension("parquet.resumed");
     std::fs::write(&resumed, "notes").unwrap();
@@ -256,8 +244,8 @@ fn what_is_beside_the_file_is_left_alone() {
 fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
     let command = assert_cmd::cargo::cargo_bin!("stickslip").display().to_string();
     let sweep = "sweep response --omega 0.3:3:500 --alpha 1.1:9:300";
-    let file = fresh("full.parquet");
-    let line = format!("trap '' XFSZ; ulimit -f 100; exec {command} {sweep} --out {}", file.display());
+    let file = place("full.parquet");
+    let line = format!("trap '' XFSZ; ulimit -f 100; exec '{command}' {sweep} --out {}", file.display());
     for more in ["", "--resume"] {
         let limited = format!("{line} {more}");
         let output = std::process::Command::new("sh").args(["-c", &limited]).output().unwrap();
@@ -277,7 +265,7 @@ fn a_full_disk_leaves_parts_that_can_be_gone_on_with() {
 #[test]
 fn two_commands_do_not_share_the_parts() {
     use std::process::Command;
-    let file = fresh("shared.parquet");
+    let file = place("shared.parquet");
     let sweep =
         format!("sweep steady --omega 0.05:1.3:100 --alpha 0.9:8:100 --out {} --resume", file.display());
     let start =

@@ -1,7 +1,7 @@
 //! The command's documentation of itself: help, completions, manual pages, colours, and the quiet options.
 
 use crate::command_line::{refused, stdout, stickslip};
-use std::path::PathBuf;
+use crate::place::place;
 
 const COMMANDS: [&str; 16] = [
     "response",
@@ -93,8 +93,7 @@ fn bash_completes_an_argument() {
 fn every_command_has_a_manual_page() {
     let page = stdout("man");
     assert!(page.contains(".TH stickslip 1") && page.contains("Exit status"), "{page}");
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("man1");
-    let _ = std::fs::remove_dir_all(&folder);
+    let folder = place("man1");
     assert_eq!(stdout(&format!("man --out {}", folder.display())), "");
     let design = ["design-force", "design-bands", "design-stiffness"];
     for command in COMMANDS.iter().chain(&design) {
@@ -112,7 +111,7 @@ fn colours_are_for_terminals() {
     for arguments in ["response --omega 0.4 --alpha 6", "steady --omega 0.4 --alpha 6", "--help"] {
         let output = |variables: &[(&str, &str)]| {
             let mut command = stickslip(arguments);
-            command.env_remove("NO_COLOR").env_remove("CLICOLOR_FORCE").envs(variables.iter().copied());
+            command.envs(variables.iter().copied());
             String::from_utf8(command.assert().success().get_output().stdout.clone()).unwrap()
         };
         let plain = output(&[]);
@@ -121,7 +120,7 @@ fn colours_are_for_terminals() {
         assert!(coloured.contains("\u{1b}["), "{coloured}");
         assert_eq!(output(&[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]), plain);
     }
-    let error = stickslip("response").env("CLICOLOR_FORCE", "1").env_remove("NO_COLOR").assert().code(2);
+    let error = stickslip("response").env("CLICOLOR_FORCE", "1").assert().code(2);
     let error = String::from_utf8(error.get_output().stderr.clone()).unwrap();
     assert!(error.starts_with("\u{1b}[1m\u{1b}[31mstickslip:\u{1b}[0m --omega"), "{error:?}");
 }
@@ -141,7 +140,7 @@ fn quiet_leaves_the_answers_and_the_errors() {
 fn progress_is_shown_on_a_terminal_and_can_be_silenced() {
     let command = assert_cmd::cargo::cargo_bin!("stickslip").display();
     let shown = |option: &str| {
-        let line = format!("{command} sweep border --omega 0.5:2:5 --outputs omega {option} > /dev/null");
+        let line = format!("'{command}' sweep border --omega 0.5:2:5 --outputs omega {option} > /dev/null");
         // A terminal without a name shows no progress.
         let mut script = std::process::Command::new("script");
         let found = script.args(["-qec", &line, "/dev/null"]).env("TERM", "xterm").output().unwrap();

@@ -1,7 +1,8 @@
 //! The limits of many starts, interrupted and resumed.
 
-use crate::command_line::{refused, stdout, stickslip};
-use std::path::PathBuf;
+use crate::command_line::{listens, refused, stdout, stickslip};
+use crate::place::place;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -13,13 +14,6 @@ const MACHINES: [&str; 4] = [
     "--omega 0.45 --alpha 8.5 --damping-ratio 0.02 --static-friction-ratio 3 --max-periods 300",
     "--omega 0.45 --alpha 5 --damping-ratio 0.002 --static-friction-ratio 1.4 --max-periods 40",
 ];
-
-/// A path for the file of one test.
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    place
-}
 
 /// The output of a command with this number of threads.
 fn with_threads(line: &str, threads: usize) -> String {
@@ -74,6 +68,7 @@ fn a_killed_run_goes_on() {
             .stderr(Stdio::null())
             .spawn()
             .unwrap();
+        listens(&mut child);
         std::thread::sleep(Duration::from_millis(60 + 90 * attempt));
         let signal = if attempt % 2 == 0 { "-KILL" } else { "-INT" };
         let _ = Command::new("kill").args([signal, &child.id().to_string()]).stderr(Stdio::null()).status();
@@ -89,7 +84,7 @@ fn a_killed_run_goes_on() {
 #[test]
 fn more_starts_go_on_with_fewer() {
     let (few, many) = (place("starts-few"), place("starts-many"));
-    let line = |count: u32, rows: &PathBuf| {
+    let line = |count: u32, rows: &Path| {
         format!("attractors {} --reach 12 --starts {count} --rows {}", MACHINES[0], rows.display())
     };
     stdout(&line(10, &few));

@@ -1,6 +1,7 @@
 //! Static friction above the kinetic one, and `stickslip attractors`, from the user's side.
 
 use crate::command_line::{json, refused, stdout};
+use crate::place::place;
 
 const PAIR: &str = "--omega 0.5 --alpha 4 --damping-ratio 0.02 --static-friction-ratio 1.3";
 
@@ -177,9 +178,8 @@ fn basins_reach_around_every_limit() {
 
 #[test]
 fn basins_are_drawn() {
-    let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
-    let file = folder.join("basins-of-a-pair.svg");
-    let _ = std::fs::remove_file(&file);
+    let file = place("basins-of-a-pair.svg");
+    let other = place("descending.svg");
     let line = format!("basins {PAIR} --x0 -6:6:21 --v0 -4:4:11 --out {}", file.display());
     assert_eq!(stdout(&line), "");
     let svg = std::fs::read_to_string(&file).unwrap();
@@ -188,14 +188,13 @@ fn basins_are_drawn() {
     }
     refused(&format!("basins {PAIR} --x0 -6:6:2000 --v0 -4:4:2000"), &["--x0, --v0: 4000000 starts"]);
     refused(&format!("basins {PAIR} --x0 1e80,2e80 --v0 0,1"), &["--x0"]);
-    refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}/x.svg", folder.display()), &["ascending"]);
+    refused(&format!("basins {PAIR} --x0 3,1 --v0 0,1 --out {}", other.display()), &["ascending"]);
 }
 
 /// The picture of the limits contains the line on which symmetry breaks.
 #[test]
 fn a_map_of_limits_has_the_line_of_symmetry() {
-    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("limits-and-line.svg");
-    let _ = std::fs::remove_file(&file);
+    let file = place("limits-and-line.svg");
     let grid = "--omega 0.45:0.6:4 --alpha 2.5:4.5:4 --damping-ratio 0.02 --static-friction-ratio";
     stdout(&format!("map limits {grid} 1.3 --out {}", file.display()));
     let line = "symmetry breaks at a multiplier of −1";

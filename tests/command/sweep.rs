@@ -3,17 +3,10 @@
 mod resumed;
 
 use crate::command_line::{refused, stdout, stickslip};
+use crate::place::place;
 use serde_json::Value;
-use std::path::PathBuf;
 #[cfg(feature = "mp")]
 use stickslip::Float as _;
-
-/// A path for the file of one test.
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    place
-}
 
 #[test]
 fn a_sweep_answers_each_point_in_order_as_the_command_does() {

@@ -4,16 +4,10 @@
 //! The isolator is among the tests of units.
 
 use crate::command_line::{json, refused, stdout, stickslip};
+use crate::place::place;
 use crate::units::base_motion::{Room, isolator};
 use crate::units::{close, number};
 use std::f64::consts::TAU;
-use std::path::PathBuf;
-
-fn place(name: &str) -> PathBuf {
-    let place = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&place);
-    place
-}
 
 /// Dither: the force at 40 Hz that keeps a valve spool of 200 g from sticking, and the motion with slightly
 /// more and less force.

@@ -9,6 +9,9 @@ use serde_json::Value;
 pub(crate) fn stickslip(arguments: &str) -> Command {
     let mut command = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"));
     command.args(arguments.split_whitespace());
+    for colours in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE"] {
+        command.env_remove(colours);
+    }
     command
 }
 
@@ -16,6 +19,22 @@ pub(crate) fn stickslip(arguments: &str) -> Command {
 pub(crate) fn stdout(arguments: &str) -> String {
     let output = stickslip(arguments).assert().success().stderr("").get_output().stdout.clone();
     String::from_utf8(output).unwrap()
+}
+
+/// Waits until a process of the command handles signals, or ends: an earlier signal would end it at once.
+///
+/// Where there is no `/proc` it does not wait.
+pub(crate) fn listens(child: &mut std::process::Child) {
+    // SIGHUP, SIGINT and SIGTERM are 1, 2 and 15.
+    const ALL: u64 = 1 | 1 << 1 | 1 << 14;
+    let status = format!("/proc/{}/status", child.id());
+    while let (Ok(text), None) = (std::fs::read_to_string(&status), child.try_wait().unwrap()) {
+        let caught = text.lines().find_map(|line| line.strip_prefix("SigCgt:")).unwrap();
+        if u64::from_str_radix(caught.trim(), 16).unwrap() & ALL == ALL {
+            return;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(2));
+    }
 }
 
 /// The same, parsed as JSON.

@@ -5,6 +5,9 @@ mod book_pages;
 #[cfg(feature = "figures")]
 #[path = "../kept/mod.rs"]
 mod kept;
+#[cfg(all(feature = "cli", unix))]
+#[path = "../place/mod.rs"]
+mod place;
 
 mod equation_index;
 mod examples;

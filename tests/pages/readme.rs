@@ -1,8 +1,9 @@
 //! README.md and docs/ show real behaviour: commands and their output, code, links.
 
+use crate::place::{Place, place};
 use assert_cmd::cargo::cargo_bin;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 /// Commands that no test runs, by their beginning, and the reason.
@@ -68,6 +69,7 @@ fn run(command: &str, folder: &Path) -> (bool, String) {
         .args(["-c", &resolved(command)])
         .current_dir(folder)
         .env("PATH", path)
+        .env_remove("CLICOLOR_FORCE")
         .output()
         .unwrap();
     let text = [output.stdout, output.stderr].concat();
@@ -75,10 +77,9 @@ fn run(command: &str, folder: &Path) -> (bool, String) {
 }
 
 /// An empty folder for the files that the commands of a page write.
-fn folder(page: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("pages").join(page.replace('/', "-"));
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
+fn folder(page: &str) -> Place {
+    let folder = place(&page.replace('/', "-"));
+    std::fs::create_dir(&folder).unwrap();
     folder
 }
 
@@ -150,7 +151,7 @@ fn every_snippet_of_another_language_runs() {
     let path = format!("{}:{}", program.parent().unwrap().display(), std::env::var("PATH").unwrap());
     let mut tried = 0;
     for (page, text) in crate::book_pages::all() {
-        let folder = folder(&format!("snippets-{page}"));
+        let folder = folder(&page);
         for (kind, block) in blocks(&text) {
             if kind == "python" {
                 std::fs::write(folder.join("snippet.py"), &block).unwrap();

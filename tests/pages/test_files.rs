@@ -1,7 +1,38 @@
 //! Every test file is compiled: each file next to a `main.rs` of `tests/`, or in a folder that belongs to the
-//! unit tests, is a module there.
+//! unit tests, is a module there. Tests share no file, and draw the same inputs in every run.
 
+use crate::equation_index::rust_files;
 use std::path::Path;
+
+/// The sources of library and tests, each with its path.
+fn sources() -> impl Iterator<Item = (String, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = Vec::new();
+    for folder in ["src", "tests"] {
+        rust_files(&root.join(folder), &mut files);
+    }
+    files.into_iter().map(|file| (file.display().to_string(), std::fs::read_to_string(file).unwrap()))
+}
+
+/// A test has its files in a `place` of its own, not in a folder of all tests.
+#[test]
+fn no_test_writes_where_another_does() {
+    for (file, text) in sources() {
+        assert!(!text.contains(concat!("CARGO_TARGET_", "TMPDIR")), "{file}");
+    }
+}
+
+/// Property tests have the configuration of `drawn`, with its seed.
+#[test]
+fn property_tests_draw_the_same_inputs_in_every_run() {
+    let mut found = 0;
+    for (file, text) in sources() {
+        let blocks = text.matches(concat!("proptest", "! {")).count();
+        assert_eq!(blocks, text.matches(concat!("#![proptest_config", "(cases(")).count(), "{file}");
+        found += blocks;
+    }
+    assert!(found > 15, "{found}");
+}
 
 #[test]
 fn every_test_file_is_a_module_of_its_program() {

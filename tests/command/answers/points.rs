@@ -1,6 +1,7 @@
 //! Points from a file or a pipe: one answer for each row, and messages about bad rows.
 
 use crate::command_line::stickslip;
+use crate::place::place;
 use serde_json::Value;
 
 /// Feeds `input` to `response --points -` and returns (standard output, standard error, exit status).
@@ -128,7 +129,7 @@ fn a_live_pipe_sees_each_answer_before_the_next_question() {
 fn a_closed_pipe_ends_quietly() {
     use std::process::{Command, Stdio};
     let rows = "omega,alpha\n".to_owned() + &"1.5,2.5\n".repeat(20_000);
-    let file = std::env::temp_dir().join(format!("stickslip-closed-pipe-{}.csv", std::process::id()));
+    let file = place("closed-pipe.csv");
     std::fs::write(&file, rows).unwrap();
     let mut child = Command::new(assert_cmd::cargo::cargo_bin!("stickslip"))
         .args(["response", "--points"])
@@ -139,7 +140,6 @@ fn a_closed_pipe_ends_quietly() {
         .unwrap();
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
-    std::fs::remove_file(&file).unwrap();
     assert_eq!(output.status.code(), Some(0));
     assert!(output.stderr.is_empty(), "{}", String::from_utf8_lossy(&output.stderr));
 }

@@ -1,7 +1,7 @@
 //! Sweeps that go on after an interruption.
 
-use super::place;
 use crate::command_line::{refused, stdout, stickslip};
+use crate::place::place;
 
 #[test]
 fn a_sweep_goes_on_after_its_last_whole_row() {
@@ -118,7 +118,7 @@ fn a_full_disk_leaves_rows_that_can_be_gone_on_with() {
     let file = place("full");
     let limited = |more: &str| {
         let line =
-            format!("trap '' XFSZ; ulimit -f 100; exec {command} {sweep} --out {} {more}", file.display());
+            format!("trap '' XFSZ; ulimit -f 100; exec '{command}' {sweep} --out {} {more}", file.display());
         std::process::Command::new("sh").args(["-c", &line]).output().unwrap()
     };
     for more in ["", "--resume"] {
