@@ -127,11 +127,15 @@ pub(crate) fn of_border<F: Float + LowerExp>(response: &Response<F>) -> Named {
 }
 
 /// Regime, stops and reversals in a cycle as counted from the exact motion. The borders decide where it has
-/// not settled, and within a billionth of a border, where a stop may be smaller than the rounding of the
-/// motion. Near a pole they decide within the change of the border by one float of Ω, too: the motion is known
-/// as that of a frequency to within its rounding. And they decide about any stop where friction is lost in the
-/// rounding of the motion, at which stops cannot be counted: a stop is `|α sin θ − x| ≤ 1`, and α sin θ and x are
-/// each known to four units in the last place, with the margin of sixteen that the distance from the limit has.
+/// not settled, and beside a border, where a stop or its absence may be rounding.
+///
+/// In half a turn of the drive, α sin θ and x are rounded by some four units in the last place each, and the
+/// velocity by those of its phase, 1/Ω times as much: by 8εα/Ω. A sliding motion keeps what it has gathered for
+/// Ω²α/2 half turns (its multipliers are 1 − 2/Ω²α), and the excess of the force over friction at a reversal is
+/// Ω² times that of α over the border. So the motion does not know a relative distance from the border of 64 εα/Ω,
+/// with a margin of sixteen, and never knows one of the 64 units of the borders themselves. From a distance of 1
+/// on it knows nothing, and from 64 ε (α + |x|) = 1 on friction itself is lost in the rounding of each force, so
+/// that stops cannot be counted either.
 fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, Option<u32>) {
     let (alpha, without_stop) =
         (ratios.alpha(), no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).unwrap());
@@ -154,7 +158,7 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
     let (sticks, zeros) = (steady.sticks_per_cycle, steady.velocity_zeros_per_cycle);
     let found = if sticks > 0 { (Regime::Sticking, None) } else { (Regime::NonSticking, Some(zeros)) };
     let (most, least) = (steady.max_displacement.value, steady.min_displacement.value);
-    let is_lost = 4.0 * 16.0 * f64::EPSILON * (alpha + f64::max(most, -least)) >= 1.0;
+    let is_lost = 64.0 * f64::EPSILON * (alpha + f64::max(most, -least)) >= 1.0;
     if found == due && !(is_lost && sticks > 0) {
         return (found.0, Some(sticks), found.1);
     }
@@ -162,10 +166,8 @@ fn counted(ratios: Ratios<f64>, limit: &LongRun<f64>) -> (Regime, Option<u32>, O
         return (due.0, (due.0 == Regime::NonSticking).then_some(0), due.1);
     }
     let edges = [Some(without_stop.border), six.map(|(low, _)| low), six.map(|(_, high)| high)];
-    let of_next = no_stop_force_ratios(ratios.omega().next_up(), ratios.damping_ratio()).unwrap();
-    let one_float = (of_next.border / without_stop.border - 1.0).abs();
-    let known = one_float.clamp(1e-9, 1e-3);
-    let beside = edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < known);
+    let known = 64.0 * f64::EPSILON * f64::max(1.0, alpha / ratios.omega());
+    let beside = known >= 1.0 || edges.into_iter().flatten().any(|edge| (alpha / edge - 1.0).abs() < known);
     assert!(beside, "{found:?} by the motion, {due:?} by the borders at {ratios:?}");
     (due.0, Some(if due.0 == Regime::NonSticking { 0 } else { sticks }), due.1)
 }
