@@ -61,8 +61,12 @@ fn between<F: Float>(left: &Edges<F>, right: &Edges<F>, alpha: (F, F), is_one_si
 pub(crate) const EDGE_ERROR: i32 = 64;
 
 /// Whether 1/Ω comes within reach of an odd integer, 3 or more: 0.0213 below and 0.0375 above it.
+///
+/// Ω and 1/Ω are rounded by half a unit in the last place each, which is more than that reach from 2⁴⁷ on.
 fn meets_a_pole<F: Float>((low, high): (F, F)) -> bool {
-    let (from, to) = (1.0 / high.to_f64() - 0.0375, 1.0 / low.to_f64() + 0.0213);
+    let rounding = 2.0 * f64::EPSILON;
+    let from = 1.0 / high.to_f64() * (1.0 - rounding) - 0.0375;
+    let to = 1.0 / low.to_f64() * (1.0 + rounding) + 0.0213;
     let last = 2.0 * ((to - 1.0) / 2.0).floor() + 1.0;
     last >= 3.0 && last >= from
 }

@@ -48,6 +48,23 @@ fn undecided_within_the_error_bound_only() {
     }
 }
 
+/// From 2⁵³ on 1/Ω rounds to even integers: no odd one seemed to be near.
+#[test]
+fn at_the_lowest_frequencies_it_may_reverse_six_times() {
+    let mut found = 0;
+    for i in 0..400 {
+        let omega = 5.596_158_043_149_874e-17 * (1.0 + f64::from(i) * f64::from(i) * 2f64.powi(-12));
+        let Some((low, high)) = crate::no_stop_force_ratios(omega, 0.0).unwrap().six_reversals else {
+            continue;
+        };
+        if high > low * 1.001 {
+            assert_eq!(verdict(omega, (low * high).sqrt()), Verdict::SixReversals, "{omega:e}");
+            found += 1;
+        }
+    }
+    assert!(found > 5, "{found}");
+}
+
 #[test]
 fn beside_a_pole_it_may_reverse_six_times() {
     let (low, high) = crate::regime::no_stop_force_ratios(0.331, 0.0).unwrap().six_reversals.unwrap();
