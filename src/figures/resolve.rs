@@ -45,6 +45,9 @@ pub fn resolved<T: Clone, E>(
     let x = |point: Option<&T>| point.map_or(f64::NAN, |point| place(point).0);
     let (first, last) = (x(points.first()), x(points.last()));
     let curve = Curve { logarithmic, length: along(logarithmic, first, last), place, at };
+    let ends = points.iter().zip(points.iter().skip(1));
+    let lengths: Vec<f64> =
+        ends.map(|(a, b)| along(logarithmic, (curve.place)(a).0, (curve.place)(b).0)).collect();
     // For each gap between two samples: whether a maximum is beside it or in it, and the maxima in it.
     let mut gaps: Vec<(bool, Vec<T>)> = vec![(false, Vec::new()); points.len()];
     for (i, point) in points.iter().enumerate() {
@@ -61,12 +64,21 @@ pub fn resolved<T: Clone, E>(
             continue;
         }
         let is_before = (curve.place)(&top).0 < (curve.place)(point).0;
-        for (gap, holds) in [(i.checked_sub(1), is_before), (Some(i), !is_before)] {
-            if let Some((beside, tops)) = gap.and_then(|gap| gaps.get_mut(gap)) {
+        for (gap, next, holds) in [
+            (i.checked_sub(1), i.checked_sub(2), is_before),
+            (Some(i), Some(i.saturating_add(1)), !is_before),
+        ] {
+            let Some((beside, tops)) = gap.and_then(|gap| gaps.get_mut(gap)) else { continue };
+            *beside = true;
+            if holds && !is_sample {
+                tops.push(top.clone());
+            }
+            // A sample of its own at the maximum, such as resonance, leaves a part of a gap on one side.
+            let length = |gap: Option<usize>| gap.and_then(|gap| lengths.get(gap)).copied().unwrap_or(0.0);
+            if length(gap) < 0.99 * length(next)
+                && let Some((beside, _)) = next.and_then(|next| gaps.get_mut(next))
+            {
                 *beside = true;
-                if holds && !is_sample {
-                    tops.push(top.clone());
-                }
             }
         }
     }
@@ -198,6 +210,10 @@ mod tests {
                 let found = points.iter().map(|point| point.1).fold(0.0, f64::max);
                 assert!((found / top - 1.0).abs() < 1e-8, "{zeta} {count}: {found} for {top}");
                 assert!(points.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+                if zeta > 0.5 {
+                    // The peak is far from Ω = 1.
+                    continue;
+                }
                 // The flanks beside the peak are those of the curve, to a pixel of 1/640 of the axis.
                 let gap = 1.8 / f64::from(count - 1);
                 let (low, high) = ((1.0 - gap).max(0.2), (1.0 + gap).min(2.0));

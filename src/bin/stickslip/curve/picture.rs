@@ -148,7 +148,8 @@ impl Range {
         let cut_below = least < LEAST * usual;
         let high = if cut_above { rounded(most * MARGIN) } else { most * MARGIN };
         let low = if cut_below { rounded(LEAST * usual) } else { (least / MARGIN).min(high / 10.0) };
-        Self { low, high, cut_below, cut_above }
+        // A tick of the axis takes the logarithm of its end.
+        Self { low: low.max(f64::MIN_POSITIVE), high, cut_below, cut_above }
     }
 }
 
