@@ -151,6 +151,22 @@ fn what_is_unbounded_is_written_and_drawn_as_such() {
     assert_eq!(above.iter().filter(|row| row.regime == "unbounded").count(), 1);
 }
 
+/// The piece between a frequency with stops and one without is drawn.
+#[test]
+fn a_curve_has_no_gap_at_the_border() {
+    let file = folder("curves-gap").join("curve.svg");
+    stdout(&format!(
+        "response-curve {MACHINE} --friction 5kN,9kN --frequency 0.2Hz:2Hz:10 --out {}",
+        file.display()
+    ));
+    let drawing = std::fs::read_to_string(file).unwrap();
+    // Both lines begin at the left edge of the plot, at 76 pixels.
+    for colour in ["#0072B2", "#E69F00"] {
+        let mut lines = drawing.split("<polyline ").filter(|line| line.contains(colour));
+        assert!(lines.any(|line| line.contains("points=\"304,")), "{colour}");
+    }
+}
+
 /// The least ordinate of the lines of a colour, in quarters of a pixel.
 fn top_of(drawing: &str, colour: &str) -> f64 {
     let lines = drawing.split("<polyline ").skip(1).map(|line| line.split("/>").next().unwrap());
@@ -245,7 +261,7 @@ fn the_least_force_moves_nothing() {
 #[test]
 fn frequencies_are_in_order() {
     let x = |arguments: &str| -> Vec<f64> { rows(arguments).iter().map(|row| row.x).collect() };
-    let up = x("response-curve --omega 1.5,0.5,1.2 --alpha 4 --damping-ratio 0.3");
+    let up = x("response-curve --omega 0.5,1.5,1.2 --alpha 4 --damping-ratio 0.3");
     assert!(up.windows(2).all(|pair| pair[0] < pair[1]) && up.len() > 4, "{up:?}");
     let down = x("response-curve --omega 2:0.5:9 --alpha 4 --damping-ratio 0.3");
     assert!(down.windows(2).all(|pair| pair[0] > pair[1]) && down.len() > 10, "{down:?}");

@@ -49,14 +49,19 @@ impl Asked {
             ));
         }
         for (line, index) in lines.iter().zip(INDICES) {
-            let part = |sticks: bool| {
-                let points = line.places.iter().enumerate().map(move |(i, place)| {
-                    // Both parts include the point where they meet, so that there is no gap.
-                    let beside = line.places.get(i + 1).is_some_and(|next| next.sticks == sticks);
-                    let shown = place.sticks == sticks || (sticks && beside);
-                    (place.frequency, if shown { place.height() } else { f64::NAN })
+            let own = line.places.iter().map(|place| (place.frequency, place.height(), place.sticks));
+            let met = line.border.iter().map(|&(frequency, value)| (frequency, value, false));
+            let mut points: Vec<(f64, f64, bool)> = own.chain(met).collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let sticks = |i: Option<usize>| i.and_then(|i| points.get(i)).is_some_and(|point| point.2);
+            let part = |with_stops: bool| {
+                let part = points.iter().enumerate().map(|(i, &(frequency, value, own))| {
+                    // A piece with a stop at one of its ends is dashed; the parts meet at the border.
+                    let beside = own || sticks(i.checked_sub(1)) || sticks(Some(i + 1));
+                    let shown = if with_stops { beside } else { !own };
+                    (frequency, if shown { value } else { f64::NAN })
                 });
-                points.collect::<Vec<_>>()
+                part.collect::<Vec<_>>()
             };
             let is_asked = |place: &&Place| place.source == Source::Grid;
             let asked: Vec<&Place> = line.places.iter().filter(is_asked).collect();
