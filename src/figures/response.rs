@@ -61,12 +61,13 @@ fn lines_and_marks(
         let series = Series::new(format!("{name}, {closed_form}"), Style::Marks, index, points);
         series.with_key(format!("marks: {closed_form}"))
     });
-    lines.chain(marks).chain([Series::unbounded([1.0])]).collect()
+    lines.chain(marks).collect()
 }
 
 /// Figure 4: Δ₀/B, exact and by eq. 44.
 pub(super) fn max_displacement() -> Figure {
-    let series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
+    let mut series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
+    series.push(Series::unbounded([1.0]));
     single(
         "4",
         "Maximum displacement",
@@ -121,10 +122,11 @@ pub(super) fn deviation() -> Figure {
 pub(super) fn max_velocity() -> Figure {
     let mut series = lines_and_marks(|s| s.max_velocity.value, |c| c.max_velocity, "closed form");
     for (index, alpha, _) in inverse_force_ratios(6) {
-        let dashed =
-            frequency_ratios().filter(|&omega| omega > 0.5).map(|omega| (omega, as_printed(omega, alpha)));
+        let at = |omega| if omega == 1.0 { f64::INFINITY } else { as_printed(omega, alpha) };
+        let dashed = resonant(frequency_ratios().filter(|&omega| omega > 0.5), &[1.0], at);
         series.push(Series::new("eq. 49 as printed", Style::Dashed, index, dashed));
     }
+    series.push(Series::unbounded([1.0]));
     single(
         "7",
         "Maximum velocity",
