@@ -1,16 +1,7 @@
 //! Response curves and maps show resonance as it is, whatever the number of points.
 
 use crate::command_line::stdout;
-use std::path::PathBuf;
-
-/// An empty folder of one test.
-fn folder(name: &str) -> PathBuf {
-    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
-
+use crate::place::place;
 /// A row of a response curve.
 #[derive(Debug, Clone)]
 struct Row {
@@ -117,20 +108,19 @@ const MACHINE: &str = "--mass 50t --stiffness 1000kN/m --force 12kN --units kN,m
 /// Without a damper friction bounds no resonance from α = 4/π on: the curve has no height there.
 #[test]
 fn what_is_unbounded_is_written_and_drawn_as_such() {
-    let folder = folder("curves-unbounded");
     for count in [10, 200, 2000] {
         let found = rows(&format!("response-curve {MACHINE} --friction 9kN --frequency 0.2Hz:2Hz:{count}"));
-        let place = found.iter().position(|row| row.regime == "unbounded").unwrap();
+        let one = found.iter().position(|row| row.regime == "unbounded").unwrap();
         let natural = 20f64.sqrt() / std::f64::consts::TAU;
-        assert!((found[place].x / natural - 1.0).abs() < 1e-15 && found[place].value.is_none());
+        assert!((found[one].x / natural - 1.0).abs() < 1e-15 && found[one].value.is_none());
         assert_eq!(
-            (found[place].point.as_str(), found.iter().filter(|r| r.value.is_none()).count()),
+            (found[one].point.as_str(), found.iter().filter(|r| r.value.is_none()).count()),
             ("natural", 1)
         );
         // Half a pixel beside it the curve is far above all else.
-        let [before, after] = [&found[place - 1], &found[place + 1]].map(|row| (row.x - natural).abs() / 1.8);
+        let [before, after] = [&found[one - 1], &found[one + 1]].map(|row| (row.x - natural).abs() / 1.8);
         assert!(before < 1.0 / 1280.0 && after < 1.0 / 1280.0, "{before} {after}");
-        let file = folder.join(format!("{count}.svg"));
+        let file = place(&format!("{count}.svg"));
         stdout(&format!(
             "response-curve {MACHINE} --friction 5kN,9kN --frequency 0.2Hz:2Hz:{count} --out {}",
             file.display()
@@ -154,7 +144,7 @@ fn what_is_unbounded_is_written_and_drawn_as_such() {
 /// The piece between a frequency with stops and one without is drawn.
 #[test]
 fn a_curve_has_no_gap_at_the_border() {
-    let file = folder("curves-gap").join("curve.svg");
+    let file = place("curve.svg");
     stdout(&format!(
         "response-curve {MACHINE} --friction 5kN,9kN --frequency 0.2Hz:2Hz:10 --out {}",
         file.display()
@@ -202,13 +192,12 @@ fn ordinate(drawing: &str, label: &str) -> f64 {
 
 #[test]
 fn a_peak_is_drawn_at_its_height() {
-    let folder = folder("curves-height");
     for (zeta, alpha) in [(1e-6, 2.0), (1e-3, 3.0), (0.01, 4.0)] {
         let curve =
             |grid: &str| format!("response-curve --omega {grid} --alpha {alpha} --damping-ratio {zeta}");
         let due = peak(curve, 0.2, 2.0);
         for count in [10, 200, 2000] {
-            let file = folder.join(format!("{zeta}-{count}.svg"));
+            let file = place(&format!("{zeta}-{count}.svg"));
             stdout(&format!("{} --out {}", curve(&format!("0.2:2:{count}")), file.display()));
             let drawing = std::fs::read_to_string(file).unwrap();
             let decades = due.log10().floor();
@@ -224,9 +213,8 @@ fn a_peak_is_drawn_at_its_height() {
 
 #[test]
 fn a_curve_that_leaves_the_picture_says_so() {
-    let folder = folder("curves-cut-off");
     let drawn = |arguments: &str| {
-        let file = folder.join("curve.svg");
+        let file = place("curve.svg");
         stdout(&format!("response-curve {arguments} --overwrite --out {}", file.display()));
         std::fs::read_to_string(file).unwrap()
     };
@@ -281,8 +269,7 @@ fn upper_row(drawing: &str) -> Vec<(i32, i32)> {
 /// A map has no stripe at resonance, whether a column lies on it or beside it.
 #[test]
 fn a_map_is_resolved_at_resonance() {
-    let folder = folder("curves-map");
-    let file = folder.join("map.svg");
+    let file = place("map.svg");
     for grid in ["0.7:1.3:21", "0.71:1.3:20", "0.7:1.3:300"] {
         let map = format!("map max_displacement --omega {grid} --alpha 2:6:5");
         stdout(&format!("{map} --overwrite --out {}", file.display()));
@@ -308,5 +295,10 @@ fn a_map_is_resolved_at_resonance() {
     assert!(
         !drawn("max_displacement --omega 0.3:1.7:20 --alpha 2:6:5 --damping-ratio 0.1").contains("unbounded")
     );
-    assert!(drawn("regime --omega 0.31:1.7:20 --alpha 0.5:6:5").contains("\nunbounded\n"));
+    // The line alone shows what is unbounded in a map of regimes, and is named once.
+    for grid in ["0.31:1.7:20", "0.3:1.7:21"] {
+        let regime = drawn(&format!("regime --omega {grid} --alpha 2:6:5"));
+        assert_eq!(regime.matches("\nunbounded\n").count(), 1, "{grid}");
+        assert!(upper_row(&regime).windows(2).all(|pair| pair[1].0 - pair[0].1 <= 8), "{grid}");
+    }
 }

@@ -127,6 +127,10 @@ impl Map<'_> {
         let mut asked_so_far = is_asked.iter().cycle();
         self.cells(&axes, |given, cell| {
             let value = match cell {
+                // The line of unbounded motion shows them.
+                Cell::Text(_) if matches!(self.quantity, Quantity::Regime) && is_unbounded(&given) => {
+                    f64::NAN
+                }
                 Cell::Text(name) => {
                     named = true;
                     place_of(name, &mut names)

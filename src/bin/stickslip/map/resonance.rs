@@ -13,9 +13,8 @@ const COLUMN: f64 = 1.0 / 640.0;
 impl Map<'_> {
     /// The values across, with columns added at resonance, and whether each was asked for.
     ///
-    /// A column at Ω = 1, and columns at half the distance each time on either side down to a pixel: the
-    /// value there is not that of a frequency which is far off in units of its distance from resonance. A
-    /// quantity that changes at Ω = 1 alone has only the first, and one that does not change has none.
+    /// A column at Ω = 1, and columns at half the distance each time on either side down to a pixel: without
+    /// them a wide column would show the value at one frequency, which near resonance is that of no other.
     pub(super) fn columns(&self) -> (Vec<f64>, Vec<bool>) {
         let (low, high) = self.across.1.ends();
         let mut columns: Vec<(f64, bool)> = self.across.1.values().map(|x| (x, true)).collect();
@@ -34,9 +33,7 @@ impl Map<'_> {
             for (sign, nearest) in [(-1.0, nearest(-1.0)), (1.0, nearest(1.0))] {
                 let halved = std::iter::successors(Some(nearest / 2.0), |share| Some(share / 2.0));
                 let halved = halved.take_while(|share| *share >= COLUMN);
-                if matches!(self.quantity, Quantity::Output(..)) {
-                    added.extend(halved.map(|share| moved(sign * share)));
-                }
+                added.extend(halved.map(|share| moved(sign * share)));
             }
             added.retain(|x| columns.iter().all(|column| column.0 != *x));
             columns.extend(added.into_iter().map(|x| (x, false)));
