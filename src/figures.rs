@@ -14,6 +14,7 @@
 //! | `accuracy` | digits lost near Ω = 1 |
 //! | `multipliers` | how fast the motion settles |
 //! | `damping` | what viscous damping changes |
+//! | `resolve` | curves resolved at their peaks |
 //! | `draw` | a figure as SVG or PNG |
 //!
 //! A figure is data first: [`Figure::write_csv`] writes the data that [`Figure::svg`] draws.
@@ -35,12 +36,15 @@ mod oscillator;
 mod plane;
 mod poles;
 mod portrait;
+mod resolve;
 mod response;
 mod stops;
 mod symmetry;
 
 #[doc(hidden)]
 pub use plane::{Plane, Scale};
+#[doc(hidden)]
+pub use resolve::{Origin, resolved};
 
 use std::io::{self, Write};
 
@@ -168,7 +172,7 @@ pub struct Series {
     pub style: Style,
     /// The index of the colour and the mark.
     pub index: usize,
-    /// (x, y); a NaN breaks a line.
+    /// (x, y); a NaN breaks a line, and an infinite y lies on the upper edge.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -190,6 +194,8 @@ pub enum Style {
     Marks,
     /// Small dots.
     Dots,
+    /// An arrowhead on the upper edge at each x, where a line leaves the panel.
+    Beyond,
     /// A thin line with an arrowhead at its end, not in the legend.
     Arrow,
     /// The name itself, written at each point; not in the legend.
@@ -210,6 +216,11 @@ impl Series {
         Self { key: name.clone(), name, style, index, points: points.into_iter().collect() }
     }
 
+    /// Arrowheads at these x, where curves have no bound.
+    pub fn unbounded(places: impl IntoIterator<Item = f64>) -> Self {
+        Self::new("unbounded", Style::Beyond, 0, places.into_iter().map(|x| (x, f64::INFINITY)))
+    }
+
     /// The same with another text in the legend.
     #[must_use]
     pub(crate) fn with_key(self, key: impl Into<String>) -> Self {
@@ -218,7 +229,8 @@ impl Series {
 }
 
 impl Figure {
-    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value.
+    /// Writes the data with the columns panel, series, x, y and value; a plane fills x, y and value, and
+    /// what has no bound has no y.
     ///
     /// # Errors
     ///
@@ -233,7 +245,10 @@ impl Figure {
                 }
             }
             for series in &panel.series {
-                for (x, y) in series.points.iter().filter(|(x, y)| x.is_finite() && y.is_finite()) {
+                let beyond = series.style == Style::Beyond;
+                let is_shown = |(x, y): &&(f64, f64)| x.is_finite() && (beyond || y.is_finite());
+                for (x, y) in series.points.iter().filter(is_shown) {
+                    let y = if beyond { String::new() } else { y.to_string() };
                     writeln!(out, "{title},{},{x},{y},", quoted(&series.name))?;
                 }
             }

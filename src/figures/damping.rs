@@ -1,5 +1,6 @@
 //! The effect of viscous damping on the response curve, the border, and the time at rest.
 
+use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly};
 use crate::exact::{LongRun, State, SteadyState};
 use crate::{Border, Ratios};
@@ -17,8 +18,8 @@ pub(super) fn four_ratios() -> Figure {
         name: "damping".to_owned(),
         title: "What viscous damping changes".to_owned(),
         caption: "For ζ = 0, 0.01, 0.05 and 0.2. First: maximum displacement over that of a slow force, k Δ₀/p₀, at p₀ = 2.5 r_y, by the exact \
-            motion, stops included; without a damper it is infinite at Ω = 1, because friction alone cannot bound resonance from α = 4/π on. \
-            Second: the least force without sticking; the poles at 1/3 and 1/5 become peaks. Third: the part of the cycle at rest at p₀ = 2.5 r_y."
+            motion, stops included; without a damper it has no bound at Ω = 1 (arrowhead), because friction alone cannot bound resonance from α = 4/π on. \
+            Second: the least force without sticking; the poles at 1/3 and 1/5 (arrowheads) become peaks. Third: the part of the cycle at rest at p₀ = 2.5 r_y."
             .to_owned(),
         panels: vec![
             Panel {
@@ -26,21 +27,21 @@ pub(super) fn four_ratios() -> Figure {
                 x: Axis::frequency_ratio(0.2, 2.0),
                 y: Axis::logarithmic("k Δ₀/p₀", 0.1, 30.0),
                 plane: None,
-                series: each(|zeta| curve(zeta, (0.2, 2.0), 30.0, amplitude)),
+                series: with_arrowheads(each(|zeta| curve(zeta, (0.2, 2.0), amplitude)), &[1.0]),
             },
             Panel {
                 title: "least force without sticking".to_owned(),
                 x: Axis::frequency_ratio(0.15, 2.0),
                 y: Axis::logarithmic("force ratio α = p₀/r_y", 1.0, 300.0),
                 plane: None,
-                series: each(border),
+                series: with_arrowheads(each(border), &POLES),
             },
             Panel {
                 title: "rest at α = 2.5".to_owned(),
                 x: Axis::frequency_ratio(0.1, 1.0),
                 y: Axis::linear("part of the cycle at rest", 0.0, 0.8),
                 plane: None,
-                series: each(|zeta| curve(zeta, (0.1, 1.0), 1.0, |it| it.stick_fraction)),
+                series: each(|zeta| curve(zeta, (0.1, 1.0), |it| it.stick_fraction)),
             },
         ],
     }
@@ -54,32 +55,35 @@ fn each(points: impl Fn(f64) -> Vec<(f64, f64)>) -> Vec<Series> {
     ZETA.iter().enumerate().map(line).collect()
 }
 
-/// α_min over Ω in steps that miss 1/3, 1/5 and 1.
-fn border(zeta: f64) -> Vec<(f64, f64)> {
-    let least = |omega: f64| Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio);
-    shown(evenly(0.150_1, 1.999_7, 1400), 300.0, least)
+/// The lines, and arrowheads where the undamped one has no bound.
+fn with_arrowheads(mut lines: Vec<Series>, places: &[f64]) -> Vec<Series> {
+    lines.push(Series::unbounded(places.iter().copied()));
+    lines
 }
 
-/// A property of the steady state from rest, over Ω.
-fn curve(
-    zeta: f64,
-    (from, to): (f64, f64),
-    most: f64,
-    of: impl Fn(&SteadyState<f64>) -> f64,
-) -> Vec<(f64, f64)> {
+/// The poles of the undamped border on its axis.
+const POLES: [f64; 2] = [1.0 / 5.0, 1.0 / 3.0];
+
+/// α_min over Ω.
+fn border(zeta: f64) -> Vec<(f64, f64)> {
+    let least = |omega: f64| {
+        if zeta == 0.0 && POLES.contains(&omega) {
+            return f64::INFINITY;
+        }
+        Border::with_damping(omega, zeta).map_or(f64::NAN, |b| b.min_force_ratio)
+    };
+    resonant(evenly(0.150_1, 1.999_7, 1400), &POLES, least)
+}
+
+/// A property of the steady state from rest, over Ω; infinite where the motion is unbounded.
+fn curve(zeta: f64, (from, to): (f64, f64), of: impl Fn(&SteadyState<f64>) -> f64) -> Vec<(f64, f64)> {
     let at = |omega: f64| {
         let ratios = Ratios::new(omega, ALPHA).and_then(|ratios| ratios.with_damping_ratio(zeta));
-        let limit = ratios.and_then(|ratios| LongRun::from_start(ratios, State::default()));
-        limit.ok().and_then(|limit| limit.steady_state().map(&of)).unwrap_or(f64::NAN)
+        match ratios.and_then(|ratios| LongRun::from_start(ratios, State::default())) {
+            Ok(LongRun::Unbounded { .. }) => f64::INFINITY,
+            limit => limit.ok().and_then(|limit| limit.steady_state().map(&of)).unwrap_or(f64::NAN),
+        }
     };
-    shown(evenly(from + 1e-4, to - 1e-4, 400), most, at)
-}
-
-/// The points, with a gap where they exceed the axis.
-fn shown(omegas: impl Iterator<Item = f64>, most: f64, of: impl Fn(f64) -> f64) -> Vec<(f64, f64)> {
-    let point = |omega: f64| {
-        let value = of(omega);
-        (omega, if value <= most { value } else { f64::NAN })
-    };
-    omegas.map(point).collect()
+    let resonance = if to > 1.0 { [1.0].as_slice() } else { &[] };
+    resonant(evenly(from + 1e-4, to - 1e-4, 400), resonance, at)
 }

@@ -1,5 +1,6 @@
 //! Figures 9 and 10: the size of the dissipation loop.
 
+use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use crate::{Cycle, Ratios, Response};
 
@@ -63,12 +64,13 @@ pub(super) fn largest_loop() -> Figure {
     let series = vec![
         Series::new("eq. 66, where it holds", Style::Thick, 0, where_reached(|it| it.best_loop_size)),
         Series::new("on the border, elsewhere", Style::Dashed, 5, where_not_reached(loop_on_border)),
+        Series::unbounded([1.0]),
     ];
     single(
         "9b",
         "Largest dissipation loop",
         "The largest loop size A₁ without sticking at a given Ω: eq. 66 where its motion does not stick (by the exact border), \
-            elsewhere A₁ on the border (dashed). At Ω = 1 it has no bound.",
+            elsewhere A₁ on the border (dashed). At Ω = 1 it has no bound (arrowhead).",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::logarithmic("largest loop size A₁", 0.1, 1000.0),
         series,
@@ -97,18 +99,21 @@ pub(super) fn loop_by_friction() -> Figure {
 /// Figure 10(b): A₂ against Ω.
 pub(super) fn loop_by_frequency() -> Figure {
     let curve = |(index, alpha, name): (usize, f64, String)| {
-        let points =
-            frequency_ratios().map(|omega| (omega, of_cycle(omega, alpha, |c| c.loop_size_inertia())));
+        // The loop grows with the displacement.
+        let at = |omega| {
+            if omega == 1.0 { f64::INFINITY } else { of_cycle(omega, alpha, |c| c.loop_size_inertia()) }
+        };
+        let points = resonant(frequency_ratios(), &[1.0], at);
         Series::new(name, Style::Marked(130 + index), index, points)
     };
     single(
         "10b",
         "Dissipation against stiffness",
         "Loop size A₂ against Ω for 1/α = 0.1 … 0.5, where the motion does not stick: the influence of the stiffness at a given mass, \
-            force and frequency.",
+            force and frequency. At Ω = 1 it has no bound (arrowhead).",
         Axis::frequency_ratio(0.2, 2.0),
         Axis::logarithmic("loop size A₂", 0.01, 1000.0),
-        inverse_force_ratios(5).map(curve).collect(),
+        inverse_force_ratios(5).map(curve).chain([Series::unbounded([1.0])]).collect(),
     )
 }
 

@@ -1,5 +1,6 @@
 //! Figures 4 to 7: maximum displacement, phases and maximum velocity.
 
+use super::resolve::resonant;
 use super::{Axis, Figure, Panel, Series, Style, evenly, inverse_force_ratios};
 use crate::exact::{LongRun, State, SteadyState};
 use crate::nonsticking::printed;
@@ -15,10 +16,14 @@ fn marked_frequency_ratios() -> impl Iterator<Item = f64> + Clone {
     evenly(0.1325, 1.9825, 38)
 }
 
-/// A value of the exact steady state from rest; NaN where there is none.
+/// A value of the exact steady state from rest; NaN where there is none, infinite where the motion is
+/// unbounded.
 fn exact(omega: f64, alpha: f64, value: fn(&SteadyState<f64>) -> f64) -> f64 {
     let limit = Ratios::new(omega, alpha).and_then(|ratios| LongRun::from_start(ratios, State::default()));
-    limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value)
+    match limit {
+        Ok(LongRun::Unbounded { .. }) => f64::INFINITY,
+        limit => limit.ok().as_ref().and_then(LongRun::steady_state).map_or(f64::NAN, value),
+    }
 }
 
 /// A value of the closed-form cycle; NaN where it would stick.
@@ -40,15 +45,15 @@ fn closed_curves(value: fn(&Cycle<f64>) -> f64) -> Vec<Series> {
     inverse_force_ratios(6).map(curve).collect()
 }
 
-/// For each 1/α, a line of the exact motion and marks of the closed form. The legend has each line, and the
-/// marks once.
+/// For each 1/α, a line of the exact motion, resolved at its peaks, and marks of the closed form. The legend
+/// has each line, and the marks once.
 fn lines_and_marks(
     of_motion: fn(&SteadyState<f64>) -> f64,
     of_cycle: fn(&Cycle<f64>) -> f64,
     closed_form: &str,
 ) -> Vec<Series> {
     let lines = inverse_force_ratios(6).map(|(index, alpha, name)| {
-        let points = frequency_ratios().map(|omega| (omega, exact(omega, alpha, of_motion)));
+        let points = resonant(frequency_ratios(), &[1.0], |omega| exact(omega, alpha, of_motion));
         Series::new(format!("{name}, exact"), Style::Line, index, points).with_key(name)
     });
     let marks = inverse_force_ratios(6).map(|(index, alpha, name)| {
@@ -61,12 +66,14 @@ fn lines_and_marks(
 
 /// Figure 4: Δ₀/B, exact and by eq. 44.
 pub(super) fn max_displacement() -> Figure {
-    let series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
+    let mut series = lines_and_marks(|s| s.max_displacement.value, |c| c.max_displacement, "eq. 44");
+    series.push(Series::unbounded([1.0]));
     single(
         "4",
         "Maximum displacement",
         "Maximum displacement Δ₀/B of the exact steady motion (lines, sticking included) and by eq. 44 where it does not stick \
-            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; to the left of its first mark a line is of motions with stops.",
+            (marks), for 1/α = 0.1 … 0.6. Every mark is on its line; to the left of its first mark a line is of motions with stops. \
+            At Ω = 1 there is no bound (arrowhead).",
         Axis::logarithmic("maximum displacement Δ₀/B", 0.1, 1000.0),
         series,
     )
@@ -115,15 +122,17 @@ pub(super) fn deviation() -> Figure {
 pub(super) fn max_velocity() -> Figure {
     let mut series = lines_and_marks(|s| s.max_velocity.value, |c| c.max_velocity, "closed form");
     for (index, alpha, _) in inverse_force_ratios(6) {
-        let dashed =
-            frequency_ratios().filter(|&omega| omega > 0.5).map(|omega| (omega, as_printed(omega, alpha)));
+        let at = |omega| if omega == 1.0 { f64::INFINITY } else { as_printed(omega, alpha) };
+        let dashed = resonant(frequency_ratios().filter(|&omega| omega > 0.5), &[1.0], at);
         series.push(Series::new("eq. 49 as printed", Style::Dashed, index, dashed));
     }
+    series.push(Series::unbounded([1.0]));
     single(
         "7",
         "Maximum velocity",
         "Maximum velocity V₀/(Bω_d) of the exact steady motion (lines), by eq. 49 with the signs of its roots corrected (marks), and \
-            by eq. 49 as printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1.",
+            by eq. 49 as printed (dashed, Ω > 1/2), for 1/α = 0.1 … 0.6. As printed it is too large for every Ω > 1. \
+            At Ω = 1 there is no bound (arrowhead).",
         Axis::logarithmic("maximum velocity V₀/(Bω_d)", 0.1, 1000.0),
         series,
     )

@@ -11,6 +11,7 @@ mod kept;
 mod place;
 
 mod answers;
+mod curves;
 mod design;
 #[cfg(feature = "mp")]
 mod enclose;

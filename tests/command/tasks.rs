@@ -54,7 +54,7 @@ fn a_response_curve_of_ones_own_machine() {
          --frequency 0.6Hz:3Hz:4 --units N,mm",
     );
     let mut lines = rows.lines();
-    assert_eq!(lines.next().unwrap(), "curve,frequency[Hz],regime,displacement[mm],margin[1]");
+    assert_eq!(lines.next().unwrap(), "curve,frequency[Hz],regime,displacement[mm],margin[1],point");
     let mut regimes = Vec::new();
     for line in lines {
         let cells: Vec<&str> = line.split(',').collect();

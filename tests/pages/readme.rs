@@ -84,7 +84,7 @@ fn folder(page: &str) -> Place {
 }
 
 /// Pictures that are kept with the figures and drawn by a command on their page.
-const KEPT: [&str; 2] = ["basins.svg", "limits.svg"];
+const KEPT: [&str; 3] = ["basins.svg", "limits.svg", "response.svg"];
 
 #[test]
 fn every_command_prints_what_is_shown() {

@@ -9,6 +9,7 @@ use crate::note;
 use stickslip::units::Reader;
 
 /// The points of all grids, each computed from its number alone; the last grid varies fastest.
+#[derive(Clone)]
 pub(crate) struct Axes<F> {
     fixed: Given<F>,
     grids: Vec<(Parameter, Grid<F>)>,

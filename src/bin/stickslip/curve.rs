@@ -12,12 +12,14 @@ use crate::input::{self, Point};
 use crate::interrupt;
 use crate::map::margin;
 use crate::note::digits;
-use amplitude::words;
+use crate::record::Cell;
+use amplitude::{UNBOUNDED, words};
 use clap::ValueEnum;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::TAU;
 use std::io::Write;
 use stickslip::Response;
+use stickslip::figures::{Origin, resolved};
 use stickslip::units::{Reader, System};
 
 /// The greatest number of curves in a picture: with the border, the resonance and the dashes, the key then
@@ -29,7 +31,11 @@ const MOST_POINTS: u64 = 100_000;
 /// One frequency of a curve.
 #[derive(Clone, Copy)]
 struct Place {
+    /// The value of the axis, in consistent units.
+    x: f64,
+    /// The same in the unit of the axis.
     frequency: f64,
+    source: Source,
     regime: &'static str,
     sticks: bool,
     /// The margin to the border, α/α_min.
@@ -37,12 +43,25 @@ struct Place {
     value: Option<f64>,
 }
 
+/// The reason why a frequency is in a curve.
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Source {
+    /// It was asked for.
+    Grid,
+    /// It is the natural frequency.
+    Natural,
+    /// The curve has a maximum there.
+    Peak,
+    /// It is beside a maximum, where a line through the other points would be off.
+    Flank,
+}
+
 struct Line {
     name: String,
     places: Vec<Place>,
     /// The points at which the curve meets the border of sticking.
     border: Vec<(f64, f64)>,
-    /// The position of Ω = 1 on the axis.
+    /// The position of Ω = 1 on the axis; NaN if it has none.
     natural: f64,
 }
 
@@ -62,6 +81,14 @@ pub(crate) fn run(args: &CurveArgs, out: &mut impl Write) -> Outcome {
     let asked = Asked::new(args, &reader)?;
     let lines = asked.lines()?;
     target.fill(out, |mut out| asked.rows(&lines, &mut out), || asked.figure(&lines))
+}
+
+impl Place {
+    /// The value; infinite where the motion is unbounded, and NaN where it is undecided.
+    fn height(&self) -> f64 {
+        let otherwise = if self.regime == UNBOUNDED { f64::INFINITY } else { f64::NAN };
+        self.value.unwrap_or(otherwise)
+    }
 }
 
 impl Asked {
@@ -133,15 +160,7 @@ impl Asked {
     }
 
     fn line(&self, name: String, given: &Given<f64>) -> Result<Line, Failure> {
-        let at = |place: u64| {
-            let mut given = given.clone();
-            given.set(self.axis, self.grid.value(place));
-            if interrupt::asked() {
-                return Err(Failure::Interrupted);
-            }
-            input::point(&given)
-        };
-        let first = at(0)?;
+        let first = self.point(given, self.grid.value(0))?;
         if self.what == Curve::Absolute
             && !first.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface())
         {
@@ -150,56 +169,81 @@ impl Asked {
                     .to_owned(),
             ));
         }
-        let natural = first.machine.as_ref().map_or(1.0, |m| m.oscillator.natural_frequency() / TAU);
-        let places = (0..self.grid.len()).into_par_iter().map(|place| self.place(&at(place)?));
-        let places = places.collect::<Result<Vec<_>, Failure>>()?;
+        let natural = match &first.machine {
+            // A machine that is tuned to each frequency has no natural frequency of its own.
+            Some(_) if self.axis == P::Frequency && given.has(P::Omega) => f64::NAN,
+            Some(machine) if self.axis == P::Frequency => machine.oscillator.natural_frequency(),
+            Some(_) | None => 1.0,
+        };
+        let xs: Vec<f64> = self.grid.values().collect();
+        let falls = xs.first() > xs.last();
+        let places = xs.into_par_iter().map(|x| self.place(given, x, Source::Grid));
+        let mut places = places.collect::<Result<Vec<_>, Failure>>()?;
+        let (low, high) = self.grid.ends();
+        if low < natural && natural < high && places.iter().all(|place| place.x != natural) {
+            places.push(self.place(given, natural, Source::Natural)?);
+        }
+        places.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let at = |x: f64| self.place(given, x, Source::Flank);
+        let all = resolved(&places, self.grid.is_logarithmic(), |place| (place.x, place.height()), at)?;
+        let mut places: Vec<Place> = all
+            .into_iter()
+            .map(|(place, origin)| match origin {
+                Origin::Given | Origin::Flank => place,
+                Origin::Peak => Place { source: Source::Peak, ..place },
+            })
+            .collect();
         let mut border = Vec::new();
-        for (pair, next) in places.windows(2).zip(1..) {
+        for pair in places.windows(2) {
             if let [a, b] = pair
                 && (a.margin >= 1.0) != (b.margin >= 1.0)
             {
-                border.extend(self.crossing(given, (self.grid.value(next - 1), self.grid.value(next)))?);
+                border.extend(self.crossing(given, (a.x, b.x))?);
             }
         }
-        Ok(Line { name, places, border, natural: self.natural(&first, natural) })
+        if falls {
+            places.reverse();
+        }
+        Ok(Line { name, places, border, natural: self.in_units(natural) })
     }
 
-    fn place(&self, point: &Point<f64>) -> Result<Place, Failure> {
+    /// The point at a value of the axis.
+    fn point(&self, given: &Given<f64>, x: f64) -> Result<Point<f64>, Failure> {
+        let mut given = given.clone();
+        given.set(self.axis, x);
+        interrupt::check()?;
+        input::point(&given)
+    }
+
+    fn place(&self, given: &Given<f64>, x: f64, source: Source) -> Result<Place, Failure> {
+        let point = self.point(given, x)?;
         let response = Response::new(point.ratios);
         let margin = margin(&response);
-        let (value, regime, sticks) = self.value(point, &response)?;
-        Ok(Place { frequency: self.on_axis(point), regime, sticks, margin, value })
+        let (value, regime, sticks) = self.value(&point, &response)?;
+        Cell::Number(value).finite(words(self.what)).map_err(|e| given.behind_all(e))?;
+        Ok(Place { x, frequency: self.in_units(x), source, regime, sticks, margin, value })
     }
 
     /// The point where the curve meets the border, between two frequencies on either side of it: by
     /// bisection, to the last bit.
     fn crossing(&self, given: &Given<f64>, (from, to): (f64, f64)) -> Result<Option<(f64, f64)>, Failure> {
-        let at = |x: f64| {
-            let mut given = given.clone();
-            given.set(self.axis, x);
-            input::point(&given)
+        let slides = |x: f64| -> Result<bool, Failure> {
+            Ok(margin(&Response::new(self.point(given, x)?.ratios)) >= 1.0)
         };
-        let slides = |point: &Point<f64>| margin(&Response::new(point.ratios)) >= 1.0;
-        let (mut inside, mut outside) = if slides(&at(from)?) { (from, to) } else { (to, from) };
+        let (mut inside, mut outside) = if slides(from)? { (from, to) } else { (to, from) };
         loop {
             let middle = inside + (outside - inside) / 2.0;
             if middle == inside || middle == outside {
-                let place = self.place(&at(inside)?)?;
+                let place = self.place(given, inside, Source::Flank)?;
                 return Ok(place.value.map(|value| (place.frequency, value)));
             }
-            if slides(&at(middle)?) { inside = middle } else { outside = middle }
+            if slides(middle)? { inside = middle } else { outside = middle }
         }
     }
 
-    /// The position on the axis: the frequency in hertz for a machine, Ω for ratios.
-    fn on_axis(&self, point: &Point<f64>) -> f64 {
-        point.machine.as_ref().map_or(point.ratios.omega(), |m| m.drive.angular_frequency() / TAU)
-    }
-
-    /// The position of Ω = 1, if the axis has one.
-    fn natural(&self, first: &Point<f64>, natural: f64) -> f64 {
-        // A machine that is tuned to each frequency has no single natural frequency.
-        if first.machine.is_some() && self.axis == P::Omega { f64::NAN } else { natural }
+    /// A value of the axis in its unit: hertz, or 1 for Ω.
+    fn in_units(&self, x: f64) -> f64 {
+        if self.axis == P::Frequency { x / TAU } else { x }
     }
 
     fn is_machine(&self) -> bool {
@@ -207,19 +251,22 @@ impl Asked {
     }
 
     fn rows(&self, lines: &[Line], out: &mut impl Write) -> Outcome {
-        let what = self.what.to_possible_value().map_or(String::new(), |v| v.get_name().to_owned());
+        let what = self.what.to_possible_value();
+        let what = what.as_ref().map_or("", |what| what.get_name());
         let unit = self
             .label()
             .rsplit_once('(')
             .map_or("p₀".to_owned(), |(_, u)| u.trim_end_matches(')').to_owned());
-        let axis = if self.is_machine() { "frequency[Hz]" } else { "omega[1]" };
+        let axis = if self.axis == P::Frequency { "frequency[Hz]" } else { "omega[1]" };
         let mut writer = csv::Writer::from_writer(out);
-        writer.write_record(["curve", axis, "regime", &format!("{what}[{unit}]"), "margin[1]"])?;
+        writer.write_record(["curve", axis, "regime", &format!("{what}[{unit}]"), "margin[1]", "point"])?;
         for line in lines {
             for place in &line.places {
                 let value = place.value.map_or(String::new(), |x| x.to_string());
                 let (frequency, margin) = (place.frequency.to_string(), place.margin.to_string());
-                writer.write_record([&line.name, &frequency, place.regime, &value, &margin])?;
+                let source = place.source.to_possible_value();
+                let source = source.as_ref().map_or("", |source| source.get_name());
+                writer.write_record([&line.name, &frequency, place.regime, &value, &margin, source])?;
             }
         }
         Ok(writer.flush()?)
@@ -251,7 +298,7 @@ mod tests {
                 let point = input::point(&given).ok().unwrap();
                 assert!((margin(&Response::new(point.ratios)) - 1.0).abs() < 1e-14, "{alpha} {omega}");
                 let cycle = stickslip::Cycle::new(point.ratios).unwrap();
-                assert_eq!(amplification, cycle.max_displacement * (1.0 / alpha));
+                assert_eq!(amplification, cycle.max_displacement / alpha);
                 met += 1;
             }
         }

@@ -2,6 +2,7 @@
 
 mod limits;
 mod picture;
+mod resonance;
 mod symmetry;
 
 use crate::args::{MapArgs, Swept};
@@ -154,15 +155,15 @@ impl<'a> Map<'a> {
     }
 
     /// Computes the points in order, row by row.
-    fn cells(&self, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
+    fn cells(&self, axes: &Axes<f64>, mut take: impl FnMut(Given<f64>, Cell<f64>) -> Outcome) -> Outcome {
         progress::in_order(
-            0..self.axes.len(),
+            0..axes.len(),
             |points| {
                 let cell = |point| {
                     if interrupt::asked() {
                         return Err(Failure::Interrupted);
                     }
-                    let given = self.axes.at(point);
+                    let given = axes.at(point);
                     let found = self.quantity.at(&given)?.map_or(Cell::Number(None), |(_, cell)| cell);
                     Ok((given, found))
                 };
@@ -199,8 +200,9 @@ impl<'a> Map<'a> {
         let value = |given: &Given<f64>, parameter| {
             Cell::Number(given.get(parameter).map(|v| v * self.on_axis(parameter).1))
         };
-        let outcome =
-            self.cells(|given, cell| Ok(writer.serialize((value(&given, x), value(&given, y), cell))?));
+        let outcome = self.cells(&self.axes, |given, cell| {
+            Ok(writer.serialize((value(&given, x), value(&given, y), cell))?)
+        });
         writer.flush()?;
         outcome
     }

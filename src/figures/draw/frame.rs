@@ -67,9 +67,10 @@ impl<'a> Frame<'a> {
         write(canvas, &self.panel.title, (middle, top - 22), 14, Anchor::Above)
     }
 
-    /// The place of a point of the plot, in units of the drawing.
+    /// The place of a point of the plot, in units of the drawing; what is infinite is on the upper edge.
     fn place(&self, (x, y): (f64, f64)) -> (f64, f64) {
-        let (x, y) = (share(&self.panel.x, x), share(&self.panel.y, y));
+        let y = if y == f64::INFINITY { 1.0 } else { share(&self.panel.y, y) };
+        let x = share(&self.panel.x, x);
         (self.left + self.width * x, self.top + self.height * (1.0 - y))
     }
 
@@ -84,6 +85,11 @@ impl<'a> Frame<'a> {
         match series.style {
             Style::Marks => return shown().try_for_each(|place| mark::draw(canvas, series.index, place)),
             Style::Dots => return shown().try_for_each(|place| mark::dot(canvas, series.index, place)),
+            Style::Beyond => {
+                let tips = series.points.iter().map(|&(x, _)| self.place((x, f64::INFINITY)));
+                let mut tips = tips.filter(|place| self.holds(*place)).map(whole);
+                return tips.try_for_each(|tip| mark::beyond(canvas, series.index, tip));
+            }
             Style::Note => return Ok(()),
             Style::Named => {
                 let named = |(x, y): (i32, i32)| {
@@ -98,7 +104,7 @@ impl<'a> Frame<'a> {
             return arrow(canvas, &places, colour);
         }
         for line in self.clipped(&places) {
-            if self.panel.plane.is_some() {
+            if self.panel.plane.is_some() && series.style == Style::Thick {
                 let halo = WHITE.stroke_width(6 * UNITS.unsigned_abs());
                 canvas.draw(&PathElement::new(line.clone(), halo))?;
             }

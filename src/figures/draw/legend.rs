@@ -77,6 +77,7 @@ fn entry(series: &Series, (left, y): (i32, i32), canvas: &Canvas<'_>) -> Drawn {
     let colour = mark::colour(series.index);
     match series.style {
         Style::Marks => mark::draw(canvas, series.index, centre)?,
+        Style::Beyond => mark::beyond(canvas, series.index, (centre.0, centre.1 - 6 * UNITS))?,
         Style::Dots => {
             for shift in [-8, 0, 8] {
                 mark::dot(canvas, series.index, (centre.0 + shift * UNITS, centre.1))?;

@@ -17,6 +17,7 @@ pub(super) fn stroke(canvas: &Canvas<'_>, line: Vec<(i32, i32)>, style: Style, c
         | Style::Marked(_)
         | Style::Marks
         | Style::Dots
+        | Style::Beyond
         | Style::Arrow
         | Style::Named
         | Style::Note => {

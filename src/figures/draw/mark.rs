@@ -43,6 +43,13 @@ pub(super) fn draw(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Dra
     }
 }
 
+/// Draws an arrowhead whose tip is at a place.
+pub(super) fn beyond(canvas: &Canvas<'_>, index: usize, (x, y): (i32, i32)) -> Drawn {
+    let (r, long) = (4 * UNITS, 11 * UNITS);
+    let corners = vec![(x, y), (x + r, y + long), (x - r, y + long)];
+    canvas.draw(&Polygon::new(corners, colour(index).filled()))
+}
+
 /// Draws a small dot.
 pub(super) fn dot(canvas: &Canvas<'_>, index: usize, place: (i32, i32)) -> Drawn {
     canvas.draw(&Circle::new(place, 3 * UNITS / 2, colour(index).filled()))

@@ -37,7 +37,7 @@ impl Asked {
                 };
                 (Some(of_cycle), "non-sticking", false)
             }
-            None if response.regime == Regime::Unbounded => (None, "unbounded", false),
+            None if response.regime == Regime::Unbounded => (None, UNBOUNDED, false),
             None => {
                 let fail = |e: Error| Failure::Input(format!("{}: {e}", self.axis.option()));
                 let limit = LongRun::from_start(point.ratios, State::default()).map_err(fail)?;
@@ -71,17 +71,18 @@ impl Asked {
                 }
             }
         };
-        let unit = match (&point.machine, self.what) {
-            (_, Curve::Transmissibility) => 1.0,
-            (Some(m), Curve::Displacement | Curve::Absolute) => m.scales.length,
-            (Some(m), Curve::Velocity) => m.scales.velocity,
-            (Some(m), Curve::Acceleration) => m.scales.velocity / m.scales.time,
-            (Some(m), Curve::Force) => m.scales.force,
-            (None, Curve::Displacement | Curve::Absolute | Curve::Force) => 1.0 / alpha,
-            (None, Curve::Velocity) => omega / alpha,
-            (None, Curve::Acceleration) => omega.powi(2) / alpha,
+        let in_units = |x: f64| match (&point.machine, self.what) {
+            (_, Curve::Transmissibility) => x,
+            (Some(m), Curve::Displacement | Curve::Absolute) => x * m.scales.length,
+            (Some(m), Curve::Velocity) => x * m.scales.velocity,
+            (Some(m), Curve::Acceleration) => x * (m.scales.velocity / m.scales.time),
+            (Some(m), Curve::Force) => x * m.scales.force,
+            // 1/α overflows for the least α.
+            (None, Curve::Displacement | Curve::Absolute | Curve::Force) => x / alpha,
+            (None, Curve::Velocity) => x / alpha * omega,
+            (None, Curve::Acceleration) => x / alpha * omega.powi(2),
         };
-        Ok((peaks.map(|x| x * unit), regime, sticks))
+        Ok((peaks.map(in_units), regime, sticks))
     }
 
     /// The name of the quantity with its unit, for an axis.
@@ -108,6 +109,9 @@ impl Asked {
         }
     }
 }
+
+/// The regime of a motion that grows without bound.
+pub(super) const UNBOUNDED: &str = Regime::Unbounded.name();
 
 pub(super) const fn words(what: Curve) -> &'static str {
     match what {

@@ -1,5 +1,6 @@
 //! The picture of a map.
 
+use super::resonance::is_unbounded;
 use super::{Map, Quantity, limits, margin, symmetry};
 use crate::failure::{Failure, Outcome};
 use crate::given::Parameter as P;
@@ -104,11 +105,15 @@ impl Map<'_> {
         let values = |(parameter, grid): &(P, Grid<f64>)| -> Vec<f64> {
             grid.values().map(|v| v * self.on_axis(*parameter).1).collect()
         };
-        let (x, y) = (values(&self.across), values(&self.up));
-        let (Some(across), Some(up)) = (ends(&x), ends(&y)) else {
+        let (Some(across), Some(up)) = (ends(&values(&self.across)), ends(&values(&self.up))) else {
             let (x, y) = (self.across.0.option(), self.up.0.option());
             return Err(Failure::Input(format!("{x}, {y}: a picture needs two values or more, ascending")));
         };
+        let (columns, is_asked) = self.columns();
+        let columns = (self.across.0, Grid::List(columns));
+        let (x, y) = (values(&columns), values(&self.up));
+        let mut axes = self.axes.clone();
+        axes.order([self.up.clone(), columns]);
         // The names from the lightest colour, for a body that never stops, to the darkest, for one at rest;
         // others are appended.
         let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
@@ -116,9 +121,16 @@ impl Map<'_> {
         let mut names: Vec<String> = known.map(str::to_owned).to_vec();
         let mut named = false;
         let mut values = Vec::new();
-        let mut whole = true;
-        self.cells(|_, cell| {
-            values.push(match cell {
+        let (mut whole, mut has_absent) = (true, false);
+        // The values at points that were asked for, which alone decide on the shades.
+        let mut asked = Vec::new();
+        let mut asked_so_far = is_asked.iter().cycle();
+        self.cells(&axes, |given, cell| {
+            let value = match cell {
+                // The line of unbounded motion shows them.
+                Cell::Text(_) if matches!(self.quantity, Quantity::Regime) && is_unbounded(&given) => {
+                    f64::NAN
+                }
                 Cell::Text(name) => {
                     named = true;
                     place_of(name, &mut names)
@@ -133,7 +145,13 @@ impl Map<'_> {
                     place_of(if flag { "true" } else { "false" }, &mut names)
                 }
                 Cell::Flag(None) | Cell::Pairs(_) | Cell::Intervals(_) => f64::NAN,
-            });
+            };
+            // The line of unbounded motion explains its own points.
+            has_absent |= value.is_nan() && !is_unbounded(&given);
+            values.push(value);
+            if asked_so_far.next() == Some(&true) {
+                asked.push(value);
+            }
             Ok(())
         })?;
         let (words, label) = self.label();
@@ -141,12 +159,16 @@ impl Map<'_> {
         let scale = match (named, whole) {
             (true, _) => Scale::Names(names),
             (false, true) => counted(&mut values),
-            (false, false) => self.lit(clipped(Plane::shades(&values), &values, &mut title)),
+            (false, false) => self.lit(clipped(Plane::shades(&values), &asked, &mut title)),
         };
         let mut series = Vec::new();
         let border = self.border();
         if !border.is_empty() {
             series.push(Series::new("exact border of sticking", Style::Thick, 0, border));
+        }
+        let unbounded = self.unbounded();
+        if unbounded.iter().any(|(x, y)| y.is_finite() && (across.0..=across.1).contains(x)) {
+            series.push(Series::new("unbounded", Style::Line, 3, unbounded));
         }
         let symmetry::Breaks { by_multiplier, others, missing } = self.breaks()?;
         let lines = [
@@ -160,7 +182,7 @@ impl Map<'_> {
             let note = format!("no such points at {missing} values: the search passed its bound");
             series.push(Series::new(note, Style::Note, 0, []));
         }
-        if values.iter().any(|v| v.is_nan()) {
+        if has_absent {
             series.push(Series::new(self.quantity.absence(), Style::Note, 0, []));
         }
         Ok(Figure {
@@ -185,7 +207,7 @@ const MOST_ACROSS: u64 = 20_000;
 /// The count that stands for all greater ones.
 const MOST_NAMES: f64 = 7.0;
 /// The number of points of the border, more than a picture can show.
-const BORDER_POINTS: u32 = 1000;
+pub(super) const BORDER_POINTS: u32 = 1000;
 /// Shades for values that exceed nearly all others by this factor are cut off as those of a pole.
 const POLE: f64 = 100.0;
 
@@ -203,7 +225,8 @@ fn counted(values: &mut [f64]) -> Scale {
     Scale::Names(names)
 }
 
-/// The shades without values close to a pole; the title mentions the cut-off.
+/// The shades without values close to a pole, by those at the points asked for; the title mentions the
+/// cut-off.
 fn clipped(scale: Scale, values: &[f64], title: &mut String) -> Scale {
     let Scale::Shades { low, high, logarithmic: true } = scale else { return scale };
     let mut sorted: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();

@@ -1,0 +1,84 @@
+//! The columns beside resonance in a picture of a map, and the line on which the motion is unbounded.
+
+use super::picture::BORDER_POINTS;
+use super::{Map, Quantity};
+use crate::failure::Failure;
+use crate::given::{Given, Parameter as P};
+use crate::input::{self, Point};
+use stickslip::{Regime, Response};
+
+/// The narrowest column beside resonance, as a part of the axis: a pixel.
+const COLUMN: f64 = 1.0 / 640.0;
+
+impl Map<'_> {
+    /// The values across, with columns added at resonance, and whether each was asked for.
+    ///
+    /// A column at Ω = 1, and columns at half the distance each time on either side down to a pixel: without
+    /// them a wide column would show the value at one frequency, which near resonance is that of no other.
+    pub(super) fn columns(&self) -> (Vec<f64>, Vec<bool>) {
+        let (low, high) = self.across.1.ends();
+        let mut columns: Vec<(f64, bool)> = self.across.1.values().map(|x| (x, true)).collect();
+        let one = self.natural(&self.axes.at(0)).ok().flatten().filter(|one| low < *one && *one < high);
+        if let Some(one) = one.filter(|_| self.has_one_resonance()) {
+            let logarithmic = self.across.1.is_logarithmic();
+            let moved = |share: f64| {
+                if logarithmic { one * (high / low).powf(share) } else { one + (high - low) * share }
+            };
+            let share = |x: f64| {
+                if logarithmic { (x / one).ln() / (high / low).ln() } else { (x - one) / (high - low) }
+            };
+            let shares = || columns.iter().map(|column| share(column.0)).filter(|share| *share != 0.0);
+            let nearest = |sign: f64| shares().map(|s| s * sign).filter(|s| *s > 0.0).fold(1.0, f64::min);
+            let mut added = vec![one];
+            for (sign, nearest) in [(-1.0, nearest(-1.0)), (1.0, nearest(1.0))] {
+                let halved = std::iter::successors(Some(nearest / 2.0), |share| Some(share / 2.0));
+                let halved = halved.take_while(|share| *share >= COLUMN);
+                added.extend(halved.map(|share| moved(sign * share)));
+            }
+            added.retain(|x| columns.iter().all(|column| column.0 != *x));
+            columns.extend(added.into_iter().map(|x| (x, false)));
+            columns.sort_by(|a, b| a.0.total_cmp(&b.0));
+        }
+        columns.into_iter().unzip()
+    }
+
+    /// Whether resonance is at the same place in every row, and the quantity changes there.
+    fn has_one_resonance(&self) -> bool {
+        let is_same = !matches!(self.up.0, P::Mass | P::Stiffness | P::Period | P::Omega | P::Frequency);
+        is_same && matches!(self.quantity, Quantity::Regime | Quantity::Output(..))
+    }
+
+    /// The value across at which Ω = 1, if it is the frequency or Ω.
+    fn natural(&self, given: &Given<f64>) -> Result<Option<f64>, Failure> {
+        Ok(match (self.across.0, &input::point(given)?.machine) {
+            (P::Omega, _) => Some(1.0),
+            (P::Frequency, Some(machine)) if !given.has(P::Omega) => {
+                Some(machine.oscillator.natural_frequency())
+            }
+            _ => None,
+        })
+    }
+
+    /// The line on which the motion is unbounded, with a NaN where it is not.
+    pub(super) fn unbounded(&self) -> Vec<(f64, f64)> {
+        let ((low, high), logarithmic) = (self.up.1.ends(), self.up.1.is_logarithmic());
+        let scales = [self.across.0, self.up.0].map(|parameter| self.on_axis(parameter).1);
+        let mut given = self.axes.at(0);
+        let at = |i: u32| {
+            let share = f64::from(i) / f64::from(BORDER_POINTS);
+            let y = if logarithmic { low * (high / low).powf(share) } else { low + (high - low) * share };
+            given.set(self.up.0, y);
+            let x = self.natural(&given).ok().flatten()?;
+            given.set(self.across.0, x);
+            let [x, shown] = [x * scales[0], y * scales[1]];
+            Some((x, if is_unbounded(&given) { shown } else { f64::NAN }))
+        };
+        (0..=BORDER_POINTS).filter_map(at).collect()
+    }
+}
+
+/// Whether the motion grows without bound.
+pub(super) fn is_unbounded(given: &Given<f64>) -> bool {
+    let at = |point: Point<f64>| Response::new(point.ratios).regime == Regime::Unbounded;
+    input::point(given).is_ok_and(at)
+}
