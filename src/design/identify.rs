@@ -25,7 +25,7 @@ use crate::exact::{State, Trajectory};
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, finite, positive};
 use crate::uncertainty::Estimate;
-use core::f64::consts::SQRT_2;
+use core::f64::consts::{SQRT_2, TAU};
 use outliers::{Judged, is_larger, judge};
 use search::{Curve, Fit, Grid, Point, RANGE, Rule, kept};
 use std::iter::zip;
@@ -72,7 +72,7 @@ impl AmplitudeKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum PhaseKind {
-    /// ω_d t₂, at which the body arrives at its maximum displacement: π/2 for a soft force far below
+    /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
     /// resonance.
     Peak,
     /// The lag of the fundamental of the displacement behind the force: between 0 and π.
@@ -257,14 +257,13 @@ fn in_ratios(body: &Oscillator<f64>, force: f64, measured: &Measurement) -> Resu
     }
     let amplitude = positive(Quantity::MaxDisplacement, measured.amplitude)? * body.stiffness() / force;
     let phase = measured.phase.map(|phase| finite(Quantity::DrivePhase, phase)).transpose()?;
-    // 2π, rounded up.
-    let turn = 6.2832;
-    if let Some(phase) = phase.filter(|phase| phase.abs() > turn) {
+    // 2π may have been rounded up.
+    if let Some(phase) = phase.filter(|phase| phase.abs() > TAU + 1e-3) {
         return Err(Error::OutOfRange {
             quantity: Quantity::DrivePhase,
             value: written(phase),
-            least: written(-turn),
-            greatest: written(turn),
+            least: written(-TAU),
+            greatest: written(TAU),
         });
     }
     Ok(Point { omega: ratios.omega(), amplitude, phase })

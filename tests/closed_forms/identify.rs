@@ -270,5 +270,6 @@ fn the_measurement_that_is_wrong_is_named() {
     curve[3].phase = Some(163.0);
     let error = identify(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, &curve).unwrap_err();
     assert!(matches!(error, Error::InMeasurement { index: 3, .. }), "{error}");
-    assert_eq!(error.to_string(), "measurement 4: phase ω_d t = 163 must be ≥ -6.2832 and ≤ 6.2832");
+    let text = "measurement 4: phase ω_d t = 163 must be ≥ -6.283185307179586 and ≤ 6.283185307179586";
+    assert_eq!(error.to_string(), text);
 }

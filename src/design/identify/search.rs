@@ -32,7 +32,7 @@ const DAMPINGS: [f64; 9] = [0.0, 1e-3, 4e-3, 0.01, 0.025, 0.06, 0.15, 0.5, 2.0];
 /// The greatest number of steps from a start.
 const STEPS: usize = 200;
 /// The greatest factor by which a step may be damped.
-const STIFFEST: f64 = 1e10;
+const STIFFEST: f64 = 1e8;
 
 /// An angle reduced to half a turn.
 pub(super) fn reduced(angle: f64) -> f64 {
@@ -92,8 +92,14 @@ impl<'a> Curve<'a> {
             let difference = |i: usize, d: f64| if i < amplitudes { d } else { reduced(d) };
             if value >= h {
                 let behind = self.at(shifted(value - h))?;
-                let central = |(i, (a, b)): (usize, (&f64, &f64))| difference(i, a - b) / (2.0 * h);
-                return Some(zip(&ahead, &behind).enumerate().map(central).collect());
+                // Where the two sides differ a kink or a jump is between them, and the flatter side counts.
+                let central = |(i, ((a, b), r)): (usize, ((&f64, &f64), &f64))| {
+                    let (right, left) = (difference(i, a - r), difference(i, r - b));
+                    let is_smooth = (right - left).abs() <= 0.5 * (right + left).abs();
+                    let flatter = if right.abs() < left.abs() { right } else { left };
+                    (if is_smooth { 0.5 * (right + left) } else { flatter }) / h
+                };
+                return Some(zip(zip(&ahead, &behind), residuals).enumerate().map(central).collect());
             }
             // At the end of the range only one side exists.
             let further = self.at(shifted(value + 2.0 * h))?;
