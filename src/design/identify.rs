@@ -183,7 +183,7 @@ pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Re
 /// than seven values of a kind are all used.
 ///
 /// The answer is the least sum of squares found from several starts. It is not proved to be the global
-/// minimum. Below Ω = 0.02 the amplitude of a body that stops is that of a slow force, to within Ω² p₀/k.
+/// minimum. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
 ///
 /// # Errors
 /// [`Error::InMeasurement`] where a measurement is not finite, not > 0 or out of range,
@@ -225,7 +225,7 @@ pub fn identify_as(
         degrees_of_freedom: found.degrees_of_freedom,
         range,
     };
-    let [of_friction, _, of_damping] = found.covariance;
+    let [of_friction, _, of_damping] = found.covariance.ok_or(Error::NotIdentified)?;
     let [noise, phase_noise] = found.noise;
     Ok(Identified {
         friction_bound: estimate(kappa * force, of_friction * force * force, (0.0, force)),

@@ -11,9 +11,11 @@ pub(super) type Parameters = [f64; 2];
 /// The damping ratio that stands for zero in the closed forms of the damped cycle.
 const LEAST_DAMPING: f64 = 1e-9;
 
-/// The frequency ratio below which a body that stops is taken to follow the force: its amplitude is
-/// `(p₀/k)(1/q − κ)` to within `Ω² p₀/k`. The exact motion has about 4/Ω slides a cycle there.
-pub(super) const SLOW: f64 = 0.005;
+/// The frequency ratio below which a body that stops is taken to follow the force, with the amplitude `(p₀/k)(1/q −
+/// κ)`. With little damping it moves in slides of up to 2π in natural time, the last of which ends within that
+/// time of the maximum: the phase is known to within 2πΩ, the amplitude to within 20Ω² p₀/k. The exact motion
+/// has about 4/Ω slides a cycle there.
+pub(super) const SLOW: f64 = 0.002;
 
 /// The samples of a cycle with stops, from which its mean square and its fundamental are summed.
 const SAMPLES: u32 = 256;

@@ -17,8 +17,8 @@ pub(super) struct Judged {
     pub(super) suspect: Vec<bool>,
     /// The standard errors of an amplitude and of a phase.
     pub(super) noise: [f64; 2],
-    /// (κκ, κζ, ζζ)
-    pub(super) covariance: [f64; 3],
+    /// (κκ, κζ, ζζ), where the derivatives separate friction from damping.
+    pub(super) covariance: Option<[f64; 3]>,
     pub(super) degrees_of_freedom: f64,
 }
 
@@ -63,7 +63,7 @@ pub(super) fn is_larger(ratio: f64, degrees: [f64; 2]) -> bool {
 /// of the selection is compared with the least from these.
 ///
 /// # Errors
-/// [`Error::NotIdentified`] where the derivatives do not separate friction from damping.
+/// [`Error::NotIdentified`] where the selection or a descent does not end.
 pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -> Result<Judged, Error> {
     let counts = curve.counts();
     let trimmed = descend(curve, Rule::Trimmed, start)?;
@@ -132,7 +132,6 @@ pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -
                 at = better.at;
                 continue;
             }
-            let covariance = covariance.ok_or(Error::NotIdentified)?;
             let suspect = places.iter().map(|place| !place.counts()).collect();
             let Fit { residuals, .. } = fit;
             return Ok(Judged { at, residuals, suspect, noise, covariance, degrees_of_freedom });

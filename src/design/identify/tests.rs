@@ -6,6 +6,7 @@ use super::{Identified, Measurement, identify};
 use crate::exact::{LongRun, State};
 use crate::nonsticking::damped;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
+use core::f64::consts::TAU;
 
 const FORCE: f64 = 12.0;
 
@@ -82,17 +83,17 @@ fn a_motion_is_continuous_where_it_begins_to_stop() {
     }
 }
 
-/// The amplitude of a slow motion with stops is within 5Ω² of the exact one.
+/// A slow motion with stops is within the stated errors of the exact one.
 #[test]
 fn a_slow_body_follows_the_force() {
     for (omega, kappa, zeta) in
-        [(0.0049, 0.1, 0.0), (0.0049, 0.7, 0.01), (0.004, 0.4, 0.5), (0.0049, 0.3, 3.0)]
+        [(0.0019, 0.1, 0.0), (0.0019, 0.7, 0.01), (0.0015, 0.4, 0.5), (0.0019, 0.3, 3.0)]
     {
         let slow = motion(omega, [kappa, zeta], false).unwrap();
         let ratios = Ratios::new(omega, 1.0 / kappa).unwrap().with_damping_ratio(zeta).unwrap();
         let limit = LongRun::from_start(ratios, State::default()).unwrap();
         let peak = limit.steady_state().unwrap().max_displacement;
-        assert!((slow.peak - kappa * peak.value).abs() < 5.0 * omega * omega, "{omega} {kappa} {zeta}");
+        assert!((slow.peak - kappa * peak.value).abs() < 20.0 * omega * omega, "{omega} {kappa} {zeta}");
         assert!(
             reduced(slow.peak_phase - peak.phase.reduced()).abs() < 5.0 * omega,
             "{omega} {kappa} {zeta}"
@@ -110,7 +111,7 @@ fn too_little_or_bad_input_is_refused() {
     assert_eq!(error.to_string(), "measurement 3: maximum displacement Δ₀ = -1 must be > 0");
     // A force far too large for these amplitudes.
     let curve = curve(3.0, 0.05, (1.2, 3.6), 9, false);
-    let error = identify(&body(1.0, 0.0), 1e6 * FORCE, &curve).unwrap_err();
+    let error = identify(&body(1.0, 0.0), 1e12 * FORCE, &curve).unwrap_err();
     assert!(matches!(error, Error::Unexplained { .. }), "{error}");
 }
 
