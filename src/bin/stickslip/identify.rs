@@ -32,14 +32,16 @@ pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
     let name = args.file.display().to_string();
     let file = Measured::read(&args.file, &name, &reader)?;
     let reading = Reading { amplitude: args.amplitude.into(), phase: args.phase.map(Into::into) };
-    let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| match e {
-        Error::InMeasurement { index, error } => {
+    let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| {
+        if let Error::InMeasurement { index, error } = e {
             let line = file.lines.get(index).copied().unwrap_or_default();
-            Failure::Input(format!("{name} line {line}: {error}"))
+            return Failure::Input(format!("{name} line {line}: {error}"));
         }
         // The message names the arguments if they are wrong, and otherwise the file.
-        e if e.quantity().is_some() => given.at_fault(e).about(&name),
-        e => Failure::Input(format!("{name}: {e}")),
+        match e.quantity() {
+            Some(_) => given.at_fault(e).about(&name),
+            None => Failure::Input(format!("{name}: {e}")),
+        }
     })?;
     let answer = Answer::new(&given, &body, &found, &file, reading.amplitude)?;
     if let Format::Json = args.format {
