@@ -10,7 +10,7 @@
 //! | force for a displacement or a velocity | [`force_ratio_for_displacement`], [`force_ratio_for_velocity`] | [`force_for_displacement`], [`force_for_velocity`] | `target.rs` |
 //! | friction that dissipates most | [`most_dissipating_force_ratio`] | [`most_dissipating_friction`] | `dissipation.rs` |
 //! | the same with sticking allowed | [`most_dissipating_force_ratio_of_all`] | [`most_dissipating_friction_of_all`] | `sticking.rs` |
-//! | friction and damping from a measured response curve | | `identify` (feature `dual`) | `identify.rs` |
+//! | friction and damping from a measured response curve | | [`identify()`] | `identify.rs` |
 //! | stiffness that dissipates most | [`most_dissipating_frequency_ratio`] | [`most_dissipating_stiffness`] | `tuning.rs` |
 //!
 //! All functions allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. With
@@ -33,8 +33,6 @@ mod damped;
 mod dissipation;
 mod force;
 mod friction;
-#[cfg(feature = "dual")]
-#[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of duals over f64"))]
 mod identify;
 mod no_stop;
 mod optimum;
@@ -47,8 +45,10 @@ pub use bands::{Bands, bands, frequency_bands};
 pub use dissipation::{most_dissipating_force_ratio, most_dissipating_friction};
 pub use force::min_amplitude;
 pub use friction::max_friction;
-#[cfg(feature = "dual")]
-pub use identify::{Identified, Measurement, identify};
+pub use identify::{
+    AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading, Residual, identify,
+    identify_as,
+};
 pub use no_stop::{NoStopBand, bands_without_stop, forces_without_stop, frequency_bands_without_stop};
 pub use optimum::{BoundedOptimum, Optimum, OptimumKind};
 pub use sticking::{most_dissipating_force_ratio_of_all, most_dissipating_friction_of_all};

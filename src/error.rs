@@ -153,19 +153,37 @@ pub enum Error {
         /// The length of the first slice.
         expected: usize,
     },
-    /// A response curve with too few measurements of cycles that do not stick.
-    #[error(
-        "response curve: {count} of {of} measurements are of motion without sticking; at least 3 must be"
-    )]
-    TooFewMeasurements {
-        /// The number of these measurements.
-        count: usize,
-        /// The number of all measurements.
-        of: usize,
+    /// A measurement of a response curve that is wrong by itself.
+    #[error("measurement {}: {error}", index.saturating_add(1))]
+    InMeasurement {
+        /// Its index.
+        index: usize,
+        /// The error.
+        error: Box<Error>,
     },
-    /// A response curve that no friction and damping explain.
-    #[error("response curve: no friction and damping fit it; the search did not converge")]
+    /// A response curve with too few measurements.
+    #[error("response curve: the number of measurements = {count} must be ≥ 3")]
+    TooFewMeasurements {
+        /// The number of measurements.
+        count: usize,
+    },
+    /// A response curve from which friction and damping do not follow.
+    #[error(
+        "response curve: friction and damping do not follow from it. It must have several frequencies, some \
+         of them near resonance"
+    )]
     NotIdentified,
+    /// A response curve that no friction and damping of the range searched explain.
+    #[error(
+        "response curve: no friction and damping explain it. The best fit is at {quantity} = {value}, the end \
+         of the range searched; the amplitudes must be those of this force and stiffness"
+    )]
+    Unexplained {
+        /// The quantity.
+        quantity: Quantity,
+        /// Its greatest value.
+        value: Number,
+    },
     /// A drive whose force changes with the frequency, in a question over a range of frequencies.
     #[error(
         "drive = {drive} must be a force or a motion of the spring's foot: its force changes with the \
@@ -240,6 +258,8 @@ impl Error {
             | Self::ForceOfFrequency { .. }
             | Self::TooFewMeasurements { .. }
             | Self::NotIdentified
+            | Self::InMeasurement { .. }
+            | Self::Unexplained { .. }
             | Self::AtResonance { .. }
             | Self::Sticks { .. }
             | Self::SticksThroughout { .. }

@@ -71,7 +71,6 @@
 #[cfg_attr(not(test), allow(clippy::arithmetic_side_effects, reason = "operators of rational numbers"))]
 mod enclosed;
 mod enclosure;
-#[cfg(any(feature = "dual", feature = "random"))]
 mod estimate;
 mod machine;
 #[cfg(feature = "random")]
@@ -79,8 +78,8 @@ mod random;
 mod ratios;
 mod samples;
 
-#[cfg(any(feature = "dual", feature = "random"))]
 pub use estimate::Estimate;
+pub(crate) use estimate::student;
 pub use machine::MachineBox;
 #[cfg(feature = "random")]
 pub use random::{Exactly, Independent, MonteCarlo, Parameters};

@@ -5,7 +5,7 @@ use crate::refused;
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use stickslip::design::{self, Edge, Measurement, OptimumKind};
+use stickslip::design::{self, AmplitudeKind, Edge, Measurement, OptimumKind, PhaseKind, Reading};
 use stickslip::{Drive, Error, figures};
 
 /// The minimum amplitude of an excitation at which the body does not stick, at a given frequency.
@@ -70,8 +70,17 @@ fn bands(of: Body, kind: &str, amplitude: f64, low: f64, high: f64) -> PyResult<
         .collect())
 }
 
+/// The kind of this name.
+fn kind<K: Copy>(argument: &str, text: &str, kinds: &[K], name: impl Fn(K) -> &'static str) -> PyResult<K> {
+    kinds.iter().copied().find(|&kind| name(kind) == text).ok_or_else(|| {
+        let names: Vec<_> = kinds.iter().map(|&kind| name(kind)).collect();
+        refused(format!("{argument} {text}: must be one of {}", names.join(", ")))
+    })
+}
+
 /// Friction bound and damping ratio from a response curve, each with its standard error and 95 % interval.
 #[pyfunction]
+#[allow(clippy::too_many_arguments, reason = "those of the Python function")]
 fn identify<'py>(
     py: Python<'py>,
     of: Body,
@@ -79,6 +88,8 @@ fn identify<'py>(
     angular_frequency: PyReadonlyArray1<'py, f64>,
     amplitude: PyReadonlyArray1<'py, f64>,
     phase: Option<PyReadonlyArray1<'py, f64>>,
+    amplitude_kind: &str,
+    phase_kind: Option<&str>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let body = body(of).map_err(refused)?;
     let phase = phase.as_ref().map(|p| p.as_slice()).transpose()?;
@@ -90,13 +101,26 @@ fn identify<'py>(
             phase: phase.and_then(|p| p.get(i).copied()).filter(|p| !p.is_nan()),
         })
         .collect();
-    let found = py.detach(|| design::identify(&body, force, &curve)).map_err(refused)?;
+    let amplitudes = [AmplitudeKind::Peak, AmplitudeKind::PeakToPeak, AmplitudeKind::RootMeanSquare];
+    let phases = [PhaseKind::Peak, PhaseKind::Lag, PhaseKind::TransferFunction];
+    let reading = Reading {
+        amplitude: kind("amplitude_kind", amplitude_kind, &amplitudes, AmplitudeKind::name)?,
+        phase: phase_kind.map(|text| kind("phase_kind", text, &phases, PhaseKind::name)).transpose()?,
+    };
+    let found = py.detach(|| design::identify_as(&body, force, &curve, reading)).map_err(refused)?;
     let dict = PyDict::new(py);
     for (name, estimate) in [("friction", found.friction_bound), ("damping_ratio", found.damping_ratio)] {
         dict.set_item(name, (estimate.value, estimate.standard_error, estimate.interval()))?;
     }
+    let residuals = &found.residuals;
     dict.set_item("noise", found.noise)?;
-    dict.set_item("residuals", found.residuals)?;
+    dict.set_item("phase_noise", found.phase_noise)?;
+    dict.set_item("residuals", residuals.iter().map(|r| r.amplitude).collect::<Vec<_>>())?;
+    dict.set_item("phase_residuals", residuals.iter().map(|r| r.phase.unwrap_or(f64::NAN)).collect::<Vec<_>>())?;
+    dict.set_item("suspect", residuals.iter().map(|r| r.is_suspect()).collect::<Vec<_>>())?;
+    dict.set_item("stops", residuals.iter().map(|r| r.stops).collect::<Vec<_>>())?;
+    dict.set_item("phase_kind", found.phase.map(PhaseKind::name))?;
+    dict.set_item("better_amplitude_kind", found.better.map(|better| better.amplitude.name()))?;
     Ok(dict)
 }
 

@@ -6,7 +6,7 @@ import math
 from typing import NamedTuple, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _native
 from ._drive import Quantity, read
@@ -52,9 +52,20 @@ class Identified(NamedTuple):
     damping_ratio: Estimate
     #: Relative standard error of one amplitude, estimated from the residuals.
     noise: float
-    #: Measured minus computed amplitude, relative to the measured one; NaN for a point that was omitted because
-    #: the body sticks.
+    #: Measured minus computed amplitude, relative to the measured one.
     residuals: Floats
+    #: Standard error of one phase in radians; None without phases.
+    phase_noise: Optional[float]
+    #: Measured minus computed phase in radians; NaN where it was not measured.
+    phase_residuals: Floats
+    #: Whether the amplitude or the phase was left out because the other measurements contradict it.
+    suspect: NDArray[np.bool_]
+    #: Whether the body stops in each cycle of the computed motion.
+    stops: NDArray[np.bool_]
+    #: The kind of phase that the curve was read with; None without phases.
+    phase_kind: Optional[str]
+    #: The kind of amplitude that fits better by more than chance, if any.
+    better_amplitude_kind: Optional[str]
 
 
 class Figure(NamedTuple):
@@ -76,18 +87,28 @@ def identify(
     amplitude: ArrayLike,
     phase: Optional[ArrayLike] = None,
     *,
+    amplitude_kind: str = "peak",
+    phase_kind: Optional[str] = None,
     units: Optional[str] = None,
 ) -> Identified:
-    """Friction bound and damping ratio from a measured response curve, by least squares.
+    """Friction bound and damping ratio from a measured response curve, by robust least squares.
+
+    Motion with stops counts, too. Wrong values do not move the answer: they are left out and marked as suspect.
 
     Parameters
     ----------
     mass, stiffness, force : float or str
         Mass and stiffness of the machine, and amplitude of the harmonic force, with or without units.
     angular_frequency, amplitude : array
-        Angular frequencies, and the maximum displacement measured at each.
+        Angular frequencies, and the amplitude of the displacement measured at each.
     phase : array, optional
-        Phase lag of the maximum displacement behind the force, in radians; NaN where it was not measured.
+        Phases in radians, from -2π to 2π; NaN where they were not measured.
+    amplitude_kind : str
+        ``"peak"`` (half of peak to peak), ``"peak-to-peak"`` or ``"rms"``.
+    phase_kind : str, optional
+        ``"peak"``, ω_d t of the maximum displacement under the force p₀ sin ω_d t; ``"lag"``, of the fundamental of the
+        displacement behind the force; ``"transfer-function"``, that lag with a minus sign. The default is the kind
+        that fits best.
     units : str, optional
         The system of units of bare numbers, such as ``"kN,mm"``; it is required if other values have units.
 
@@ -119,10 +140,19 @@ def identify(
     values, _ = read({**texts, **first}, units)
     body = (values["mass"], values["stiffness"], 1.0, math.nan, 0.0, 1.0)
     measured = (columns["angular_frequency"], columns["amplitude"], columns.get("phase"))
-    found = _native.identify(body, values["force"], *measured)
-    residuals = np.array([np.nan if value is None else value for value in found["residuals"]])
-    estimates = {name: Estimate(*found[name]) for name in ("friction", "damping_ratio")}
-    return Identified(estimates["friction"], estimates["damping_ratio"], found["noise"], residuals)
+    found = _native.identify(body, values["force"], *measured, amplitude_kind, phase_kind)
+    return Identified(
+        friction=Estimate(*found["friction"]),
+        damping_ratio=Estimate(*found["damping_ratio"]),
+        noise=found["noise"],
+        residuals=np.array(found["residuals"]),
+        phase_noise=found["phase_noise"],
+        phase_residuals=np.array(found["phase_residuals"]),
+        suspect=np.array(found["suspect"], dtype=bool),
+        stops=np.array(found["stops"], dtype=bool),
+        phase_kind=found["phase_kind"],
+        better_amplitude_kind=found["better_amplitude_kind"],
+    )
 
 
 def figure(name: str) -> Figure:

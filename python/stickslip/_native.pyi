@@ -51,7 +51,13 @@ def bands(
     of: _Body, kind: str, amplitude: float, low: float, high: float
 ) -> list[tuple[float, float, bool, bool]]: ...
 def identify(
-    of: _Body, force: float, angular_frequency: _Column, amplitude: _Column, phase: Optional[_Column]
+    of: _Body,
+    force: float,
+    angular_frequency: _Column,
+    amplitude: _Column,
+    phase: Optional[_Column],
+    amplitude_kind: str,
+    phase_kind: Optional[str],
 ) -> dict[str, Any]: ...
 def figure(name: str) -> tuple[str, str, str]: ...
 def arrow_response(input: Any, outputs: list[str]) -> Any: ...

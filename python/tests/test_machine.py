@@ -115,6 +115,25 @@ def test_friction_and_damping_are_found_again():
         ss.identify(1.0, 1.0, 1.0, [1.0, 2.0], [1.0])
 
 
+def test_wrong_and_other_readings_are_told():
+    machine = isolator(damping_ratio=0.04)
+    frequency = machine.natural_frequency * np.linspace(0.75, 1.5, 30)
+    motion = machine.response(ss.Drive(force=900.0, angular_frequency=frequency))
+    exact, phase = motion.physical.max_displacement, motion.displacement_phase
+    wrong = exact.copy()
+    wrong[[4, 20]] *= 2.0
+    found = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, wrong, phase)
+    assert np.flatnonzero(found.suspect).tolist() == [4, 20] and found.phase_kind == "peak"
+    assert found.friction.value == pytest.approx(machine.friction, rel=1e-6)
+    assert np.abs(found.phase_residuals).max() < 1e-6 and not found.stops.any()
+    both = ss.identify(machine.mass, machine.stiffness, 900.0, frequency, 2 * exact)
+    assert both.better_amplitude_kind == "peak-to-peak"
+    with pytest.raises(ss.Error, match="amplitude_kind size: must be one of peak, peak-to-peak, rms"):
+        ss.identify(machine.mass, machine.stiffness, 900.0, frequency, exact, amplitude_kind="size")
+    with pytest.raises(ss.Error, match="measurement 1: phase"):
+        ss.identify(machine.mass, machine.stiffness, 900.0, frequency, exact, 90 + 0 * exact)
+
+
 def test_friction_by_direction_and_a_mean_force_are_a_shift():
     machine = ss.Machine(mass=2.0, stiffness=8.0, friction=5.0, friction_backward=3.0)
     answer = machine.response(ss.Drive(force=12.0, angular_frequency=4.0, mean_force=9.0))

@@ -1,26 +1,34 @@
-//! Friction and damping from a measured response curve, by least squares on the closed forms.
+//! Friction and damping from a measured response curve, by least squares that wrong values do not move.
 //!
-//! With known mass, stiffness and force amplitude, the maximum displacement at a frequency is, in the symbols
-//! of `docs/theory/damping.md` and with κ = r_y/p₀,
+//! With known mass, stiffness and force amplitude, the steady motion at a frequency depends on κ = r_y/p₀ and ζ
+//! alone. Where the body slides throughout it is the closed form, in the symbols of `docs/theory/damping.md`
 //!
 //! ```text
-//! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK):
+//! Δ₀ = (p₀/k) [√(1 − κ²K²)/q − κG],   ω_d t₂ = δ + atan2(√(1 − κ²K²), κK),
 //! ```
 //!
-//! These are smooth in κ and in ζ (G, K, q and δ depend on ζ). κ and ζ are found by the method of Levenberg
-//! and Marquardt, with derivatives by dual numbers. For two parameters the normal equations are 2 by 2, so
-//! that no linear algebra is needed.
+//! and where it stops the exact motion (`model`). Both meet at the border, so that the sum of squares is
+//! continuous in κ and ζ, and no measurement is left out because the body stops.
 //!
-//! Only cycles that do not stick follow these formulae. A measurement at which the body would stick with the
-//! parameters found is omitted and the rest is fitted again, until the selection does not change.
+//! | step | file |
+//! |---|---|
+//! | the best minima of a trimmed sum, the 7 smallest of 10 squares, over a grid of starts | `search` |
+//! | the least squares over the values that this fit predicts to within their noise | `outliers` |
+//! | the same for other readings of amplitudes and phases, whose fit may be better | here |
 
-use crate::error::{Error, Quantity};
-use crate::float::Real;
-use crate::float::{Field, dual::Dual};
-use crate::nonsticking::damped;
+mod model;
+mod outliers;
+mod search;
+
+use crate::error::{Error, Quantity, written};
+use crate::exact::{State, Trajectory};
 use crate::oscillator::{Drive, Excitation, Oscillator};
 use crate::ratios::{Ratios, finite, positive};
 use crate::uncertainty::Estimate;
+use core::f64::consts::{SQRT_2, TAU};
+use outliers::{Judged, is_larger, judge};
+use search::{Curve, Fit, Grid, Point, RANGE, Rule, kept};
+use std::iter::zip;
 
 /// One point of a measured response curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,11 +36,107 @@ use crate::uncertainty::Estimate;
 pub struct Measurement {
     /// Angular frequency ω_d.
     pub angular_frequency: f64,
-    /// Maximum displacement, half of peak to peak.
+    /// The amplitude of the displacement, as [`Reading::amplitude`] says.
     pub amplitude: f64,
-    /// Phase ω_d t₂ of the maximum displacement, if it was measured: radians behind that of the force at ω_d
-    /// t = 0.
+    /// The phase in radians, as [`Reading::phase`] says, if it was measured; from −2π to 2π.
     pub phase: Option<f64>,
+}
+
+/// The amplitude that was measured.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+pub enum AmplitudeKind {
+    /// The maximum displacement, half of peak to peak.
+    #[default]
+    Peak,
+    /// From the minimum to the maximum displacement.
+    PeakToPeak,
+    /// The root mean square of the displacement over a cycle.
+    #[cfg_attr(feature = "serde", serde(rename = "rms"))]
+    RootMeanSquare,
+}
+
+impl AmplitudeKind {
+    /// Its name in the command and in Python.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::PeakToPeak => "peak-to-peak",
+            Self::RootMeanSquare => "rms",
+        }
+    }
+}
+
+/// The phase that was measured, the force being p₀ sin ω_d t.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
+pub enum PhaseKind {
+    /// ω_d t₂, at which the body arrives at its maximum displacement: about π/2 far below
+    /// resonance.
+    Peak,
+    /// The lag of the fundamental of the displacement behind the force: between 0 and π.
+    Lag,
+    /// The phase of the transfer function from force to displacement: that lag with a minus sign.
+    TransferFunction,
+}
+
+impl PhaseKind {
+    /// Its name in the command and in Python.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Peak => "peak",
+            Self::Lag => "lag",
+            Self::TransferFunction => "transfer-function",
+        }
+    }
+}
+
+/// How the values of a curve are read.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Reading {
+    /// The kind of the amplitudes.
+    pub amplitude: AmplitudeKind,
+    /// The kind of the phases; `None` chooses the one that fits best, [`PhaseKind::Peak`] unless another one
+    /// fits better by more than chance.
+    pub phase: Option<PhaseKind>,
+}
+
+/// A measurement beside the motion computed with the parameters found.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct Residual {
+    /// Measured minus computed amplitude, relative to the measured one.
+    pub amplitude: f64,
+    /// Measured minus computed phase in radians, within half a turn.
+    pub phase: Option<f64>,
+    /// Whether the amplitude is so far from the computed one that it was left out.
+    pub amplitude_is_suspect: bool,
+    /// Whether the phase is so far from the computed one that it was left out.
+    pub phase_is_suspect: bool,
+    /// Whether the body stops in each cycle of the computed motion.
+    pub stops: bool,
+}
+
+impl Residual {
+    /// Whether the amplitude or the phase was left out.
+    #[must_use]
+    pub const fn is_suspect(&self) -> bool {
+        self.amplitude_is_suspect || self.phase_is_suspect
+    }
+}
+
+/// A reading of the amplitudes that fits better.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[non_exhaustive]
+pub struct BetterReading {
+    /// The kind of the amplitudes.
+    pub amplitude: AmplitudeKind,
+    /// The noise of an amplitude with it.
+    pub noise: f64,
 }
 
 /// Friction and damping estimated from a measured response curve.
@@ -41,224 +145,225 @@ pub struct Measurement {
 #[non_exhaustive]
 #[must_use]
 pub struct Identified {
-    /// The friction bound r_y.
+    /// The friction bound r_y, between 0 and p₀.
     pub friction_bound: Estimate,
-    /// The damping ratio ζ; `c = 2ζ√(k m)`.
+    /// The damping ratio ζ ≥ 0; `c = 2ζ√(k m)`.
     pub damping_ratio: Estimate,
-    /// The standard error of one measurement, estimated from the residuals: relative for an amplitude, in
-    /// radians for a phase.
+    /// The standard error of one amplitude, relative to it, estimated from the residuals.
     pub noise: f64,
-    /// Measured minus computed amplitude, relative to the measured one; `None` if the body sticks and the
-    /// measurement was omitted.
-    pub residuals: Vec<Option<f64>>,
+    /// The standard error of one phase in radians, estimated from the residuals.
+    pub phase_noise: Option<f64>,
+    /// The residuals of each measurement, in their order.
+    pub residuals: Vec<Residual>,
+    /// The kind of phase that the curve was read with, if it has phases.
+    pub phase: Option<PhaseKind>,
+    /// Another kind of amplitude that fits better by more than chance: the amplitudes were probably of that
+    /// kind.
+    pub better: Option<BetterReading>,
 }
 
 /// The friction bound and the damping ratio that fit a response curve of `body` under a force of amplitude
-/// p₀.
-///
-/// Mass and stiffness are those of `body`; its own friction bound and damping play no part. Errors of the
-/// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation,
-/// which the residuals give.
-///
-/// The answer is the least sum of squares found by a descent from the best point of a grid of κ and ζ. It is
-/// not proved to be the global minimum.
+/// p₀, by [`identify_as`] with the default [`Reading`]: amplitudes are maximum displacements.
 ///
 /// # Errors
-/// Where a measurement is not finite or not > 0, where fewer than three measurements are of a cycle that does
-/// not stick ([`Error::TooFewMeasurements`]), and where the search does not settle
-/// ([`Error::NotIdentified`]).
+/// As for [`identify_as`].
 pub fn identify(body: &Oscillator<f64>, force: f64, curve: &[Measurement]) -> Result<Identified, Error> {
+    identify_as(body, force, curve, Reading::default())
+}
+
+/// The friction bound and the damping ratio that fit a response curve of `body` under a force of amplitude
+/// p₀, whose values are read in a given way.
+///
+/// Mass and stiffness are those of `body`; its own friction bound and damping play no part. Errors of the
+/// amplitudes count as relative, errors of the phases in radians, both with the same standard deviation unless
+/// the residuals of the two differ by more than chance.
+///
+/// Values that the others contradict are left out: in a curve without wrong values this happens once in a
+/// hundred curves, and up to three of ten wrong amplitudes, and as many phases, do not move the answer. Fewer
+/// than seven values of a kind are all used.
+///
+/// The answer is the least sum of squares found from several starts. It is not proved to be the global
+/// minimum. Below Ω = 0.002 the amplitude of a body that stops is that under a slow force, to within 20Ω² p₀/k.
+///
+/// # Errors
+/// [`Error::InMeasurement`] where a measurement is not finite, not > 0 or out of range,
+/// [`Error::TooFewMeasurements`] for fewer than three, [`Error::NotIdentified`] where the curve does not
+/// separate friction from damping, and [`Error::Unexplained`] where the best fit lies at the end of the range
+/// searched, r_y = p₀ or ζ = 100.
+pub fn identify_as(
+    body: &Oscillator<f64>,
+    force: f64,
+    curve: &[Measurement],
+    reading: Reading,
+) -> Result<Identified, Error> {
     body.with_one_friction()?;
-    let (force, natural) = (positive(Quantity::ForceAmplitude, force)?, body.natural_frequency());
-    let mut points = Vec::with_capacity(curve.len());
-    for measured in curve {
-        let drive = Drive::new(Excitation::Force, force, measured.angular_frequency)?;
-        let omega = Ratios::new(drive.angular_frequency() / natural, 1.0)?.omega();
-        let amplitude = positive(Quantity::MaxDisplacement, measured.amplitude)? * body.stiffness() / force;
-        let phase = measured.phase.map(|phase| finite(Quantity::DrivePhase, phase)).transpose()?;
-        points.push(Point { omega, amplitude, phase });
-    }
-    let mut parameters = best_of_grid(&points)?;
-    let mut used: Vec<bool> = Vec::new();
-    for _ in 0..ROUNDS {
-        let slides: Vec<bool> = points.iter().map(|p| p.slides(parameters)).collect();
-        let count = slides.iter().filter(|&&slides| slides).count();
-        if count < 3 {
-            return Err(Error::TooFewMeasurements { count, of: points.len() });
-        }
-        if slides == used {
-            let [a, b, c] = normal(&points, &used, parameters).matrix;
-            // At one frequency, many pairs of friction and damping give the same amplitude.
-            if a * c - b * b <= LEAST_ANGLE * a * c {
-                return Err(Error::NotIdentified);
-            }
-            return Ok(report(&points, &used, parameters, force));
-        }
-        used = slides;
-        parameters = descend(&points, &used, parameters)?;
-    }
-    Err(Error::NotIdentified)
-}
-
-/// The greatest number of selections of measurements.
-const ROUNDS: usize = 50;
-/// The least sin² of the angle between the derivatives with respect to the two parameters; below it the
-/// measurements cannot separate them.
-const LEAST_ANGLE: f64 = 1e-12;
-/// The greatest number of steps of a descent.
-const STEPS: usize = 200;
-/// The least damping ratio that is distinguished from zero.
-const LEAST_DAMPING: f64 = 1e-9;
-
-/// κ = r_y/p₀ and ζ.
-type Parameters = [f64; 2];
-
-/// One measurement in ratios: Ω, k Δ₀/p₀ and ω_d t₂.
-#[derive(Debug, Clone, Copy)]
-struct Point {
-    omega: f64,
-    amplitude: f64,
-    phase: Option<f64>,
-}
-
-/// A residual and its derivatives with respect to κ and ζ.
-type Residual = (f64, [f64; 2]);
-
-impl Point {
-    /// Whether the body slides throughout at this point with these parameters.
-    fn slides(&self, [kappa, zeta]: Parameters) -> bool {
-        let alpha = 1.0 / kappa;
-        let Ok(ratios) = Ratios::new(self.omega, alpha).and_then(|r| r.with_damping_ratio(zeta)) else {
-            return false;
-        };
-        alpha >= damped::border(&damped::half_period(&ratios)).min_force_ratio
-    }
-
-    /// The residuals of amplitude and phase, relative and in radians.
-    fn residuals(&self, parameters: Parameters) -> [Option<Residual>; 2] {
-        let [kappa, zeta] = Dual::parameters(parameters);
-        let half = damped::half_period_at(Dual::of(self.omega), zeta);
-        let (one, friction) = (Dual::of(1.0), kappa * half.k);
-        // √(1 − κ²K²)
-        let sine = ((one - friction) * (one + friction)).sqrt();
-        let found = sine / half.stiffness - kappa * half.shift;
-        let as_residual = |x: Dual<2>| (x.value(), x.derivatives());
-        let of_phase = self.phase.map(|measured| {
-            let difference = Dual::of(measured) - half.phase_lag() - sine.atan2(friction);
-            // The same angle, reduced to half a turn.
-            let (s, c) = difference.sin_cos();
-            as_residual(s.atan2(c))
-        });
-        let of_amplitude = as_residual((Dual::of(self.amplitude) - found) / Dual::of(self.amplitude));
-        [Some(of_amplitude), of_phase]
-    }
-}
-
-/// Sum of squares, gradient and normal matrix (κκ, κζ, ζζ) of the chosen points, and the number of residuals.
-struct Normal {
-    sum: f64,
-    gradient: [f64; 2],
-    matrix: [f64; 3],
-    count: usize,
-}
-
-fn normal(points: &[Point], used: &[bool], parameters: Parameters) -> Normal {
-    let mut n = Normal { sum: 0.0, gradient: [0.0; 2], matrix: [0.0; 3], count: 0 };
-    let chosen = points.iter().zip(used).filter(|(_, used)| **used);
-    for (r, [by_kappa, by_zeta]) in chosen.flat_map(|(p, _)| p.residuals(parameters)).flatten() {
-        n.sum += r * r;
-        n.gradient = [n.gradient[0] + r * by_kappa, n.gradient[1] + r * by_zeta];
-        let [a, b, c] = n.matrix;
-        n.matrix = [a + by_kappa * by_kappa, b + by_kappa * by_zeta, c + by_zeta * by_zeta];
-        n.count = n.count.saturating_add(1);
-    }
-    n
-}
-
-/// The best point of a grid, among those at which most measurements slide.
-fn best_of_grid(points: &[Point]) -> Result<Parameters, Error> {
-    let mut best: Option<(usize, f64, Parameters)> = None;
-    for i in 0..10 {
-        for j in 0..6 {
-            // κ between 0.01 and 0.63, ζ between 1e-4 and 3.
-            let parameters = [10f64.powf(-2.0 + 0.2 * f64::from(i)), 10f64.powf(-4.0 + 0.9 * f64::from(j))];
-            let used: Vec<bool> = points.iter().map(|p| p.slides(parameters)).collect();
-            let count = used.iter().filter(|&&slides| slides).count();
-            let sum = normal(points, &used, parameters).sum;
-            // An omitted point counts as one with an error of its whole amplitude.
-            let penalised = sum + points.len().saturating_sub(count) as f64;
-            let better = best.is_none_or(|(_, least, _)| penalised < least);
-            if count >= 3 && better {
-                best = Some((count, penalised, parameters));
-            }
-        }
-    }
-    let few = Error::TooFewMeasurements { count: 0, of: points.len() };
-    best.map(|(_, _, parameters)| parameters).ok_or(few)
-}
-
-/// The method of Levenberg and Marquardt, in the logarithms of both parameters, which keeps them positive.
-fn descend(points: &[Point], used: &[bool], start: Parameters) -> Result<Parameters, Error> {
-    let (mut at, mut damping) = (start, 1e-3);
-    let mut here = normal(points, used, at);
-    for _ in 0..STEPS {
-        let [kappa, zeta] = at;
-        let [a, b, c] = here.matrix;
-        let (a, b, c) = (a * kappa * kappa, b * kappa * zeta, c * zeta * zeta);
-        let (g, h) = (here.gradient[0] * kappa, here.gradient[1] * zeta);
-        let (p, q) = (a * (1.0 + damping), c * (1.0 + damping));
-        let determinant = p * q - b * b;
-        // At the end of the range there is no damper, and friction alone is fitted.
-        let at_the_end = zeta <= LEAST_DAMPING && b * g <= p * h;
-        let step = if at_the_end {
-            [-g / p, 0.0]
-        } else {
-            [(b * h - q * g) / determinant, (b * g - p * h) / determinant]
-        };
-        if !step.iter().all(|s| s.is_finite()) {
-            return Err(Error::NotIdentified);
-        }
-        // A step changes a parameter at most by a factor of e.
-        let most = step[0].abs().max(step[1].abs()).max(1.0);
-        let next =
-            [kappa * (step[0] / most).exp(), (zeta * (step[1] / most).exp()).clamp(LEAST_DAMPING, 1e3)];
-        let there = normal(points, used, next);
-        if there.sum <= here.sum {
-            let settled = step.iter().all(|s| s.abs() < 1e-11) || (next == at);
-            (at, here, damping) = (next, there, (damping * 0.1).max(1e-15));
-            if settled {
-                return Ok(at);
-            }
-        } else if damping > 1e12 {
-            // No smaller step descends: the minimum is reached to within rounding.
-            return Ok(at);
-        } else {
-            damping *= 10.0;
-        }
-    }
-    Err(Error::NotIdentified)
-}
-
-/// The estimates with their errors.
-fn report(points: &[Point], used: &[bool], parameters: Parameters, force: f64) -> Identified {
-    let n = normal(points, used, parameters);
-    let degrees_of_freedom = n.count.saturating_sub(2) as f64;
-    let variance = n.sum / degrees_of_freedom;
-    let [a, b, c] = n.matrix;
-    let determinant = a * c - b * b;
-    let estimate =
-        |value: f64, variance: f64| Estimate { value, standard_error: variance.sqrt(), degrees_of_freedom };
-    let friction = parameters[0] * force;
-    let residual = |(point, used): (&Point, &bool)| {
-        let [of_amplitude, _] = point.residuals(parameters);
-        of_amplitude.filter(|_| *used).map(|(r, _)| r)
+    let force = positive(Quantity::ForceAmplitude, force)?;
+    let point = |(index, measured): (usize, &Measurement)| {
+        in_ratios(body, force, measured).map_err(|e| Error::InMeasurement { index, error: Box::new(e) })
     };
-    Identified {
-        friction_bound: estimate(friction, variance * c / determinant * force * force),
-        damping_ratio: estimate(parameters[1], variance * a / determinant),
-        noise: variance.sqrt(),
-        residuals: points.iter().zip(used).map(residual).collect(),
+    let points = curve.iter().enumerate().map(point).collect::<Result<Vec<_>, _>>()?;
+    if points.len() < 3 {
+        return Err(Error::TooFewMeasurements { count: points.len() });
     }
+    let some = sample(&points);
+    let Chosen { phase, start, better, grid } = chosen(&some, reading)?;
+    let curve = Curve { points: &points, ..Curve::of(&some, reading.amplitude, phase) };
+    let found = judge(&curve, start, (some.len() == points.len()).then_some(&grid))?;
+    let [kappa, zeta] = found.at;
+    for (x, (_, end), quantity) in
+        [(kappa, RANGE[0], Quantity::FrictionBound), (zeta, RANGE[1], Quantity::DampingRatio)]
+    {
+        if x >= end {
+            let value = if quantity == Quantity::FrictionBound { x * force } else { x };
+            return Err(Error::Unexplained { quantity, value: written(value) });
+        }
+    }
+    let has_phases = curve.counts()[1] > 0;
+    let estimate = |value: f64, variance: f64, range: (f64, f64)| Estimate {
+        value,
+        standard_error: variance.sqrt(),
+        degrees_of_freedom: found.degrees_of_freedom,
+        range,
+    };
+    let [of_friction, _, of_damping] = found.covariance.ok_or(Error::NotIdentified)?;
+    let [noise, phase_noise] = found.noise;
+    Ok(Identified {
+        friction_bound: estimate(kappa * force, of_friction * force * force, (0.0, force)),
+        damping_ratio: estimate(zeta, of_damping, (0.0, f64::INFINITY)),
+        noise,
+        phase_noise: has_phases.then_some(phase_noise),
+        residuals: residuals(&curve, &found)?,
+        phase: has_phases.then_some(phase),
+        better,
+    })
+}
+
+/// The greatest number of measurements from which the starts and the readings are found.
+const SAMPLE: usize = 200;
+
+/// Evenly chosen measurements.
+fn sample(points: &[Point]) -> Vec<Point> {
+    let every = points.len().div_ceil(SAMPLE).max(1);
+    points.iter().copied().step_by(every).collect()
+}
+
+/// A measurement in ratios.
+fn in_ratios(body: &Oscillator<f64>, force: f64, measured: &Measurement) -> Result<Point, Error> {
+    let drive = Drive::new(Excitation::Force, force, measured.angular_frequency)?;
+    let ratios = Ratios::new(drive.angular_frequency() / body.natural_frequency(), 2.0)?;
+    if ratios.omega() >= model::SLOW {
+        // The exact motion has a range of frequencies of its own.
+        let _ = Trajectory::new(ratios, State::default())?;
+    }
+    let amplitude = positive(Quantity::MaxDisplacement, measured.amplitude)? * body.stiffness() / force;
+    let phase = measured.phase.map(|phase| finite(Quantity::DrivePhase, phase)).transpose()?;
+    // 2π may have been rounded up.
+    if let Some(phase) = phase.filter(|phase| phase.abs() > TAU + 1e-3) {
+        return Err(Error::OutOfRange {
+            quantity: Quantity::DrivePhase,
+            value: written(phase),
+            least: written(-TAU),
+            greatest: written(TAU),
+        });
+    }
+    Ok(Point { omega: ratios.omega(), amplitude, phase })
+}
+
+impl<'a> Curve<'a> {
+    fn of(points: &'a [Point], amplitude: AmplitudeKind, phase: PhaseKind) -> Self {
+        let scale = if amplitude == AmplitudeKind::PeakToPeak { 0.5 } else { 1.0 };
+        Self { points, amplitude, phase, scale }
+    }
+}
+
+/// The kind of the phases, the best trimmed fit, and another kind of amplitude if that fits better.
+struct Chosen {
+    phase: PhaseKind,
+    start: model::Parameters,
+    better: Option<BetterReading>,
+    /// The starts, with what the reading needs.
+    grid: Grid,
+}
+
+/// The root mean square of the residuals of a trimmed fit below which no other kind of amplitude is tried. That
+/// of all residuals is about twice as large.
+const EXPLAINED: f64 = 0.01;
+/// The numbers of starts of the reading asked for, and of the others.
+const STARTS: [usize; 2] = [4, 2];
+
+fn chosen(points: &[Point], reading: Reading) -> Result<Chosen, Error> {
+    let [many, few] = STARTS;
+    let curve = |phase| Curve::of(points, reading.amplitude, phase);
+    let mut best = curve(reading.phase.unwrap_or(PhaseKind::Peak));
+    let mut grid = Grid::of(&best);
+    let mut fit = grid.best(&best, Rule::Trimmed, many)?;
+    if reading.phase.is_none() && phases_fit_badly(&fit, points.len()) {
+        let of_whole = Grid::of(&curve(PhaseKind::Lag));
+        let mut others = Vec::new();
+        for phase in [PhaseKind::Lag, PhaseKind::TransferFunction] {
+            others.extend(
+                of_whole.best(&curve(phase), Rule::Trimmed, many).ok().map(|fit| (curve(phase), fit)),
+            );
+        }
+        let other = others.into_iter().min_by(|a, b| a.1.sum.total_cmp(&b.1.sum));
+        if let Some((other, better)) = other.filter(|(_, other)| is_better(&best, &fit, other)) {
+            (best, fit, grid) = (other, better, of_whole);
+        }
+    }
+    // A curve that the model explains gives no cause for suspicion. The factors are those of harmonic motions.
+    let is_explained = |fit: &Fit| fit.sum < EXPLAINED.powi(2) * fit.weights.iter().sum::<f64>();
+    let (rms, half) = (AmplitudeKind::RootMeanSquare, 0.5);
+    let others = match reading.amplitude {
+        AmplitudeKind::Peak => [(rms, SQRT_2), (AmplitudeKind::PeakToPeak, half)],
+        AmplitudeKind::PeakToPeak => [(AmplitudeKind::Peak, 1.0), (rms, SQRT_2)],
+        AmplitudeKind::RootMeanSquare => [(AmplitudeKind::Peak, 1.0), (AmplitudeKind::PeakToPeak, half)],
+    };
+    let mut better: Option<(AmplitudeKind, Curve<'_>, Fit)> = None;
+    for (kind, scale) in others.into_iter().filter(|_| !is_explained(&fit)) {
+        let other = Curve { amplitude: AmplitudeKind::Peak, scale, ..best };
+        let Ok(found) = grid.best(&other, Rule::Trimmed, few) else { continue };
+        if is_better(&best, &fit, &found) && better.as_ref().is_none_or(|(.., b)| found.sum < b.sum) {
+            better = Some((kind, other, found));
+        }
+    }
+    let better = better.and_then(|(amplitude, other, found)| {
+        let noise = judge(&other, found.at, None).ok()?.noise[0];
+        Some(BetterReading { amplitude, noise })
+    });
+    Ok(Chosen { phase: best.phase, start: fit.at, better, grid })
+}
+
+/// Whether the phases that a trimmed fit keeps are off by more than a tenth of a radian on average.
+fn phases_fit_badly(fit: &Fit, amplitudes: usize) -> bool {
+    let phases = zip(&fit.residuals, &fit.weights).skip(amplitudes).filter(|(_, w)| **w > 0.0);
+    let (count, sum) = phases.fold((0.0, 0.0), |(n, sum), (r, _)| (n + 1.0, sum + r * r));
+    sum > 0.01 * count
+}
+
+/// Whether another trimmed fit of the same curve is better by more than chance.
+fn is_better(curve: &Curve<'_>, fit: &Fit, other: &Fit) -> bool {
+    let count: usize = curve.counts().into_iter().map(kept).sum();
+    let degrees_of_freedom = count.saturating_sub(2) as f64;
+    is_larger(fit.sum / other.sum, [degrees_of_freedom; 2])
+}
+
+/// The residuals, by measurement.
+fn residuals(curve: &Curve<'_>, found: &Judged) -> Result<Vec<Residual>, Error> {
+    let motions = curve.motions(found.at).ok_or(Error::NotIdentified)?;
+    let (amplitudes, phases) = found.residuals.split_at(curve.points.len().min(found.residuals.len()));
+    let (suspect, suspect_phases) = found.suspect.split_at(amplitudes.len());
+    let mut phases = zip(phases, suspect_phases);
+    let of = |((point, motion), (amplitude, is_suspect)): ((&Point, &model::Motion), (&f64, &bool))| {
+        let phase = point.phase.and_then(|_| phases.next());
+        Residual {
+            amplitude: *amplitude,
+            phase: phase.map(|(r, _)| *r),
+            amplitude_is_suspect: *is_suspect,
+            phase_is_suspect: phase.is_some_and(|(_, is_suspect)| *is_suspect),
+            stops: motion.stops,
+        }
+    };
+    Ok(zip(zip(curve.points, &motions), zip(amplitudes, suspect)).map(of).collect())
 }
 
 #[cfg(test)]

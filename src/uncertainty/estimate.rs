@@ -13,24 +13,32 @@ pub struct Estimate {
     /// Degrees of freedom of the standard error; infinite where it is not estimated from a spread.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) degrees_of_freedom: f64,
+    /// The least and the greatest value that the quantity can have.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(crate) range: (f64, f64),
 }
 
 impl Estimate {
     /// The interval that contains the true value in 95 % of such measurements or runs, if their errors are
-    /// independent and normal.
+    /// independent and normal. It is cut off where the quantity ends: a friction, a damping ratio or a
+    /// probability is not negative.
     ///
     /// The quantile of Student's distribution is computed by its expansion in the degrees of freedom,
     /// accurate to 1 % from 3 degrees on.
     #[must_use]
     pub fn interval(&self) -> (f64, f64) {
-        let half = student(self.degrees_of_freedom) * self.standard_error;
-        (self.value - half, self.value + half)
+        let half = student(Z_95, self.degrees_of_freedom) * self.standard_error;
+        let (least, greatest) = self.range;
+        ((self.value - half).max(least), (self.value + half).min(greatest))
     }
 }
 
-/// The 97.5 % quantile of Student's distribution with n degrees of freedom (Abramowitz and Stegun, 26.7.5).
-fn student(n: f64) -> f64 {
-    let z = 1.959_963_984_540_054_f64;
+/// The 97.5 % quantile of the normal distribution.
+const Z_95: f64 = 1.959_963_984_540_054;
+
+/// The quantile of Student's distribution with n degrees of freedom, by that of the normal distribution, z
+/// (Abramowitz and Stegun, 26.7.5).
+pub(crate) fn student(z: f64, n: f64) -> f64 {
     let square = z * z;
     let first = z * (square + 1.0) / 4.0;
     let second = z * ((5.0 * square + 16.0) * square + 3.0) / 96.0;
@@ -40,7 +48,7 @@ fn student(n: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Estimate, student};
+    use super::{Estimate, Z_95, student};
 
     #[test]
     fn the_quantiles_of_students_distribution() {
@@ -48,12 +56,17 @@ mod tests {
         let table =
             [(3.0, 3.182_446), (5.0, 2.570_582), (10.0, 2.228_139), (28.0, 2.048_407), (100.0, 1.983_972)];
         for (n, expected) in table {
-            assert!((student(n) / expected - 1.0).abs() < 0.01, "{n}: {}", student(n));
+            assert!((student(Z_95, n) / expected - 1.0).abs() < 0.01, "{n}: {}", student(Z_95, n));
         }
-        assert!((student(28.0) - 2.048_407).abs() < 1e-5);
-        let exact = Estimate { value: 1.0, standard_error: 0.5, degrees_of_freedom: f64::INFINITY };
-        assert!(
-            (exact.interval().1 - 1.979_982).abs() < 1e-6 && (exact.interval().0 - 0.020_018).abs() < 1e-6
-        );
+        assert!((student(Z_95, 28.0) - 2.048_407).abs() < 1e-5);
+        let estimate = |value| Estimate {
+            value,
+            standard_error: 0.5,
+            degrees_of_freedom: f64::INFINITY,
+            range: (0.0, f64::INFINITY),
+        };
+        let (low, high) = estimate(1.0).interval();
+        assert!((high - 1.979_982).abs() < 1e-6 && (low - 0.020_018).abs() < 1e-6);
+        assert_eq!(estimate(0.5).interval().0, 0.0);
     }
 }

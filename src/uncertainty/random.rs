@@ -167,7 +167,7 @@ impl MonteCarlo {
         let (count, n) = (f64::from(self.count(regime)), f64::from(self.draws.saturating_sub(self.invalid)));
         let shrunk = (count + 2.0) / (n + 4.0);
         let standard_error = (shrunk * (1.0 - shrunk) / (n + 4.0)).sqrt();
-        Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY }
+        Estimate { value: count / n, standard_error, degrees_of_freedom: f64::INFINITY, range: (0.0, 1.0) }
     }
 
     /// The values of a kept output in increasing order, from the draws that have it: outputs of the cycle
@@ -205,7 +205,12 @@ impl MonteCarlo {
         let mean = values.iter().sum::<f64>() / n;
         let squares: f64 = values.iter().map(|y| (y - mean) * (y - mean)).sum();
         let standard_error = (squares / (n - 1.0) / n).sqrt();
-        Some(Estimate { value: mean, standard_error, degrees_of_freedom: n - 1.0 })
+        Some(Estimate {
+            value: mean,
+            standard_error,
+            degrees_of_freedom: n - 1.0,
+            range: (f64::NEG_INFINITY, f64::INFINITY),
+        })
     }
 }
 

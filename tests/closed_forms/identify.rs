@@ -1,10 +1,11 @@
-//! Friction and damping from noisy response curves: the frequency with which the stated interval contains the
-//! true values.
+//! Friction and damping from response curves with noise, stops, wrong values and other readings: how often the
+//! stated interval contains the true values, and how far an answer is from them.
 
 use crate::random::Random;
-use std::f64::consts::TAU;
-use stickslip::design::{Measurement, identify};
-use stickslip::{Cycle, Drive, Oscillator};
+use std::f64::consts::{FRAC_PI_2, SQRT_2, TAU};
+use stickslip::design::{AmplitudeKind, Identified, Measurement, PhaseKind, Reading, identify, identify_as};
+use stickslip::exact::{LongRun, State, Trajectory};
+use stickslip::{Cycle, Drive, Error, Oscillator, Ratios};
 
 /// A standard normal number, by Box and Muller's method.
 fn normal(random: &mut Random) -> f64 {
@@ -42,4 +43,233 @@ fn coverage(trials: u32, seed: u64) -> (f64, f64) {
 fn intervals_hold_the_truth_as_often_as_they_say() {
     let (friction, damping) = coverage(2_000, 1);
     assert!((friction - 0.95).abs() <= 0.02 && (damping - 0.95).abs() <= 0.02, "{friction} {damping}");
+}
+
+/// A motion in units of p₀/k, by the exact motion.
+struct Truth {
+    peak: f64,
+    phase: f64,
+    root_mean_square: f64,
+    /// The lag of the fundamental.
+    lag: f64,
+}
+
+impl Truth {
+    fn at(omega: f64, kappa: f64, zeta: f64) -> Self {
+        let ratios = Ratios::new(omega, 1.0 / kappa).unwrap().with_damping_ratio(zeta).unwrap();
+        let limit = LongRun::from_start(ratios, State::default()).unwrap();
+        let steady = limit.steady_state().unwrap();
+        let (n, mut square, mut sine, mut cosine) = (4000, 0.0, 0.0, 0.0);
+        let samples = Trajectory::new(ratios, steady.state).unwrap().samples(n).unwrap();
+        for state in samples.take(n as usize).map(|at| at.unwrap().state) {
+            let (s, c) = state.phase.reduced().sin_cos();
+            square += state.x * state.x;
+            sine += state.x * s;
+            cosine += state.x * c;
+        }
+        let peak = steady.max_displacement;
+        Self {
+            peak: kappa * peak.value,
+            phase: peak.phase.reduced(),
+            root_mean_square: kappa * (square / f64::from(n)).sqrt(),
+            lag: (-cosine).atan2(sine),
+        }
+    }
+}
+
+/// m = k = p₀ = 1.
+fn unit() -> Oscillator<f64> {
+    Oscillator::new(1.0, 1.0, 1.0).unwrap()
+}
+
+/// A curve of one machine with 2 % noise, at evenly spaced frequencies; half of the curves have phases.
+fn drawn(random: &mut Random, count: u32) -> (f64, f64, Vec<Measurement>) {
+    let kappa = random.between(0.05, 0.7);
+    let zeta = if random.next() < 0.3 { 0.0 } else { random.scale(0.002, 0.2) };
+    let (low, high) = (random.scale(0.15, 0.7), random.between(1.2, 3.0));
+    let has_phases = random.next() < 0.5;
+    let measure = |i: u32, random: &mut Random| {
+        let angular_frequency = low + (high - low) * f64::from(i) / f64::from(count - 1);
+        let truth = Truth::at(angular_frequency, kappa, zeta);
+        let amplitude = truth.peak * (1.0 + 0.02 * normal(random));
+        let phase = (truth.phase + 0.02 * normal(random)).rem_euclid(TAU);
+        Measurement { angular_frequency, amplitude, phase: has_phases.then_some(phase) }
+    };
+    (kappa, zeta, (0..count).map(|i| measure(i, random)).collect())
+}
+
+fn suspects(found: &Identified) -> usize {
+    found.residuals.iter().filter(|r| r.is_suspect()).count()
+}
+
+/// Of 1 000 such curves none is refused and none is further than 5 standard errors from the truth; see
+/// docs/robustness.md.
+#[test]
+fn curves_with_stops_are_fitted() {
+    let mut random = Random(11);
+    let mut false_alarms = 0;
+    for i in 0..60 {
+        let (kappa, zeta, curve) = drawn(&mut random, 12 + i % 20);
+        let found = identify(&unit(), 1.0, &curve).unwrap();
+        let off = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
+            (estimate.value - truth).abs() / estimate.standard_error
+        };
+        let (friction, damping) = (off(found.friction_bound, kappa), off(found.damping_ratio, zeta));
+        assert!(friction < 5.0 && damping < 5.0, "{i}: {kappa} {zeta} {found:?}");
+        assert!(found.friction_bound.interval().0 >= 0.0 && found.damping_ratio.interval().0 >= 0.0);
+        assert_eq!((found.better, found.noise < 0.04), (None, true), "{i}: {found:?}");
+        false_alarms += u32::from(suspects(&found) > 0);
+    }
+    assert!(false_alarms <= 3, "{false_alarms}");
+}
+
+/// Three wrong amplitudes of 25: the truth is in the interval in 9 of 10 curves.
+#[test]
+fn wrong_amplitudes_do_not_move_the_answer() {
+    let mut random = Random(7);
+    let (mut friction_within, mut damping_within, mut named) = (0, 0, 0);
+    for _ in 0..40 {
+        let (kappa, zeta, mut curve) = drawn(&mut random, 25);
+        let mut wrong: Vec<usize> = Vec::new();
+        while wrong.len() < 3 {
+            let i = random.between(0.0, 25.0) as usize;
+            if !wrong.contains(&i) {
+                curve[i].amplitude *=
+                    if random.next() < 0.5 { random.scale(1.3, 10.0) } else { random.scale(0.1, 0.7) };
+                wrong.push(i);
+            }
+        }
+        let found = identify(&unit(), 1.0, &curve).unwrap();
+        let within = |(low, high): (f64, f64), x: f64| u32::from(low <= x && x <= high);
+        friction_within += within(found.friction_bound.interval(), kappa);
+        damping_within += within(found.damping_ratio.interval(), zeta);
+        named += wrong.iter().filter(|&&i| found.residuals[i].amplitude_is_suspect).count();
+    }
+    assert!(friction_within >= 36 && damping_within >= 36, "{friction_within} {damping_within}");
+    assert!(named >= 114, "{named} of 120");
+}
+
+/// The exact curve of r_y = 0.2 without a damper, to five digits, three of whose motions stop.
+#[test]
+fn phases_and_stops_lead_to_the_true_minimum() {
+    let frequencies = [0.2, 0.3, 0.4, 0.6, 0.8, 1.2, 1.5];
+    let amplitudes = [0.96447, 0.88633, 1.13218, 1.55060, 2.71142, 2.18595, 0.76594];
+    let phases = [1.4209, 0.9858, 1.2581, 1.6943, 1.7898, 4.4352, 4.4195];
+    let curve: Vec<_> = (0..7)
+        .map(|i| Measurement {
+            angular_frequency: frequencies[i],
+            amplitude: amplitudes[i],
+            phase: Some(phases[i]),
+        })
+        .collect();
+    let found = identify(&unit(), 1.0, &curve).unwrap();
+    assert!((found.friction_bound.value - 0.2).abs() < 1e-5 && found.damping_ratio.value < 1e-5, "{found:?}");
+    assert!(found.noise < 1e-5 && found.phase_noise.unwrap() < 1e-4, "{found:?}");
+    assert_eq!((suspects(&found), found.residuals.iter().filter(|r| r.stops).count()), (0, 3));
+}
+
+/// A machine of 5 kg, 20 kN/m and 100 N with 12 N of friction and 2 % of damping, measured at 25 frequencies
+/// from 4 to 16 Hz; one of them flips between stopping and sliding near the answer.
+fn shaker(read: impl Fn(u32, &Truth) -> (f64, Option<f64>)) -> Vec<Measurement> {
+    let measure = |i: u32| {
+        let angular_frequency = TAU * (4.0 + 0.5 * f64::from(i));
+        let truth = Truth::at(angular_frequency / 4000f64.sqrt(), 0.12, 0.02);
+        let (amplitude, phase) = read(i, &truth);
+        Measurement { angular_frequency, amplitude: amplitude * 100.0 / 20e3, phase }
+    };
+    (0..25).map(measure).collect()
+}
+
+fn of_shaker(curve: &[Measurement], reading: Reading) -> Identified {
+    identify_as(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, curve, reading).unwrap()
+}
+
+/// Within three standard errors of the truth, with the noise of the measurements.
+fn is_true(found: &Identified) -> bool {
+    let near = |estimate: stickslip::uncertainty::Estimate, truth: f64| {
+        (estimate.value - truth).abs() <= 3.0 * estimate.standard_error
+    };
+    near(found.friction_bound, 12.0) && near(found.damping_ratio, 0.02) && found.noise < 0.03
+}
+
+#[test]
+fn no_good_curve_is_refused() {
+    for seed in 0..20 {
+        let noise = std::cell::RefCell::new(Random(seed));
+        let curve = shaker(|_, truth| (truth.peak * (1.0 + 0.02 * normal(&mut noise.borrow_mut())), None));
+        let found = of_shaker(&curve, Reading::default());
+        let off = (found.friction_bound.value - 12.0) / found.friction_bound.standard_error;
+        assert!(off.abs() < 4.0 && found.noise < 0.03, "{seed}: {found:?}");
+    }
+}
+
+#[test]
+fn three_wrong_amplitudes_are_named() {
+    let mut noise = Random(3);
+    let factors: Vec<f64> = (0..25).map(|_| 1.0 + 0.02 * normal(&mut noise)).collect();
+    let wrong = |i: u32| match i {
+        5 => 3.0,
+        12 => 0.3,
+        18 => 2.0,
+        _ => factors[i as usize],
+    };
+    let found = of_shaker(&shaker(|i, truth| (truth.peak * wrong(i), None)), Reading::default());
+    assert!(is_true(&found), "{found:?}");
+    let named: Vec<usize> = (0..25).filter(|&i| found.residuals[i].is_suspect()).collect();
+    assert_eq!(named, [5, 12, 18]);
+}
+
+/// Amplitudes of another kind: found as such if the reading says so, and otherwise a suspicion.
+#[test]
+fn amplitudes_of_another_kind_are_suspected() {
+    let noise = |i: u32| 1.0 + 0.02 * (7.0 * f64::from(i)).sin();
+    for kind in [AmplitudeKind::RootMeanSquare, AmplitudeKind::PeakToPeak] {
+        let measured = |truth: &Truth| match kind {
+            AmplitudeKind::RootMeanSquare => truth.root_mean_square,
+            _ => 2.0 * truth.peak,
+        };
+        let curve = shaker(|i, truth| (noise(i) * measured(truth), None));
+        let found = of_shaker(&curve, Reading { amplitude: kind, phase: None });
+        assert!(is_true(&found) && found.better.is_none() && suspects(&found) == 0, "{kind:?}: {found:?}");
+        let better = of_shaker(&curve, Reading::default()).better.unwrap();
+        assert!(better.amplitude == kind && better.noise < 0.03, "{kind:?}: {better:?}");
+    }
+    // A root mean square is not its harmonic approximation where a motion has stops.
+    let truth = Truth::at(0.4, 0.4, 0.0);
+    assert!((truth.root_mean_square * SQRT_2 / truth.peak - 1.0).abs() > 0.01);
+}
+
+#[test]
+fn the_sign_of_phases_is_found() {
+    let noise = |i: u32| 0.02 * (7.0 * f64::from(i)).sin();
+    let kinds = [PhaseKind::Peak, PhaseKind::Lag, PhaseKind::TransferFunction];
+    for kind in kinds {
+        let phase = |truth: &Truth| match kind {
+            PhaseKind::Peak => truth.phase,
+            PhaseKind::Lag => truth.lag,
+            PhaseKind::TransferFunction => -truth.lag,
+        };
+        let curve = shaker(|i, truth| (truth.peak * (1.0 + noise(i + 3)), Some(phase(truth) + noise(i))));
+        let found = of_shaker(&curve, Reading::default());
+        assert!(found.phase == Some(kind) && is_true(&found), "{kind:?}: {found:?}");
+        assert!(found.phase_noise.unwrap() < 0.03 && suspects(&found) == 0, "{kind:?}: {found:?}");
+        // A kind that was named is not changed.
+        let other = kinds[usize::from(kind == PhaseKind::Peak)];
+        let named = Reading { phase: Some(other), ..Reading::default() };
+        let found = of_shaker(&curve, named);
+        assert!(found.phase == Some(other) && found.phase_noise.unwrap() > 0.1, "{kind:?}: {found:?}");
+    }
+    // The peak of a motion without friction is a quarter turn after its lag.
+    let truth = Truth::at(1.5, 1e-6, 0.05);
+    assert!((truth.phase - truth.lag - FRAC_PI_2).abs() < 1e-4);
+}
+
+#[test]
+fn the_measurement_that_is_wrong_is_named() {
+    let mut curve = shaker(|_, truth| (truth.peak, Some(truth.phase)));
+    curve[3].phase = Some(163.0);
+    let error = identify(&Oscillator::new(5.0, 20e3, 1.0).unwrap(), 100.0, &curve).unwrap_err();
+    assert!(matches!(error, Error::InMeasurement { index: 3, .. }), "{error}");
+    let text = "measurement 4: phase ω_d t = 163 must be ≥ -6.283185307179586 and ≤ 6.283185307179586";
+    assert_eq!(error.to_string(), text);
 }

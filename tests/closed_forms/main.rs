@@ -21,7 +21,6 @@ mod design;
 mod design_damped;
 #[cfg(feature = "mp")]
 mod design_wide;
-#[cfg(feature = "dual")]
 mod identify;
 mod independent;
 #[cfg(feature = "mp")]

@@ -16,6 +16,7 @@ mod design;
 #[cfg(feature = "mp")]
 mod enclose;
 mod figures;
+mod identify;
 #[cfg(unix)]
 mod interrupt;
 mod motion;

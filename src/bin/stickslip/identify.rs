@@ -4,41 +4,51 @@ use crate::args::{Format, IdentifyArgs};
 use crate::failure::{Failure, Outcome};
 use crate::given::{Given, Parameter as P};
 use crate::note::digits;
+use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
 use csv::{ReaderBuilder, StringRecord, Trim};
 use serde::Serialize;
-use std::fs::File;
-use std::io::{self, Read, Write};
+use std::f64::consts::TAU;
+use std::io::Write;
+use std::iter::zip;
 use std::path::Path;
-use stickslip::Oscillator;
-use stickslip::design::{self, Identified, Measurement};
+use stickslip::design::{self, AmplitudeKind, BetterReading, Identified, Measurement, PhaseKind, Reading};
 use stickslip::uncertainty::Estimate;
 use stickslip::units::{Factor, Kind, Reader};
+use stickslip::{Error, Oscillator};
+
+/// The greatest number of measurements.
+const MOST_ROWS: usize = 10_000;
+/// The noise from which on a model does not explain a curve.
+const MUCH_NOISE: f64 = 0.1;
 
 pub(crate) fn run(args: &IdentifyArgs, out: &mut impl Write) -> Outcome {
+    if matches!(args.format, Format::Jsonl | Format::Csv) {
+        return Err(Failure::Input("--format: the answer to identify is text or json".to_owned()));
+    }
     let reader = args.units.reader();
     let given = Given::<f64>::of(&args.machine, &args.force, &reader)?;
     let body = body(&given)?;
     let force = force(&given, &body)?;
     let name = args.file.display().to_string();
-    let curve = measurements(&args.file, &name, &reader)?;
-    let found = design::identify(&body, force, &curve).map_err(|e| {
+    let file = Measured::read(&args.file, &name, &reader)?;
+    let reading = Reading { amplitude: args.amplitude.into(), phase: args.phase.map(Into::into) };
+    let found = design::identify_as(&body, force, &file.curve, reading).map_err(|e| {
+        if let Error::InMeasurement { index, error } = e {
+            let line = file.lines.get(index).copied().unwrap_or_default();
+            return Failure::Input(format!("{name} line {line}: {error}"));
+        }
         // The message names the arguments if they are wrong, and otherwise the file.
         match e.quantity() {
             Some(_) => given.at_fault(e).about(&name),
             None => Failure::Input(format!("{name}: {e}")),
         }
     })?;
-    let answer = Answer::new(&given, &body, &found)?;
-    match args.format {
-        Format::Text => text(&given, &answer, &curve, out),
-        Format::Json => {
-            serde_json::to_writer_pretty(&mut *out, &answer)?;
-            Ok(out.write_all(b"\n")?)
-        }
-        Format::Jsonl | Format::Csv => {
-            Err(Failure::Input("--format: the answer to identify is text or json".to_owned()))
-        }
+    let answer = Answer::new(&given, &body, &found, &file, reading.amplitude)?;
+    if let Format::Json = args.format {
+        serde_json::to_writer_pretty(&mut *out, &answer)?;
+        return Ok(out.write_all(b"\n")?);
     }
+    text(&given, &answer, &found, &file, out)
 }
 
 /// Mass and spring; friction is unknown.
@@ -70,24 +80,33 @@ struct Column {
 }
 
 impl Column {
-    fn find(
+    /// The columns of a header that are read, and the names of the others.
+    fn all(
         header: &StringRecord,
-        (name, kind): (&'static str, Kind),
         file: &str,
         reader: &Reader,
-    ) -> Result<Option<Self>, Failure> {
+    ) -> Result<([Option<Self>; 3], Vec<String>), Failure> {
+        let known = [("frequency", Kind::Frequency), ("amplitude", Kind::Length), ("phase", Kind::Angle)];
+        let (mut found, mut others) = ([None, None, None], Vec::new());
         for (place, text) in header.iter().enumerate() {
-            let text = text.trim_start_matches('\u{feff}').trim();
-            let (own, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
-                Some((own, unit)) => (own.trim(), Some(unit.trim())),
-                None => (text, None),
+            let (own, unit) = name_and_unit(text);
+            let refused = |what: &str| Err(Failure::Input(format!("{file}: column {own} {what}")));
+            let named = zip(&mut found, known).find(|(_, (name, _))| own.eq_ignore_ascii_case(name));
+            let Some((column, (name, kind))) = named else {
+                // A misspelt column must not be ignored silently.
+                if let Some((name, _)) = known.iter().find(|(name, _)| is_misspelt(own, name)) {
+                    return refused(&format!("is unknown; spell it {name}, or rename it"));
+                }
+                others.push(own.to_owned());
+                continue;
             };
-            if own == name {
-                let of = |unit| reader.factor_of_column(&format!("{file}: column {name}"), unit, kind);
-                return Ok(Some(Self { place, name, kind, factor: unit.map(of).transpose()? }));
+            if column.is_some() {
+                return refused("must be there once only");
             }
+            let of = |unit| reader.factor_of_column(&format!("{file}: column {name}"), unit, kind);
+            *column = Some(Self { place, name, kind, factor: unit.map(of).transpose()? });
         }
-        Ok(None)
+        Ok((found, others))
     }
 
     fn value(&self, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
@@ -97,39 +116,72 @@ impl Column {
             None => Ok(reader.value(&name, text, self.kind)?),
         }
     }
+
+    /// A phase within a turn. Without a unit it is in radians, and more than a turn is a sign of degrees.
+    fn phase(&self, row: &StringRecord, at: &str, reader: &Reader) -> Result<f64, Failure> {
+        let (phase, text) = (self.value(row, at, reader)?, row.get(self.place).unwrap_or_default());
+        if self.factor.is_some() || Reader::has_unit(text) {
+            return Ok(phase % TAU);
+        }
+        // 2π with three decimals.
+        if phase.abs() > 6.284 {
+            return Err(Failure::Input(format!(
+                "{at}: phase {text}: must be ≥ -2π and ≤ 2π because it has no unit and is in radians; for \
+                 degrees the column is phase[deg]"
+            )));
+        }
+        Ok(phase.clamp(-TAU, TAU))
+    }
 }
 
-/// The measurements of a CSV file: `frequency` and `amplitude`, and `phase` if it was measured.
-fn measurements(file: &Path, name: &str, reader: &Reader) -> Result<Vec<Measurement>, Failure> {
-    let source: Box<dyn Read> = if file == Path::new("-") {
-        Box::new(io::stdin().lock())
-    } else {
-        Box::new(File::open(file).map_err(|e| Failure::Input(format!("{name}: {e}")))?)
-    };
-    let bad = |e: csv::Error| Failure::Input(format!("{name}: {e}"));
-    let mut rows = ReaderBuilder::new().trim(Trim::All).from_reader(source);
-    let header = rows.headers().map_err(bad)?.clone();
-    let find = |column| Column::find(&header, column, name, reader);
-    let due = |column: (&'static str, Kind)| {
-        find(column)?.ok_or_else(|| {
-            let found = header.iter().collect::<Vec<_>>().join(",");
-            let column = column.0;
-            Failure::Input(format!("{name}: column {column} is missing; the header is “{found}”"))
-        })
-    };
-    let (frequency, amplitude) = (due(("frequency", Kind::Frequency))?, due(("amplitude", Kind::Length))?);
-    let phase = find(("phase", Kind::Angle))?;
-    let mut curve = Vec::new();
-    for row in rows.records() {
-        let row = row.map_err(bad)?;
-        let at = format!("{name} line {}", row.position().map_or(0, csv::Position::line));
-        curve.push(Measurement {
-            angular_frequency: frequency.value(&row, &at, reader)?,
-            amplitude: amplitude.value(&row, &at, reader)?,
-            phase: phase.as_ref().map(|phase| phase.value(&row, &at, reader)).transpose()?,
-        });
+/// The measurements of a file.
+struct Measured {
+    curve: Vec<Measurement>,
+    /// The line of each.
+    lines: Vec<u64>,
+    /// The columns that are not read.
+    others: Vec<String>,
+}
+
+impl Measured {
+    /// The columns `frequency` and `amplitude`, and `phase` if it was measured.
+    fn read(file: &Path, name: &str, reader: &Reader) -> Result<Self, Failure> {
+        let ahead = Ahead::default();
+        let source = Bounded { source: rows::open(file, name)?, ahead: &ahead };
+        let mut table = ReaderBuilder::new().trim(Trim::All).from_reader(source);
+        let header = table.headers().map_err(|e| unreadable(name, e))?.clone();
+        let ([frequency, amplitude, phase], others) = Column::all(&header, name, reader)?;
+        let due = |column: Option<Column>, which: &str| {
+            column.ok_or_else(|| {
+                let found = header.iter().collect::<Vec<_>>().join(",");
+                Failure::Input(format!("{name}: column {which} is missing; the header is “{found}”"))
+            })
+        };
+        let (frequency, amplitude) = (due(frequency, "frequency")?, due(amplitude, "amplitude")?);
+        let (mut curve, mut lines) = (Vec::new(), Vec::new());
+        let mut row = StringRecord::new();
+        let mut begin = table.position().byte();
+        ahead.complete(begin);
+        while table.read_record(&mut row).map_err(|e| unreadable(name, e))? {
+            let end = table.position().byte();
+            ahead.complete(end - begin);
+            begin = end;
+            let line = row.position().map_or(0, csv::Position::line);
+            let at = format!("{name} line {line}");
+            if curve.len() == MOST_ROWS {
+                return Err(Failure::Input(format!(
+                    "{at}: the number of measurements must be ≤ {MOST_ROWS}"
+                )));
+            }
+            curve.push(Measurement {
+                angular_frequency: frequency.value(&row, &at, reader)?,
+                amplitude: amplitude.value(&row, &at, reader)?,
+                phase: phase.as_ref().map(|phase| phase.phase(&row, &at, reader)).transpose()?,
+            });
+            lines.push(line);
+        }
+        Ok(Self { curve, lines, others })
     }
-    Ok(curve)
 }
 
 /// An estimate in JSON.
@@ -153,6 +205,14 @@ impl Found {
     }
 }
 
+/// A row that was left out.
+#[derive(Serialize)]
+struct Suspect {
+    line: u64,
+    amplitude: bool,
+    phase: bool,
+}
+
 #[derive(Serialize)]
 struct Answer {
     friction: Found,
@@ -160,30 +220,110 @@ struct Answer {
     damping_ratio: Found,
     damping: Found,
     noise: f64,
+    phase_noise: Option<f64>,
     measurements: usize,
     used: usize,
-    residuals: Vec<Option<f64>>,
+    amplitude_kind: AmplitudeKind,
+    phase_kind: Option<PhaseKind>,
+    better_reading: Option<BetterReading>,
+    suspects: Vec<Suspect>,
+    residuals: Vec<f64>,
+    phase_residuals: Vec<Option<f64>>,
+    stops: Vec<bool>,
+    ignored_columns: Vec<String>,
 }
 
 impl Answer {
-    fn new(given: &Given<f64>, body: &Oscillator<f64>, found: &Identified) -> Result<Self, Failure> {
+    fn new(
+        given: &Given<f64>,
+        body: &Oscillator<f64>,
+        found: &Identified,
+        file: &Measured,
+        amplitude_kind: AmplitudeKind,
+    ) -> Result<Self, Failure> {
         let unit = |kind: Kind| given.system.name(kind);
         let weight = body.mass() * given.gravity()?;
         let critical = 2.0 * (body.stiffness() * body.mass()).sqrt();
+        let suspects: Vec<Suspect> = zip(&file.lines, &found.residuals)
+            .filter(|(_, residual)| residual.is_suspect())
+            .map(|(&line, r)| Suspect { line, amplitude: r.amplitude_is_suspect, phase: r.phase_is_suspect })
+            .collect();
         Ok(Self {
             friction: Found::of(&found.friction_bound, 1.0, unit(Kind::Force)),
             friction_coefficient: Found::of(&found.friction_bound, 1.0 / weight, unit(Kind::Ratio)),
             damping_ratio: Found::of(&found.damping_ratio, 1.0, unit(Kind::Ratio)),
             damping: Found::of(&found.damping_ratio, critical, unit(Kind::Damping)),
             noise: found.noise,
+            phase_noise: found.phase_noise,
             measurements: found.residuals.len(),
-            used: found.residuals.iter().flatten().count(),
-            residuals: found.residuals.clone(),
+            used: found.residuals.len() - suspects.len(),
+            amplitude_kind,
+            phase_kind: found.phase,
+            better_reading: found.better,
+            suspects,
+            residuals: found.residuals.iter().map(|r| r.amplitude).collect(),
+            phase_residuals: found.residuals.iter().map(|r| r.phase).collect(),
+            stops: found.residuals.iter().map(|r| r.stops).collect(),
+            ignored_columns: file.others.clone(),
         })
+    }
+
+    /// What a reader should know before trusting the numbers.
+    fn remarks(&self) -> Vec<String> {
+        let percent = |x: f64| format!("{} %", digits((1e4 * x).round() / 100.0));
+        let mut remarks = Vec::new();
+        if self.noise > MUCH_NOISE {
+            remarks.push(format!(
+                "The model does not explain this curve: amplitudes differ from it by {}.",
+                percent(self.noise)
+            ));
+        }
+        if let Some(better) = self.better_reading {
+            let (kind, noise) = (better.amplitude.name(), percent(better.noise));
+            remarks.push(format!(
+                "The amplitudes look like {kind} values: with --amplitude {kind} the noise is {noise}."
+            ));
+        }
+        if let Some(noise) = self.phase_noise.filter(|noise| *noise > MUCH_NOISE) {
+            remarks.push(format!(
+                "The model does not explain the phases: they differ from it by {}°.",
+                digits(noise.to_degrees().round())
+            ));
+        }
+        if let Some(kind) = self.phase_kind {
+            remarks.push(format!("Phases are read as --phase {}: {}.", kind.name(), of_phase(kind)));
+        }
+        if !self.suspects.is_empty() {
+            let part = |s: &Suspect| match (s.amplitude, s.phase) {
+                (true, true) => format!("line {} (amplitude and phase)", s.line),
+                (true, false) => format!("line {} (amplitude)", s.line),
+                _ => format!("line {} (phase)", s.line),
+            };
+            let suspects: Vec<String> = self.suspects.iter().map(part).collect();
+            remarks.push(format!("Left out because the others contradict them: {}.", suspects.join(", ")));
+        }
+        if !self.ignored_columns.is_empty() {
+            remarks.push(format!("Columns not used: {}.", self.ignored_columns.join(", ")));
+        }
+        remarks
     }
 }
 
-fn text(given: &Given<f64>, answer: &Answer, curve: &[Measurement], out: &mut impl Write) -> Outcome {
+fn of_phase(kind: PhaseKind) -> &'static str {
+    match kind {
+        PhaseKind::Peak => "ω_d t of the maximum displacement under p₀ sin ω_d t",
+        PhaseKind::Lag => "the lag of the displacement behind the force",
+        PhaseKind::TransferFunction => "the lag of the displacement behind the force, negative",
+    }
+}
+
+fn text(
+    given: &Given<f64>,
+    answer: &Answer,
+    found: &Identified,
+    file: &Measured,
+    out: &mut impl Write,
+) -> Outcome {
     let Answer { used, measurements, .. } = answer;
     writeln!(out, "Friction and damping that explain {used} of {measurements} measurements best:\n")?;
     for (name, found) in [
@@ -197,18 +337,27 @@ fn text(given: &Given<f64>, answer: &Answer, curve: &[Measurement], out: &mut im
         let (value, low, high) = (digits(found.value), digits(low), digits(high));
         writeln!(out, "  {name:<19} {value}{unit}  (95 %: {low} to {high}{unit})")?;
     }
-    writeln!(
-        out,
-        "  noise               {} %, relative error of one amplitude\n",
-        digits(100.0 * answer.noise)
-    )?;
-    writeln!(out, "  {:>12}  {:>14}  measured less computed", "frequency", "amplitude")?;
-    for (measured, residual) in curve.iter().zip(&answer.residuals) {
-        let hertz = digits(measured.angular_frequency / std::f64::consts::TAU);
-        let residual =
-            residual.map_or_else(|| "left out: it sticks".to_owned(), |r| format!("{:+.3} %", 100.0 * r));
-        let length = given.system.length();
-        writeln!(out, "  {hertz:>9} Hz  {:>11} {length}  {residual}", digits(measured.amplitude))?;
+    let noise = digits(100.0 * answer.noise);
+    writeln!(out, "  noise               {noise} %, relative error of one amplitude")?;
+    if let Some(noise) = answer.phase_noise {
+        writeln!(out, "                      {}°, error of one phase", digits(noise.to_degrees()))?;
+    }
+    for (i, remark) in answer.remarks().iter().enumerate() {
+        writeln!(out, "{}{remark}", if i == 0 { "\n" } else { "" })?;
+    }
+    let phases = if answer.phase_kind.is_some() { "      phase  measured less computed" } else { "" };
+    writeln!(out, "\n  {:>12}  {:>14}  measured less computed{phases}", "frequency", "amplitude")?;
+    for (measured, residual) in zip(&file.curve, &found.residuals) {
+        let hertz = digits(measured.angular_frequency / TAU);
+        let (length, amplitude) = (given.system.length(), digits(measured.amplitude));
+        let of_amplitude = format!("{:+.3} %", 100.0 * residual.amplitude);
+        write!(out, "  {hertz:>9} Hz  {amplitude:>11} {length}  {of_amplitude:>22}")?;
+        if let (Some(phase), Some(r)) = (measured.phase, residual.phase) {
+            write!(out, "  {:>8.3}°  {:>21.3}°", phase.to_degrees(), r.to_degrees())?;
+        }
+        let marks = [(residual.is_suspect(), "left out"), (residual.stops, "stops")];
+        let marks: Vec<&str> = marks.into_iter().filter(|(is, _)| *is).map(|(_, mark)| mark).collect();
+        writeln!(out, "{}{}", if marks.is_empty() { "" } else { "  " }, marks.join(", "))?;
     }
     Ok(())
 }

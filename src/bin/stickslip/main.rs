@@ -42,6 +42,7 @@ mod progress;
 mod record;
 mod response;
 mod resume;
+mod rows;
 mod shell;
 mod simulate;
 mod sink;

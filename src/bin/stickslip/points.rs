@@ -8,16 +8,13 @@ use crate::input::number;
 use crate::interrupt;
 use crate::progress;
 use crate::record::Record;
+use crate::rows::{self, Ahead, Bounded, is_misspelt, name_and_unit, unreadable};
 use crate::sink::Sink;
 use csv::{ReaderBuilder, StringRecord, Trim};
-use std::cell::{Cell, RefCell};
-use std::fs::File;
-use std::io::{self, ErrorKind, Read, Write};
+use std::cell::RefCell;
+use std::io::{self, Read, Write};
 use std::path::Path;
 use stickslip::units::{Factor, Reader};
-
-/// The greatest length of a row in bytes: some hundred numbers of 8192 bits.
-const LONGEST_ROW: u64 = 1 << 18;
 
 /// The request for a file of points.
 pub(crate) struct Asked<'a, F> {
@@ -43,11 +40,7 @@ pub(crate) fn run<F: Value>(
 ) -> Outcome {
     let Asked { file, output, .. } = asked;
     let name = file.display().to_string();
-    let source: Box<dyn Read> = if file == Path::new("-") {
-        Box::new(io::stdin().lock())
-    } else {
-        Box::new(File::open(file).map_err(|e| Failure::Input(format!("--points {name}: {e}")))?)
-    };
+    let source = rows::open(file, &format!("--points {name}"))?;
     let sink = RefCell::new(match output.format.unwrap_or(Format::Jsonl) {
         Format::Jsonl => Sink::lines(out),
         Format::Csv => Sink::rows(out, output.header),
@@ -55,8 +48,8 @@ pub(crate) fn run<F: Value>(
             return Err(Failure::Input("--format: the answer to --points is jsonl or csv".to_owned()));
         }
     });
-    let ahead = Cell::new(0);
-    let source = FlushFirst { source, sink: &sink, ahead: &ahead };
+    let ahead = Ahead::default();
+    let source = FlushFirst { source: Bounded { source, ahead: &ahead }, sink: &sink };
     let outcome = answer_all(source, &ahead, &name, asked, &sink, answer);
     sink.borrow_mut().flush()?;
     outcome
@@ -82,7 +75,7 @@ impl Column {
 
 fn answer_all<F: Value, W: Write>(
     source: impl Read,
-    ahead: &Cell<u64>,
+    ahead: &Ahead,
     name: &str,
     asked: Asked<'_, F>,
     sink: &RefCell<Sink<W>>,
@@ -124,11 +117,11 @@ fn answer_all<F: Value, W: Write>(
     let counted = progress::counter("points");
     let mut row = StringRecord::new();
     let mut begin = reader.position().byte();
-    ahead.set(ahead.get() - begin);
+    ahead.complete(begin);
     let mut any = false;
     while reader.read_record(&mut row).map_err(|e| unreadable(name, e))? {
         let end = reader.position().byte();
-        ahead.set(ahead.get() - (end - begin));
+        ahead.complete(end - begin);
         begin = end;
         let line = row.position().map_or(0, csv::Position::line);
         for column in &columns {
@@ -161,11 +154,7 @@ fn columns<F: Value>(
 ) -> Result<Vec<Column>, Failure> {
     let mut columns: Vec<Column> = Vec::new();
     for (place, text) in header.iter().enumerate() {
-        let text = text.trim_start_matches('\u{feff}').trim();
-        let (own, unit) = match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
-            Some((own, unit)) => (own.trim(), Some(unit.trim())),
-            None => (text, None),
-        };
+        let (own, unit) = name_and_unit(text);
         let plain = own.replace('-', "_");
         let refused = |what: &str| Err(Failure::Input(format!("{name}: column {own} {what}")));
         let Some(&parameter) = used.iter().find(|p| p.is_column(&plain)) else {
@@ -189,56 +178,15 @@ fn columns<F: Value>(
     Ok(columns)
 }
 
-/// Whether `text` looks like a misspelling of `column`: one edit in ten letters, two in more.
-fn is_misspelt(text: &str, column: &str) -> bool {
-    let allowed = match column.len() {
-        0..5 => 0,
-        5..10 => 1,
-        _ => 2,
-    };
-    text.len() <= column.len() + 2 && strsim::osa_distance(&text.to_lowercase(), column) <= allowed
-}
-
-/// The failure for input that the reader cannot parse as a row.
-fn unreadable(name: &str, error: csv::Error) -> Failure {
-    let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
-    let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
-        format!("{len} fields, must be {expected_len} as in the header")
-    } else {
-        error.to_string()
-    };
-    let fault = Failure::Input(format!("{name}{line}: {text}"));
-    if let csv::ErrorKind::Io(error) = error.into_kind()
-        && error.kind() != ErrorKind::InvalidData
-    {
-        // A closed pipe or a full disk is no error of the input.
-        return error.into();
-    }
-    fault
-}
-
-/// Flushes the answers before each wait for more input, so that a live pipe sees them at once, and fails on a
-/// row without an end.
+/// Flushes the answers before each wait for more input, so that a live pipe sees them at once.
 struct FlushFirst<'a, R, W: Write> {
-    source: R,
+    source: Bounded<'a, R>,
     sink: &'a RefCell<Sink<W>>,
-    /// The number of bytes read since the last complete row.
-    ahead: &'a Cell<u64>,
 }
 
 impl<R: Read, W: Write> Read for FlushFirst<'_, R, W> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
-        if self.ahead.get() > LONGEST_ROW {
-            let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
-            return Err(io::Error::new(ErrorKind::InvalidData, text));
-        }
         self.sink.borrow_mut().flush()?;
-        let count = self.source.read(bytes).map_err(|e| {
-            // A call that a signal interrupted is repeated.
-            let again = e.kind() == ErrorKind::Interrupted;
-            if again { e } else { io::Error::new(ErrorKind::InvalidData, e.to_string()) }
-        })?;
-        self.ahead.set(self.ahead.get() + count as u64);
-        Ok(count)
+        self.source.read(bytes)
     }
 }

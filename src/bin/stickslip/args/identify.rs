@@ -1,17 +1,56 @@
 //! The arguments of identification.
 
 use super::{ForceArgs, Format, MachineArgs, UnitArgs};
-use clap::Args;
+use clap::{Args, ValueEnum};
 use std::path::PathBuf;
+use stickslip::design::{AmplitudeKind, PhaseKind};
 
 pub(crate) const IDENTIFY_EXAMPLES: &str = "\
 Friction and damping, with their standard errors, from a measured response curve of known mass, stiffness and drive.
-The file has the columns frequency and amplitude (half of peak to peak), and optionally phase: ω_d t of the maximum
-displacement, if the force is p₀ sin ω_d t. The header may have units: frequency[Hz],amplitude[mm],phase[deg].
+The file has the columns frequency and amplitude, and optionally phase. The header may have units:
+frequency[Hz],amplitude[mm],phase[deg]. Motion with stops counts, too. Wrong values do not move the answer: they are
+left out and named.
 
 Examples:
   stickslip identify curve.csv --mass 800kg --period 2.2s --base-acceleration 0.15g
+  stickslip identify curve.csv --mass 800kg --period 2.2s --force 1.2kN --amplitude rms --phase transfer-function
   stickslip identify curve.csv --mass 50t --stiffness 1kN/mm --force 12kN --units kN,mm --format json";
+
+/// What the amplitudes are.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum Amplitude {
+    Peak,
+    Rms,
+    PeakToPeak,
+}
+
+impl From<Amplitude> for AmplitudeKind {
+    fn from(kind: Amplitude) -> Self {
+        match kind {
+            Amplitude::Peak => Self::Peak,
+            Amplitude::Rms => Self::RootMeanSquare,
+            Amplitude::PeakToPeak => Self::PeakToPeak,
+        }
+    }
+}
+
+/// What the phases are.
+#[derive(Debug, Clone, Copy, ValueEnum)]
+pub(crate) enum Phase {
+    Peak,
+    Lag,
+    TransferFunction,
+}
+
+impl From<Phase> for PhaseKind {
+    fn from(kind: Phase) -> Self {
+        match kind {
+            Phase::Peak => Self::Peak,
+            Phase::Lag => Self::Lag,
+            Phase::TransferFunction => Self::TransferFunction,
+        }
+    }
+}
 
 #[derive(Debug, Args)]
 pub(crate) struct IdentifyArgs {
@@ -22,6 +61,14 @@ pub(crate) struct IdentifyArgs {
     pub(crate) machine: MachineArgs,
     #[command(flatten)]
     pub(crate) force: ForceArgs,
+    /// The kind of the amplitudes: peak (half of peak to peak), rms, or peak-to-peak
+    #[arg(long, value_enum, value_name = "KIND", default_value = "peak", hide_possible_values = true)]
+    pub(crate) amplitude: Amplitude,
+    /// The kind of the phases, the force being p₀ sin ω_d t: peak (ω_d t of the maximum displacement), lag
+    /// (of the displacement behind the force), or transfer-function (the lag, negative) [default: the one that
+    /// fits best]
+    #[arg(long, value_enum, value_name = "KIND", hide_possible_values = true)]
+    pub(crate) phase: Option<Phase>,
     /// text or json
     #[arg(long, value_enum, default_value = "text", hide_possible_values = true)]
     pub(crate) format: Format,

@@ -122,7 +122,7 @@ const USED: &[(&str, Mode, &str)] = &[
         "identify",
         Machine,
         "file mass stiffness period force base_acceleration base_velocity base_displacement \
-         foot_displacement format units",
+         foot_displacement amplitude phase format units",
     ),
     ("decay", Ratios, "damping_ratio static_friction_ratio x0 v0 format bits"),
     ("decay", Machine, "BODY STATIC mean_force x0 v0 format bits units"),

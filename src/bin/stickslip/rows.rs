@@ -1,0 +1,90 @@
+//! The rows of a file or of standard input, in bounded memory, and the names of their columns.
+
+use crate::failure::Failure;
+use std::cell::Cell;
+use std::fs::File;
+use std::io::{self, ErrorKind, Read};
+use std::path::Path;
+
+/// The greatest length of a row in bytes: some hundred numbers of 8192 bits.
+const LONGEST_ROW: u64 = 1 << 18;
+
+/// Opens a file; `-` is standard input.
+pub(crate) fn open(file: &Path, argument: &str) -> Result<Box<dyn Read>, Failure> {
+    if file == Path::new("-") {
+        return Ok(Box::new(io::stdin().lock()));
+    }
+    let opened = File::open(file).map_err(|e| Failure::Input(format!("{argument}: {e}")))?;
+    Ok(Box::new(opened))
+}
+
+/// The number of bytes read since the last complete row.
+#[derive(Default)]
+pub(crate) struct Ahead(Cell<u64>);
+
+impl Ahead {
+    /// Takes a complete row of this length off.
+    pub(crate) fn complete(&self, length: u64) {
+        self.0.set(self.0.get() - length);
+    }
+}
+
+/// A source that fails on a row without an end.
+pub(crate) struct Bounded<'a, R> {
+    pub(crate) source: R,
+    pub(crate) ahead: &'a Ahead,
+}
+
+impl<R: Read> Read for Bounded<'_, R> {
+    fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
+        let Ahead(ahead) = self.ahead;
+        if ahead.get() > LONGEST_ROW {
+            let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
+            return Err(io::Error::new(ErrorKind::InvalidData, text));
+        }
+        let count = self.source.read(bytes).map_err(|e| {
+            // A call that a signal interrupted is repeated.
+            let again = e.kind() == ErrorKind::Interrupted;
+            if again { e } else { io::Error::new(ErrorKind::InvalidData, e.to_string()) }
+        })?;
+        ahead.set(ahead.get() + count as u64);
+        Ok(count)
+    }
+}
+
+/// The failure for input that the reader cannot parse as a row.
+pub(crate) fn unreadable(name: &str, error: csv::Error) -> Failure {
+    let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
+    let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
+        format!("{len} fields, must be {expected_len} as in the header")
+    } else {
+        error.to_string()
+    };
+    let fault = Failure::Input(format!("{name}{line}: {text}"));
+    if let csv::ErrorKind::Io(error) = error.into_kind()
+        && error.kind() != ErrorKind::InvalidData
+    {
+        // A closed pipe or a full disk is no error of the input.
+        return error.into();
+    }
+    fault
+}
+
+/// The name of a column and its unit, from a header such as `frequency[Hz]`.
+pub(crate) fn name_and_unit(header: &str) -> (&str, Option<&str>) {
+    let text = header.trim_start_matches('\u{feff}').trim();
+    match text.strip_suffix(']').and_then(|text| text.split_once('[')) {
+        Some((own, unit)) => (own.trim(), Some(unit.trim())),
+        None => (text, None),
+    }
+}
+
+/// Whether `text` looks like a misspelling of `column`: one edit in ten letters, two in more.
+pub(crate) fn is_misspelt(text: &str, column: &str) -> bool {
+    let allowed = match column.len() {
+        0..5 => 0,
+        5..10 => 1,
+        _ => 2,
+    };
+    text.len() <= column.len() + 2 && strsim::osa_distance(&text.to_lowercase(), column) <= allowed
+}

@@ -1,0 +1,230 @@
+//! Measurements that do not belong to the curve, and the least squares over those that do.
+
+use super::model::Parameters;
+use super::search::{Curve, Fit, Grid, Rule, descend, kept};
+use crate::error::Error;
+use crate::uncertainty::student;
+use core::f64::consts::TAU;
+use std::iter::zip;
+
+/// Least squares over the values that belong to the curve.
+#[derive(Debug, Clone)]
+pub(super) struct Judged {
+    pub(super) at: Parameters,
+    /// Of all amplitudes, then of all phases.
+    pub(super) residuals: Vec<f64>,
+    /// Whether each residual is too large to count.
+    pub(super) suspect: Vec<bool>,
+    /// The standard errors of an amplitude and of a phase.
+    pub(super) noise: [f64; 2],
+    /// (κκ, κζ, ζζ), where the derivatives separate friction from damping.
+    pub(super) covariance: Option<[f64; 3]>,
+    pub(super) degrees_of_freedom: f64,
+}
+
+/// The residual below which nothing is suspect, because the exact motion is no more accurate.
+const LEAST_NOISE: f64 = 1e-9;
+/// The chance that a curve without a wrong value has a suspect one.
+const FALSE_ALARM: f64 = 0.01;
+/// The least number of values of a kind for a judgement of one of them, and for a noise of their own.
+const FEW: usize = 7;
+/// The greatest number of selections.
+const ROUNDS: usize = 100;
+/// The number of starts for the sum of a selection.
+const STARTS: usize = 3;
+
+/// What a value counts as.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Place {
+    Counted,
+    Outside,
+    /// Outside after it was counted.
+    Removed,
+    /// Counted for good: it was removed once, and the others agreed with it.
+    Restored,
+}
+
+impl Place {
+    fn counts(self) -> bool {
+        matches!(self, Self::Counted | Self::Restored)
+    }
+}
+
+/// Whether a sum of squares is larger than another one by more than chance, with their degrees of freedom:
+/// beyond the 99.9 % quantile of the ratio, whose logarithm is nearly normal.
+pub(super) fn is_larger(ratio: f64, degrees: [f64; 2]) -> bool {
+    let [m, n] = degrees.map(|d| (d - 1.0).max(1.0));
+    ratio.ln() > 3.09 * (2.0 / m + 2.0 / n).sqrt()
+}
+
+/// The least squares over the values that a trimmed fit explains, to which all others are added that lie
+/// within the errors of a prediction; values that turn out to lie beyond are removed one by one. A value
+/// changes its place at most three times, so that the selection ends. With a grid of starts for this curve, the sum
+/// of the selection is compared with the least from these.
+///
+/// # Errors
+/// [`Error::NotIdentified`] where the selection or a descent does not end.
+pub(super) fn judge(curve: &Curve<'_>, start: Parameters, grid: Option<&Grid>) -> Result<Judged, Error> {
+    let counts = curve.counts();
+    let trimmed = descend(curve, Rule::Trimmed, start)?;
+    let spread = spread(&trimmed.residuals, counts);
+    let mut ratio = own_noise(spread, counts.map(|n| kept(n) as f64));
+    let mut places = core(curve, &trimmed, spread)?;
+    let mut at = trimmed.at;
+    for round in 0..ROUNDS {
+        let weight =
+            |(i, place): (usize, &Place)| if place.counts() { of_kind(i, counts, [1.0, ratio]) } else { 0.0 };
+        let weights: Vec<f64> = places.iter().enumerate().map(weight).collect();
+        let fit = descend(curve, Rule::Weighted(&weights), at)?;
+        at = fit.at;
+        let slopes = curve.slopes(at, &fit.residuals).ok_or(Error::NotIdentified)?;
+        let count = weights.iter().filter(|w| **w > 0.0).count();
+        let degrees_of_freedom = count.saturating_sub(2).max(1) as f64;
+        let variance = (fit.sum / degrees_of_freedom).max(LEAST_NOISE.powi(2) / 100.0);
+        let covariance = fit.normal(&slopes).inverse().map(|inverse| inverse.map(|x| x * variance));
+        let noise = [variance.sqrt(), (variance / ratio).sqrt()];
+        let limit = quantile(FALSE_ALARM / count as f64, degrees_of_freedom);
+        let mut has_changed = false;
+        // Those outside that a prediction covers. The noise of the smaller residuals alone is too small.
+        let cut_off = of_smaller(count as f64 / places.len() as f64);
+        for (i, ((place, r), slope)) in zip(zip(&mut places, &fit.residuals), &slopes).enumerate() {
+            let error = (of_kind(i, counts, noise) / cut_off)
+                .max(LEAST_NOISE)
+                .hypot(of_prediction(covariance, slope));
+            if !place.counts() && r.abs() <= limit * error {
+                *place = if *place == Place::Outside { Place::Counted } else { Place::Restored };
+                has_changed = true;
+            }
+        }
+        if !has_changed {
+            let alone = fit.normal(&slopes).inverse_within(at).map(|inverse| inverse.map(|x| x * variance));
+            // The deviation from what the others predict, by its standard error without this value.
+            let beyond = |i: usize| -> f64 {
+                let [Some(r), Some(w)] = [&fit.residuals, &fit.weights].map(|v| v.get(i)) else { return 0.0 };
+                let Some(slope) = slopes.get(i).filter(|_| *w > 0.0 && of_kind(i, counts, counts) >= FEW)
+                else {
+                    return 0.0;
+                };
+                let rest = 1.0 - (w * of_prediction(alone, slope).powi(2) / variance).min(1.0);
+                let own = w * r * r / rest;
+                let others = (fit.sum - own).max(0.0) / (degrees_of_freedom - 1.0).max(1.0);
+                // A value that alone determines a parameter has no residual.
+                if rest > 1e-6 { (own / others.max(LEAST_NOISE.powi(2))).sqrt() / limit } else { 0.0 }
+            };
+            let counted = (0..places.len()).filter(|&i| places.get(i) == Some(&Place::Counted));
+            let worst = counted.max_by(|&i, &j| beyond(i).total_cmp(&beyond(j)));
+            if let Some(worst) = worst.filter(|&i| beyond(i) > 1.0)
+                && let Some(place) = places.get_mut(worst)
+            {
+                *place = Place::Removed;
+                has_changed = true;
+            }
+        }
+        let next = own_noise(of_each(&fit, &weights, counts), numbers(&weights, counts));
+        // At the limit of chance the weight could alternate for ever.
+        if round < ROUNDS / 10 && (next / ratio).ln().abs() > 0.05 {
+            ratio = next;
+            has_changed = true;
+        }
+        if !has_changed {
+            let others = grid.and_then(|grid| grid.best(curve, Rule::Weighted(&weights), STARTS).ok());
+            if let Some(better) = others.filter(|other| other.sum < fit.sum * (1.0 - 1e-6)) {
+                at = better.at;
+                continue;
+            }
+            let suspect = places.iter().map(|place| !place.counts()).collect();
+            let Fit { residuals, .. } = fit;
+            return Ok(Judged { at, residuals, suspect, noise, covariance, degrees_of_freedom });
+        }
+    }
+    Err(Error::NotIdentified)
+}
+
+/// The one of the amplitudes or the one of the phases, for the kind of a residual.
+fn of_kind<T>(index: usize, counts: [usize; 2], [amplitude, phase]: [T; 2]) -> T {
+    if index < counts[0] { amplitude } else { phase }
+}
+
+/// The standard error of a computed value, from the covariance of the parameters.
+fn of_prediction(covariance: Option<[f64; 3]>, [x, y]: &[f64; 2]) -> f64 {
+    covariance.map_or(f64::INFINITY, |[a, b, c]| (a * x * x + 2.0 * b * x * y + c * y * y).max(0.0).sqrt())
+}
+
+/// The values that a trimmed fit explains to 2.5 standard errors, as its median residual gives them.
+fn core(curve: &Curve<'_>, trimmed: &Fit, spread: [f64; 2]) -> Result<Vec<Place>, Error> {
+    let counts = curve.counts();
+    let slopes = curve.slopes(trimmed.at, &trimmed.residuals).ok_or(Error::NotIdentified)?;
+    let spread_of = |i: usize| of_kind(i, counts, spread);
+    let weights = trimmed.weights.iter().enumerate().map(|(i, w)| w / spread_of(i).powi(2)).collect();
+    let covariance = Fit { weights, ..trimmed.clone() }.normal(&slopes).inverse();
+    let judged = zip(zip(&trimmed.residuals, &trimmed.weights), &slopes).enumerate();
+    Ok(judged
+        .map(|(i, ((r, weight), slope))| {
+            let is_few = of_kind(i, counts, counts) < FEW;
+            let of_prediction = if *weight > 0.0 { 0.0 } else { of_prediction(covariance, slope) };
+            let within = r.abs() <= 2.5 * spread_of(i).hypot(of_prediction);
+            if is_few || within { Place::Counted } else { Place::Outside }
+        })
+        .collect())
+}
+
+/// The standard error of each kind of value by its median residual, with the correction of Rousseeuw and
+/// Leroy for few of them.
+fn spread(residuals: &[f64], counts: [usize; 2]) -> [f64; 2] {
+    let (amplitudes, phases) = residuals.split_at(counts[0].min(residuals.len()));
+    let of = |group: &[f64]| {
+        let mut sizes: Vec<f64> = group.iter().map(|r| r.abs()).collect();
+        sizes.sort_by(f64::total_cmp);
+        let median = sizes.get(sizes.len() / 2).copied().unwrap_or(0.0);
+        let few = 1.0 + 5.0 / (group.len() as f64 - 2.0).max(1.0);
+        (1.4826 * few * median).max(LEAST_NOISE)
+    };
+    [of(amplitudes), of(phases)]
+}
+
+/// The weight of a phase beside that of an amplitude: 1, unless the noise of the two differs by more than
+/// chance.
+fn own_noise([of_amplitude, of_phase]: [f64; 2], numbers: [f64; 2]) -> f64 {
+    let ratio = (of_amplitude / of_phase).powi(2);
+    let is_enough = numbers.iter().all(|n| *n >= FEW as f64);
+    if is_enough && is_larger(ratio.max(1.0 / ratio), numbers) { ratio } else { 1.0 }
+}
+
+/// The numbers of amplitudes and of phases that count.
+fn numbers(weights: &[f64], counts: [usize; 2]) -> [f64; 2] {
+    let (amplitudes, phases) = weights.split_at(counts[0].min(weights.len()));
+    [amplitudes, phases].map(|group| group.iter().filter(|w| **w > 0.0).count() as f64)
+}
+
+/// The root mean square of the residuals that count, of each kind.
+fn of_each(fit: &Fit, weights: &[f64], counts: [usize; 2]) -> [f64; 2] {
+    let (amplitudes, phases) = fit.residuals.split_at(counts[0].min(fit.residuals.len()));
+    let (of_amplitudes, of_phases) = weights.split_at(counts[0].min(weights.len()));
+    [(amplitudes, of_amplitudes), (phases, of_phases)].map(|(residuals, weights)| {
+        let counted = zip(residuals, weights).filter(|(_, w)| **w > 0.0);
+        let (count, sum) = counted.fold((0.0, 0.0), |(n, sum), (r, _)| (n + 1.0, sum + r * r));
+        (sum / f64::max(count, 1.0)).sqrt().max(LEAST_NOISE)
+    })
+}
+
+/// The standard deviation of the smaller part of normal numbers, `√(1 − 2zφ(z)/part)`, z being their greatest.
+fn of_smaller(part: f64) -> f64 {
+    if part >= 1.0 {
+        return 1.0;
+    }
+    let z = normal(1.0 - part);
+    let density = (-0.5 * z * z).exp() / TAU.sqrt();
+    (1.0 - 2.0 * z * density / part).max(0.1).sqrt()
+}
+
+/// The two-sided quantile of Student's distribution: a value beyond it has this probability.
+fn quantile(probability: f64, degrees_of_freedom: f64) -> f64 {
+    student(normal(probability), degrees_of_freedom)
+}
+
+/// The two-sided quantile of the normal distribution (Abramowitz and Stegun, 26.2.23).
+fn normal(probability: f64) -> f64 {
+    let t = (-2.0 * (probability / 2.0).ln()).sqrt();
+    t - (2.515_517 + t * (0.802_853 + t * 0.010_328))
+        / (1.0 + t * (1.432_788 + t * (0.189_269 + t * 0.001_308)))
+}
