@@ -78,18 +78,21 @@ impl Question {
     fn check(&self) -> Option<OptimumKind> {
         let Self { alpha, gamma, low, high } = *self;
         let (at, energy) = self.dense();
+        // Δ₀ = a − G: near α = 4/π two numbers are subtracted that are as large as at the resonance, 8γ/π|Z₁|².
+        let shift = 8.0 / std::f64::consts::PI * gamma / ((at - 1.0).powi(2) + 4.0 * gamma * gamma);
+        let slack = 1e-10 + 1e-14 * shift * 4.0 / energy.max(1.0);
         match most_dissipating_stiffness(&self.body(1.0), &self.drive(), low, high) {
             Ok(best) => {
                 assert!(low <= best.at && best.at <= high, "{alpha} {gamma} {low} {high}: {best:?}");
-                // The mesh ends at 1e-10 of the energy by its refinement; rounding is 1e-13 away from α = 4/π.
+                // The refinement of the mesh ends at 1e-10 of the energy.
                 assert!(
-                    energy <= best.value * (1.0 + 1e-10),
+                    energy <= best.value * (1.0 + slack),
                     "α = {alpha}, γ = {gamma}, {low} to {high}: {best:?}, but {energy} at {at}"
                 );
                 let there = [0.0, -1e-14, 1e-14].map(|off| self.energy(best.at * (1.0 + off)));
                 let there = there.into_iter().fold(0.0, f64::max);
                 assert!(
-                    (there / best.value - 1.0).abs() < 1e-9,
+                    (there / best.value - 1.0).abs() < 10.0 * slack,
                     "{alpha} {gamma} {low} {high}: {best:?} {there}"
                 );
                 Some(best.kind)
