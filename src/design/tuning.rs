@@ -24,7 +24,8 @@ use crate::oscillator::{Drive, Oscillator};
 use crate::ratios::{Ratios, positive};
 use work::Work;
 
-/// The number of harmonics of the friction, even ones included, whose resonances lie in a part of the range.
+/// The number of harmonics of the friction, even ones included, whose resonances lie in the first part of the
+/// range; each further part has twice as many.
 const HARMONICS: i32 = 64;
 
 /// The Ω in `[low, high]` that makes A₂ largest at the force ratio α without sticking.
@@ -54,7 +55,7 @@ fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result
     let work = Work::new(alpha, gamma);
     let mut best: Option<Optimum<F>> = None;
     let mut least: Option<F> = None;
-    let mut top = high;
+    let (mut top, mut harmonics) = (high, F::int(HARMONICS));
     loop {
         let stiffness = one / top.square();
         let is_beaten =
@@ -62,7 +63,10 @@ fn best_frequency_ratio<F: Float>(alpha: F, gamma: F, low: F, high: F) -> Result
         if stiffness > one && (stiffness - one > alpha || best.is_some_and(is_beaten)) {
             break;
         }
-        let bottom = low.or_larger(top / two).or_larger(one / (one / top + F::int(HARMONICS)));
+        let bottom = low.or_larger(top / two).or_larger(one / (one / top + harmonics));
+        // Where a part is lost in the rounding, the rest is one.
+        let bottom = if bottom < top { bottom } else { low };
+        harmonics = two * harmonics;
         let mut found = bands_with(alpha, Damper::Constant(gamma), bottom, top)?;
         for band in found.by_ref() {
             best = best_of_band(&work, alpha, gamma, (low, high), &band?, best)?;
