@@ -15,8 +15,8 @@
 //!
 //! All functions allow a damper; in ratios the damping ratio ζ is an argument, 0 without a damper. With
 //! damping, the force, the friction, the displacement, the velocity and the friction that dissipates most
-//! have their own proofs of uniqueness; the bands and the stiffness that dissipates most are **searched**
-//! (`damped`).
+//! have their own proofs of uniqueness; the bands are **searched** (`damped`), and the stiffness that
+//! dissipates most is proved to be the best of the bands found (`tuning`).
 //!
 //! Every other answer is proved, in the documentation of its function, to be the only one or the best of all;
 //! none is found by sampling. With sticking allowed it is the best to within a tolerance, provided that each

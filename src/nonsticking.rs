@@ -60,10 +60,8 @@ pub use stability::Multipliers;
 pub(crate) use amplitude::{force_ratio_from_displacement, max_velocity_from_displacement};
 #[cfg(feature = "batch")]
 pub(crate) use border::border_near;
-pub(crate) use displacement::{max_displacement, squared_sine};
 pub(crate) use dissipation::{
-    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_inertia,
-    loop_size_stiffness,
+    best_force_ratio, best_force_ratio_at, best_loop_size, best_loop_size_at, loop_size_stiffness,
 };
 pub(crate) use peaks::dynamic_amplification;
 #[cfg(feature = "mp")]
@@ -83,6 +81,8 @@ pub(crate) use phase::velocity_phase;
 pub(crate) use velocity::fastest;
 #[cfg(feature = "batch")]
 pub(crate) use waves::{Circular, Waves};
+#[cfg(any(test, feature = "matching", feature = "mp"))]
+pub(crate) use {displacement::max_displacement, dissipation::loop_size_inertia};
 #[cfg(any(test, feature = "matching"))]
 pub(crate) use {
     displacement::{displacement_phase, max_displacement_from_amplitude},

@@ -75,8 +75,13 @@ struct Frequency<F> {
 /// 7.6e-6, and α would keep the body sliding even there. The iterator itself gives [`Error::Undecided`] for a
 /// lobe whose minimum is too close to α for the type to decide whether it contains a band.
 pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Bands<F>, Error> {
-    let ratios = Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
-    if !ratios.is_damped() {
+    Ratios::new(low, alpha)?.with_damping_ratio(damping_ratio)?;
+    bands_with(alpha, Damper::Ratio(damping_ratio), low, high)
+}
+
+/// The same for a damper that is valid in the range.
+pub(super) fn bands_with<F: Float>(alpha: F, damper: Damper<F>, low: F, high: F) -> Result<Bands<F>, Error> {
+    if !damper.is_damped() {
         return bands_by_lobes(alpha, low, high);
     }
     Ratios::new(high, alpha)?;
@@ -84,7 +89,7 @@ pub fn bands<F: Float>(alpha: F, damping_ratio: F, low: F, high: F) -> Result<Ba
         let quantity = Quantity::FrequencyRatio;
         return Err(Error::EmptyRange { quantity, low: written(low), high: written(high) });
     }
-    let source = Source::Searched(Box::new(Search::new(alpha, Damper::Ratio(damping_ratio), low, high)));
+    let source = Source::Searched(Box::new(Search::new(alpha, damper, low, high)?));
     Ok(Bands { alpha, low, high, source, frequency: None })
 }
 
@@ -146,6 +151,14 @@ impl<F: Float> Iterator for Bands<F> {
 }
 
 impl<F: Float> Bands<F> {
+    /// The least value of the border that a search has seen.
+    pub(super) fn least(&self) -> Option<F> {
+        match &self.source {
+            Source::Searched(search) => search.least(),
+            Source::Lobes(..) => None,
+        }
+    }
+
     /// The band in physical units.
     fn in_units(&self, band: Band<F>) -> Band<F> {
         let Some(Frequency { natural, low, high }) = self.frequency else { return band };
@@ -158,7 +171,7 @@ impl<F: Float> Bands<F> {
 }
 
 /// The band of `lobe` within `[low, high]`, if there is one.
-pub(super) fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Band<F>>, Error> {
+fn band_in<F: Float>(lobe: Lobe, alpha: F, low: F, high: F) -> Result<Option<Band<F>>, Error> {
     // The excess is not negative where the body slides.
     let excess = |omega: F| alpha - Border::at(&PhaseFunction::of_valid(omega)).min_force_ratio;
     let slides = |omega: F| excess(omega) >= F::int(0);

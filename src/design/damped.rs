@@ -1,29 +1,31 @@
-//! Inverse problems over a range of frequency with a damper: proved and searched statements.
+//! Bands of frequency with a damper: proved and searched statements.
 //!
 //! Without damping each lobe of the border has one minimum, so that no band between two frequencies is missed
-//! (`bands`, `tuning`). No such proof is known with damping, where the poles of the border become finite
-//! peaks.
+//! (`bands`). No such proof is known with damping, where the poles of the border become finite peaks.
 //!
 //! **Proved:** `α_min ≥ 1/Ω² − 1`, so that there is no band below Ω = 1/√(1 + α). The reason is `G + 2ζΩH =
 //! [sinh ζT + (ζ/d) sin dT]/N ≥ 0`, because `sinh ζT ≥ ζT ≥ (ζ/d) |sin dT|` (a hyperbolic sine for ζ ≥ 1);
 //! hence `S ≥ 1/Ω²`, and `q ≥ |1 − Ω²|`. At the ends of a band, the computed border changes sides between two
 //! adjacent numbers.
 //!
+//! **Proved to rounding:** where `e^{−ζT}` is below the rounding, G = 1 and H = 0, and the border has no
+//! structure: `α_min = 2q/Ω²`, which falls with Ω. For Ω < d/2 the turning point decides, because with x = dτ
+//! > 2y, y = Ωτ, `ρ(τ)/ρ(0⁺) = e^{−ζτ} (sin x/x)(y/sin y)` is at most cos y for x ≤ π, at most ½ beyond up to y
+//! = π/2, and as small as the free vibration from there on.
+//!
 //! **Searched:** all else. The border is evaluated on a mesh: 32 points for each additional half turn of the
 //! free vibration in half a period of the drive. The mesh is finer towards the border's peaks at dT/π = 3, 5,
-//! …, down to a quarter of their width ζT/π. Above Ω = 1, where there are no peaks, the steps are 3 %.
+//! …, down to a quarter of their width ζT/π. Where there are no peaks, the steps are 3 %.
 //! Wherever a point of the mesh is next to an extremum on the wrong side of α, the extremum itself is
 //! located.
 
-mod tuning;
-
 use super::band::{Band, Edge};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::border::Lobe;
 use crate::nonsticking::damped::{border, half_period_at};
 use crate::root;
 use std::collections::VecDeque;
-pub(super) use tuning::best_frequency_ratio;
 
 /// The property of the damper that is constant while the frequency ratio changes.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +37,12 @@ pub(super) enum Damper<F> {
 }
 
 impl<F: Float> Damper<F> {
+    /// Whether there is one.
+    pub(super) fn is_damped(self) -> bool {
+        let (Self::Ratio(damping) | Self::Constant(damping)) = self;
+        damping > F::int(0)
+    }
+
     /// ζ at Ω.
     pub(super) fn ratio(self, omega: F) -> F {
         match self {
@@ -49,7 +57,7 @@ impl<F: Float> Damper<F> {
         let (zeta, geometric) = (self.ratio(omega), omega * F::ratio(33, 32));
         let square = (one - zeta) * (one + zeta);
         let d = square.abs().sqrt();
-        if square <= F::int(0) || d <= two * omega {
+        if square <= F::int(0) || d <= two * omega || has_decayed(zeta, omega) {
             return geometric;
         }
         // The number of half turns of the free vibration in half a period of the drive.
@@ -61,6 +69,21 @@ impl<F: Float> Damper<F> {
         d / (turns - if step < finest { step } else { finest })
     }
 }
+
+/// Whether `e^{−ζT}`, to which the border has peaks, is below the rounding.
+fn has_decayed<F: Float>(zeta: F, omega: F) -> bool {
+    zeta * F::pi() > omega * decay_exponent()
+}
+
+/// The ζT from which on `e^{−ζT} < ε/4`: `0.7 > ln 2` for each bit.
+fn decay_exponent<F: Float>() -> F {
+    let bits = i32::try_from(F::PRECISION).unwrap_or(i32::MAX).saturating_add(2);
+    F::int(bits) * F::ratio(7, 10)
+}
+
+/// The most half turns of the free vibration that are searched, as many as the lobes of the undamped border
+/// have.
+const HALF_TURNS: i32 = 1 << 17;
 
 /// A point of the mesh: Ω, and α minus the border there, which is not negative where the body slides.
 #[derive(Debug, Clone, Copy)]
@@ -88,10 +111,27 @@ pub(super) struct Search<F> {
 
 impl<F: Float> Search<F> {
     /// The search at α in the range `[low, high]`, which is valid.
-    pub(super) fn new(alpha: F, damper: Damper<F>, low: F, high: F) -> Self {
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] where the free vibration makes too many half turns to be searched.
+    pub(super) fn new(alpha: F, damper: Damper<F>, low: F, high: F) -> Result<Self, Error> {
         let one = F::int(1);
         let from = low.or_larger(one / (one + alpha).sqrt());
-        Self {
+        // The lowest Ω with peaks, at ζ there.
+        let peaks_from = match damper {
+            Damper::Ratio(zeta) => from.or_larger(zeta * F::pi() / decay_exponent()),
+            Damper::Constant(_) => from,
+        };
+        let least = one / (one / high + F::int(HALF_TURNS));
+        if peaks_from < least && !has_decayed(damper.ratio(peaks_from), peaks_from * F::ratio(33, 32)) {
+            return Err(Error::OutOfRange {
+                quantity: Quantity::FrequencyRatio,
+                value: written(low),
+                least: written(least),
+                greatest: written(F::exp2i(F::RATIO_EXPONENT)),
+            });
+        }
+        Ok(Self {
             alpha,
             damper,
             range: (low, high),
@@ -101,7 +141,7 @@ impl<F: Float> Search<F> {
             ready: VecDeque::new(),
             before: None,
             least: None,
-        }
+        })
     }
 
     /// The least value of the border so far.
@@ -155,7 +195,11 @@ impl<F: Float> Search<F> {
         let sign = F::int(if slides { 1 } else { -1 });
         let is_side = |node: Node<F>| (node.excess >= zero) == slides;
         let is_nearer = |node: Node<F>| sign * middle.excess <= sign * node.excess;
-        if !first.into_iter().chain(last).all(|node| is_side(node) && is_nearer(node)) {
+        let neighbours = first.into_iter().chain(last);
+        let is_nearest = neighbours.clone().all(|node| is_side(node) && is_nearer(node));
+        // On a mesh that resolves the border an extremum is not much farther than the neighbours.
+        let change = neighbours.fold(zero, |most, node| most.or_larger((node.excess - middle.excess).abs()));
+        if !is_nearest || middle.excess.abs() > F::int(8) * change {
             return None;
         }
         let depth = |omega: F| -(sign * self.excess(omega));

@@ -19,6 +19,7 @@ mod batches;
 mod damped;
 mod design;
 mod design_damped;
+mod design_optimum;
 #[cfg(feature = "mp")]
 mod design_wide;
 mod identify;

@@ -146,6 +146,37 @@ fn with_a_damper() {
     refused(&format!("design {arguments} --damping-ratio 0.05"), says);
 }
 
+/// A range that ends beside the resonance, whose peak is as narrow as the damping is weak.
+#[test]
+fn the_best_stiffness_beside_an_end_of_the_range() {
+    let best = json(
+        "design stiffness --mass 1 --friction 1 --frequency 1 --force 24 --damping 0.0004 --from 0.4 --to 1.02",
+    );
+    assert!((number(&best["energy"]) / 227_267.6 - 1.0).abs() < 1e-6, "{best}");
+    assert!((number(&best["stiffness"]) - 1.0).abs() < 1e-7, "{best}");
+    assert_eq!((&best["optimum"], &best["found_by"]), (&Value::from("interior"), &Value::from("search")));
+    let best = json(
+        "design stiffness --mass 50t --friction 5kN --frequency 1Hz --force 30kN --damping 6.3kN*s/m \
+         --from 1000kN/m --to 2010kN/m --units kN,m",
+    );
+    assert!((number(&best["energy"]) / 11.941 - 1.0).abs() < 1e-4, "{best}");
+    assert!((number(&best["stiffness"]) / 1973.9 - 1.0).abs() < 1e-4, "{best}");
+}
+
+/// Far below the resonance the free vibration has decayed at each turn: the border is 2q/Ω², and α = 10²⁰ reaches
+/// down to Ω = √2·10⁻¹⁰. With little damping there are too many half turns to search.
+#[test]
+fn bands_far_below_the_resonance() {
+    let bands = json("design bands --alpha 1e20 --damping-ratio 5% --from 1e-10 --to 5e-9");
+    assert_eq!(bands.as_array().unwrap().len(), 1);
+    close(number(&bands[0]["omega_from"]), 2f64.sqrt() * 1e-10);
+    close(number(&bands[0]["omega_to"]), 5e-9);
+    refused(
+        "design bands --alpha 1e20 --damping-ratio 1e-9 --from 1e-10 --to 5e-9",
+        &["--from 1e-10", "frequency ratio Ω = 1e-10 must be ≥"],
+    );
+}
+
 /// Forces and bands without a stop with a damper: six reversals a cycle with little damping, and none with
 /// more.
 #[test]
