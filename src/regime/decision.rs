@@ -77,7 +77,9 @@ impl<F: Float> Verdict<F> {
             Regime::Stuck => return Verdict::AtRest,
             Regime::NonSticking => return Verdict::NonSticking,
             Regime::Unbounded => return Verdict::Unbounded,
-            _ if !ratios.moves_from_rest() => return Verdict::DependsOnStart,
+            Regime::Sticking | Regime::DependsOnStart if !ratios.moves_from_rest() => {
+                return Verdict::DependsOnStart;
+            }
             Regime::Sticking | Regime::DependsOnStart => {}
         }
         let (least, alpha) = (border.min_force_ratio, ratios.alpha());

@@ -286,7 +286,7 @@ mod tests {
             (0.199_9, 0.0, 2.0),
             (0.0907, 0.0, 1.2),
         ] {
-            let (low, high) =
+            let (low, high): (f64, f64) =
                 force_ratios(omega, zeta, eta).unwrap_or_else(|| panic!("{omega} {zeta} {eta}"));
             let (one, at) =
                 (force_ratios(omega, zeta, 1.0).unwrap(), format!("{omega} {zeta} {eta}: {low} {high}"));
