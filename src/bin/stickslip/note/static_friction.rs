@@ -23,7 +23,7 @@ pub(super) fn verdict<F: Value>(response: &Response<F>) -> String {
             "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".to_owned()
         }
         Regime::Sticking => format!(
-            "Sticking: the body stops again and again, from every start; the force is {margin} of the minimum for \
+            "Sticking: the body stops again and again, from every start. The force is {margin} of the minimum for \
              continuous sliding."
         ),
         Regime::NonSticking => format!(
