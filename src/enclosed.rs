@@ -55,8 +55,10 @@ pub use motion::{Event, Steady, Unproved, steady};
 use crate::error::{Error, Quantity};
 use crate::float::ball::Ball;
 use crate::float::mp::Mp;
+use crate::float::{Field, Real};
 use crate::output::Output;
 use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio, within};
+use crate::regime::sliding_bound;
 use angle::Angle;
 use border::Border;
 use cycle::Cycle;
@@ -73,12 +75,16 @@ pub enum Regime {
     Stuck,
     /// 1 < α < α_min(Ω): there is no cycle of two reversals without a stop. The body sticks, except at the
     /// force ratios of six reversals near a pole ([`crate::nonsticking::SixReversals`]), which are not
-    /// enclosed.
+    /// enclosed. With η > 1 it sticks from every start where α > η, and may end at rest where α ≤ η.
     BelowBorder,
-    /// α > α_min(Ω): two reversals a cycle and no stop.
+    /// α > α_min(Ω): two reversals a cycle and no stop. With η > 1 only above the bound of
+    /// [`crate::NoStop::every_start`], because every start leads there.
     NonSticking,
-    /// Ω = 1, ζ = 0 and α > 4/π: the displacement of a motion without a stop grows without bound.
+    /// Ω = 1, ζ = 0 and α > 4/π, with η > 1 α > 4η/π: the displacement grows without bound from every start.
     Unbounded,
+    /// η > 1 and α > α_min(Ω), not above that bound: a motion of two reversals without a stop exists and attracts its
+    /// neighbourhood. Other starts may lead to other motions, and for α ≤ η a body at rest stays at rest.
+    DependsOnStart,
 }
 
 /// Displays the name that the command prints.
@@ -98,6 +104,7 @@ impl Regime {
             Self::BelowBorder => "below the border",
             Self::NonSticking => "non-sticking",
             Self::Unbounded => "unbounded",
+            Self::DependsOnStart => "depends-on-start",
         }
     }
 }
@@ -108,6 +115,9 @@ impl Regime {
 pub struct Response {
     /// The regime; `None` where it is undecided at these [`bits`](Response::bits).
     pub regime: Option<Regime>,
+    /// Whether a body at rest is released wherever it is, α > η ([`crate::Ratios::moves_from_rest`]); `None`
+    /// where the intervals do not decide it, or without an α.
+    pub moves_from_rest: Option<bool>,
     /// The number of bits of the final computation.
     pub bits: u32,
     values: Vec<(Output, Enclosure)>,
@@ -116,8 +126,8 @@ pub struct Response {
 impl Response {
     /// An output; `None` where it does not exist, is undecided, or has no enclosure here.
     ///
-    /// Outputs of the cycle exist where the regime is certainly [`Regime::NonSticking`]. A phase may lie
-    /// outside [0, 2π) by up to the width of its ball.
+    /// Outputs of the cycle exist where it certainly exists: where the regime is [`Regime::NonSticking`], or
+    /// [`Regime::DependsOnStart`] away from Ω = 1 without a damper. A phase may lie outside [0, 2π) by up to the width of its ball.
     #[must_use]
     pub fn get(&self, output: Output) -> Option<&Enclosure> {
         self.values.iter().find(|(name, _)| *name == output).map(|(_, value)| value)
@@ -140,8 +150,8 @@ pub(crate) fn response_for(
 /// The closed forms at (Ω, α), the damping ratio ζ ≥ 0 and a static friction of η ≥ 1 times the kinetic one,
 /// enclosed: to `bits` bits where the ratios are exact. Each ratio may be an interval.
 ///
-/// With η > 1 the outputs and the regime are those of motions of two reversals a cycle without a stop; other
-/// starts may lead to other motions.
+/// With η > 1 the outputs are those of the motion of two reversals a cycle without a stop, and the regime says
+/// whether every start is known to lead to it.
 ///
 /// # Errors
 /// Where a ratio or `bits` is outside its domain ([`crate::Ratios`]; at most 8192 bits).
@@ -207,9 +217,16 @@ impl<'a> At<'a> {
     fn answered(&self, bits: u32) -> Result<Response, Error> {
         sharpest(self, valid(bits)?).map(|found| Response {
             regime: found.regime,
+            moves_from_rest: self.moves_from_rest(),
             bits: found.bits,
             values: found.values,
         })
+    }
+
+    fn moves_from_rest(&self) -> Option<bool> {
+        let alpha = self.alpha?;
+        let (moves, stays) = (alpha.low() > self.eta.high(), alpha.high() <= self.eta.low());
+        (moves || stays).then_some(moves)
     }
 
     fn is_undamped(&self) -> bool {
@@ -243,7 +260,12 @@ impl Question for At<'_> {
         values.push((Output::Margin, Some(ball / border.min_force_ratio)));
         let regime = self.regime(alpha, &ball, &border, half.is_none() && angle.is_pole());
         let mut is_decided = regime.is_some();
-        if regime == Some(Regime::NonSticking) {
+        let exists = match regime {
+            Some(Regime::NonSticking) => true,
+            Some(Regime::DependsOnStart) => self.is_bounded(),
+            _ => false,
+        };
+        if exists {
             let wanted = |output| self.only.is_none_or(|only| only == output);
             let found = match half {
                 None => Cycle::at(&angle, ball).map(|cycle| cycle.outputs(&angle, ball, wanted)),
@@ -285,9 +307,24 @@ impl At<'_> {
         if !border.min_force_ratio.is_below(ball) {
             return None;
         }
-        if *self.zeta.low() > 0 || *self.omega.low() > 1 || *self.omega.high() < 1 {
-            return Some(Regime::NonSticking);
+        let is_bounded = self.is_bounded();
+        if !is_bounded && !(self.omega.is_exact() && self.is_undamped()) {
+            return None;
         }
-        (self.omega.is_exact() && self.is_undamped()).then_some(Regime::Unbounded)
+        let without_stop = if is_bounded { Regime::NonSticking } else { Regime::Unbounded };
+        let eta = self.eta.ball::<W>();
+        let from_every_start = *self.eta.high() == 1
+            || if is_bounded {
+                let bound = || sliding_bound(self.omega.ball(), self.zeta.ball(), eta);
+                *self.zeta.low() > 0 && bound().is_below(ball)
+            } else {
+                (Ball::int(4) * eta / Ball::pi()).is_below(ball)
+            };
+        Some(if from_every_start { without_stop } else { Regime::DependsOnStart })
+    }
+
+    /// Whether no motion grows without bound.
+    fn is_bounded(&self) -> bool {
+        *self.zeta.low() > 0 || *self.omega.low() > 1 || *self.omega.high() < 1
     }
 }

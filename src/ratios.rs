@@ -95,6 +95,13 @@ impl<F: Float> Ratios<F> {
         self.static_friction_ratio > F::int(1)
     }
 
+    /// Whether a body at rest is released wherever it is, α > η. For α ≤ η it stays at rest for ever where
+    /// `|α sin θ − x| ≤ η` for all θ, that is for `|x| ≤ η − α`, also at x = 0.
+    #[inline]
+    pub fn moves_from_rest(&self) -> bool {
+        self.alpha > self.static_friction_ratio
+    }
+
     /// The same ratios, if the static friction equals the kinetic one, for calculations that require it.
     pub(crate) fn with_one_friction(self) -> Result<Self, Error> {
         one_friction(self.static_friction_ratio).map(|()| self)

@@ -7,14 +7,16 @@ pub(crate) mod damped;
 mod decision;
 mod no_stop;
 mod observed;
+mod static_friction;
 mod stops;
 mod verdict;
 
-pub(crate) use no_stop::no_stop_of;
 pub use no_stop::{NoStop, no_stop_force_ratios};
 // The regime of an exact motion, as the command and the Python package report it.
 #[doc(hidden)]
 pub use observed::{Observed, observed};
+#[cfg(feature = "mp")]
+pub(crate) use static_friction::sliding_bound;
 pub use stops::{Stops, stops_per_cycle};
 pub use verdict::{Family, Verdict};
 
@@ -24,20 +26,32 @@ use crate::nonsticking::{Border, six_reversals};
 use crate::ratios::Ratios;
 
 /// The steady behaviour of the body.
+///
+/// With a static friction above the kinetic one it can depend on the start, and a name is given only where every
+/// start leads to this behaviour; elsewhere it is [`Regime::DependsOnStart`] (`src/regime/static_friction.rs` has
+/// the proofs). The regime of one motion from one start is that of the motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[cfg_attr(feature = "serde", serde(rename_all = "kebab-case"))]
 pub enum Regime {
     /// α ≤ 1: the force cannot overcome friction permanently, and the body ends at rest.
     Stuck,
-    /// α > 1 and no motion without a stop: the body stops for some time in every cycle.
+    /// α > 1 and no motion without a stop: the body stops for some time in every cycle. With η > 1 it stops
+    /// again and again, α > η, and the motion itself depends on the start.
     Sticking,
     /// The body never stops for longer than an instant: either α ≥ α_min(Ω), where it reverses twice a cycle,
     /// or α lies within the force ratios of six reversals a cycle near a pole 1/(2n+1)
-    /// ([`crate::nonsticking::SixReversals`]).
+    /// ([`crate::nonsticking::SixReversals`]). With η > 1 only above
+    /// [`NoStop::every_start`].
     NonSticking,
-    /// Ω = 1 and α > 4/π: the body never stops and its displacement grows without bound.
+    /// Ω = 1 and α > 4/π, or with η > 1 α > 4η/π: the body never stops in the long run and its displacement grows
+    /// without bound.
     Unbounded,
+    /// η > 1, α > 1 and none of the others for every start. For α ≤ η a body at rest within |x| ≤ η − α stays at
+    /// rest ([`Ratios::moves_from_rest`]). Where a motion without a stop exists
+    /// ([`crate::Response::has_motion_without_stop`]) it is the limit of its neighbourhood; elsewhere all motions
+    /// end at rest or stop again and again.
+    DependsOnStart,
 }
 
 /// Displays the name that the command prints.
@@ -57,38 +71,25 @@ impl Regime {
             Self::Sticking => "sticking",
             Self::NonSticking => "non-sticking",
             Self::Unbounded => "unbounded",
+            Self::DependsOnStart => "depends-on-start",
         }
     }
 }
 
-/// The regime at (Ω, α, ζ), given the border there.
-///
-/// With a static friction above the kinetic one, the border alone decides, since other motions depend on the
-/// start.
+/// The regime at these ratios, given the border there.
 pub(crate) fn regime_of<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.has_higher_static_friction() {
-        return regime_by_border(ratios, border);
+        return static_friction::regime(ratios, border);
     }
     if !ratios.is_damped() {
         return regime_above(ratios.omega(), ratios.alpha(), border.min_force_ratio);
     }
-    let by_border = regime_by_border(ratios, border);
-    if by_border == Regime::Sticking && damped::reverses_six_times(ratios) {
-        return Regime::NonSticking;
-    }
-    by_border
-}
-
-/// The regime by the border alone.
-pub(crate) fn regime_by_border<F: Float>(ratios: Ratios<F>, border: &Border<F>) -> Regime {
     if ratios.alpha() <= F::int(1) {
         Regime::Stuck
-    } else if ratios.alpha() < border.min_force_ratio {
-        Regime::Sticking
-    } else if ratios.omega() == F::int(1) && !ratios.is_damped() {
-        Regime::Unbounded
-    } else {
+    } else if ratios.alpha() >= border.min_force_ratio || six_reversals::damped::is_within(&ratios) {
         Regime::NonSticking
+    } else {
+        Regime::Sticking
     }
 }
 
@@ -160,8 +161,10 @@ mod tests {
 
     #[test]
     fn names() {
-        let all = [Regime::Stuck, Regime::Sticking, Regime::NonSticking, Regime::Unbounded];
-        assert_eq!(all.map(Regime::name), ["stuck", "sticking", "non-sticking", "unbounded"]);
+        use Regime::{DependsOnStart, NonSticking, Sticking, Stuck, Unbounded};
+        let all = [Stuck, Sticking, NonSticking, Unbounded, DependsOnStart];
+        let names = ["stuck", "sticking", "non-sticking", "unbounded", "depends-on-start"];
+        assert_eq!(all.map(Regime::name), names);
         assert_eq!(format!("{:>9}", Regime::Sticking), " sticking");
     }
 }

@@ -1,6 +1,7 @@
 //! The complete answer at one (Ω, α): the regime, and the outputs that exist there.
 
 use crate::float::{AtPrecision, Float, Task};
+use crate::nonsticking::six_reversals;
 use crate::nonsticking::{Border, Cycle, best_force_ratio_at, best_loop_size_at, damped};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
@@ -21,7 +22,7 @@ use crate::regime::{Regime, has_two_reversals, regime_of};
 pub struct Response<F> {
     /// The ratios (Ω, α).
     pub ratios: Ratios<F>,
-    /// The steady behaviour of the body.
+    /// The steady behaviour of the body, from every start.
     pub regime: Regime,
     /// The border of the two-reversal cycle at this Ω, exact and by eq. 61.
     pub border: Border<F>,
@@ -44,10 +45,11 @@ impl<F: Float> Response<F> {
     /// The regime is decided by comparing α with the rounded border: within a few units in the last place of
     /// the border, either side may be named.
     ///
-    /// **With a static friction above the kinetic one** (η > 1) the steady motion can depend on the start,
-    /// and the regime states what the border alone guarantees. Non-sticking: the cycle without a stop exists,
-    /// and every sufficiently small disturbance of it decays. Sticking: there is no such cycle of two
-    /// reversals. `exact::attractors` finds the other motions.
+    /// **With a static friction above the kinetic one** (η > 1) the steady motion can depend on the start, and
+    /// three statements are kept apart. The regime is that of every start, or [`Regime::DependsOnStart`]. The
+    /// cycle, if there is one, does not stop and attracts its neighbourhood, whatever the regime
+    /// ([`Response::has_motion_without_stop`]). A body at rest is released where α > η
+    /// ([`Ratios::moves_from_rest`]). `exact::LongRun` follows one start, and `exact::attractors` many.
     pub fn new(ratios: Ratios<F>) -> Self {
         if ratios.is_damped() {
             return Self::damped(ratios);
@@ -95,7 +97,7 @@ impl<F: Float> Response<F> {
         let half = damped::half_period(&ratios);
         let border = damped::border(&half);
         let regime = regime_of(ratios, &border);
-        let cycle = (ratios.alpha() >= border.min_force_ratio && regime == Regime::NonSticking)
+        let cycle = (ratios.alpha() >= border.min_force_ratio && regime != Regime::Stuck)
             .then(|| Cycle::of_damped(damped::DampedCycle::at(half, ratios.alpha()), ratios));
         let (best_force_ratio, best_loop_size) = damped::best(&half);
         Self {
@@ -138,15 +140,26 @@ impl<F: Float> Response<F> {
         F::guarded(Task(ratios))
     }
 
-    /// Reversals in a cycle of the motion without a stop: 2, or 6 near a pole below the border, where the
-    /// closed forms do not hold ([`crate::nonsticking::SixReversals`] does); `None` where it stops or grows
-    /// without bound.
+    /// Reversals in the cycle without a stop: 2, or 6 near a pole below the border, where the closed forms do
+    /// not hold ([`crate::nonsticking::SixReversals`] does); `None` where there is no such cycle, or where the
+    /// motion grows without bound.
     pub fn reversals_per_cycle(&self) -> Option<u32> {
         match (self.regime, &self.cycle) {
             (_, Some(_)) => Some(2),
             (Regime::NonSticking, None) => Some(6),
+            (Regime::DependsOnStart, None) => {
+                let is_below = self.ratios.alpha() < self.border.min_force_ratio;
+                (is_below && six_reversals::damped::is_within(&self.ratios)).then_some(6)
+            }
             (Regime::Stuck | Regime::Sticking | Regime::Unbounded, None) => None,
         }
+    }
+
+    /// Whether a motion without a stop exists and attracts its neighbourhood: a cycle of two or six reversals,
+    /// or one that grows without bound. With η = 1 every start leads to it.
+    pub fn has_motion_without_stop(&self) -> bool {
+        let is_above = self.ratios.alpha() >= self.border.min_force_ratio;
+        is_above && self.regime != Regime::Stuck || self.reversals_per_cycle().is_some()
     }
 
     /// Whether the optimum of eq. 65 and 66 does not stick: α* ≥ α_min(Ω). Otherwise the best non-sticking

@@ -35,6 +35,8 @@ impl<F: Float + Serialize> Serialize for Response<F> {
             map.serialize_entry("damping_ratio", &ratios.damping_ratio())?;
             map.serialize_entry("static_friction_ratio", &ratios.static_friction_ratio())?;
             map.serialize_entry("regime", self.regime.name())?;
+            map.serialize_entry("motion_without_stop", &self.has_motion_without_stop())?;
+            map.serialize_entry("moves_from_rest", &ratios.moves_from_rest())?;
             for output in Output::ALL {
                 map.serialize_entry(output.name(), &output.of(self))?;
             }
@@ -175,6 +177,7 @@ impl Serialize for enclosed::Response {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         in_map(serializer, None, |map| {
             map.serialize_entry("regime", &self.regime)?;
+            map.serialize_entry("moves_from_rest", &self.moves_from_rest)?;
             for output in Output::ALL {
                 map.serialize_entry(output.name(), &self.get(output))?;
             }

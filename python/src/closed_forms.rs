@@ -15,11 +15,12 @@ use stickslip::{Error, Output, Regime, Response};
 const TASK: usize = 1 << 13;
 
 /// Names of the regimes by their codes; the last is for points outside the domain.
-pub(crate) const REGIMES: [&str; 5] = [
+pub(crate) const REGIMES: [&str; 6] = [
     Regime::Stuck.name(),
     Regime::Sticking.name(),
     Regime::NonSticking.name(),
     Regime::Unbounded.name(),
+    Regime::DependsOnStart.name(),
     "invalid",
 ];
 
@@ -29,7 +30,8 @@ pub(crate) const fn code(regime: Option<Regime>) -> u8 {
         Some(Regime::Sticking) => 1,
         Some(Regime::NonSticking) => 2,
         Some(Regime::Unbounded) => 3,
-        None => 4,
+        Some(Regime::DependsOnStart) => 4,
+        None => 5,
     }
 }
 
@@ -40,6 +42,8 @@ fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
     let dict = PyDict::new(py);
     dict.set_item("regime", answer.regime.name())?;
     dict.set_item("reversals_per_cycle", answer.reversals_per_cycle())?;
+    dict.set_item("motion_without_stop", answer.has_motion_without_stop())?;
+    dict.set_item("moves_from_rest", answer.ratios.moves_from_rest())?;
     for output in Output::ALL {
         dict.set_item(output.name(), output.of(&answer))?;
     }
@@ -47,10 +51,27 @@ fn response_at(py: Python<'_>, point: Point) -> PyResult<Bound<'_, PyDict>> {
 }
 
 /// The source of a column.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub(crate) enum Column {
     Output(Output),
-    Reversals,
+    /// A count or a flag of the whole response, with its name.
+    Whole(&'static str, fn(&Response<f64>) -> f64),
+}
+
+/// Counts and flags of the whole response as numbers; NaN where they do not exist.
+const WHOLE: [Column; 3] = [
+    Column::Whole("reversals_per_cycle", |answer| answer.reversals_per_cycle().map_or(f64::NAN, f64::from)),
+    Column::Whole("motion_without_stop", |answer| f64::from(u8::from(answer.has_motion_without_stop()))),
+    Column::Whole("moves_from_rest", |answer| f64::from(u8::from(answer.ratios.moves_from_rest()))),
+];
+
+impl Column {
+    const fn name(&self) -> &'static str {
+        match self {
+            Self::Output(output) => output.name(),
+            Self::Whole(name, _) => name,
+        }
+    }
 }
 
 /// The columns asked for by name, and whether the regime is among them.
@@ -58,11 +79,11 @@ pub(crate) fn columns(names: &[String]) -> PyResult<(Vec<Column>, bool)> {
     let mut found = Vec::new();
     let mut regime = false;
     for name in names {
-        match (name.as_str(), Output::ALL.into_iter().find(|output| output.name() == name)) {
-            ("regime", _) => regime = true,
-            ("reversals_per_cycle", _) => found.push(Column::Reversals),
-            (_, Some(output)) => found.push(Column::Output(output)),
-            (_, None) => return Err(refused(format!("output {name}: is unknown; see stickslip.OUTPUTS"))),
+        let mut known = WHOLE.into_iter().chain(Output::ALL.map(Column::Output));
+        match known.find(|column| column.name() == name) {
+            _ if name == "regime" => regime = true,
+            Some(column) => found.push(column),
+            None => return Err(refused(format!("output {name}: is unknown; see stickslip.OUTPUTS"))),
         }
     }
     Ok((found, regime))
@@ -133,8 +154,7 @@ pub(crate) fn table(
     fill(points, places, stop)?;
     let mut table = Table::default();
     for (column, values) in numbers {
-        let name = if let Column::Output(output) = column { output.name() } else { "reversals_per_cycle" };
-        table.number(name, values);
+        table.number(column.name(), values);
     }
     if regime {
         table.code("regime", codes, &REGIMES);
@@ -180,10 +200,9 @@ fn run(points: Points<'_>, mut places: Places<'_>, row: Option<&FixedOmega>) -> 
     for (column, slice) in &mut places.numbers {
         match column {
             Column::Output(output) => wanted = wanted.with(*output, slice),
-            Column::Reversals => {
+            Column::Whole(_, value) => {
                 for (i, slot) in slice.iter_mut().enumerate() {
-                    let reversals = at(i).and_then(|ratios| Response::new(ratios).reversals_per_cycle());
-                    *slot = reversals.map_or(f64::NAN, f64::from);
+                    *slot = at(i).map_or(f64::NAN, |ratios| value(&Response::new(ratios)));
                 }
             }
         }

@@ -16,6 +16,7 @@ fn dict<'py>(py: Python<'py>, found: Result<Response, Error>) -> PyResult<Bound<
     let found = found.map_err(refused)?;
     let dict = PyDict::new(py);
     dict.set_item("regime", found.regime.map(Regime::name))?;
+    dict.set_item("moves_from_rest", found.moves_from_rest)?;
     dict.set_item("bits", found.bits)?;
     for output in Output::ALL {
         dict.set_item(output.name(), found.get(output).map(Enclosure::decimal))?;

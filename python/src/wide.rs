@@ -83,6 +83,8 @@ fn response<F: Float>(ratios: Ratios<F>) -> Cells {
     let mut cells = vec![
         ("regime", Cell::Word(answer.regime.name())),
         ("reversals_per_cycle", Cell::Count(answer.reversals_per_cycle())),
+        ("motion_without_stop", Cell::Flag(Some(answer.has_motion_without_stop()))),
+        ("moves_from_rest", Cell::Flag(Some(ratios.moves_from_rest()))),
     ];
     cells.extend(Output::ALL.map(|output| (output.name(), digits(output.of(&answer)))));
     if !ratios.has_higher_static_friction()

@@ -13,7 +13,7 @@ from ._result import Codes, Physical, Points, Result, Value, decimals, digits, p
 
 #: The ratios that determine the motion.
 RATIOS = ("omega", "alpha", "damping_ratio", "static_friction_ratio")
-_OF_POINT = ("regime", "reversals_per_cycle")
+_OF_POINT = ("regime", "reversals_per_cycle", "motion_without_stop", "moves_from_rest")
 #: Names of the outputs of `response`.
 OUTPUTS: tuple[str, ...] = (*_OF_POINT, *_native.OUTPUTS)
 #: The default outputs for arrays: those that one pass of vector instructions computes.
@@ -46,10 +46,16 @@ class Response(Result):
     omega, alpha, damping_ratio, static_friction_ratio : float or array
         The ratios of the point or points.
     regime : str or array of str
-        ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``; ``"invalid"`` in an array for a
-        point outside the domain.
+        What every start leads to: ``"stuck"``, ``"sticking"``, ``"non-sticking"`` or ``"unbounded"``. With a static
+        friction above the kinetic one also ``"depends-on-start"``. ``"invalid"`` in an array for a point outside the
+        domain.
     reversals_per_cycle : int or array
-        2, or 6 near a pole ``omega = 1/(2n+1)`` below the border.
+        Reversals in the cycle without a stop, if there is one: 2, or 6 near a pole ``omega = 1/(2n+1)`` below the
+        border.
+    motion_without_stop : bool or array
+        Whether a motion without a stop exists and attracts its neighbourhood; 1 or 0 in an array.
+    moves_from_rest : bool or array
+        Whether a body at rest is released, ``alpha > static_friction_ratio``; 1 or 0 in an array.
     max_displacement, displacement_phase : float or array
         Maximum displacement (B) and its phase (rad).
     max_velocity, velocity_phase : float or array
@@ -57,7 +63,7 @@ class Response(Result):
     deviation : float or array
         Displacement at the maximum velocity (B).
     min_force_ratio : float or array
-        The border: at this force ratio or a larger one the body does not stick.
+        The border: at this force ratio or a larger one the cycle without a stop exists.
     loop_size_stiffness, loop_size_inertia : float or array
         Energy that friction dissipates in a cycle, in units of ``p0**2/(2 k)`` and of ``p0**2/(2 m w**2)``.
     best_force_ratio, best_loop_size : float or array
@@ -85,6 +91,8 @@ class Response(Result):
     static_friction_ratio: Value
     regime: Any
     reversals_per_cycle: Any
+    motion_without_stop: Any
+    moves_from_rest: Any
     max_displacement: Any
     displacement_phase: Any
     max_velocity: Any
@@ -165,6 +173,7 @@ def response(
         Damping ratio of a viscous damper, >= 0.
     static_friction_ratio : float or array
         Ratio of static to kinetic friction, >= 1. It raises the border, but does not change the non-sticking cycle.
+        Above 1 the motion can depend on the start.
     outputs : names, optional
         The outputs to compute for arrays, from `OUTPUTS`; a few take less time than all. The others are None.
     out : mapping of names to arrays, optional
@@ -238,7 +247,10 @@ def border(
     *,
     bits: Optional[int] = None,
 ) -> Border:
-    """The minimum force ratio at which the body does not stick at omega.
+    """The minimum force ratio at which the cycle of two reversals does not stop at omega.
+
+    With one friction every start leads to this cycle; with a static friction above the kinetic one it attracts its
+    neighbourhood.
 
     Parameters
     ----------

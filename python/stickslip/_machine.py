@@ -288,14 +288,17 @@ class Machine:
         return border(ratios["omega"], ratios["damping_ratio"], ratios["static_friction_ratio"])
 
     def min_force(self, angular_frequency: Quantity, excitation: str = "force") -> float:
-        """The minimum amplitude of an excitation at which the body does not stick.
+        """The minimum amplitude of an excitation at which the cycle without a stop exists.
+
+        With one friction the body then never sticks. With a static friction above the kinetic one the cycle attracts
+        its neighbourhood, and a body at rest is released only by a force above the static friction.
 
         The excitation is the force, or another amplitude by its name in `Drive`.
         """
         return _native.min_amplitude(self._body, excitation, self._frequency(angular_frequency))
 
     def max_friction(self, drive: Drive) -> float:
-        """The maximum friction bound with which the body does not stick under a drive."""
+        """The maximum friction bound with which the cycle without a stop exists under a drive; see `min_force`."""
         return _native.max_friction(self._body, *self._single(drive))
 
     def best_friction(self, drive: Drive) -> "BestFriction":

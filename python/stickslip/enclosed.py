@@ -44,14 +44,18 @@ class Response(Result):
     Attributes
     ----------
     regime : str or None
-        ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None if it is undecided.
+        ``"stuck"``, ``"below the border"``, ``"non-sticking"`` or ``"unbounded"``; None if it is undecided. With a
+        static friction above the kinetic one ``"depends-on-start"`` where a motion without a stop exists and other
+        starts may lead to other motions.
+    moves_from_rest : bool or None
+        Whether a body at rest is released, alpha > static_friction_ratio; None if it is undecided.
     bits : int
         The final precision of the computation, in bits.
     max_displacement, max_velocity, ... : Enclosure or None
         The outputs, with the names of `stickslip.response`; None if one does not exist or has no enclosure.
     """
 
-    _names: ClassVar[Sequence[str]] = ("regime", "bits", *_native.OUTPUTS)
+    _names: ClassVar[Sequence[str]] = ("regime", "moves_from_rest", "bits", *_native.OUTPUTS)
 
     def __getattr__(self, name: str) -> Any:
         raise AttributeError(f"no output {name}; there are {', '.join(self._names)}")
@@ -136,7 +140,8 @@ def _texts(*values: Any) -> list[str]:
 
 def _response(found: dict[str, Any]) -> Response:
     outputs = {name: _enclosure(found[name]) for name in _native.OUTPUTS}
-    return Response({"regime": found["regime"], "bits": found["bits"], **outputs})
+    own = {name: found[name] for name in ("regime", "moves_from_rest", "bits")}
+    return Response({**own, **outputs})
 
 
 def response(

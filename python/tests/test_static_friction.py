@@ -43,9 +43,26 @@ def test_it_raises_the_border_and_leaves_the_cycle():
     assert held.min_force_ratio > plain.min_force_ratio
     assert held.max_displacement == plain.max_displacement
     least = ss.border(1.5, 0.05, 1.3).min_force_ratio
-    assert ss.response(1.5, least * (1 + 1e-12), 0.05, 1.3).regime == "non-sticking"
-    assert ss.response(1.5, least * (1 - 1e-12), 0.05, 1.3).regime == "sticking"
+    above, below = ss.response(1.5, least * (1 + 1e-12), 0.05, 1.3), ss.response(1.5, least * (1 - 1e-12), 0.05, 1.3)
+    assert (above.motion_without_stop, below.motion_without_stop) == (True, False)
+    assert (above.regime, below.regime) == ("depends-on-start", "depends-on-start" if least < 1.3 else "sticking")
     assert ss.border(0.331, static_friction_ratio=1.3).no_stop_force_ratios is None
+
+
+def test_three_statements():
+    """From rest nothing moves up to alpha = 2.07, though the cycle without a stop exists from 1.302564 on."""
+    for alpha in (1.31, 1.7, 2.06):
+        found = ss.response(1.036, alpha, 0.0, 2.07)
+        assert (found.regime, found.motion_without_stop, found.moves_from_rest) == ("depends-on-start", True, False)
+        assert ss.steady(1.036, alpha, 0.0, 2.07).regime == "stuck"
+    table = ss.response(1.036, [1.0, 1.2, 1.31, 2.08], 0.0, 2.07, outputs=["regime", "motion_without_stop", "moves_from_rest"])
+    assert list(table.regime) == ["stuck", "depends-on-start", "depends-on-start", "depends-on-start"]
+    assert list(table.motion_without_stop) == [0, 0, 1, 1] and list(table.moves_from_rest) == [0, 0, 0, 1]
+    # Six reversals without a stop beside the pole 1/3.
+    six = ss.response(0.331, 100, 0.0005, 1.01)
+    assert (six.regime, six.reversals_per_cycle, six.moves_from_rest) == ("depends-on-start", 6, True)
+    wide = ss.response("0.331", 100, "0.0005", "1.01", bits=100)
+    assert (wide.regime, wide.reversals_per_cycle, wide.motion_without_stop) == ("depends-on-start", 6, True)
 
 
 def test_several_limits():
@@ -101,8 +118,8 @@ def test_machines_and_design():
     found = machine.steady(drive)
     np.testing.assert_allclose(found.max_displacement, ss.steady(drive.angular_frequency / 2, 4, 0.02, 1.3).max_displacement, rtol=1e-12)
     least = machine.min_force(3.0)
-    regime = lambda share: machine.response(ss.Drive(force=least * share, angular_frequency=3.0)).regime
-    assert (regime(1 + 1e-12), regime(1 - 1e-12)) == ("non-sticking", "sticking")
+    found = lambda share: machine.response(ss.Drive(force=least * share, angular_frequency=3.0))
+    assert (found(1 + 1e-12).motion_without_stop, found(1 - 1e-12).motion_without_stop) == (True, False)
     assert len(machine.attractors(ss.Drive(force=16.0, angular_frequency=1.0), starts=40).attractors) == 2
     with pytest.raises(ss.Error, match="static friction"):
         machine.best_friction(ss.Drive(force=16.0, angular_frequency=3.0))

@@ -11,8 +11,9 @@ use crate::ratios::{Ratios, positive};
 ///
 /// The result is in the unit of the amplitude, such as that of a force or of an acceleration. α_min is the
 /// exact border: the body slides at this amplitude and above, and sticks just below it. With a static
-/// friction above the kinetic one, it keeps a body sliding that already slides; one that starts at rest may
-/// settle on another motion. At Ω = 1 without damping, the motion grows without bound at this amplitude and
+/// friction above the kinetic one, the cycle without a stop exists at this amplitude and above and attracts its
+/// neighbourhood. A body at rest is released only above the static friction r_s, and other starts may lead to
+/// other motions ([`crate::NoStop::every_start`]). At Ω = 1 without damping, the motion grows without bound at this amplitude and
 /// above.
 ///
 /// Relative accuracy at f64: that of the border, 8 ulp, plus the rounding of ω_d/ω_n times the elasticity

@@ -6,11 +6,12 @@ use crate::float::Float;
 use crate::oscillator::{Drive, Oscillator};
 use crate::ratios::positive;
 
-/// The maximum friction bound r_y with which the body never sticks under `drive`: `r_y = p₀/α_min(Ω)`.
+/// The maximum friction bound r_y with which the cycle without a stop exists under `drive`: `r_y = p₀/α_min(Ω)`.
 ///
-/// Unit of force. Mass and stiffness are those of `body`; its own friction bound plays no part. The body
-/// slides with any smaller bound and with no greater one, because Ω does not depend on friction. Accuracy as
-/// for [`super::min_amplitude`].
+/// Unit of force. Mass, stiffness and the static friction ratio η are those of `body`; its own friction bound
+/// plays no part. With η = 1 the body never sticks with this bound or a smaller one, and sticks with a greater
+/// one, because Ω does not depend on friction. With η > 1 the cycle attracts its neighbourhood, and a body at rest
+/// is released with a bound below p₀/η. Accuracy as for [`super::min_amplitude`].
 ///
 /// # Errors
 /// Where Ω leaves the domain of [`crate::Ratios`], or r_y overflows or underflows.

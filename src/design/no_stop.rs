@@ -11,7 +11,7 @@ use crate::nonsticking::six_reversals::{self, damped};
 use crate::oscillator::{Drive, Oscillator};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::positive;
-use crate::regime::{NoStop, no_stop_of};
+use crate::regime::NoStop;
 use crate::root;
 
 /// The forces p₀ under which `body` never stops at ω_d: r_y times [`crate::no_stop_force_ratios`].
@@ -22,7 +22,7 @@ use crate::root;
 /// As [`super::min_amplitude`]; [`Error::StaticFriction`] for a body whose static friction is above the
 /// kinetic one.
 pub fn forces_without_stop<F: Float>(body: &Oscillator<F>, angular_frequency: F) -> Result<NoStop<F>, Error> {
-    let found = no_stop_of(&ratios_of(body, angular_frequency)?)?;
+    let found = NoStop::of(&ratios_of(body, angular_frequency)?);
     let forces = found.map(|x| body.friction_bound() * x);
     positive(Quantity::ForceAmplitude, forces.min())?;
     positive(Quantity::ForceAmplitude, forces.border)?;
@@ -154,7 +154,7 @@ fn around<F: Float>(pole: F, alpha: F, zeta: F) -> Option<(F, F)> {
     let (zero, is_damped) = (F::int(0), zeta > F::int(0));
     let edges = |omega: F| {
         if is_damped {
-            damped::force_ratios(omega, zeta)
+            damped::force_ratios(omega, zeta, F::int(1))
         } else {
             six_reversals::force_ratios_at(&PhaseFunction::of_valid(omega))
         }

@@ -46,6 +46,11 @@
 //!
 //! is the least of all forces without a stop, 68.87 r_y at Ω = 1/3; there is no greatest one.
 //!
+//! **With a static friction of η times the kinetic one** the motion is the same, because the body does not
+//! rest, and a reversal is a stop where the force left over is at most η. So the edges are where the second or
+//! the third reversal has the force η, which only the search of [`damped`] knows, with ζ = 0 as a value; the
+//! first reversal has more.
+//!
 //! # Proved and searched statements
 //!
 //! A cycle that this module gives is a motion without a stop (its equations are solved to rounding, and a
@@ -116,17 +121,19 @@ pub struct SixReversals<F> {
 }
 
 impl<F: Float> SixReversals<F> {
-    /// The cycle at (Ω, α, ζ); `None` outside its force ratios ([`crate::no_stop_force_ratios`]), and with a
-    /// static friction above the kinetic one, for which it is unknown.
+    /// The cycle at (Ω, α, ζ, η); `None` outside its force ratios ([`crate::NoStop::of`]). With a static
+    /// friction above the kinetic one it is the limit of its neighbourhood only.
     pub fn new(ratios: Ratios<F>) -> Option<Self> {
         let (omega, alpha) = (ratios.omega(), ratios.alpha());
-        if ratios.has_higher_static_friction() {
-            return None;
-        }
         if ratios.is_damped() {
             return Self::damped(ratios);
         }
-        if !is_within(omega, alpha) {
+        let is_one = if ratios.has_higher_static_friction() {
+            damped::is_within(&ratios)
+        } else {
+            is_within(omega, alpha)
+        };
+        if !is_one {
             return None;
         }
         let frequency = Frequency::of(&PhaseFunction::of_valid(omega));
@@ -137,11 +144,10 @@ impl<F: Float> SixReversals<F> {
     }
 
     fn damped(ratios: Ratios<F>) -> Option<Self> {
-        let (low, high) = damped::force_ratios(ratios.omega(), ratios.damping_ratio())?;
-        if ratios.alpha() < low || ratios.alpha() > high {
+        if !damped::is_within(&ratios) {
             return None;
         }
-        let problem = damped::Problem::new(ratios.omega(), ratios.damping_ratio());
+        let problem = damped::Problem::of(&ratios);
         let unknowns = damped::at_force(&problem, ratios.forced_amplitude() * ratios.omega().square())?;
         Some(Self { ratios, unknowns, damped: Some(problem) })
     }
@@ -156,7 +162,7 @@ impl<F: Float> SixReversals<F> {
         [second - omega * y.before, second, second + omega * y.after]
     }
 
-    /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above 1, and 1 on an edge.
+    /// The force `|α sin θ − x|` at the three reversals, in units of r_y: above η, and η on an edge.
     pub fn forces(&self) -> [F; 3] {
         let forces = match &self.damped {
             Some(problem) => problem.forces(&self.unknowns),

@@ -8,15 +8,14 @@ use crate::nonsticking::Border;
 use crate::nonsticking::six_reversals::{EDGE_ERROR, Within, damped};
 use crate::ratios::Ratios;
 
-/// Whether the body reverses six times a cycle at ratios below the border; undecided where α is next to an
-/// edge.
+/// Whether the cycle of six reversals exists at ratios below the border; undecided where α is next to an edge.
 pub(crate) fn within<F: Float>(ratios: Ratios<F>) -> Within {
     within_edges(edges(&ratios), ratios.alpha())
 }
 
 /// The least and the greatest force ratio of six reversals.
 fn edges<F: Float>(ratios: &Ratios<F>) -> Option<(F, F)> {
-    damped::force_ratios(ratios.omega(), ratios.damping_ratio())
+    damped::force_ratios_of(ratios)
 }
 
 fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
@@ -29,11 +28,6 @@ fn within_edges<F: Float>(edges: Option<(F, F)>, alpha: F) -> Within {
     } else {
         Within::Some
     }
-}
-
-/// The same by the rounded edges, which themselves count as non-sticking.
-pub(crate) fn reverses_six_times<F: Float>(ratios: Ratios<F>) -> bool {
-    edges(&ratios).is_some_and(|(low, high)| low <= ratios.alpha() && ratios.alpha() <= high)
 }
 
 /// The verdict that holds for all ratios within rounding of these: two units in the last place of Ω and α,
@@ -90,9 +84,10 @@ pub(crate) fn verdict_around<F: Float>(ratios: Ratios<F>, error: F) -> Result<Ve
 
 #[cfg(test)]
 mod tests {
-    use super::{reverses_six_times, verdict_around, within_edges};
+    use super::{verdict_around, within_edges};
     use crate::exact::{LongRun, State};
     use crate::nonsticking::six_reversals::Within;
+    use crate::nonsticking::six_reversals::damped::is_within;
     use crate::{Border, Ratios, Regime, Response, Verdict};
 
     const EITHER: Verdict<f64> = Verdict::Undecided(Regime::Sticking, Regime::NonSticking);
@@ -121,7 +116,7 @@ mod tests {
         assert_eq!(within_edges(None, 8.0), Within::None);
         // The rounded edges themselves count as non-sticking.
         let (low, high) = super::edges(&ratios(0.331, 1.0, 1e-3)).unwrap();
-        let slides = |alpha| reverses_six_times(ratios(0.331, alpha, 1e-3));
+        let slides = |alpha| is_within(&ratios(0.331, alpha, 1e-3));
         assert!(slides(low) && slides(high) && slides(60.0));
         assert!(!slides(low.next_down()) && !slides(high.next_up()));
     }

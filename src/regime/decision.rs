@@ -1,6 +1,6 @@
 //! The decision on the regime of a point of the plane of Ω and α, with its certainty.
 
-use super::{Family, Regime, Verdict, damped, regime_by_border};
+use super::{Family, Regime, Verdict, damped, static_friction};
 use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -68,21 +68,34 @@ impl<F: Float> Verdict<F> {
         }
     }
 
-    /// The verdict with a static friction above the kinetic one, where only the border is known for
-    /// every start.
+    /// The verdict with a static friction above the kinetic one. Whether a cycle without a stop exists matters
+    /// only where a body at rest is released: there it is undecided next to the border and to the edges of six
+    /// reversals.
     fn with_static_friction(ratios: Ratios<F>) -> Self {
         let border = Border::of(&ratios);
-        let (least, one) = (border.min_force_ratio, F::int(1));
+        match static_friction::regime(ratios, &border) {
+            Regime::Stuck => return Verdict::AtRest,
+            Regime::NonSticking => return Verdict::NonSticking,
+            Regime::Unbounded => return Verdict::Unbounded,
+            Regime::Sticking | Regime::DependsOnStart if !ratios.moves_from_rest() => {
+                return Verdict::DependsOnStart;
+            }
+            Regime::Sticking | Regime::DependsOnStart => {}
+        }
+        let (least, alpha) = (border.min_force_ratio, ratios.alpha());
         let error = F::int(if ratios.is_damped() { Self::DAMPED_BORDER_ERROR } else { Self::BORDER_ERROR });
-        let regime = regime_by_border(ratios, &border);
-        if regime == Regime::Stuck {
-            Verdict::AtRest
-        } else if (ratios.alpha() - least).abs() <= error * F::epsilon() * least {
-            let at_resonance = ratios.omega() == one && !ratios.is_damped();
-            let above = if at_resonance { Regime::Unbounded } else { Regime::NonSticking };
-            Verdict::Undecided(Regime::Sticking, above)
+        let room = error * F::epsilon() * least;
+        let exists = if alpha < least - room {
+            damped::within(ratios)
+        } else if alpha > least + room {
+            Within::All
         } else {
-            Verdict::DependsOnStart(regime)
+            Within::Some
+        };
+        match exists {
+            Within::All => Verdict::DependsOnStart,
+            Within::None => Verdict::Sticking,
+            Within::Some => Verdict::Undecided(Regime::Sticking, Regime::DependsOnStart),
         }
     }
 

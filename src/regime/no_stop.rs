@@ -1,5 +1,6 @@
 //! The force ratios at which the body never stops.
 
+use super::static_friction::every_start;
 use crate::error::Error;
 use crate::float::{AtPrecision, Float};
 use crate::nonsticking::Border;
@@ -7,8 +8,8 @@ use crate::nonsticking::six_reversals::{self, damped};
 use crate::phase_function::PhaseFunction;
 use crate::ratios::Ratios;
 
-/// All force ratios at one Ω for which the body never stops and reverses twice or six times a cycle: see
-/// [`no_stop_force_ratios`].
+/// All force ratios at one Ω for which a cycle without a stop exists, of two or of six reversals: see
+/// [`no_stop_force_ratios`], and [`NoStop::of`] for a static friction above the kinetic one.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]
@@ -16,11 +17,35 @@ use crate::ratios::Ratios;
 pub struct NoStop<F> {
     /// The minimum and the maximum force ratio of the six-reversal cycle, if there is one.
     pub six_reversals: Option<(F, F)>,
-    /// The border of the two-reversal cycle: at this force ratio and above, the body never stops.
+    /// The border of the two-reversal cycle, which exists at this force ratio and above.
     pub border: F,
+    /// A force ratio from which on every start leads to a motion without a stop: with η = 1 the border. With η > 1
+    /// it is a bound that suffices, `2ηq (1 + 1/πζ) √(Ω² + (1 + 2ζ)²)/Ω²`, far above the least one for small ζ away
+    /// from Ω = 1, and 4η/π at Ω = 1 without a damper, where the motion grows without bound; `None` where none is
+    /// known, without a damper elsewhere. `src/regime/static_friction.rs` has the proof.
+    pub every_start: Option<F>,
 }
 
 impl<F: Float> NoStop<F> {
+    /// The force ratios of the cycles without a stop at the Ω, ζ and η of `ratios`; their α plays no part.
+    ///
+    /// With η = 1 the cycle is the limit of every start, as [`no_stop_force_ratios`] says. With a static
+    /// friction above the kinetic one it is the same cycle, at the force ratios for which the force at each of
+    /// its reversals is at least η, and attracts its neighbourhood; other starts may lead to other motions.
+    ///
+    /// The accuracy is that of [`no_stop_force_ratios`].
+    pub fn of(ratios: &Ratios<F>) -> Self {
+        if ratios.is_damped() || ratios.has_higher_static_friction() {
+            let (border, eta) = (Border::of(ratios).min_force_ratio, ratios.static_friction_ratio());
+            return Self {
+                six_reversals: damped::force_ratios_of(ratios),
+                border,
+                every_start: if eta > F::int(1) { every_start(ratios) } else { Some(border) },
+            };
+        }
+        F::guarded(WithoutDamping(ratios.omega()))
+    }
+
     /// The minimum force ratio without a stop.
     pub fn min(&self) -> F {
         self.six_reversals.map_or(self.border, |(low, _)| low)
@@ -31,6 +56,7 @@ impl<F: Float> NoStop<F> {
         Self {
             six_reversals: self.six_reversals.map(|(low, high)| (to(low), to(high))),
             border: to(self.border),
+            every_start: self.every_start.map(&to),
         }
     }
 
@@ -72,39 +98,24 @@ impl<F: Float> NoStop<F> {
 /// # Errors
 /// Where Ω or ζ is outside the domain of [`crate::Ratios`].
 pub fn no_stop_force_ratios<F: Float>(omega: F, damping_ratio: F) -> Result<NoStop<F>, Error> {
-    let ratios = Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?;
-    if ratios.is_damped() {
-        return Ok(NoStop {
-            six_reversals: damped::force_ratios(omega, damping_ratio),
-            border: Border::of(&ratios).min_force_ratio,
-        });
-    }
-    without_damping(omega)
+    Ok(NoStop::of(&Ratios::new(omega, F::int(1))?.with_damping_ratio(damping_ratio)?))
 }
 
-/// The same at ζ = 0.
-fn without_damping<F: Float>(omega: F) -> Result<NoStop<F>, Error> {
-    struct Task<F>(F);
+/// At ζ = 0 and η = 1, and at this Ω.
+struct WithoutDamping<F>(F);
 
-    impl<F: Float> AtPrecision<F> for Task<F> {
-        type Output = Result<NoStop<F>, Error>;
+impl<F: Float> AtPrecision<F> for WithoutDamping<F> {
+    type Output = NoStop<F>;
 
-        fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> Self::Output {
-            let p = PhaseFunction::new(there(self.0))?;
-            Ok(NoStop {
-                six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
-                border: back(Border::at(&p).min_force_ratio),
-            })
+    fn run<G: Float>(self, there: impl Fn(F) -> G, back: impl Fn(G) -> F) -> NoStop<F> {
+        let p = PhaseFunction::of_valid(there(self.0));
+        let border = back(Border::at(&p).min_force_ratio);
+        NoStop {
+            six_reversals: six_reversals::force_ratios_at(&p).map(|(low, high)| (back(low), back(high))),
+            border,
+            every_start: Some(border),
         }
     }
-
-    F::guarded(Task(omega))
-}
-
-/// The force ratios without a stop at the Ω and ζ of these ratios, for a static friction equal to the kinetic
-/// one.
-pub(crate) fn no_stop_of<F: Float>(ratios: &Ratios<F>) -> Result<NoStop<F>, Error> {
-    no_stop_force_ratios(ratios.omega(), ratios.damping_ratio())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! The regime of the exact motion, consistent with that of the closed forms.
 
-use super::{Regime, no_stop_of, regime_of};
+use super::{NoStop, Regime, regime_of};
 use crate::exact::{LongRun, SteadyState};
 use crate::float::Float;
 use crate::nonsticking::Border;
@@ -32,8 +32,8 @@ pub struct Observed {
 /// rounding: the body is held while `|α sin θ − x| ≤ 1`, so that a stop says nothing once `64 ε (α + |x|) ≥ 1`
 /// (at f64 from α = 3.5e13 on). This function and [`crate::regime()`] therefore agree.
 ///
-/// With a static friction above the kinetic one, the regime is that of this motion, and no border decides,
-/// since other motions may coexist.
+/// With a static friction above the kinetic one, the regime is that of this motion: where the regime depends on
+/// the start, no border decides.
 pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     let by_name = |regime| Observed { regime, sticks: None, reversals: None, by_border: false };
     let border = Border::of(&ratios);
@@ -58,9 +58,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
         reversals: (regime == Regime::NonSticking).then_some(zeros),
         by_border,
     };
-    if ratios.has_higher_static_friction() {
-        // There can be motions with stops above the border, and motions without below it: only the motion
-        // itself decides.
+    if expected == Regime::DependsOnStart {
         return of(seen, Some(sticks), false);
     }
     let is_lost = is_lost(ratios, steady);
@@ -70,7 +68,7 @@ pub fn observed<F: Float>(ratios: Ratios<F>, limit: &LongRun<F>) -> Observed {
     }
     match expected {
         Regime::NonSticking => Observed { reversals: Some(reversals), ..of(expected, Some(0), true) },
-        Regime::Stuck | Regime::Sticking | Regime::Unbounded => {
+        Regime::Stuck | Regime::Sticking | Regime::Unbounded | Regime::DependsOnStart => {
             of(expected, (!is_lost).then_some(sticks), true)
         }
     }
@@ -104,8 +102,7 @@ pub(super) fn is_hidden<F: Float>(ratios: Ratios<F>, border: &Border<F>, steady:
     if close(border.min_force_ratio, touching) {
         return true;
     }
-    let six = no_stop_of(&ratios).ok().as_ref().and_then(|it| it.six_reversals);
-    six.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
+    NoStop::of(&ratios).six_reversals.is_some_and(|(low, high)| close(low, at_turn) || close(high, at_turn))
 }
 
 #[cfg(test)]

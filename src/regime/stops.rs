@@ -1,6 +1,6 @@
 //! The stops in a cycle of the exact motion.
 
-use super::{no_stop_of, observed};
+use super::{NoStop, observed};
 use crate::error::{Error, written};
 use crate::exact::{LongRun, State};
 use crate::float::Float;
@@ -51,7 +51,7 @@ pub fn stops_per_cycle<F: Float>(ratios: Ratios<F>) -> Result<Option<Stops>, Err
         let alpha = ratios.alpha();
         let away = |x: &F| (*x - alpha).abs();
         let border = Border::of(&ratios).min_force_ratio;
-        let edges = no_stop_of(&ratios)?;
+        let edges = NoStop::of(&ratios);
         let all = edges.intervals().flat_map(|(low, high)| [Some(low), high]).flatten();
         let nearest = all.fold(border, |best, x| if away(&x) < away(&best) { x } else { best });
         let (alpha, omega) = (written(alpha), written(ratios.omega()));

@@ -36,7 +36,7 @@ pub enum Verdict<F> {
     /// α ≤ 1: the body ends at rest.
     AtRest,
     /// α > 1, below the border of the two-reversal cycle and outside the force ratios of six reversals: the
-    /// body stops for some time in every cycle. That no motion with more reversals avoids a stop was
+    /// body stops for some time in every cycle, or with η > 1, where α > η, again and again. That no motion with more reversals avoids a stop was
     /// searched, not proved.
     Sticking,
     /// α ≥ α_min(Ω): the body never stops for longer than an instant, reverses twice a cycle, and settles on
@@ -50,10 +50,9 @@ pub enum Verdict<F> {
     Degenerate(Family<F>),
     /// Ω = 1 and α > 4/π: the body never stops, and its displacement grows without bound.
     Unbounded,
-    /// The static friction is above the kinetic one, and α > 1: the steady motion can depend on the start.
-    /// The regime is that guaranteed by the border alone, as for [`crate::Response::new`]. Non-sticking means
-    /// that a cycle without a stop exists and is stable; sticking means that there is none of two reversals.
-    DependsOnStart(Regime),
+    /// The static friction is above the kinetic one, and no behaviour is that of every start
+    /// ([`Regime::DependsOnStart`]).
+    DependsOnStart,
     /// One of these two regimes: the point is closer to the border between them than the arithmetic or the
     /// input can resolve.
     Undecided(Regime, Regime),
@@ -68,7 +67,7 @@ impl<F: Float> Verdict<F> {
             Self::Sticking => Some(Regime::Sticking),
             Self::NonSticking | Self::SixReversals | Self::Degenerate(_) => Some(Regime::NonSticking),
             Self::Unbounded => Some(Regime::Unbounded),
-            Self::DependsOnStart(regime) => Some(*regime),
+            Self::DependsOnStart => Some(Regime::DependsOnStart),
             Self::Undecided(..) => None,
         }
     }
@@ -84,7 +83,7 @@ impl<F: Float> Verdict<F> {
             | Self::Degenerate(_)
             | Self::Unbounded
             | Self::Undecided(Regime::NonSticking, Regime::Unbounded) => Some(false),
-            Self::DependsOnStart(_) | Self::Undecided(..) => None,
+            Self::DependsOnStart | Self::Undecided(..) => None,
         }
     }
 
@@ -97,7 +96,7 @@ impl<F: Float> Verdict<F> {
             Self::SixReversals => "non-sticking, six reversals",
             Self::Degenerate(_) => "degenerate",
             Self::Unbounded => "unbounded",
-            Self::DependsOnStart(_) => "depends on the start",
+            Self::DependsOnStart => "depends on the start",
             Self::Undecided(..) => "undecided",
         }
     }
@@ -186,7 +185,7 @@ mod tests {
             (Verdict::SixReversals, "non-sticking, six reversals", Some(Regime::NonSticking)),
             (Verdict::Degenerate(family), "degenerate", Some(Regime::NonSticking)),
             (Verdict::Unbounded, "unbounded", Some(Regime::Unbounded)),
-            (Verdict::DependsOnStart(Regime::Sticking), "depends on the start", Some(Regime::Sticking)),
+            (Verdict::DependsOnStart, "depends on the start", Some(Regime::DependsOnStart)),
             (Verdict::Undecided(Regime::Sticking, Regime::NonSticking), "undecided", None),
         ] {
             assert_eq!((verdict.to_string(), verdict.regime()), (name.to_owned(), regime));

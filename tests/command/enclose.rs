@@ -67,8 +67,8 @@ fn the_closed_forms_with_their_error_bounds() {
         "{pole}"
     );
     let resonant = "response --omega 1 --alpha 1.4 --enclose --static-friction-ratio";
-    assert!(stdout(&format!("{resonant} 1.5")).contains("other starts may lead to other motions"));
-    assert!(!stdout(&format!("{resonant} 1")).contains("other starts"));
+    assert!(stdout(&format!("{resonant} 1.5")).contains("Other starts may lead to other motions"));
+    assert!(!stdout(&format!("{resonant} 1")).contains("Other starts"));
 }
 
 #[test]

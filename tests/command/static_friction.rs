@@ -52,9 +52,114 @@ fn border_response_and_design_know_it() {
     assert!(close(&response["min_force_ratio"]));
     assert_eq!(response["static_friction_ratio"].as_f64(), Some(1.3));
     let text = stdout("response --omega 0.8 --alpha 2 --static-friction-ratio 1.3");
-    assert!(text.contains("can depend on the start"), "{text}");
+    assert!(text.starts_with("Depends on the start: a body at rest is released"), "{text}");
     let decay = json("decay --x0 2.2 --static-friction-ratio 2.5 --format json");
     assert_eq!((decay["half_cycles"].as_u64(), decay["rest_position"].as_f64()), (Some(0), Some(2.2)));
+}
+
+/// At Ω = 1.036 and η = 2.07 the cycle without a stop exists from 1.302564 r_y on, and from rest nothing moves up to
+/// 2.07 r_y.
+#[test]
+fn design_keeps_rest_the_cycle_and_every_start_apart() {
+    let ratios = "--omega 1.036 --static-friction-ratio 2.07";
+    let machine = "--mass 50 --stiffness 1000 --frequency 0.7Hz --static-friction-ratio 2.07";
+    for question in [
+        format!("force {ratios}"),
+        format!("friction {ratios}"),
+        format!("force {ratios} --damping-ratio 0.02"),
+        format!("force {machine} --friction 5"),
+        format!("friction {machine} --force 600 --damping-ratio 0.02"),
+    ] {
+        let text = stdout(&format!("design {question}"));
+        let has = |words: &str| text.contains(words);
+        assert!(!has("never sticks") && has("A body at rest is released"), "{text}");
+        assert!(has("A motion without a stop exists and attracts its neighbourhood"), "{text}");
+        assert_eq!(has("Every start leads"), question.contains("damping-ratio"), "{text}");
+    }
+    let number = |found: &serde_json::Value, name: &str| found[name].as_f64().unwrap_or(f64::NAN);
+    let found = json(&format!("design force {ratios} --format json"));
+    assert_eq!(number(&found, "release_force_ratio"), 2.07);
+    assert!((number(&found, "force_ratio") - 1.302_564).abs() < 1e-6, "{found}");
+    assert!(found.get("every_start_force_ratio").is_none(), "{found}");
+    let found = json(&format!("design force {ratios} --damping-ratio 0.02 --format json"));
+    assert!(number(&found, "every_start_force_ratio") > 2.07, "{found}");
+    let by_force = json(&format!("design force {machine} --friction 5 --format json"));
+    let released = number(&by_force, "release_force");
+    assert!((released - 5.0 * 2.07).abs() < 1e-12, "{by_force}");
+    let by_friction = json(&format!("design friction {machine} --force {released} --format json"));
+    assert!((number(&by_friction, "release_friction") - 5.0).abs() < 1e-12, "{by_friction}");
+    // With one friction every start leads to the cycle.
+    for question in ["force --omega 1.036", "friction --omega 1.036 --static-friction-ratio 1"] {
+        assert!(stdout(&format!("design {question}")).contains("never sticks"), "{question}");
+    }
+}
+
+/// The regime is that of every start; whether a motion without a stop exists and what a body at rest does are
+/// said for themselves, in every format.
+#[test]
+fn response_and_maps_say_what_steady_does() {
+    for (ratios, regime, without_stop, moves, from_rest) in [
+        ("--omega 1.036 --alpha 1.31 --static-friction-ratio 2.07", "depends-on-start", true, false, "stuck"),
+        ("--omega 1.036 --alpha 2.06 --static-friction-ratio 2.07", "depends-on-start", true, false, "stuck"),
+        ("--omega 0.5 --alpha 1.2 --static-friction-ratio 1.3", "depends-on-start", false, false, "stuck"),
+        ("--omega 0.5 --alpha 2 --static-friction-ratio 1.3", "sticking", false, true, "sticking"),
+        (
+            "--omega 0.331 --alpha 100 --static-friction-ratio 1.01 --damping-ratio 0.0005",
+            "depends-on-start",
+            true,
+            true,
+            "non-sticking",
+        ),
+        (
+            "--omega 1 --alpha 3 --static-friction-ratio 1.5 --damping-ratio 0.1",
+            "non-sticking",
+            true,
+            true,
+            "non-sticking",
+        ),
+    ] {
+        let found = json(&format!("response {ratios} --format json"));
+        assert_eq!(found["regime"], regime, "{found}");
+        assert_eq!(
+            (&found["motion_without_stop"], &found["moves_from_rest"]),
+            (&without_stop.into(), &moves.into())
+        );
+        let steady = json(&format!("steady {ratios} --format json"));
+        assert_eq!(steady["regime"], from_rest, "{steady}");
+        let text = stdout(&format!("response {ratios}"));
+        assert!(!text.contains("stops in each cycle") && text.contains("releases a body at rest"), "{text}");
+        let rows = stdout(&format!("sweep response {ratios} --format csv --outputs regime,moves_from_rest"));
+        assert_eq!(rows.lines().nth(1), Some(format!("{regime},{moves}").as_str()), "{rows}");
+        let enclosed = stdout(&format!("response {ratios} --enclose"));
+        let rest = if moves { "A body at rest is released" } else { "A body at rest at x = 0 stays" };
+        assert!(enclosed.contains(rest), "{enclosed}");
+        let enclosed = json(&format!("response {ratios} --enclose --format json"));
+        let below = enclosed["regime"] == "below the border";
+        assert!(below || enclosed["regime"] == regime, "{enclosed}");
+        assert_eq!(
+            (below, &enclosed["moves_from_rest"]),
+            (found["max_displacement"].is_null(), &moves.into())
+        );
+    }
+    // Where the map of the regime names what every start does, the map of the stops has it from rest.
+    let plane = "--omega 0.3,0.55,1.036 --alpha 0.9,1.31,2.06,2.5,6 --static-friction-ratio 2.07";
+    let last = |rows: String| -> Vec<String> {
+        rows.lines().skip(1).map(|row| row.rsplit(',').next().unwrap().to_owned()).collect()
+    };
+    let [regimes, stops] =
+        ["regime", "stops"].map(|quantity| last(stdout(&format!("map {quantity} {plane}"))));
+    assert_eq!(regimes.len(), 15);
+    for (regime, stops) in regimes.iter().zip(&stops) {
+        match regime.as_str() {
+            "stuck" => assert_eq!(stops, ""),
+            "sticking" => assert!(stops.parse::<u32>().is_ok_and(|stops| stops > 0), "{stops}"),
+            "depends-on-start" => {}
+            other => panic!("{other}"),
+        }
+    }
+    assert!(
+        regimes.iter().zip(&stops).any(|(regime, stops)| regime == "depends-on-start" && stops.is_empty())
+    );
 }
 
 #[test]

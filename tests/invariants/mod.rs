@@ -37,6 +37,7 @@ pub(crate) fn closed_forms(omega: f64, alpha: f64, phase: f64) {
         Regime::Sticking => assert!(alpha > 1.0 && alpha < least && !is_without_stop),
         Regime::Unbounded => assert!(omega == 1.0 && alpha >= least),
         Regime::NonSticking => assert!(omega != 1.0 && is_without_stop),
+        Regime::DependsOnStart => panic!("with one friction nothing depends on the start"),
     }
     verdict(ratios, answer.regime);
     inverse_questions(omega, alpha);

@@ -3,6 +3,7 @@
 mod asked;
 mod best;
 mod no_stop;
+mod static_friction;
 
 use crate::args::{Format, Question, QuestionArgs};
 use crate::bits::{self, Task, Value};
@@ -13,7 +14,7 @@ use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::io::Write;
 use stickslip::design::{self, Edge};
 use stickslip::units::{Kind, System};
-use stickslip::{Error, Excitation, Oscillator};
+use stickslip::{Drive, Error, Excitation, NoStop, Oscillator};
 
 use asked::Asked;
 
@@ -127,19 +128,26 @@ impl<F: Value> Asked<'_, F> {
             let omega = self.omega()?;
             let border = self.border(omega)?;
             let least = border.min_force_ratio;
-            let sentence = format!("The body never sticks at a force of {} r_y or more.", digits(least));
-            return Ok(Answer::one(
-                sentence,
-                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))],
-            ));
+            let mut fields =
+                vec![("omega", Kind::Ratio, some(omega)), ("force_ratio", Kind::Ratio, some(least))];
+            let ratios = self.ratios(omega)?;
+            let sentence = if ratios.has_higher_static_friction() {
+                let found = NoStop::of(&ratios);
+                let names = ["release_force_ratio", "every_start_force_ratio"];
+                fields.extend(static_friction::fields(&ratios, &found, names, Kind::Ratio, |x| x));
+                static_friction::by_force(&ratios, &found, |x| format!("{} r_y", digits(x)))
+            } else {
+                format!("The body never sticks at a force of {} r_y or more.", digits(least))
+            };
+            return Ok(Answer::one(sentence, fields));
         }
         let (body, frequency) = (self.body(true, true)?, self.frequency()?);
         let force = design::min_amplitude(&body, Excitation::Force, frequency).map_err(|e| self.fail(e))?;
         let (newton, length) = (self.system().force(), self.system().length());
-        let fields = force_and_base_motions(&body, frequency, force);
+        let mut fields = force_and_base_motions(&body, frequency, force);
         let of =
             |name: &str| fields.iter().find(|(n, ..)| *n == name).map_or_else(String::new, |f| f.2.text());
-        let sentence = format!(
+        let mut sentence = format!(
             "The body never sticks at a force of {} {newton} or more: a motion of {} {length} of the \
              spring's foot over a \
              surface that stays, or of {} {length} of a base that carries the surface.",
@@ -147,6 +155,16 @@ impl<F: Value> Asked<'_, F> {
             of("foot_displacement"),
             of("base_displacement")
         );
+        if body.static_friction_ratio() > self.one {
+            let friction = body.friction_bound();
+            let ratios = Drive::force(friction, frequency).and_then(|drive| drive.ratios(&body));
+            let (ratios, unit) = (ratios.map_err(|e| self.fail(e))?, newton);
+            let found = NoStop::of(&ratios);
+            sentence =
+                static_friction::by_force(&ratios, &found, |x| format!("{} {unit}", digits(x * friction)));
+            let names = ["release_force", "every_start_force"];
+            fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| x * friction));
+        }
         Ok(Answer::one(sentence, fields))
     }
 
@@ -155,26 +173,41 @@ impl<F: Value> Asked<'_, F> {
             let omega = self.omega()?;
             let border = self.border(omega)?;
             let ratio = self.one / border.min_force_ratio;
-            let sentence =
-                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio));
-            return Ok(Answer::one(
-                sentence,
-                vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))],
-            ));
+            let mut fields =
+                vec![("omega", Kind::Ratio, some(omega)), ("friction_to_force", Kind::Ratio, some(ratio))];
+            let ratios = self.ratios(omega)?;
+            let sentence = if ratios.has_higher_static_friction() {
+                let found = NoStop::of(&ratios);
+                let names = ["release_friction_to_force", "every_start_friction_to_force"];
+                fields.extend(static_friction::fields(&ratios, &found, names, Kind::Ratio, |x| self.one / x));
+                static_friction::by_friction(&ratios, &found, |x| format!("{} p₀", digits(x)))
+            } else {
+                format!("The body never sticks with a friction bound of {} p₀ or less.", digits(ratio))
+            };
+            return Ok(Answer::one(sentence, fields));
         }
         let body = self.body(true, false)?;
         let drive = self.drive(&body, self.frequency()?)?;
         let friction = design::max_friction(&body, &drive).map_err(|e| self.fail(e))?;
-        let sentence = format!(
+        let mut sentence = format!(
             "The body never sticks with a friction bound of {} {} or less.",
             digits(friction),
             self.system().force()
         );
         let coefficient = friction / (body.mass() * self.given.gravity()?);
-        let fields = vec![
+        let mut fields = vec![
             ("friction", Kind::Force, some(friction)),
             ("friction_coefficient", Kind::Ratio, some(coefficient)),
         ];
+        if body.static_friction_ratio() > self.one {
+            let ratios = drive.ratios(&body).map_err(|e| self.fail(e))?;
+            let (found, force) = (NoStop::of(&ratios), drive.force_amplitude(&body));
+            let unit = self.system().force();
+            sentence =
+                static_friction::by_friction(&ratios, &found, |x| format!("{} {unit}", digits(x * force)));
+            let names = ["release_friction", "every_start_friction"];
+            fields.extend(static_friction::fields(&ratios, &found, names, Kind::Force, |x| force / x));
+        }
         Ok(Answer::one(sentence, fields))
     }
 

@@ -1,6 +1,7 @@
 //! The answer as a note: the regime first, then the numbers, then the necessary force.
 
 mod force;
+mod static_friction;
 
 use crate::bits::Value;
 use crate::machine::{Machine, base_motion};
@@ -45,6 +46,9 @@ pub(crate) fn both<F: Value>(x: F, unit: &str, scale: Option<F>, name: &str) -> 
 fn verdict<F: Value>(response: &Response<F>) -> String {
     let (omega, alpha) = (response.ratios.omega(), response.ratios.alpha());
     let margin = digits(alpha / response.border.min_force_ratio);
+    if response.ratios.has_higher_static_friction() {
+        return static_friction::verdict(response);
+    }
     match response.regime {
         Regime::Stuck => {
             "Stuck: α ≤ 1, so the force never exceeds friction and the body comes to rest for good.".into()
@@ -63,7 +67,8 @@ fn verdict<F: Value>(response: &Response<F>) -> String {
                  sliding."
             )
         }
-        Regime::Unbounded => format!(
+        // With one friction nothing depends on the start.
+        Regime::Unbounded | Regime::DependsOnStart => format!(
             "Unbounded: at Ω = {omega} and α > 4/π = 1.27324 friction cannot hold the resonance; the \
              displacement grows in every cycle."
         ),
@@ -91,28 +96,23 @@ pub(crate) fn response<F: Value>(
     if let Some(machine) = machine {
         given(machine, out)?;
     }
-    if response.ratios.has_higher_static_friction() && response.regime != Regime::Stuck {
-        writeln!(
-            out,
-            "\nWith static friction above the kinetic one the motion can depend on the start, and the \
-             verdict is that of\n\
-             the border alone; `stickslip steady` follows one start."
-        )?;
+    if response.regime == Regime::DependsOnStart {
+        writeln!(out, "\n`stickslip steady` follows one start, and `stickslip attractors` many.")?;
     }
     if let Some(cycle) = response.cycle.as_ref() {
         motion(cycle, machine, units, out)?;
-    } else if response.regime == Regime::NonSticking {
+    } else if response.reversals_per_cycle() == Some(6) {
         writeln!(
             out,
             "\nThe closed forms hold for two reversals only; `stickslip steady` gives this motion."
         )?;
     }
-    if response.regime == Regime::NonSticking
+    if response.cycle.is_some()
         && !response.ratios.is_damped()
         && PhaseFunction::new(omega).is_ok_and(|p| p.value() == F::int(0))
     {
         let (one, least) = (F::int(1), response.border.min_force_ratio);
-        let shift = digits(alpha / least - one);
+        let shift = digits(response.ratios.static_friction_ratio() * (alpha / least - one));
         writeln!(
             out,
             "\nAt Ω = 1/(2n) this is the symmetric member of a family of cycles, whose centres lie within"

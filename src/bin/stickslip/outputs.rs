@@ -25,7 +25,22 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
     (
         "response, border: the steady motion with two reversals a cycle, in closed form",
         &[
-            ("regime", "", "what the body does: non-sticking, sticking, stuck or unbounded"),
+            (
+                "regime",
+                "",
+                "what the body does: non-sticking, sticking, stuck or unbounded; depends-on-start where static \
+                 friction leaves it to the start",
+            ),
+            (
+                "motion_without_stop",
+                "",
+                "whether a motion without a stop exists and attracts its neighbourhood, where static friction was given",
+            ),
+            (
+                "moves_from_rest",
+                "",
+                "whether a body at rest is released, α > η, where static friction was given",
+            ),
             ("max_displacement", "B", "maximum displacement Δ₀ (eq. 44)"),
             ("displacement_phase", "rad", "phase ω_d t₂ of the maximum displacement (eq. 43)"),
             ("max_velocity", "B ω_d", "maximum velocity V₀ (eq. 49)"),

@@ -110,6 +110,19 @@ impl<F: Value> Record<F> {
         self
     }
 
+    /// Adds η after the other ratios, and after the regime whether a motion without a stop exists and whether a
+    /// body at rest is released.
+    pub(crate) fn with_static_friction(self, response: &Response<F>) -> Self {
+        let mut record = self.with_static_friction_ratio(response.ratios.static_friction_ratio());
+        let place = record.fields.iter().take_while(|(name, _)| *name != "regime").count();
+        let statements = [
+            ("motion_without_stop", Cell::Flag(Some(response.has_motion_without_stop()))),
+            ("moves_from_rest", Cell::Flag(Some(response.ratios.moves_from_rest()))),
+        ];
+        record.fields.splice(place + 1..place + 1, statements);
+        record
+    }
+
     /// Adds η after the other ratios.
     pub(crate) fn with_static_friction_ratio(mut self, static_friction_ratio: F) -> Self {
         let is_ratio =

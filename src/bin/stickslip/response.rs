@@ -51,11 +51,7 @@ pub(crate) fn answer<F: Value>(
     let response = Response::guarded(point.ratios);
     let record = Record::of_response(&response, peaks);
     let record = if given.has_damper() { record.with_damping(&response) } else { record };
-    let record = if given.has_static_friction() {
-        record.with_static_friction_ratio(point.ratios.static_friction_ratio())
-    } else {
-        record
-    };
+    let record = if given.has_static_friction() { record.with_static_friction(&response) } else { record };
     let record = match &point.machine {
         Some(machine) => record.with_machine(machine).finite().map_err(|e| given.behind_all(e))?,
         None => record,

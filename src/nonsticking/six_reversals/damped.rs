@@ -1,4 +1,5 @@
-//! The cycle of six reversals with a damper, which exists for small damping.
+//! The cycle of six reversals with a damper, which exists for small damping, and its force ratios with a static
+//! friction above the kinetic one.
 //!
 //! # The matching problem
 //!
@@ -45,8 +46,22 @@ mod equations;
 use super::equations::{Closing, Unknowns};
 use super::{at_the_pole, newton};
 use crate::float::{AtPrecision, Float};
+use crate::ratios::Ratios;
 pub(crate) use edges::force_ratios;
 pub(super) use equations::Problem;
+
+/// The least and the greatest force ratio of six reversals at the Ω, ζ and η of these ratios.
+pub(crate) fn force_ratios_of<F: Float>(ratios: &Ratios<F>) -> Option<(F, F)> {
+    force_ratios(ratios.omega(), ratios.damping_ratio(), ratios.static_friction_ratio())
+}
+
+/// Whether α is between them; the rounded edges themselves belong to the cycle.
+pub(crate) fn is_within<F: Float>(ratios: &Ratios<F>) -> bool {
+    // On the edges AΩ² is nowhere below 4, and q above 3/4.
+    let is_strong_enough = ratios.alpha() * ratios.omega().square() > F::int(3);
+    is_strong_enough
+        && force_ratios_of(ratios).is_some_and(|(low, high)| low <= ratios.alpha() && ratios.alpha() <= high)
+}
 
 /// The cycle at an Ω < 1/2 and a ζ > 0 with the force as `αΩ²/q`, if the equations have a solution that
 /// belongs to the pole.

@@ -167,28 +167,52 @@ fn with_damping_the_error_bound_is_16_units() {
     assert_eq!([low * 0.999, low, 60.0, high, high * 1.001].map(|alpha| at(0.331, alpha, 1e-3)), due);
 }
 
-/// Within the error of the border nothing is known; elsewhere the border is known, for every start.
+/// Within the error of the border nothing is known. Below it every start stops again and again, above it the
+/// start decides. A force that does not release a body at rest needs no border.
 #[test]
-fn with_static_friction_only_the_border_is_known() {
-    for (omega, zeta, units) in [(0.7, 0.0, 8.0), (0.7, 0.1, 16.0), (1.0, 0.0, 8.0), (1.0, 0.1, 16.0)] {
-        let ratios = |alpha: f64| {
-            let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(1.5).unwrap();
+fn with_static_friction_the_border_is_as_wide_as_its_error() {
+    for (omega, zeta, units) in [(0.6, 0.0, 8.0), (0.6, 0.1, 16.0), (0.95, 0.2, 16.0)] {
+        let ratios = |alpha: f64, eta| {
+            let ratios = Ratios::new(omega, alpha).unwrap().with_static_friction_ratio(eta).unwrap();
             ratios.with_damping_ratio(zeta).unwrap()
         };
-        let at = |alpha| Verdict::new(ratios(alpha));
-        let least = Border::of(&ratios(2.0)).min_force_ratio;
-        let above = if omega == 1.0 && zeta == 0.0 { Regime::Unbounded } else { Regime::NonSticking };
-        let unsure = Verdict::Undecided(Regime::Sticking, above);
+        let least = Border::of(&ratios(2.0, 1.1)).min_force_ratio;
+        let at = |off: f64| Verdict::new(ratios(least * (1.0 + off * f64::EPSILON), 1.1));
+        assert!(least > 1.1, "{omega} {zeta}");
+        let unsure = Verdict::Undecided(Regime::Sticking, Regime::DependsOnStart);
         for (off, verdict) in [
-            (-1.5 * units, Verdict::DependsOnStart(Regime::Sticking)),
+            (-1.5 * units, Verdict::Sticking),
             (-0.5 * units, unsure),
             (0.5 * units, unsure),
-            (1.5 * units, Verdict::DependsOnStart(above)),
+            (1.5 * units, Verdict::DependsOnStart),
         ] {
-            assert_eq!(at(least * (1.0 + off * f64::EPSILON)), verdict, "{omega} {zeta} {off}");
+            assert_eq!(at(off), verdict, "{omega} {zeta} {off}");
         }
-        assert_eq!(at(1.0), Verdict::AtRest);
+        assert_eq!(Verdict::new(ratios(1.0, 1.1)), Verdict::AtRest);
+        assert_eq!(Verdict::new(ratios(1.1, 1.1)), Verdict::DependsOnStart);
+        assert_eq!(Verdict::new(ratios(1.1f64.next_up(), 1.1)), Verdict::Sticking);
     }
+    // A border below η: a body at rest stays on either side of it.
+    let ratios = |alpha: f64| Ratios::new(1.036, alpha).unwrap().with_static_friction_ratio(2.07).unwrap();
+    let least = Border::of(&ratios(2.0)).min_force_ratio;
+    assert!((least - 1.302_564).abs() < 1e-6, "{least}");
+    for alpha in [1.1, least, 1.31, 2.06, 2.07, 2.08, 1e9] {
+        assert_eq!(Verdict::new(ratios(alpha)), Verdict::DependsOnStart, "{alpha}");
+    }
+}
+
+/// Beside a pole the cycle of six reversals has narrower edges.
+#[test]
+fn with_static_friction_six_reversals_have_their_edges() {
+    let ratios = |alpha: f64| {
+        let ratios = Ratios::new(0.331, alpha).unwrap().with_damping_ratio(5e-4).unwrap();
+        ratios.with_static_friction_ratio(1.01).unwrap()
+    };
+    let (low, high) = crate::NoStop::of(&ratios(2.0)).six_reversals.unwrap();
+    let unsure = Verdict::Undecided(Regime::Sticking, Regime::DependsOnStart);
+    let (sticks, depends) = (Verdict::Sticking, Verdict::DependsOnStart);
+    let due = [sticks, unsure, depends, unsure, sticks];
+    assert_eq!([low * 0.999, low, 100.0, high, high * 1.001].map(|alpha| Verdict::new(ratios(alpha))), due);
 }
 
 /// The rounding of a machine's ratios reaches over Ω = 1 from either side.

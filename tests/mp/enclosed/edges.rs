@@ -22,13 +22,22 @@ fn a_force_ratio_on_both_sides_of_one_has_no_regime() {
     }
 }
 
-/// At Ω = 1 the border is 4/π for every η, and the displacement that it takes at the turning point is η.
+/// At Ω = 1 the border is 4/π for every η, and the displacement that it takes at the turning point is η. Every
+/// start leads to a motion without a stop above 4η/π, or with a damper above the bound for every start.
 #[test]
 fn at_resonance_the_border_does_not_depend_on_static_friction() {
     for eta in ["1", "1.5"] {
         assert_eq!(regime("1", &text("1.2"), "0", eta), Some(Regime::BelowBorder));
-        assert_eq!(regime("1", &text("1.3"), "0", eta), Some(Regime::Unbounded));
-        assert_eq!(regime("1", &text("1.6"), "0.01", eta), Some(Regime::NonSticking));
+        let depends = (eta != "1").then_some(Regime::DependsOnStart);
+        assert_eq!(regime("1", &text("1.3"), "0", eta), depends.or(Some(Regime::Unbounded)));
+        assert_eq!(regime("1", &text("1.6"), "0.01", eta), depends.or(Some(Regime::NonSticking)));
+        assert_eq!(regime("1", &text("1.91"), "0", eta), Some(Regime::Unbounded));
+        assert_eq!(regime("1", &text("3"), "0.01", eta), Some(Regime::NonSticking));
+        let moves = |alpha: &Known| {
+            enclosed::response(&text("1"), alpha, &text("0"), &text(eta), 64).unwrap().moves_from_rest
+        };
+        assert_eq!((moves(&text(eta)), moves(&text("1.51"))), (Some(false), Some(true)));
+        assert_eq!(moves(&between("0.9", "1.6")), None);
         let found = enclosed::border(&text("1"), &text("0"), &text(eta), 64).unwrap();
         let border = found.get(Output::MinForceRatio).unwrap();
         assert!(

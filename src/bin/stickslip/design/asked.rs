@@ -119,10 +119,15 @@ impl<'a, F: Value> Asked<'a, F> {
         Ok(())
     }
 
+    /// Ω with the given damping ratio and static friction ratio, and a force ratio of 1.
+    pub(super) fn ratios(&self, omega: F) -> Result<Ratios<F>, Failure> {
+        let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
+        completed(&self.given, ratios)
+    }
+
     /// The border at Ω with the given damping ratio and static friction ratio.
     pub(super) fn border(&self, omega: F) -> Result<Border<F>, Failure> {
-        let ratios = Ratios::new(omega, self.one).map_err(|e| self.fail(e))?;
-        Ok(Border::of(&completed(&self.given, ratios)?))
+        Ok(Border::of(&self.ratios(omega)?))
     }
 
     pub(super) fn alpha(&self) -> Result<F, Failure> {

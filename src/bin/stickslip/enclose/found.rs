@@ -22,6 +22,44 @@ struct Answer<'a> {
     has_regime: bool,
 }
 
+impl Answer<'_> {
+    fn has_static_friction(&self) -> bool {
+        self.typed.iter().any(|(name, _)| *name == "static_friction_ratio")
+    }
+
+    /// The certain regime as a sentence.
+    fn verdict(&self) -> String {
+        let bits = self.found.bits;
+        match self.found.regime {
+            Some(Regime::Stuck) => "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned(),
+            Some(Regime::BelowBorder) => {
+                "Below the border: no cycle of two reversals goes without a stop. This is certain.".to_owned()
+            }
+            Some(Regime::NonSticking) => "Non-sticking: the body never stops. This is certain.".to_owned(),
+            Some(Regime::Unbounded) => {
+                "Unbounded: the displacement grows in every cycle. This is certain.".to_owned()
+            }
+            Some(Regime::DependsOnStart) => {
+                "Depends on the start: a motion without a stop exists and attracts its neighbourhood. This is \
+                 certain. Other starts may lead to other motions."
+                    .to_owned()
+            }
+            Some(other) => other.name().to_owned(),
+            None => format!("Undecided at {bits} bits: α is too close to a border."),
+        }
+    }
+
+    /// Whether a motion without a stop certainly exists, or certainly does not. Motions of six reversals below
+    /// the border are not enclosed.
+    fn has_motion_without_stop(&self) -> Option<bool> {
+        match self.found.regime? {
+            Regime::Stuck => Some(false),
+            Regime::NonSticking | Regime::Unbounded | Regime::DependsOnStart => Some(true),
+            _ => None,
+        }
+    }
+}
+
 /// The damping ratio and the static friction ratio; zero and one by default.
 pub(super) fn known_others((zeta, eta): Others<'_>) -> Result<(Known, Known), Failure> {
     let zeta = known("--damping-ratio", zeta.unwrap_or("0"))?;
@@ -104,38 +142,18 @@ impl Answer<'_> {
     fn text(&self, out: &mut impl Write) -> Outcome {
         let bits = self.found.bits;
         if self.has_regime {
-            let has_static_friction = self
-                .typed
-                .iter()
-                .any(|(name, text)| *name == "static_friction_ratio" && text.parse() != Ok(1.0));
-            let verdict = match self.found.regime {
-                Some(Regime::Stuck) => {
-                    "Stuck: α ≤ 1, the body ends at rest for good. This is certain.".to_owned()
-                }
-                Some(Regime::BelowBorder) => {
-                    "Below the border: no cycle of two reversals goes without a stop. This is certain."
-                        .to_owned()
-                }
-                Some(Regime::NonSticking) if has_static_friction => {
-                    "Non-sticking: a cycle without a stop exists. This is certain; other starts may lead to \
-                     other motions."
-                        .to_owned()
-                }
-                Some(Regime::NonSticking) => {
-                    "Non-sticking: the body never stops. This is certain.".to_owned()
-                }
-                Some(Regime::Unbounded) if has_static_friction => {
-                    "Unbounded: the displacement of a motion without a stop grows in every cycle. This is \
-                     certain; other starts may lead to other motions."
-                        .to_owned()
-                }
-                Some(Regime::Unbounded) => {
-                    "Unbounded: the displacement grows in every cycle. This is certain.".to_owned()
-                }
-                Some(other) => other.name().to_owned(),
-                None => format!("Undecided at {bits} bits: α is too close to a border."),
-            };
-            writeln!(out, "{}\n", style::verdict(&verdict))?;
+            writeln!(out, "{}", style::verdict(&self.verdict()))?;
+            let is_higher =
+                |(name, text): &(&str, &str)| *name == "static_friction_ratio" && text.parse() != Ok(1.0);
+            if self.typed.iter().any(is_higher) && self.found.regime != Some(Regime::Stuck) {
+                let rest = match self.found.moves_from_rest {
+                    Some(true) => "A body at rest is released wherever it is.",
+                    Some(false) => "A body at rest at x = 0 stays at rest.",
+                    None => "Whether a body at rest is released is undecided.",
+                };
+                writeln!(out, "{rest}")?;
+            }
+            writeln!(out)?;
         }
         for &output in &self.outputs {
             if let Some(value) = self.found.get(output) {
@@ -159,6 +177,10 @@ impl Serialize for Answer<'_> {
         }
         if self.has_regime {
             map.serialize_entry("regime", &self.found.regime.map(Regime::name))?;
+            if self.has_static_friction() {
+                map.serialize_entry("motion_without_stop", &self.has_motion_without_stop())?;
+                map.serialize_entry("moves_from_rest", &self.found.moves_from_rest)?;
+            }
         }
         for output in &self.outputs {
             map.serialize_entry(output.name(), &self.found.get(*output))?;

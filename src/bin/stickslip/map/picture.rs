@@ -18,6 +18,7 @@ impl Map<'_> {
         let words = match self.quantity {
             Quantity::Regime => "regime".to_owned(),
             Quantity::Margin => "margin over the border, α/α_min".to_owned(),
+            Quantity::Stops if self.has_static_friction() => "stops in a cycle, from rest".to_owned(),
             Quantity::Stops => "stops in a cycle".to_owned(),
             Quantity::Limits => format!("limits from {} starts", limits::STARTS),
             Quantity::Output(..) => outputs::in_words(self.quantity.name()),
@@ -28,6 +29,12 @@ impl Map<'_> {
         };
         let label = if unit == "1" { words.clone() } else { format!("{words} ({unit})") };
         (words, label)
+    }
+
+    fn has_static_friction(&self) -> bool {
+        let given = self.axes.at(0);
+        given.has_static_friction()
+            && input::point(&given).is_ok_and(|p| p.ratios.has_higher_static_friction())
     }
 
     /// The border of sticking, if the vertical axis is α or proportional to it; computed from the border
@@ -116,9 +123,13 @@ impl Map<'_> {
         axes.order([self.up.clone(), columns]);
         // The names from the lightest colour, for a body that never stops, to the darkest, for one at rest;
         // others are appended.
-        let regimes = ["non-sticking", "unbounded", "sticking", "stuck"];
-        let known = if matches!(self.quantity, Quantity::Limits) { limits::NAMES } else { regimes };
-        let mut names: Vec<String> = known.map(str::to_owned).to_vec();
+        let regimes: &[&str] = if self.has_static_friction() {
+            &["non-sticking", "unbounded", "depends-on-start", "sticking", "stuck"]
+        } else {
+            &["non-sticking", "unbounded", "sticking", "stuck"]
+        };
+        let known = if matches!(self.quantity, Quantity::Limits) { &limits::NAMES[..] } else { regimes };
+        let mut names: Vec<String> = known.iter().map(|name| (*name).to_owned()).collect();
         let mut named = false;
         let mut values = Vec::new();
         let (mut whole, mut has_absent) = (true, false);
@@ -164,7 +175,12 @@ impl Map<'_> {
         let mut series = Vec::new();
         let border = self.border();
         if !border.is_empty() {
-            series.push(Series::new("exact border of sticking", Style::Thick, 0, border));
+            let name = if self.has_static_friction() {
+                "border of the cycle without a stop"
+            } else {
+                "exact border of sticking"
+            };
+            series.push(Series::new(name, Style::Thick, 0, border));
         }
         let unbounded = self.unbounded();
         if unbounded.iter().any(|(x, y)| y.is_finite() && (across.0..=across.1).contains(x)) {

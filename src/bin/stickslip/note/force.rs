@@ -1,13 +1,12 @@
 //! The note on forces: the minimum without sticking, the optimum for dissipation, and the border.
 
-use super::{both, digits};
+use super::{both, digits, static_friction};
 use crate::bits::Value;
 use crate::input::BorderScales;
 use crate::machine::{Machine, transmitted};
 use std::io::{self, Write};
 use stickslip::units::System;
-use stickslip::{NoStop, no_stop_force_ratios};
-use stickslip::{Ratios, Response};
+use stickslip::{NoStop, Ratios, Response};
 
 /// The minimum force without sticking, and the force of maximum dissipation.
 pub(super) fn needed_force<F: Value>(
@@ -30,13 +29,8 @@ pub(super) fn needed_force<F: Value>(
         };
         writeln!(out, "    {name:<22} {}", digits(ratio))?;
     }
-    let ratios = response.ratios;
-    let no_stop = if ratios.has_higher_static_friction() {
-        None
-    } else {
-        no_stop_force_ratios(ratios.omega(), ratios.damping_ratio()).ok()
-    };
-    match no_stop.as_ref().and_then(|it| it.six_reversals) {
+    match NoStop::of(&response.ratios).six_reversals {
+        _ if response.ratios.has_higher_static_friction() => static_friction::forces(response, forces, out)?,
         None => writeln!(out, "  minimum without sticking {}", forces(border.min_force_ratio))?,
         Some((low, high)) => {
             writeln!(out, "  minimum without a stop   {}", forces(low))?;

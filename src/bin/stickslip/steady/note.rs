@@ -74,10 +74,13 @@ pub(super) fn note<F: Value>(
         }
         LongRun::NotConverged { residual, periods, .. } => {
             let (periods, left) = (digits(periods.to_f64()), length(*residual));
+            let limit = match seen.regime {
+                Regime::DependsOnStart => "The borders do not decide its limit.".to_owned(),
+                regime => format!("By the borders its limit is {}.", regime.name()),
+            };
             let sentence = format!(
                 "Undecided: after {periods} periods half a cycle still moves it by {left}; allow more with \
-                 --max-periods. By the borders its limit is {}.",
-                seen.regime.name()
+                 --max-periods. {limit}"
             );
             writeln!(out, "{}", style::verdict(&sentence))
         }

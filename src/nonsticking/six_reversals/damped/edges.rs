@@ -1,4 +1,8 @@
-//! The force ratios of the six-reversal cycle at one Ω and ζ: its two edges.
+//! The force ratios of the six-reversal cycle at one Ω, ζ and η: its two edges.
+//!
+//! A static friction of η > 1 leaves the cycle as it is, and asks for more at each reversal: the force left
+//! over has to be above η there. Far from friction, where α ≫ 1, the forces at the reversals are α times
+//! functions of α times the distance from the pole, so that all lengths of this search scale with η.
 //!
 //! At f64 the cycle is continued along the force, from where it is a closed form up to the point at which a
 //! reversal would become a stop, and down to the other. The result is then solved at the precision of the
@@ -8,12 +12,12 @@ use super::super::equations::{Closing, Unknowns};
 use super::{Problem, at_force, solved};
 use crate::float::Float;
 
-/// The least and the greatest α of the six-reversal cycle at a valid Ω and ζ > 0; `None` where there is no
-/// such cycle.
+/// The least and the greatest α of the six-reversal cycle at a valid Ω, ζ ≥ 0 and η ≥ 1; `None` where there
+/// is no such cycle.
 ///
 /// Accuracy at f64: 64 ulp; where the two meet the problem itself has half the digits.
-pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F) -> Option<(F, F)> {
-    let problem = near_pole(omega, zeta)?;
+pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F, eta: F) -> Option<(F, F)> {
+    let problem = near_pole(omega, zeta, eta)?;
     let scale = problem.stiffness() / omega.square();
     let (least, greatest) = Path::new(&problem.map(F::to_f64)).ends()?;
     let (low, high) = (least.solved(&problem) * scale, greatest.solved(&problem) * scale);
@@ -22,12 +26,12 @@ pub(crate) fn force_ratios<F: Float>(omega: F, zeta: F) -> Option<(F, F)> {
 
 /// The problem, where Ω and ζ are near enough to a pole: on the edges cot β is between −1/17 and 1/30, and t
 /// below 1/29.
-pub(in super::super) fn near_pole<F: Float>(omega: F, zeta: F) -> Option<Problem<F>> {
+fn near_pole<F: Float>(omega: F, zeta: F, eta: F) -> Option<Problem<F>> {
     let (one, two) = (F::int(1), F::int(2));
     if omega * two >= one || zeta * F::int(32) >= one {
         return None;
     }
-    let problem = Problem::new(omega, zeta);
+    let problem = Problem::new(omega, zeta, eta);
     let cotangent = problem.cos_beta / problem.sin_beta;
     let is_near = cotangent * F::int(20) < one && cotangent * F::int(-12) < one;
     (is_near && problem.loss * F::int(8) < one).then_some(problem)
@@ -75,34 +79,44 @@ struct Node {
 struct Path {
     problem: Problem<f64>,
     distance: f64,
+    /// [`CLOSE`] and [`NEAREST`] at this η.
+    close: f64,
+    nearest: f64,
 }
 
 impl Path {
     fn new(problem: &Problem<f64>) -> Self {
         let distance = (problem.cos_beta / problem.sin_beta).hypot(problem.loss);
-        Self { problem: *problem, distance }
+        let eta = problem.static_friction;
+        Self { problem: *problem, distance, close: CLOSE / eta, nearest: NEAREST / eta }
     }
 
     /// The least and the greatest force.
     fn ends(&self) -> Option<(End, End)> {
-        let start = self.best(node(&self.problem, at_force(&self.problem, ORDINARY)?))?;
+        let start = self.ordinary()?;
         let (least, beyond) = outwards(&self.problem, start, 1.0 / STEP)?;
         let least = between(&self.problem, least, beyond);
-        if self.distance >= CLOSE {
+        if self.distance >= self.close {
             let (greatest, beyond) = outwards(&self.problem, start, STEP)?;
             return Some((least, between(&self.problem, greatest, beyond)));
         }
         // All forces up to a share of the inverse distance belong to the cycle.
-        let farther = Self::new(&self.problem.towards_the_pole(CLOSE / self.distance));
-        let start = farther.best(node(&farther.problem, at_force(&farther.problem, ORDINARY)?))?;
+        let farther = Self::new(&self.problem.towards_the_pole(self.close / self.distance));
+        let start = farther.ordinary()?;
         let (greatest, beyond) = outwards(&farther.problem, start, STEP)?;
         Some((least, self.approached(between(&farther.problem, greatest, beyond))))
     }
 
+    /// A cycle without a stop.
+    fn ordinary(&self) -> Option<Node> {
+        let force = ORDINARY * (self.problem.static_friction + 2.0) / 3.0;
+        self.best(node(&self.problem, at_force(&self.problem, force)?))
+    }
+
     /// The greatest force at the true distance, from that at [`CLOSE`].
     fn approached(&self, mut end: End) -> End {
-        let mut distance = CLOSE;
-        while distance > self.distance && distance > NEAREST {
+        let mut distance = self.close;
+        while distance > self.distance && distance > self.nearest {
             let next = (distance / 4.0).max(self.distance);
             let problem = self.problem.towards_the_pole(next / self.distance);
             let Some(mut found) = solved(&problem, end.edge, nearer(end.at, &end.edge, distance / next))
@@ -161,10 +175,10 @@ fn stepped(problem: &Problem<f64>, from: &Node, ratio: f64) -> Option<Node> {
 
 fn node(problem: &Problem<f64>, at: Unknowns<f64>) -> Node {
     let force = at.forced_acceleration(problem.omega);
-    let [first, second, third] = problem.forces(&at);
-    let (second, third) = (second - 1.0, -third - 1.0);
+    let ([first, second, third], eta) = (problem.forces(&at), problem.static_friction);
+    let (second, third) = (second - eta, -third - eta);
     let nearest = if second < third { Closing::Second } else { Closing::Third };
-    Node { force, at, margin: second.min(third).min(-first - 1.0) / force, nearest }
+    Node { force, at, margin: second.min(third).min(-first - eta) / force, nearest }
 }
 
 /// The last cycle without a stop in this direction, and one beyond the end.
@@ -177,7 +191,7 @@ fn outwards(problem: &Problem<f64>, from: Node, ratio: f64) -> Option<(Node, Nod
             Some(next) if next.margin < 0.0 => return Some((here, next)),
             Some(next) => here = next,
         }
-        if !(WEAKEST / 2.0..100.0 / NEAREST).contains(&here.force) {
+        if !(WEAKEST / 2.0..100.0 * problem.static_friction / NEAREST).contains(&here.force) {
             return None;
         }
     }
@@ -202,16 +216,18 @@ fn between(problem: &Problem<f64>, inside: Node, beyond: Node) -> End {
     End { at: inside.at, edge: beyond.nearest, scale: 1.0 }
 }
 
-/// A force, as AΩ², that belongs to the cycle at every pole.
+/// A force, as AΩ², that belongs to the cycle at every pole; with η it grows as the least force at the pole,
+/// which is nearly proportional to η + 2.
 const ORDINARY: f64 = 9.5;
 /// On the edges no force is below this.
 const WEAKEST: f64 = 4.0;
 /// From one cycle of the path to the next.
 const STEP: f64 = 1.1;
-/// Distance from the pole, as hypot(cot β, t), from which on the whole path is followed.
+/// Distance from the pole, as hypot(cot β, t), from which on the whole path is followed; inversely
+/// proportional to η.
 const CLOSE: f64 = 0.004;
 /// Closer than this to the pole the greatest force is inversely proportional to the distance, to within
-/// rounding.
+/// rounding; inversely proportional to η.
 const NEAREST: f64 = 1e-12;
 
 #[cfg(test)]
@@ -224,10 +240,10 @@ mod tests {
     fn a_little_damping_leaves_some() {
         for n in 1..=8 {
             let odd = f64::from(2 * n + 1);
-            assert!(force_ratios(1.0 / (odd + 0.003), 0.0185 / odd).is_some(), "{n}");
+            assert!(force_ratios(1.0 / (odd + 0.003), 0.0185 / odd, 1.0).is_some(), "{n}");
             for i in -22..=40 {
                 let omega = 1.0 / (odd + 0.001 * f64::from(i));
-                let found = force_ratios(omega, 0.0215 / odd);
+                let found = force_ratios(omega, 0.0215 / odd, 1.0);
                 assert!(found.is_none(), "{n} {omega}: {found:?}");
             }
         }
@@ -239,12 +255,53 @@ mod tests {
         for omega in [0.331f64, 0.3333, 0.334, 0.335, 0.1995, 0.2003, 0.0907] {
             let (low, high) =
                 super::super::super::force_ratios_at(&PhaseFunction::new(omega).unwrap()).unwrap();
-            let (least, greatest) = force_ratios(omega, 1e-18).unwrap();
+            let (least, greatest) = force_ratios(omega, 1e-18, 1.0).unwrap();
             assert!((least / low - 1.0).abs() < 1e-13 && (greatest / high - 1.0).abs() < 1e-13, "{omega}");
         }
-        let greatest = |zeta: f64| force_ratios(1.0 / 3.0, zeta).unwrap().1;
+        let greatest = |zeta: f64| force_ratios(1.0 / 3.0, zeta, 1.0).unwrap().1;
         for zeta in [1e-6, 1e-9, 1e-13] {
             assert!((greatest(zeta) * zeta / 1.697_65 - 1.0).abs() < 1e-4, "{zeta}: {}", greatest(zeta));
         }
+    }
+
+    /// On the edges with a static friction of η the least force at a reversal of the cycle, which does not depend
+    /// on η, is η; between them it is greater, and beyond them less.
+    #[test]
+    fn on_the_edges_a_reversal_has_the_static_friction() {
+        use crate::Ratios;
+        use crate::nonsticking::SixReversals;
+        let least = |omega, alpha, zeta| {
+            let ratios = Ratios::new(omega, alpha).unwrap().with_damping_ratio(zeta).unwrap();
+            SixReversals::new(ratios).map_or(f64::NAN, |it| it.forces().into_iter().fold(f64::MAX, f64::min))
+        };
+        for (omega, zeta, eta) in [
+            (0.331, 0.0, 1.01),
+            (0.331, 5e-4, 1.01),
+            (0.331, 0.0, 1.5),
+            (0.3335, 1e-4, 1.3),
+            (0.3334, 0.0, 4.0),
+            (1.0 / 3.0, 1e-6, 30.0),
+            (1.0 / 3.0, 0.0, 1e6),
+            (0.2, 1e-5, 10.0),
+            (0.199_9, 0.0, 2.0),
+            (0.0907, 0.0, 1.2),
+        ] {
+            let (low, high): (f64, f64) =
+                force_ratios(omega, zeta, eta).unwrap_or_else(|| panic!("{omega} {zeta} {eta}"));
+            let (one, at) =
+                (force_ratios(omega, zeta, 1.0).unwrap(), format!("{omega} {zeta} {eta}: {low} {high}"));
+            assert!(one.0 < low && low < high && high < one.1 * (1.0 + 1e-12), "{at} {one:?}");
+            for (alpha, is) in
+                [(low * (1.0 + 1e-9), true), ((low * high).sqrt(), true), (low * (1.0 - 1e-9), false)]
+            {
+                assert_eq!(least(omega, alpha, zeta) > eta, is, "{at} {alpha}");
+            }
+            for (alpha, is) in [(high * (1.0 - 1e-9), true), (high * (1.0 + 1e-9), false)] {
+                assert_eq!(least(omega, alpha, zeta) > eta, is, "{at} {alpha}");
+            }
+        }
+        // Farther from the pole than its greatest force allows there is none.
+        assert_eq!(force_ratios(0.331, 0.0, 4.0), None);
+        assert_eq!(force_ratios(0.331, 2e-3, 2.0), None);
     }
 }

@@ -4,6 +4,7 @@ use super::super::equations::{Closing, Unknowns};
 use crate::float::Float;
 use crate::nonsticking::damped::free::Free;
 use crate::nonsticking::damped::half_period::half_angle;
+use crate::ratios::Ratios;
 
 /// The quantities that depend on Ω and ζ alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +16,8 @@ pub(in super::super) struct Problem<F> {
     pub(super) cos_beta: F,
     /// `t = tanh(ζπ/2Ω)`.
     pub(super) loss: F,
+    /// η: a reversal is a stop where the force left over is not above it, in units of r_y.
+    pub(super) static_friction: F,
 }
 
 /// Free vibration after the time u of either sign: from (x, x′) = (1, 0) it is at (C, −S), from (0, 1) at (S,
@@ -30,14 +33,19 @@ pub(in super::super) struct Wave<F> {
 }
 
 impl<F: Float> Problem<F> {
-    /// At an Ω and a ζ in (0, 1) that are in their domains.
-    pub(in super::super) fn new(omega: F, zeta: F) -> Self {
+    /// At an Ω, a ζ in [0, 1) and an η that are in their domains.
+    pub(in super::super) fn new(omega: F, zeta: F, static_friction: F) -> Self {
         let (two, free) = (F::int(2), Free::new(zeta));
         let half = F::pi() / (two * omega);
         let (sin_beta, cos_beta) = half_angle(&free, omega, half);
         // tanh x = (1 − e^{−2x})/(1 + e^{−2x})
         let fall = (-(two * zeta * half)).exp_m1();
-        Self { omega, free, sin_beta, cos_beta, loss: -fall / (two + fall) }
+        Self { omega, free, sin_beta, cos_beta, loss: -fall / (two + fall), static_friction }
+    }
+
+    /// At the Ω, ζ and η of these ratios.
+    pub(in super::super) fn of(ratios: &Ratios<F>) -> Self {
+        Self::new(ratios.omega(), ratios.damping_ratio(), ratios.static_friction_ratio())
     }
 
     /// q, by which `AΩ² = αΩ²/q`.
@@ -70,6 +78,7 @@ impl<F: Float> Problem<F> {
             sin_beta: to(self.sin_beta),
             cos_beta: to(self.cos_beta),
             loss: to(self.loss),
+            static_friction: to(self.static_friction),
         }
     }
 
@@ -130,7 +139,7 @@ impl<F: Float> Problem<F> {
     }
 
     /// The force `α sin θ − x` at the three reversals, in units of r_y: the body slides on without a stop
-    /// where the first and the third are below −1 and the second is above 1.
+    /// where the first and the third are below −η and the second is above η.
     pub(in super::super) fn forces(&self, y: &Unknowns<F>) -> [F; 3] {
         let Unknowns { before: a, after: b, sine: s, cosine: c, swing: g1 } = *y;
         let (two_zeta, omega) = (F::int(2) * self.free.zeta, self.omega);
@@ -209,7 +218,7 @@ impl<F: Float> Problem<F> {
     /// Left less right side of the fifth equation, and its derivatives.
     fn closing(&self, y: &Unknowns<F>, closing: Closing<F>) -> (F, [F; 5]) {
         let Unknowns { before: a, after: b, sine: s, cosine: c, swing: g1 } = *y;
-        let (zero, one, omega) = (F::int(0), F::int(1), self.omega);
+        let (zero, one, omega, eta) = (F::int(0), F::int(1), self.omega, self.static_friction);
         let two_zeta = F::int(2) * self.free.zeta;
         let [_, second, third] = self.forces(y);
         match closing {
@@ -217,7 +226,7 @@ impl<F: Float> Problem<F> {
                 let found = y.forced_acceleration(omega);
                 (found - given, [zero, zero, omega.square() * s / found, c / found, zero])
             }
-            Closing::Second => (second - one, [-self.wave(a).s, -self.wave(-b).s, -two_zeta, -one, -one]),
+            Closing::Second => (second - eta, [-self.wave(a).s, -self.wave(-b).s, -two_zeta, -one, -one]),
             Closing::Third => {
                 let (slow_sine, slow_cosine) = (omega * b).sin_cos();
                 let (ahead, both) = (self.wave(b), self.wave(a + b));
@@ -233,7 +242,7 @@ impl<F: Float> Problem<F> {
                     -slow_cosine - two_zeta / omega * slow_sine,
                     -ahead.c,
                 ];
-                (third + one, row)
+                (third + eta, row)
             }
         }
     }
@@ -248,7 +257,7 @@ mod tests {
 
     #[test]
     fn the_derivatives_are_those_of_the_residuals() {
-        let problem = Problem::new(0.331, 0.03);
+        let problem = Problem::new(0.331, 0.03, 1.2);
         the_derivatives_are_those_of(|y, closing| problem.residuals(y, closing));
     }
 
@@ -256,7 +265,7 @@ mod tests {
     #[test]
     fn without_a_damper_they_are_those_of_no_damper() {
         let (problem, frequency) =
-            (Problem::new(0.331, 1e-300), Frequency::of(&PhaseFunction::new(0.331).unwrap()));
+            (Problem::new(0.331, 1e-300, 1.0), Frequency::of(&PhaseFunction::new(0.331).unwrap()));
         let at = Unknowns::of_array([0.9, 1.3, -2.1, 7.5, -8.0]);
         for closing in [Closing::Force(9.0), Closing::Second, Closing::Third] {
             let (values, _) = problem.residuals(&at, closing);
@@ -271,7 +280,7 @@ mod tests {
 
     #[test]
     fn a_short_arc_has_its_series() {
-        let problem = Problem::new(0.331, 0.03);
+        let problem = Problem::new(0.331, 0.03, 1.0);
         let slope = |u: f64| problem.mu(u, &problem.wave(u)).1 - 0.03;
         assert!((slope(1.2e-4) / 1.2e-4 - slope(1.3e-4) / 1.3e-4).abs() < 1e-4);
     }
