@@ -20,7 +20,7 @@ impl<F: Float> Pair<F> {
         let hi = F::from_f64(first);
         let ln_2 = Self::new(hi, F::from_f64(first - hi.to_f64()) + F::from_f64(second));
         let n = (self.hi / hi).round();
-        if !(n > -F::int(F::RATIO_EXPONENT)) {
+        if n <= -F::int(F::RATIO_EXPONENT) || !n.is_finite() {
             return (Self::exact(-one), Self::exact(self.value().exp()));
         }
         let r = self - ln_2 * n;
