@@ -98,7 +98,8 @@ impl<F: Float> Oscillator<F> {
     }
 
     /// The same with friction that differs by direction: r₊ against motion with x′ > 0, r₋ against motion
-    /// with x′ < 0.
+    /// with x′ < 0. Their mean is r_y, and a body at rest stays until the force on it exceeds η r_y + (r₊ −
+    /// r₋)/2 forwards or η r_y − (r₊ − r₋)/2 backwards.
     ///
     /// # Errors
     /// Where one of them is not finite or not > 0, or their sum overflows.

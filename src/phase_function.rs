@@ -26,9 +26,10 @@ use crate::error::Error;
 use crate::float::{Field, Float, Real, pair::Pair};
 use crate::ratios::frequency_ratio;
 use cotangent::cotangent_defect;
-pub(crate) use excess::{excess_close_to_one, is_close_to_one};
+pub(crate) use excess::{excess_close_to_one, is_close_to_one, sum};
 pub(crate) use frequency::{Frequency, Offset};
 pub(crate) use low::LowAngle;
+pub(crate) use reduction::modulo_four;
 use reduction::{nearest_of_three, nearest_quarter};
 pub(crate) use slope::arc_less_sine;
 #[cfg(feature = "batch")]
@@ -189,7 +190,7 @@ impl<F: Float> PhaseFunction<F> {
 
 /// `(q mod 4, w)` of the angle `β = q π/2 + w`, `w = (π/2) (1 − qΩ)/Ω`, where 1 − qΩ is exact.
 #[inline(always)]
-fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
+pub(crate) fn reduced<F: Float>(omega: F) -> (u8, Pair<F>) {
     let (quarter, rest) = nearest_quarter(omega);
     (quarter, remainder(omega, rest))
 }

@@ -78,7 +78,8 @@ class Response(Result):
         Maximum acceleration (B w**2), maximum force of spring, damper and friction on the base (r), and
         maximum absolute displacement if a base carries the surface (B).
     transmissibility : float or array
-        ``transmitted_force/p0``.
+        ``transmitted_force/p0``; with a moving foot or base the maximum absolute acceleration of the body
+        over that of the foot or base. A mean force is not included in the transmitted force.
     physical : Physical or None
         The same outputs in the machine's units; None without a machine.
     """

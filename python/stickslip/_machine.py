@@ -57,7 +57,9 @@ class Machine:
         In place of the friction bound: ``friction_coefficient * mass * gravity``. The default gravity is
         9.80665 m/s**2; bare numbers without a known system of units are then in SI.
     friction_backward : float or str, optional
-        Friction bound of backward motion, if it differs from that of forward motion.
+        Friction bound of backward motion, if it differs from that of forward motion. The friction bound of
+        the ratios and the static friction are then means of both directions: at rest the bounds are
+        ``static_friction_ratio*(friction + friction_backward)/2 ± (friction - friction_backward)/2``.
     damping : float or str
         Constant of a viscous damper, >= 0.
     damping_ratio : float or str

@@ -16,7 +16,7 @@ use crate::float::ball::Ball;
 use crate::float::mp::Mp;
 use crate::float::{Field, Real};
 use crate::greatest::Jet;
-use crate::nonsticking::damped::best;
+use crate::nonsticking::damped::best_of;
 use crate::nonsticking::damped::free::{Free, Waves};
 use crate::nonsticking::damped::half_period::HalfPeriod;
 use crate::nonsticking::damped::rising::{Moment, Rising};
@@ -90,6 +90,8 @@ pub(crate) fn half_period<const W: usize>(
         shift: (hyperbolic - zeta * sine) / n,
         h,
         k: stiffness * h,
+        rest: [Ball::int(0); 3],
+        beyond: None,
         decay,
         cosine,
         sine,
@@ -102,7 +104,7 @@ pub(crate) fn half_period<const W: usize>(
 
 /// The border, and α* and A₁max.
 pub(crate) fn at_border<const W: usize>(half: &HalfPeriod<Ball<W>>) -> (Border<W>, (Ball<W>, Ball<W>)) {
-    (border::border(half), best(half))
+    (border::border(half), best_of(half))
 }
 
 /// Outputs of a cycle by name; `None` where an output is not found.

@@ -24,7 +24,7 @@
 use super::equation::Equation;
 use super::state::State;
 use super::trajectory::Trajectory;
-use crate::error::{Error, Quantity};
+use crate::error::{Error, Quantity, written};
 use crate::float::Float;
 use crate::ratios::{valid_damping_ratio, valid_static_friction_ratio};
 
@@ -68,7 +68,8 @@ impl<F: Float> FreeDecay<F> {
     /// without a damper) and a static friction of η ≥ 1 times the kinetic one (1 for one friction).
     ///
     /// # Errors
-    /// Where x₀ or v₀ is not finite or too large for the type, ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`,
+    /// Where x₀ or v₀ is not finite or so large that the half cycles cannot be counted (more than 2ᵖ⁻¹ of
+    /// them, p = [`Float::PRECISION`], and more than 2⁶¹ at any precision), ζ is neither 0 nor within `[2⁻ᵉ, 2²⁰]`,
     /// e = [`Float::RATIO_EXPONENT`], or η is not within `[1, 2²⁰]`.
     pub fn new(x: F, v: F, damping_ratio: F, static_friction_ratio: F) -> Result<Self, Error> {
         let start = State::new(F::int(0), x, v)?;
@@ -103,6 +104,19 @@ impl<F: Float> FreeDecay<F> {
             } else {
                 one
             };
+        }
+        // Beyond that the half cycles cannot be counted, and the place of rest is rounding.
+        let most = F::exp2i(i32::try_from(F::PRECISION.min(62)).unwrap_or(62));
+        if found.turns * two > most {
+            let (quantity, far) =
+                if v.abs() > x.abs() { (Quantity::Velocity, v) } else { (Quantity::Displacement, x) };
+            let most = most / two;
+            return Err(Error::OutOfRange {
+                quantity,
+                value: written(far),
+                least: written(-most),
+                greatest: written(most),
+            });
         }
         found.half_cycles = found.counted();
         found.rest_position = found.resting();

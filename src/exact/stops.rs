@@ -28,10 +28,10 @@ use super::stick::Stick;
 use super::stop_map::{Expected, Passage, Station, passage};
 use crate::float::{Float, Task};
 use crate::nonsticking::Border;
-use crate::nonsticking::damped::border;
-use crate::nonsticking::damped::border::{is_far_below, turning_point};
+use crate::nonsticking::damped::border::is_far_below;
 use crate::nonsticking::damped::half_period::HalfPeriod;
 use crate::nonsticking::damped::rising::Rising;
+use crate::nonsticking::damped::{AtTurningPoint, border};
 use crate::nonsticking::displacement::max_displacement;
 use crate::phase_function::{PhaseFunction, one_minus_square};
 use miss::Miss;
@@ -80,10 +80,12 @@ impl<F: Float> Sticking<F> {
     fn damped(equation: Equation<F>) -> Self {
         let half = HalfPeriod::new(equation.omega, equation.zeta());
         let amplitude = max_displacement(half.k, equation.alpha, half.stiffness);
+        let rising = Rising::of_force(half, equation.alpha);
         // Below the condition at the turning point no border has to be searched for.
-        let turns = amplitude >= turning_point(&half);
-        let slides = || is_far_below(&half, amplitude) || equation.alpha >= border(&half).min_force_ratio;
-        let rising = (turns && slides()).then(|| Rising::of_force(half, equation.alpha));
+        let turns = equation.alpha >= F::fused(AtTurningPoint(&half)).0;
+        let slides =
+            || is_far_below(&half, rising.amplitude) || equation.alpha >= border(&half).min_force_ratio;
+        let rising = (turns && slides()).then_some(rising);
         Self { equation, amplitude, shift: half.shift, is_below: rising.is_none(), rising }
     }
 

@@ -29,6 +29,7 @@
 //!
 //! Overflow and underflow are not handled; the domain of [`crate::Ratios`] has room for both.
 
+mod exponential;
 mod operators;
 
 use super::{Field, Float};

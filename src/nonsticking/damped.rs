@@ -19,20 +19,22 @@ pub(crate) mod fastest;
 pub(crate) mod free;
 pub(crate) mod half_period;
 mod peaks;
+mod pole;
 pub(crate) mod resonance;
 pub(crate) mod rising;
 pub(crate) mod squared;
 mod summit;
 mod work;
 
-use super::Border;
 use super::displacement::max_displacement;
 use super::phase::reduce;
 use super::stability::MultiplierPair;
-use crate::float::{Field, Float};
+use super::{Border, loop_size_inertia, loop_size_stiffness};
+use crate::float::{Field, Float, Task, pair::Pair};
 use crate::ratios::Ratios;
-use border::{least_displacement, supremum, turning_point};
+use border::{least_displacement, needed_at, supremum, turning_point};
 use half_period::HalfPeriod;
+use pole::Pole;
 use rising::Rising;
 use summit::Summit;
 
@@ -127,12 +129,43 @@ impl<F: Float> DampedCycle<F> {
 
 impl<F: Float> Rising<F> {
     /// At an α on or above the border.
+    ///
+    /// Beside the pole at Ω = 1 a and G are large and nearly equal, and α² − K² and q²G² with them: there
+    /// `Δ₀/B = (α² − Q²)/(q² (a + G))`, `a² = (α² − Q²)/q² + G²`, Q² = K² + q²G² ([`Pole`]).
     pub(crate) fn of_force(half: HalfPeriod<F>, alpha: F) -> Self {
-        // a = √(α² − K²)/q, Δ₀/B = a − G. An α on the rounded border may be below the true one. Δ₀ is then at
-        // least its value on the border; near Ω = 1 nothing else remains of the difference.
-        let amplitude = max_displacement(half.k, alpha, half.stiffness).or_larger(turning_point(&half));
-        let max_displacement = (amplitude - half.shift).or_larger(least_displacement(&half));
-        Self { half, amplitude, max_displacement }
+        F::fused(OfForce { half, alpha })
+    }
+
+    #[inline(always)]
+    fn at_force(half: HalfPeriod<F>, alpha: F) -> Self {
+        let wide = half.wide();
+        let least = least_displacement(&wide);
+        let (amplitude, displacement) = match half.beyond {
+            Some([hi, lo]) => {
+                let excess = Pole::excess(Pair::new(hi, lo), alpha) / wide.stiffness.square();
+                let amplitude = (excess + wide.shift.square()).sqrt();
+                (amplitude, excess / (amplitude + wide.shift))
+            }
+            None => {
+                let amplitude = max_displacement(wide.k, alpha.wide(), wide.stiffness);
+                (amplitude, amplitude - wide.shift)
+            }
+        };
+        // An α on the rounded border may be below the true one. Δ₀ is then at least its value on the border.
+        let (amplitude, displacement) = if displacement.value() >= least.value() {
+            (amplitude, displacement)
+        } else {
+            (turning_point(&wide), least)
+        };
+        let displacement = displacement.normalised();
+        Self { half, amplitude: amplitude.value(), max_displacement: displacement.hi, rest: displacement.lo }
+    }
+
+    /// A₁ and A₂, friction's part.
+    pub(crate) fn loop_sizes(&self, alpha: F) -> (F, F) {
+        let displacement = Pair::new(self.max_displacement, self.rest);
+        let size = loop_size_stiffness(displacement, alpha.wide());
+        (size.value(), loop_size_inertia(size, self.half.omega.wide()).value())
     }
 
     /// ω_d t₂, in [0, 2π).
@@ -163,28 +196,67 @@ impl<F: Field> HalfPeriod<F> {
     }
 }
 
-/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
-pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
-    let found = supremum(half);
-    let force_ratio = |amplitude: F| half.k.hypot(half.stiffness * amplitude);
-    let turning_point = force_ratio(turning_point(half));
-    match found.touch {
-        Some(touch) => {
-            let least = turning_point.or_larger(force_ratio(found.amplitude));
-            Border::of_parts(least, turning_point, touch.phase(half.omega), found.amplitude - half.shift)
-        }
-        None => Border::of_parts(turning_point, turning_point, F::int(0), least_displacement(half)),
+/// The task of [`Rising::of_force`].
+struct OfForce<F> {
+    half: HalfPeriod<F>,
+    alpha: F,
+}
+
+impl<F: Float> Task for OfForce<F> {
+    type Output = Rising<F>;
+
+    #[inline(always)]
+    fn run(self) -> Rising<F> {
+        Rising::at_force(self.half, self.alpha)
     }
 }
 
-/// The force ratio of the largest loop A₁ and that loop, both by `Q = hypot(K, qG)`.
+/// The border: `α_min = q hypot(S, H) = hypot(K, qS)`, at the turning point with S = (η + G + 2ζΩH)/Ω².
+pub(crate) fn border<F: Float>(half: &HalfPeriod<F>) -> Border<F> {
+    let found = supremum(half);
+    let turning_point = F::fused(AtTurningPoint(half));
+    let Some(touch) = found.touch else {
+        return Border::of_parts(turning_point.0, turning_point.0, F::int(0), turning_point.1);
+    };
+    let (wide, amplitude) = (half.wide(), needed_at(half, touch));
+    let inside = wide.k.hypot(wide.stiffness * amplitude).value();
+    let displacement = (amplitude - wide.shift).value();
+    Border::of_parts(
+        turning_point.0.or_larger(inside),
+        turning_point.0,
+        touch.phase(half.omega),
+        displacement,
+    )
+}
+
+/// The force ratio from which on the body does not stick at its turning points, and the least Δ₀/B there.
+pub(crate) struct AtTurningPoint<'a, F>(pub(crate) &'a HalfPeriod<F>);
+
+impl<F: Float> Task for AtTurningPoint<'_, F> {
+    type Output = (F, F);
+
+    #[inline(always)]
+    fn run(self) -> (F, F) {
+        let half = self.0.wide();
+        let force_ratio = half.k.hypot(half.stiffness * turning_point(&half));
+        (force_ratio.value(), least_displacement(&half).value())
+    }
+}
+
+/// The force ratio of the largest loop A₁ and that loop, to the digits of the half period.
+pub(crate) fn best<F: Float>(half: &HalfPeriod<F>) -> (F, F) {
+    let (force_ratio, loop_size) = best_of(&half.wide());
+    (force_ratio.value(), loop_size.value())
+}
+
+/// The same in any arithmetic, both by `Q = hypot(K, qG)`.
 ///
 /// With y = qa, `A₁ = 8(y − qG)/(q(y² + K²))`; `dA₁/dy = 0` is `y² − 2qGy − K² = 0`, y = qG + Q.
-pub(crate) fn best<F: Field>(half: &HalfPeriod<F>) -> (F, F) {
+pub(crate) fn best_of<R: Field>(half: &HalfPeriod<R>) -> (R, R) {
     let shift = half.stiffness * half.shift;
     let q = half.k.hypot(shift);
-    let two = F::int(2);
-    ((two * q * (q + shift)).sqrt(), F::int(4) / (half.stiffness * (q + shift)))
+    let two = R::int(2);
+    ((two * q * (q + shift)).sqrt(), R::int(4) / (half.stiffness * (q + shift)))
 }
 
 /// The half period at ratios with ζ > 0.

@@ -1,7 +1,6 @@
 //! The motion of a cycle between its reversals, without damping or with it.
 
 use super::damped::DampedCycle;
-use super::dissipation::{loop_size_inertia, loop_size_stiffness};
 use super::phase::reduce;
 use super::stability::Multipliers;
 use super::undamped::Undamped;
@@ -31,10 +30,7 @@ impl<F: Float> Motion<F> {
             Self::Undamped(Undamped { reversal, .. }) => {
                 (reversal.loop_size_stiffness(), reversal.loop_size_inertia(ratios.omega()))
             }
-            Self::Damped(cycle) => {
-                let a1 = loop_size_stiffness(cycle.max_displacement, ratios.alpha());
-                (a1, loop_size_inertia(a1, ratios.omega()))
-            }
+            Self::Damped(cycle) => cycle.rising.loop_sizes(ratios.alpha()),
         }
     }
 

@@ -18,7 +18,6 @@
 //! crest of the slow wave, or of an end.
 
 use super::Cycle;
-use super::half_cycle::HalfCycle;
 use super::motion::Motion;
 use crate::float::{Float, Real};
 use crate::greatest::{Bound, Jet, greatest};
@@ -67,29 +66,30 @@ impl<F: Float> Cycle<F> {
             Motion::Undamped(_) if F::int(2) * omega >= F::int(1) => {
                 arrival_acceleration(self.max_displacement, omega)
             }
-            Motion::Undamped(cycle) => self.max_acceleration_below(&cycle.half(omega)),
+            Motion::Undamped(_) => self.max_acceleration_below(),
         }
     }
 
-    /// The greatest |x″| without damping below Ω = 1/2.
-    fn max_acceleration_below(&self, half: &HalfCycle<F>) -> F {
+    /// The greatest |x″| without damping below Ω = 1/2, `x″ = Ω²Δ₀ sin Ωψ − g`: as a difference of force and
+    /// spring it would lose as many digits as they exceed it by.
+    fn max_acceleration_below(&self) -> F {
         let (one, two) = (F::int(1), F::int(2));
         let (omega, delta) = (self.ratios.omega(), self.max_displacement);
         let arrival = arrival_acceleration(delta, omega);
-        let p = PhaseFunction::of_valid(omega);
-        let (k, tangent) = (p.value(), p.tangent());
+        let tangent = PhaseFunction::of_valid(omega).tangent();
         let (_, cos_beta) = self.sin_cos_beta();
         let square = omega.square();
-        let fast = one / cos_beta.abs();
+        let (slow, bent) = (square * delta, omega * tangent);
         // |x⁗| of the slow wave and the fast one.
-        let curvature = square.square() * delta + square * omega * tangent.abs() + fast;
+        let curvature = square * (slow + bent.abs()) + one / cos_beta.abs();
         let motion = |psi: F| {
-            let (force, rate) = self.drive(psi, k);
-            let (x, v) = (half.displacement(psi), half.velocity(psi).value);
-            let value = force - x - one;
-            // By ψ, which runs against time.
-            let slope = -(omega * (rate - v));
-            Jet { value, slope, second: -value - square * force }
+            let ((s, c), (sine, cosine)) = ((omega * psi).sin_cos(), psi.sin_cos());
+            let (wave, rate) = (slow * s + bent * c, omega * (slow * c - bent * s));
+            Jet {
+                value: wave - cosine / cos_beta,
+                slope: rate + sine / cos_beta,
+                second: cosine / cos_beta - square * wave,
+            }
         };
         let beta = F::pi() / (two * omega);
         let turn = two * F::pi();

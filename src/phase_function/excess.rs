@@ -39,7 +39,8 @@ pub(crate) fn excess_close_to_one<F: Float>(omega: F, alpha: F) -> Pair<F> {
 }
 
 /// The sum to three times the digits of its largest term, rounded to a pair.
-fn sum<F: Float, const N: usize>(terms: [F; N]) -> Pair<F> {
+#[inline(always)]
+pub(crate) fn sum<F: Float, const N: usize>(terms: [F; N]) -> Pair<F> {
     let zero = F::int(0);
     let (mut high, mut middle, mut low) = (zero, zero, zero);
     for term in terms {

@@ -43,7 +43,7 @@ fn reduce_small<F: Float>(omega: F) -> (u8, F) {
 
 /// `q mod 4` of an integer q of either sign.
 #[inline(always)]
-fn modulo_four<F: Float>(q: F) -> u8 {
+pub(crate) fn modulo_four<F: Float>(q: F) -> u8 {
     let residue = q - F::int(4) * (q / F::int(4)).floor();
     (1..4).filter(|&n| residue >= F::int(n)).count() as u8
 }

@@ -1,6 +1,7 @@
 //! The closed forms with viscous damping: independent values, the motion itself, energy, limits, and the
 //! functions that refuse damping.
 
+mod digits;
 mod ends;
 
 use super::random::Random;

@@ -181,6 +181,17 @@ pub(crate) fn mean_displacement<F: Value>(mean: F, system: &System, out: &mut im
     writeln!(out, "  mean displacement        {mean} {length}; displacements are measured from there")
 }
 
+/// What the line on the transmitted force leaves out, where a mean force was given.
+pub(crate) fn without_mean_force<F: Value>(
+    machine: Option<&Machine<F>>,
+    out: &mut impl Write,
+) -> io::Result<()> {
+    match machine.and_then(|machine| machine.mean_force) {
+        Some(_) => writeln!(out, "    (without the mean force p̄, which the support carries in addition)"),
+        None => Ok(()),
+    }
+}
+
 /// The displacement from which a shifted motion is measured, in a sentence.
 pub(crate) fn measured_from<F: Value>(machine: Option<&Machine<F>>, out: &mut impl Write) -> io::Result<()> {
     let Some(machine) = machine.filter(|machine| machine.is_shifted()) else { return Ok(()) };

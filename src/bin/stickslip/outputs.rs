@@ -82,7 +82,7 @@ pub(crate) const GROUPS: &[(&str, &[Entry])] = &[
             (
                 "transmissibility",
                 "1",
-                "that force over p₀; over a moving base the ratio of absolute accelerations",
+                "that force over p₀; with a moving foot or base the body's absolute acceleration over that of the foot or base",
             ),
             (
                 "max_absolute_displacement",
@@ -184,7 +184,10 @@ pub(crate) const PHYSICAL: &[(&str, &str)] = &[
     ("mass, stiffness, friction, damping", "m, k, r_y, c"),
     ("friction_backward", "r₋, where it was given; friction is then r₊"),
     ("friction_bound", "r_y = (r₊ + r₋)/2, where friction differs by direction"),
-    ("static_friction", "r_s = η r_y, where it was given"),
+    (
+        "static_friction",
+        "r_s = η r_y, where it was given; η r_y ± (r₊ − r₋)/2 where friction differs by direction",
+    ),
     ("friction_coefficient", "µ = r_y/(m g), where it was given"),
     ("force_amplitude", "amplitude p₀ of the force on the body"),
     ("foot_displacement", "amplitude of the spring's foot"),

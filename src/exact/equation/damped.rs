@@ -81,42 +81,12 @@ impl<F: Float> Equation<F> {
         let sine = (beside * real - above * imaginary) / square;
         Waves {
             free: (s, c),
-            versine: self.step_response(phi, s),
+            versine: free.step_response(phi, s),
             drive,
             c: (above * real + beside * imaginary) / square,
             s: sine,
             d: s - self.omega * sine,
         }
-    }
-
-    /// `1 − c`, the displacement of a body from rest under a unit force, where s is the first of
-    /// [`Equation::free_waves`].
-    ///
-    /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μφ} − μs` with the slower rate of
-    /// decay μ.
-    fn step_response(&self, phi: F, s: F) -> F {
-        let (one, two) = (F::int(1), F::int(2));
-        let free = self.vibration();
-        if phi * (one + self.damping) * two > one {
-            if free.swings() {
-                return -(free.cosine_less_one(phi) + free.zeta * s);
-            }
-            let slow = free.slow_rate();
-            return -((-(slow * phi)).exp_m1() + slow * s);
-        }
-        // V⁽ⁿ⁺²⁾ = −V⁽ⁿ⁾ − 2ζV⁽ⁿ⁺¹⁾ from V″ = 1 on: each term is less than half of the one before.
-        let (mut before, mut derivative) = (F::int(0), one);
-        let mut power = phi.square() / two;
-        let mut sum = F::int(0);
-        for n in 3..=F::PRECISION.saturating_add(3) {
-            sum = sum + derivative * power;
-            if (derivative.abs() + before.abs()) * power <= F::epsilon() * sum.abs() {
-                break;
-            }
-            (before, derivative) = (derivative, -(before + self.damping * derivative));
-            power = power * phi / F::from_f64(f64::from(n));
-        }
-        sum
     }
 }
 

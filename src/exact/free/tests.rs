@@ -153,3 +153,20 @@ fn a_count_beside_a_whole_number_is_corrected() {
         }
     }
 }
+
+/// A count that no float holds, and a rest that is rounding, are errors; a damper makes the count small.
+#[test]
+fn half_cycles_beyond_counting_are_an_error() {
+    let message = |x: f64, v: f64, zeta: f64| FreeDecay::new(x, v, zeta, 1.0).unwrap_err().to_string();
+    assert_eq!(
+        message(1e70, 0.0, 0.0),
+        "displacement x/B = 1e70 must be ≥ -4503599627370496 and ≤ 4503599627370496"
+    );
+    assert!(message(0.0, -1e60, 0.0).contains("-1e60"), "{}", message(0.0, -1e60, 0.0));
+    assert!(message(1e70, 0.0, 1e-40).contains("1e70"));
+    let (most, damped) = (2f64.powi(53), FreeDecay::new(1e70f64, 0.0, 0.05, 1.0).unwrap());
+    assert_eq!(FreeDecay::new(most, 0.0, 0.0, 1.0).unwrap().half_cycles, 1 << 52);
+    assert!(damped.half_cycles > 900 && damped.half_cycles < 1100, "{damped:?}");
+    assert_eq!(FreeDecay::new(1e4f32, 0.0, 0.0, 1.0).unwrap().half_cycles, 5000);
+    assert!(FreeDecay::new(1e9f32, 0.0, 0.0, 1.0).is_err());
+}

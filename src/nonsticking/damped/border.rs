@@ -30,9 +30,10 @@
 //! exceed the supremum so far. With `A = hypot(h′, h″)` at the left end, ρ ≤ (max b cos Ωτ + A)/(Ω min sin
 //! Ωτ), because h′ is a free vibration with decreasing energy.
 
-use super::half_period::HalfPeriod;
+use super::free::{Free, Waves};
+use super::half_period::{HalfPeriod, wide_sin_cos};
 use super::rising::Moment;
-use crate::float::{AtPrecision, Field, Float};
+use crate::float::{AtPrecision, Field, Float, pair::Pair};
 use crate::root::newton_within;
 
 /// The supremum S and where it is.
@@ -103,11 +104,13 @@ pub(crate) fn is_far_below<F: Float>(half: &HalfPeriod<F>, amplitude: F) -> bool
 
 /// The amplitude that keeps the body from sticking at its turning points: ρ(0⁺), or with a static friction of
 /// η times the kinetic one `(η + G + 2ζΩH)/Ω²`.
+#[inline(always)]
 pub(crate) fn turning_point<F: Field>(half: &HalfPeriod<F>) -> F {
     (half.holding() + half.static_excess) / half.omega.square()
 }
 
 /// The least Δ₀/B with which it does not stick at its turning points, S − G: `[η + G(1 − Ω²) + 2ζΩH]/Ω²`.
+#[inline(always)]
 pub(crate) fn least_displacement<F: Field>(half: &HalfPeriod<F>) -> F {
     let held = F::int(1) + half.shift * half.lag.1 + half.lag.0 * half.h + half.static_excess;
     held / half.omega.square()
@@ -178,6 +181,30 @@ fn needed<F: Float>(half: &HalfPeriod<F>, from: End, at: &Moment<F>) -> F {
         End::Last => b * at.drive.1 - at.free.v,
     };
     n / (half.omega * at.drive.0)
+}
+
+/// The same where the velocity touches zero, to more digits than the type has.
+pub(super) fn needed_at<F: Float>(half: &HalfPeriod<F>, touch: Touch<F>) -> Pair<F> {
+    let Touch { from, time } = touch;
+    if F::PRECISION > f64::MANTISSA_DIGITS {
+        return needed(half, from, &at(half, from, time)).wide();
+    }
+    let (wide, one) = (half.wide(), Pair::int(1));
+    let (free, b) = (Free::new(wide.free.zeta), wide.omega * wide.h);
+    let (_, decay) = (-(free.zeta * time)).exp_falling();
+    let ((s, c), (sine, cosine)) = (wide_sin_cos(wide.omega * time), wide_sin_cos(free.frequency * time));
+    let sine = sine / free.frequency;
+    let (driven, slope) = match from {
+        End::First => {
+            let waves = Waves { cosine: decay * cosine, sine: decay * sine };
+            (b * c, free.after(waves, one + wide.shift, b).v)
+        }
+        End::Last => {
+            let waves = Waves { cosine: cosine / decay, sine: -(sine / decay) };
+            (-(b * c), free.after(waves, one - wide.shift, -b).v)
+        }
+    };
+    (driven - slope) / (wide.omega * s)
 }
 
 /// n(τ) in a form that keeps its digits as τ → 0.

@@ -56,10 +56,12 @@ impl<F: Field> State<F> {
 
 impl<F: Field> Free<F> {
     /// The same in another number type.
-    pub(crate) fn map<G: Float>(self, to: impl Fn(F) -> G) -> Free<G> {
+    #[inline(always)]
+    pub(crate) fn map<G>(self, to: impl Fn(F) -> G) -> Free<G> {
         Free { zeta: to(self.zeta), square: to(self.square), frequency: to(self.frequency) }
     }
 
+    #[inline(always)]
     pub(crate) fn new(zeta: F) -> Self {
         let one = F::int(1);
         let square = (one - zeta) * (one + zeta);
@@ -112,6 +114,36 @@ impl<F: Float> Free<F> {
         }
         let (slow, gap) = ((-(self.slow_rate() * t)).exp_m1(), (-(self.frequency * t * two)).exp_m1());
         slow + (F::int(1) + slow) * gap * half
+    }
+
+    /// `1 − c`, `c = e^{−ζt} (cos dt + (ζ/d) sin dt)`: the displacement of a body from rest under a unit
+    /// force, at t ≥ 0; `sine` is [`Waves::sine`] at t.
+    ///
+    /// By its power series for a short time; from ζ = 1 on as `1 − e^{−μt} − μs` with the slower rate of
+    /// decay μ.
+    pub(crate) fn step_response(&self, t: F, sine: F) -> F {
+        let (one, two) = (F::int(1), F::int(2));
+        let damping = two * self.zeta;
+        if t * (one + damping) * two > one {
+            if self.swings() {
+                return -(self.cosine_less_one(t) + self.zeta * sine);
+            }
+            let slow = self.slow_rate();
+            return -((-(slow * t)).exp_m1() + slow * sine);
+        }
+        // V⁽ⁿ⁺²⁾ = −V⁽ⁿ⁾ − 2ζV⁽ⁿ⁺¹⁾ from V″ = 1 on: each term is less than half of the one before.
+        let (mut before, mut derivative) = (F::int(0), one);
+        let mut power = t.square() / two;
+        let mut sum = F::int(0);
+        for n in 3..=F::PRECISION.saturating_add(3) {
+            sum = sum + derivative * power;
+            if (derivative.abs() + before.abs()) * power <= F::epsilon() * sum.abs() {
+                break;
+            }
+            (before, derivative) = (derivative, -(before + damping * derivative));
+            power = power * t / F::from_f64(f64::from(n));
+        }
+        sum
     }
 
     /// Both waves at t ≥ 0 from ζ = 1 on.

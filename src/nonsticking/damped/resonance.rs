@@ -114,16 +114,26 @@ mod tests {
         }
     }
 
-    /// On the border Δ₀ tends to 1 as ζ → 0, and V₀ to the limit for Ω → 1 without damping.
+    /// On the border Δ₀ tends to 1 as ζ → 0, and V₀ to the limit for Ω → 1 without damping; the rounding of
+    /// the border moves both by as much as 1/ζ times itself.
+    fn reaches_the_limit<F: crate::Float>(zetas: &[f64]) {
+        for zeta in zetas {
+            let to = F::from_f64;
+            let at = |alpha| Ratios::new(to(1.0), alpha).unwrap().with_damping_ratio(to(*zeta)).unwrap();
+            let least = crate::Border::of(&at(to(2.0))).min_force_ratio;
+            let cycle: Cycle<F> = Cycle::new(at(least)).unwrap();
+            let off = 4.0 * zeta + F::epsilon().to_f64() / zeta;
+            let (far, fast) = (cycle.max_displacement.to_f64(), cycle.max_velocity.to_f64());
+            assert!((far - 1.0).abs() < off + 4e-16, "{zeta}: {cycle:?}");
+            assert!((fast - 1.158_460_65).abs() < off + 1e-8, "{zeta}: {cycle:?}");
+        }
+    }
+
     #[test]
     fn on_the_border_at_resonance_the_limit_is_reached() {
-        for zeta in [1e-20, 1e-18, 1e-15, 1e-12, 1e-9] {
-            let at = |alpha: f64| Ratios::new(1.0, alpha).unwrap().with_damping_ratio(zeta).unwrap();
-            let least = crate::Border::of(&at(2.0)).min_force_ratio;
-            let cycle: Cycle<f64> = Cycle::new(at(least)).unwrap();
-            assert!((cycle.max_displacement - 1.0).abs() < 4.0 * zeta + 4e-16, "{zeta}: {cycle:?}");
-            assert!((cycle.max_velocity - 1.158_460_65).abs() < 1e-8, "{zeta}: {cycle:?}");
-        }
+        reaches_the_limit::<f64>(&[1e-12, 1e-9, 1e-7]);
+        #[cfg(feature = "mp")]
+        reaches_the_limit::<crate::float::mp::Mp<4>>(&[1e-20, 1e-18, 1e-15, 1e-12, 1e-9]);
     }
 
     /// Next to the border no digit of the displacement is certain, but all results have its order of

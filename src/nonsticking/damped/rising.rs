@@ -19,6 +19,8 @@ pub(crate) struct Rising<F> {
     pub(crate) amplitude: F,
     /// Δ₀/B = a − G, which is not computed as a difference because both are large near Ω = 1.
     pub(crate) max_displacement: F,
+    /// What rounding took from Δ₀/B.
+    pub(crate) rest: F,
 }
 
 /// The half cycle at one time: sine and cosine of Ωτ, and the free vibration.
@@ -169,7 +171,7 @@ impl<F: Float> Vibration<F> {
 impl<F: Field> Rising<F> {
     /// The half cycle of amplitude a.
     pub(crate) fn new(half: HalfPeriod<F>, amplitude: F) -> Self {
-        Self { half, amplitude, max_displacement: amplitude - half.shift }
+        Self { half, amplitude, max_displacement: amplitude - half.shift, rest: F::int(0) }
     }
 
     /// The same in another number type.
@@ -177,6 +179,7 @@ impl<F: Field> Rising<F> {
         Rising {
             amplitude: to(self.amplitude),
             max_displacement: to(self.max_displacement),
+            rest: to(self.rest),
             half: self.half.map(to),
         }
     }
@@ -221,16 +224,29 @@ impl<F: Float> Rising<F> {
 
     /// x/B.
     ///
-    /// `h − 1 = G + (1 + G)(e^{−ζτ} cos dτ − 1) + (b + ζ(1 + G)) e^{−ζτ} sin(dτ)/d`: far above Ω = 1 it is
-    /// small.
+    /// `h − 1 = G − (1 + G)(1 − c) + b s`, c and s free vibration from (1, 0) and (0, 1): far above Ω = 1 each
+    /// term is small ([`Free::step_response`]).
     pub(crate) fn displacement(&self, at: &Moment<F>) -> F {
         if self.half.is_resonant {
             return at.free.x - F::int(1);
         }
-        let ((s, c), half) = (at.drive, &self.half);
-        let start = F::int(1) + half.shift;
-        let sine = (half.omega * half.h + half.free.zeta * start) * at.waves.sine;
-        let free = half.shift + (start * half.free.cosine_less_one(at.tau) + sine);
-        free - self.amplitude * c - half.h * s
+        let (s, c) = at.drive;
+        self.free_displacement(at) - self.amplitude * c - self.half.h * s
+    }
+
+    /// x/B where x″/(B ω_n²) is small and known: `−a cos Ωτ − H sin Ωτ = (h″ − x″)/Ω²`, so that the drive
+    /// drops out.
+    pub(super) fn displacement_by(&self, at: &Moment<F>, acceleration: F) -> F {
+        if self.half.is_resonant {
+            return at.free.x - F::int(1);
+        }
+        self.free_displacement(at) + (at.free.a - acceleration) / self.half.omega.square()
+    }
+
+    /// h − 1.
+    fn free_displacement(&self, at: &Moment<F>) -> F {
+        let (half, sine) = (&self.half, at.waves.sine);
+        let fall = (F::int(1) + half.shift) * half.free.step_response(at.tau, sine);
+        half.shift - fall + half.omega * half.h * sine
     }
 }

@@ -44,8 +44,8 @@ impl<F: Float> Rising<F> {
         }
         let tau = super::fastest::fastest_time(&self.vibration());
         let moment = self.at(tau);
-        let [velocity, ..] = self.velocity(&moment);
-        Summit { tau, velocity, displacement: self.displacement(&moment) }
+        let [velocity, slope, _] = self.velocity(&moment);
+        Summit { tau, velocity, displacement: self.displacement_by(&moment, slope) }
     }
 
     /// Whether the velocity has one stationary point, by the proof above.
@@ -150,7 +150,7 @@ impl<F: Float> Task for OneSummit<'_, F> {
             let found = motion.fastest_near(&moment, [velocity, slope]);
             tau = found.psi;
             if found.is_found {
-                let displacement = rising.displacement(&moment) - found.displacement;
+                let displacement = rising.displacement_by(&moment, slope) - found.displacement;
                 return Some(Summit { tau, velocity: velocity + found.gain, displacement });
             }
         }

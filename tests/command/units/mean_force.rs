@@ -94,6 +94,13 @@ fn a_mean_force_is_given_in_units_in_rows_and_in_sweeps() {
     }
     let steady = stdout(&format!("steady {BODY} --frequency 4 --force 12 --mean-force 9"));
     assert!(steady.starts_with("Displacements are measured from the mean displacement of 1 m."), "{steady}");
+    // The forces are those of the symmetric motion, and the text says so where there is more.
+    let plain = stdout(&format!("response {BODY} --frequency 4 --force 12"));
+    for (text, is_given) in [(&text, true), (&steady, true), (&plain, false)] {
+        assert_eq!(text.contains("(without the mean force p̄"), is_given, "{text}");
+    }
+    let help = stdout("response --help").split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(help.contains("η r_y ± (r₊ − r₋)/2"), "{help}");
     for question in ["attractors --starts 5", "steady --mean-force 0"] {
         let text = stdout(&format!("{question} {BODY} --frequency 4 --force 12"));
         assert!(

@@ -29,8 +29,8 @@ pub(crate) struct MachineArgs {
     /// Gravity g for the coefficient of friction [default: 9.80665 m/s²]
     #[arg(long, value_name = "G", allow_hyphen_values = true)]
     pub(crate) gravity: Option<String>,
-    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion; r_y and
-    /// r_s are the means of both directions
+    /// Friction bound of backward motion, such as 4kN, where it differs from that of forward motion. r_y and
+    /// r_s are the means of both directions: at rest the bounds are η r_y ± (r₊ − r₋)/2
     #[arg(long, value_name = "R", allow_hyphen_values = true)]
     pub(crate) friction_backward: Option<String>,
     /// Viscous damping ratio ζ = c/(2√(k m)), such as 0.05 or 5%

@@ -22,6 +22,7 @@ pub(super) fn needed_force<F: Value>(
         let (ratios, acceleration) = (response.ratios, cycle.max_acceleration());
         let (force, ratio) = transmitted(machine, &ratios, cycle.transmitted_force(), acceleration);
         writeln!(out, "  transmitted, maximum     {}", forces(force))?;
+        super::without_mean_force(machine, out)?;
         let name = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) {
             "per foot acceleration"
         } else {

@@ -3,7 +3,7 @@
 use crate::bits::Value;
 use crate::input::Point;
 use crate::machine::{Machine, base_motion, transmitted};
-use crate::note::{both, decay, digits, measured_from};
+use crate::note::{both, decay, digits, measured_from, without_mean_force};
 use crate::style;
 use std::io::{self, Write};
 use stickslip::Regime;
@@ -183,6 +183,7 @@ fn peaks<F: Value>(
         "  transmitted force        {}",
         both(force, "r_y", scales.map(|s| s.force), units.force())
     )?;
+    without_mean_force(machine, out)?;
     let unit = if machine.is_some_and(|m| m.drive.excitation().moves_foot()) { "" } else { " p₀" };
     writeln!(out, "  transmissibility         {}{unit}", digits(ratio))?;
     if point.machine.as_ref().is_some_and(|m| m.drive.excitation().carries_surface()) {
