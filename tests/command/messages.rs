@@ -187,6 +187,4 @@ fn words_are_those_of_the_field() {
     let stiffness = stdout(&format!("design stiffness {machine}"));
     assert!(stiffness.contains("with a stiffness of"), "{stiffness}");
     refused("map --mass 50 --stiffness 10 --friction 5 --frequency 1:2:3 --force 12", &["map: 1 grid, must be two"]);
-    let map = "map steady:stick_fraction --omega 0.3:0.5:3 --alpha 0.5:3:3 --out /dev/stdout";
-    refused(map, &["--out /dev/stdout"]);
 }
