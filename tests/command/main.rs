@@ -16,13 +16,16 @@ mod design;
 #[cfg(feature = "mp")]
 mod enclose;
 mod figures;
+mod files;
 mod identify;
 #[cfg(unix)]
 mod interrupt;
+mod messages;
 mod motion;
 mod options;
 #[cfg(feature = "parquet")]
 mod parquet;
+mod points;
 #[cfg(feature = "generators")]
 mod round_trips;
 mod shell;

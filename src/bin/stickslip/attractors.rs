@@ -7,7 +7,7 @@ use crate::bits::{self, Task, Value};
 use crate::failure::{Failure, Outcome};
 use crate::given::Given;
 use crate::input;
-use crate::note::{both, digits, measured_from};
+use crate::note::{both, decay, digits, measured_from};
 use crate::physical::Physical;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
@@ -219,7 +219,7 @@ fn text<F: Value>(
     };
     writeln!(out, "{}", style::verdict(&sentence))?;
     if all.unsettled() > 0 {
-        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
+        writeln!(out, "{} starts did not settle. Allow more periods with --max-periods.", all.unsettled())?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);
@@ -228,7 +228,7 @@ fn text<F: Value>(
             writeln!(out, "  maximum displacement     {}", length(steady.max_displacement.value))?;
             writeln!(out, "  minimum displacement     {}", length(steady.min_displacement.value))?;
             writeln!(out, "  stops in a cycle         {}", steady.sticks_per_cycle)?;
-            writeln!(out, "  left of a disturbance    {} in a cycle", digits(steady.contraction()))?;
+            writeln!(out, "  a disturbance            {}", decay(steady.contraction(), "a cycle"))?;
         } else if let LongRun::Irregular(motion) = found.limit {
             writeln!(out, "  greatest displacement    {}", length(motion.max_displacement))?;
             writeln!(out, "  least displacement       {}", length(motion.min_displacement))?;
@@ -260,10 +260,10 @@ pub(crate) fn described<F: Value>(found: &Attractor<F>) -> String {
         LongRun::Periodic(steady) => {
             format!("{}{mirror}", shape(&steady))
         }
-        LongRun::Family(_) => "A family of motions, by their middles".to_owned(),
+        LongRun::Family(_) => "A family of periodic motions, by their mean positions".to_owned(),
         LongRun::Rest(_) => "Rest".to_owned(),
         LongRun::Irregular(motion) if motion.is_chaotic() => format!("Irregular, chaotic{mirror}"),
-        LongRun::Irregular(_) => format!("Irregular, neighbours neither leave nor approach it{mirror}"),
+        LongRun::Irregular(_) => format!("Irregular, not chaotic{mirror}"),
         LongRun::Unbounded { .. } => "Growing without bound".to_owned(),
         LongRun::NotConverged { .. } => "Not settled".to_owned(),
     }

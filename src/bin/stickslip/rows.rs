@@ -39,7 +39,7 @@ impl<R: Read> Read for Bounded<'_, R> {
     fn read(&mut self, bytes: &mut [u8]) -> io::Result<usize> {
         let Ahead(ahead) = self.ahead;
         if ahead.get() > LONGEST_ROW {
-            let text = format!("a row of more than {LONGEST_ROW} bytes; must be ≤ {LONGEST_ROW}");
+            let text = format!("the length of a row must be ≤ {LONGEST_ROW} bytes");
             return Err(io::Error::new(ErrorKind::InvalidData, text));
         }
         let count = self.source.read(bytes).map_err(|e| {
@@ -56,7 +56,9 @@ impl<R: Read> Read for Bounded<'_, R> {
 pub(crate) fn unreadable(name: &str, error: csv::Error) -> Failure {
     let line = error.position().map_or(String::new(), |p| format!(" line {}", p.line()));
     let text = if let csv::ErrorKind::UnequalLengths { expected_len, len, .. } = error.kind() {
-        format!("{len} fields, must be {expected_len} as in the header")
+        let hint =
+            if len > expected_len { ". A decimal needs a point, because commas separate fields" } else { "" };
+        format!("{len} fields, must be {expected_len} as in the header{hint}")
     } else {
         error.to_string()
     };

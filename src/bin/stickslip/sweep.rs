@@ -29,14 +29,14 @@ impl<W: Write> Task for Run<'_, W> {
         let Some(format) = args.format() else {
             let name = args.out.as_deref().map_or(String::new(), |file| file.display().to_string());
             return Err(Failure::Input(format!(
-                "--out {name}: the name must end in .csv, .jsonl or .parquet, or have its --format given"
+                "--out {name}: the name must end in .csv, .jsonl or .parquet, or --format be given"
             )));
         };
         let axes = Axes::new(&args.machine, &args.force, &args.units.reader())?;
         let rows = Rows::<F>::new(args, axes)?;
         let part = part(args.shard.as_deref(), rows.len())?;
         if args.resume && args.out.is_none() {
-            return Err(Failure::Input("--resume: give the file to go on with by --out FILE".to_owned()));
+            return Err(Failure::Input("--resume: needs the file to continue, --out FILE".to_owned()));
         }
         match format {
             SweepFormat::Csv | SweepFormat::Jsonl => to_text(args, &rows, part, out),
@@ -71,7 +71,7 @@ fn to_parquet<F: Value>(args: &SweepArgs, rows: &Rows<F>, part: Range<u64>) -> O
 
 #[cfg(not(feature = "parquet"))]
 fn to_parquet<F: Value>(_: &SweepArgs, _: &Rows<F>, _: Range<u64>) -> Outcome {
-    Err(Failure::Input("--format parquet: this build has none; it needs the feature parquet".to_owned()))
+    Err(Failure::Input("--format parquet: needs a build with the feature parquet".to_owned()))
 }
 
 /// Writes the rows of a part of the sweep, with their header.
@@ -79,7 +79,7 @@ fn write<F: Value>(rows: &Rows<F>, part: Range<u64>, header: bool, out: &mut imp
     if header {
         out.write_all(&rows.header()?)?;
     }
-    resume::write(part, out, |points| rows.text(points), |text, out| Ok(out.write_all(&text)?))
+    resume::write(part, out, |point| rows.text(point), |text, out| Ok(out.write_all(&text)?))
 }
 
 /// The rows of `--shard I/N`: the parts are contiguous, and differ by at most one row.

@@ -106,7 +106,7 @@ impl Asked {
                 series.push(Series::new(key, Style::Note, 0, []));
             }
         }
-        let mut title = format!("{} over the frequency", capital(words(self.what)));
+        let mut title = format!("{} against frequency", capital(words(self.what)));
         title.push_str(&match (range.cut_below, range.cut_above) {
             (false, false) => String::new(),
             (false, true) => format!(", cut off at {}", digits(high)),
