@@ -6,7 +6,6 @@ use super::{Identified, Measurement, identify};
 use crate::exact::{LongRun, State};
 use crate::nonsticking::damped;
 use crate::{Cycle, Drive, Error, Oscillator, Ratios};
-use core::f64::consts::TAU;
 
 const FORCE: f64 = 12.0;
 
