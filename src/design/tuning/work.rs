@@ -261,7 +261,17 @@ impl<F: Float> Work<F> {
                 });
             }
             let middle = low + (high - low) / two;
-            if self.most_within(low, high) <= best * slack || !(middle > low && middle < high) {
+            if self.most_within(low, high) <= best * slack {
+                continue;
+            }
+            if !(middle > low && middle < high) {
+                // A resonance narrower than the distance of two numbers: the better one of them.
+                for v in [low, high] {
+                    let work = self.work_and_growth(&self.at(v)).0;
+                    if work > best {
+                        (best, found) = (work, Some(v));
+                    }
+                }
                 continue;
             }
             if let Some(rates) = self.rates(low, high) {
