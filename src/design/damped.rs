@@ -122,7 +122,9 @@ impl<F: Float> Search<F> {
             Damper::Ratio(zeta) => from.or_larger(zeta * F::pi() / decay_exponent()),
             Damper::Constant(_) => from,
         };
-        let least = one / (one / high + F::int(HALF_TURNS));
+        // The steps of the mesh are 2⁻⁵ half turns, or a quarter of the width of a peak, and have to be resolved.
+        let resolved = F::epsilon() * F::int(1 << 12);
+        let least = (one / (one / high + F::int(HALF_TURNS))).or_larger(resolved);
         if peaks_from < least && !has_decayed(damper.ratio(peaks_from), peaks_from * F::ratio(33, 32)) {
             return Err(Error::OutOfRange {
                 quantity: Quantity::FrequencyRatio,

@@ -116,7 +116,8 @@ fn best_of_band<F: Float>(
     let mut best = best;
     let mut consider = |omega: F, kind: OptimumKind| -> Result<Option<F>, Error> {
         let cycle = Cycle::new(Ratios::new(omega, alpha)?.with_damping_ratio(gamma * omega)?)?;
-        let found = Optimum { at: omega, value: cycle.loop_size_inertia(), kind };
+        let value = positive(Quantity::LoopSizeInertia, cycle.loop_size_inertia())?;
+        let found = Optimum { at: omega, value, kind };
         if best.is_none_or(|best| found.value > best.value) {
             best = Some(found);
         }

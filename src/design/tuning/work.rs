@@ -261,7 +261,17 @@ impl<F: Float> Work<F> {
                 });
             }
             let middle = low + (high - low) / two;
-            if self.most_within(low, high) <= best * slack || !(middle > low && middle < high) {
+            if self.most_within(low, high) <= best * slack {
+                continue;
+            }
+            if !(middle > low && middle < high) {
+                // A resonance narrower than the distance of two numbers: the better one of them.
+                for v in [low, high] {
+                    let work = self.work_and_growth(&self.at(v)).0;
+                    if work > best {
+                        (best, found) = (work, Some(v));
+                    }
+                }
                 continue;
             }
             if let Some(rates) = self.rates(low, high) {
@@ -272,10 +282,18 @@ impl<F: Float> Work<F> {
                 let is_monotone = growth.low > F::int(0) || growth.high < F::int(0);
                 let (here, _) = self.work_and_growth(&at);
                 let reach = here + radius * (growth.size() / s.low);
+                if is_monotone {
+                    // The end may be the last number beside a resonance that is narrower than their distance.
+                    let end = if growth.low > F::int(0) { high } else { low };
+                    let work = self.work_and_growth(&self.at(end)).0;
+                    if work > best * slack {
+                        (best, found) = (work, Some(end));
+                    }
+                }
                 if is_monotone || reach <= best * slack {
                     continue;
                 }
-                let is_new = found.is_none_or(|v| v < low || v > high);
+                let is_new = found.is_none_or(|v| v <= low || v >= high);
                 if is_new && reach <= here * F::ratio(5, 4) {
                     let growth = |v: F| self.work_and_growth(&self.at(v)).1;
                     if growth(low) > F::int(0) && growth(high) < F::int(0) {
