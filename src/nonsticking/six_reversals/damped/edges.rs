@@ -48,7 +48,7 @@ struct End {
 impl End {
     /// AΩ² at the end, at the precision of the type.
     fn solved<F: Float>(&self, problem: &Problem<F>) -> F {
-        let start = nearer(self.at.map(F::from_f64), &self.edge, F::from_f64(self.scale));
+        let start = nearer(self.at.map(F::from_f64), F::from_f64(self.scale));
         let edge = if matches!(self.edge, Closing::Second) { Closing::Second } else { Closing::Third };
         // Where the two ends meet neither is sharp: within rounding of that the start is as good.
         solved(problem, edge, start).unwrap_or(start).forced_acceleration(problem.omega)
@@ -56,12 +56,10 @@ impl End {
 }
 
 /// The cycle of the greatest force when the distance from the pole is `scale` times smaller, to first order
-/// in that distance: the force grows, and the arc next to the reversal that is a stop shrinks, by this
-/// factor.
-fn nearer<F: Float>(at: Unknowns<F>, edge: &Closing<f64>, scale: F) -> Unknowns<F> {
+/// in that distance: the force grows, and the shorter arc shrinks, by this factor.
+fn nearer<F: Float>(at: Unknowns<F>, scale: F) -> Unknowns<F> {
     let Unknowns { before, after, sine, cosine, swing } = at;
-    let (before, after) =
-        if matches!(edge, Closing::Second) { (before / scale, after) } else { (before, after / scale) };
+    let (before, after) = if before < after { (before / scale, after) } else { (before, after / scale) };
     Unknowns { before, after, sine: sine * scale, cosine: cosine * scale, swing: swing * scale }
 }
 
@@ -119,17 +117,8 @@ impl Path {
         while distance > self.distance && distance > self.nearest {
             let next = (distance / 4.0).max(self.distance);
             let problem = self.problem.towards_the_pole(next / self.distance);
-            let Some(mut found) = solved(&problem, end.edge, nearer(end.at, &end.edge, distance / next))
-            else {
-                break;
-            };
-            let reached = node(&problem, found);
-            if reached.margin < -1e-9
-                && let Some(other) = solved(&problem, reached.nearest, found)
-            {
-                (found, end.edge) = (other, reached.nearest);
-            }
-            (end.at, distance) = (found, next);
+            let Some(found) = settled(&problem, end.edge, nearer(end.at, distance / next)) else { break };
+            ((end.at, end.edge), distance) = (found, next);
         }
         End { scale: distance / self.distance, ..end }
     }
@@ -213,7 +202,22 @@ fn between(problem: &Problem<f64>, inside: Node, beyond: Node) -> End {
             break;
         }
     }
-    End { at: inside.at, edge: beyond.nearest, scale: 1.0 }
+    let edge = settled(problem, beyond.nearest, inside.at).map_or(beyond.nearest, |(_, edge)| edge);
+    End { at: inside.at, edge, scale: 1.0 }
+}
+
+/// The cycle on an edge, from one that is close to it, and the reversal that is a stop there: another one than
+/// given where that other is one already.
+fn settled(
+    problem: &Problem<f64>,
+    edge: Closing<f64>,
+    near: Unknowns<f64>,
+) -> Option<(Unknowns<f64>, Closing<f64>)> {
+    let found = solved(problem, edge, near)?;
+    let reached = node(problem, found);
+    // Beyond the rounding of the forces.
+    let other = (reached.margin < -1e-13).then(|| solved(problem, reached.nearest, found)).flatten();
+    Some(other.map_or((found, edge), |other| (other, reached.nearest)))
 }
 
 /// A force, as AΩ², that belongs to the cycle at every pole; with η it grows as the least force at the pole,
