@@ -30,9 +30,10 @@ fn a_trace_of_damping_beside_resonance_changes_nothing() {
     let (omega, alpha): (f64, f64) = (0.999_999_999_508_827_7, 1.273_239_544_422_473);
     let undamped = Cycle::new(stickslip::Ratios::new(omega, alpha).unwrap()).unwrap().max_displacement;
     assert!((undamped - 24.024_857_5).abs() < 1e-7);
-    for zeta in [1e-30, 1e-60] {
+    // G = 2ζ/(π (Ω − 1)²) is 3e-12 for the first.
+    for (zeta, most) in [(1e-30, 1e-12), (1e-60, 1e-15)] {
         let found = Cycle::new(ratios(omega, zeta, alpha)).unwrap().max_displacement;
-        assert!((found / undamped - 1.0).abs() < 1e-15, "{zeta:e}: {found} {undamped}");
+        assert!((found / undamped - 1.0).abs() < most, "{zeta:e}: {found} {undamped}");
     }
 }
 
