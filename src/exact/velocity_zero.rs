@@ -60,21 +60,29 @@ impl<F: Float> Slide<F> {
         }
     }
 
-    /// Without a drive, or one below rounding, and from ζ = 1 on: the end of a slide that creeps to ∓1 for
-    /// ever, when its velocity is rounding.
+    /// Without a drive, or one below rounding: the end of a slide that creeps to ∓1 until its velocity is
+    /// rounding, for ever or for a long time.
     ///
-    /// It turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`super::FreeDecay`]).
+    /// From ζ = 1 on it turns only where `s(x + s) + ζ|w| > |w| √(ζ² − 1)` ([`super::FreeDecay`]). Below ζ = 1 it turns
+    /// after the angle dφ of the point `(s(x + s) + ζ|w|, d|w|)`, half a turn for a body at rest there; d is small
+    /// next to ζ = 1.
     #[cold]
     fn end_of_creep(&self) -> Option<VelocityZero<F>> {
         let (zero, sign) = (F::int(0), self.direction.sign::<F>());
         let free = self.equation.vibration();
         let speed = sign * self.w;
-        let turns = sign * self.x + F::int(1) + free.zeta * speed > free.frequency * speed;
-        if !self.equation.is_damped() || free.swings() || turns {
-            return None;
-        }
+        let (push, swing) = (sign * self.x + F::int(1) + free.zeta * speed, free.frequency * speed);
         // e^{−n} < 2⁻ⁿ
         let phi = F::from_f64(f64::from(F::PRECISION)) / free.slow_rate();
+        let turns = if free.swings() {
+            let angle = if speed > zero || push > zero { swing.atan2(push) } else { F::pi() };
+            angle <= free.frequency * phi
+        } else {
+            push > swing
+        };
+        if turns {
+            return None;
+        }
         Some(VelocityZero {
             phi,
             phase: self.start.advanced(self.equation.omega * phi),

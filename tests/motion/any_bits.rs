@@ -66,6 +66,10 @@ fn drawn_findings() {
     let (omega, alpha) = (0.999_999_999_999_997_3, 1.539_843_259_433_123_8e38);
     motion::trajectory(omega, alpha, 0.0, 0.0, 0.0);
     motion::long_run(omega, alpha, 0.0, 0.0, 0.0);
+    // A creep that ends before the body swings back, to a place where the drive is below rounding.
+    let (omega, alpha, zeta) = (317_615.399_191_342_24, 1.883_005_756e-314, 0.999_999_999_999_990_9);
+    motion::damped_trajectory(omega, alpha, zeta, 0.0, -30.0, -30.0);
+    motion::damped_long_run(omega, alpha, zeta, 0.0, -30.0, -30.0);
     motion::questions(5.527_147_875_260_45e-76, 0.0, 0.0, 0.0, 0.0);
     let (omega, zeta) = (1.000_015_258_789_062_5, 8.890_784_283_350_59e-18);
     motion::damped_questions(omega, zeta, 1.249_961_853_900_441, 0.0, 1.0, 1.0);
