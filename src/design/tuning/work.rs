@@ -294,14 +294,13 @@ impl<F: Float> Work<F> {
                     continue;
                 }
                 let is_new = found.is_none_or(|v| v <= low || v >= high);
-                if is_new && reach <= here * F::ratio(5, 4) {
-                    let growth = |v: F| self.work_and_growth(&self.at(v)).1;
-                    if growth(low) > F::int(0) && growth(high) < F::int(0) {
-                        let v = root::enclosed(low, high, growth).0;
-                        let work = self.work_and_growth(&self.at(v)).0;
-                        if work > best {
-                            (best, found) = (work, Some(v));
-                        }
+                if is_new
+                    && reach <= here * F::ratio(5, 4)
+                    && let Some(v) = self.summit(low, high)
+                {
+                    let work = self.work_and_growth(&self.at(v)).0;
+                    if work > best {
+                        (best, found) = (work, Some(v));
                     }
                 }
             }
@@ -309,7 +308,27 @@ impl<F: Float> Work<F> {
             left.push((middle, high));
             left.push((low, middle));
         }
-        Ok(found)
+        Ok(found.map(|v| self.settled(v, best)))
+    }
+
+    /// A zero at which Φ falls, if its signs at the ends show one.
+    fn summit(&self, low: F, high: F) -> Option<F> {
+        let growth = |v: F| self.work_and_growth(&self.at(v)).1;
+        let falls = growth(low) > F::int(0) && growth(high) < F::int(0);
+        falls.then(|| root::enclosed(low, high, growth).0)
+    }
+
+    /// The zero of Φ next to the best v found: the rounding of Y leaves v uncertain by √ε, that of Φ by a few ε.
+    fn settled(&self, v: F, best: F) -> F {
+        let mut off = v * F::epsilon() * F::int(4);
+        for _ in 0..F::PRECISION / 2 {
+            if let Some(zero) = self.summit(v - off, v + off) {
+                let work = self.work_and_growth(&self.at(zero)).0;
+                return if best <= work * (F::int(1) + F::epsilon() * F::int(1 << 12)) { zero } else { v };
+            }
+            off = off + off;
+        }
+        v
     }
 }
 
