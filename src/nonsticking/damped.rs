@@ -81,16 +81,18 @@ impl<F: Float> DampedCycle<F> {
     ///
     /// with `E = e^{−ζT}`, `C = E cos dT`, `S = E sin dT`, `Z = E (ζ/d) sin dT`.
     pub(crate) fn multipliers(&self) -> MultiplierPair<F> {
-        let (half, one) = (&self.rising.half, F::int(1));
+        let (zero, one) = (F::int(0), F::int(1));
+        let (half, size) = self.rising.half.of_size_one();
         let inverse = one / self.deceleration();
         let (mean, discriminant) = half.multipliers(inverse);
         let spread = discriminant.abs().sqrt() / (one + inverse);
-        if discriminant < F::int(0) {
-            return MultiplierPair::Complex { re: mean, im: spread };
+        if discriminant < zero {
+            return MultiplierPair::Complex { re: size * mean, im: size * spread };
         }
         let larger = mean + spread.with_sign_of(mean);
         let product = (one - inverse) / (one + inverse) * half.decay.square();
-        MultiplierPair::Real(larger, if larger == F::int(0) { larger } else { product / larger })
+        let smaller = if larger == zero { larger } else { product / larger };
+        MultiplierPair::Real(size * larger, size * smaller)
     }
 
     /// The contraction of a small disturbance in half a cycle, max |λ|.
@@ -147,6 +149,19 @@ impl<F: Field> Rising<F> {
     pub(crate) fn deceleration(&self) -> F {
         let half = &self.half;
         half.omega.square() * self.amplitude - (half.holding() - F::int(1))
+    }
+}
+
+impl<F: Float> HalfPeriod<F> {
+    /// The same with free waves that are divided by a size, which is 1 unless their squares would underflow.
+    /// The multipliers are proportional to it.
+    fn of_size_one(self) -> (Self, F) {
+        let size = self.decay.or_larger(self.cosine.abs());
+        if size >= F::least_ratio() || size == F::int(0) {
+            return (self, F::int(1));
+        }
+        let (decay, cosine, sine) = (self.decay / size, self.cosine / size, self.sine / size);
+        (Self { decay, cosine, sine, ..self }, size)
     }
 }
 

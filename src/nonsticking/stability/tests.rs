@@ -44,6 +44,30 @@ fn marginal_at_one_over_n() {
     assert_eq!(contraction(0.5, 5.333, (0.0, -1.0)), 1.0);
 }
 
+/// With so much damping that the square of a multiplier underflows, it keeps its digits. Its factor
+/// `e^{−ζT}`, T = π/Ω, has the rounding of the exponent: four roundings of ζT.
+#[cfg(feature = "mp")]
+#[test]
+fn a_contraction_whose_square_underflows() {
+    use crate::float::{Float, Mp};
+    fn found<F: Float>([omega, zeta, alpha]: [f64; 3]) -> F {
+        let ratios = Ratios::new(F::from_f64(omega), F::from_f64(alpha)).unwrap();
+        Cycle::new(ratios.with_damping_ratio(F::from_f64(zeta)).unwrap()).unwrap().contraction()
+    }
+    for [omega, zeta, alpha] in [
+        [0.006_159_127_929_907_48, 1.000_000_000_612_478_7, 52_724.0],
+        [0.006_159_127_929_907_48, 0.9, 52_724.0],
+        [0.006, 1.001, 1e5],
+        [0.0055, 0.999_999_9, 1e6],
+        [0.02, 0.999, 1e5],
+    ] {
+        let (rough, fine) =
+            (found::<f64>([omega, zeta, alpha]), found::<Mp<4>>([omega, zeta, alpha]).to_f64());
+        let rounding = 4.0 * f64::EPSILON * zeta * std::f64::consts::PI / omega;
+        assert!(fine > 0.0 && (rough / fine - 1.0).abs() < rounding, "{omega} {zeta}: {rough:e} {fine:e}");
+    }
+}
+
 fn multipliers(omega: f64, alpha: f64) -> Multipliers<f64> {
     Cycle::new(Ratios::new(omega, alpha).unwrap()).unwrap().multipliers()
 }
