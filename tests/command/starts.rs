@@ -50,6 +50,25 @@ fn limits_of_starts_go_on_after_the_last_whole_row() {
     }
 }
 
+/// Where no start settles, rows have their header, and a note says why there are none.
+#[test]
+fn where_nothing_settles_rows_have_their_header() {
+    let line = |rest: &str| {
+        let machine = "--omega 0.45 --alpha 5 --damping-ratio 0.002 --static-friction-ratio 1.4";
+        format!("attractors {machine} --max-periods 2 --starts 3 {rest}")
+    };
+    let settled = stdout(&line("--format csv").replace("--max-periods 2", "--max-periods 2000"));
+    let note = "stickslip: note: 3 of 3 starts had not settled. Allow more periods with --max-periods.\n";
+    let none = stickslip(&line("--format csv")).assert().success().stderr(note).get_output().stdout.clone();
+    assert_eq!(
+        String::from_utf8(none).unwrap().lines().collect::<Vec<_>>(),
+        [settled.lines().next().unwrap()]
+    );
+    stickslip(&line("--format jsonl")).assert().success().stdout("").stderr(note);
+    stickslip(&line("--format csv --quiet")).assert().success().stderr("");
+    assert!(stdout(&line("")).starts_with("No limit from 3 starts"));
+}
+
 /// The run is killed at several moments, and resumed each time until it is complete.
 #[test]
 fn a_killed_run_goes_on() {

@@ -9,6 +9,7 @@ use crate::given::Given;
 use crate::input;
 use crate::note::{both, digits, measured_from};
 use crate::physical::Physical;
+use crate::progress;
 use crate::record::{Cell, Record};
 use crate::sink::Sink;
 use crate::starts::Starts;
@@ -43,7 +44,7 @@ impl<W: Write> Task for Run<'_, W> {
             Some(turns) => Others::search(&all, point.ratios, count, at, turns)?,
             None => Others::none(),
         };
-        let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, place, reach)).collect();
+        let rows: Vec<Record<F>> = (0..all.limits.len()).map(|place| row(&all, Some(place), reach)).collect();
         let more = others.rows();
         match args.format {
             Format::Text => {
@@ -71,6 +72,10 @@ impl<W: Write> Task for Run<'_, W> {
                 } else {
                     Sink::lines(out)
                 };
+                if rows.is_empty() {
+                    sink.write_header(&row(&all, None, reach))?;
+                    progress::note(&unsettled(&all));
+                }
                 rows.iter().chain(&more).try_for_each(|row| sink.write(row))?;
                 Ok(sink.flush()?)
             }
@@ -98,25 +103,29 @@ fn share<F: Value>(all: &Attractors<F>, limit: &Attractor<F>) -> f64 {
     limit.starts as f64 / all.of_start.len() as f64
 }
 
-/// A limit as a record.
-fn row<F: Value>(all: &Attractors<F>, place: usize, reach: F) -> Record<F> {
-    let Some(found) = all.limits.get(place) else {
-        return Record { fields: Vec::new(), physical: Physical::default() };
-    };
-    let irregular = if let LongRun::Irregular(m) = found.limit { Some(m) } else { None };
+/// A limit as a record, or an empty one for its names.
+fn row<F: Value>(all: &Attractors<F>, place: Option<usize>, reach: F) -> Record<F> {
+    let found = place.and_then(|place| all.limits.get(place));
+    let irregular = found.and_then(|found| found.limit.irregular());
     Row {
-        number: place + 1,
-        limit: found.limit.name(),
-        share: share(all, found),
-        starts: found.starts,
-        first: start(found.first_start as u64, reach).ok(),
-        mirror: found.mirror.map(|place| place + 1),
-        steady: found.limit.steady_state(),
-        extrema: found.limit.extrema(),
+        number: place.map_or(0, |place| place + 1),
+        limit: found.map_or("", |found| found.limit.name()),
+        share: found.map_or(0.0, |found| share(all, found)),
+        starts: found.map_or(0, |found| found.starts),
+        first: found.and_then(|found| start(found.first_start as u64, reach).ok()),
+        mirror: found.and_then(|found| found.mirror).map(|place| place + 1),
+        steady: found.and_then(|found| found.limit.steady_state()),
+        extrema: found.and_then(|found| found.limit.extrema()),
         exponent: irregular.map(|m| (m.lyapunov_exponent, m.lyapunov_exponent_error)),
-        range: found.range,
+        range: found.and_then(|found| found.range),
     }
     .record()
+}
+
+/// The number of starts that had not settled, in a sentence.
+fn unsettled<F: Value>(all: &Attractors<F>) -> String {
+    let (unsettled, count) = (all.unsettled(), all.of_start.len());
+    format!("{unsettled} of {count} starts had not settled. Allow more periods with --max-periods.")
 }
 
 /// The data of a limit, or of a motion that no start leads to.
@@ -214,12 +223,13 @@ fn text<F: Value>(
 ) -> Outcome {
     let (count, reach) = (all.of_start.len(), digits(reach));
     let sentence = match all.limits.len() {
+        0 => format!("No limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
         1 => format!("One limit from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
         n => format!("{n} limits from {count} starts at ω_d t = 0, |x| ≤ {reach} B, |v| ≤ {reach} B ω_d."),
     };
     writeln!(out, "{}", style::verdict(&sentence))?;
     if all.unsettled() > 0 {
-        writeln!(out, "{} starts had not settled; allow more with --max-periods.", all.unsettled())?;
+        writeln!(out, "{}", unsettled(all))?;
     }
     for (place, found) in all.limits.iter().enumerate() {
         let part = digits((share(all, found) * 1e4).round() / 1e2);

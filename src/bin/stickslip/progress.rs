@@ -2,9 +2,10 @@
 
 use crate::failure::{Failure, Outcome};
 use crate::interrupt;
+use crate::style;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use std::io::{self, IsTerminal};
+use std::io::{self, IsTerminal, Write};
 use std::ops::Range;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -13,9 +14,17 @@ use std::time::{Duration, Instant};
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Suppresses progress.
+/// Suppresses progress and notes.
 pub(crate) fn silence() {
     QUIET.store(true, Ordering::Relaxed);
+}
+
+/// A note on one line of standard error, which `--quiet` suppresses.
+pub(crate) fn note(text: &str) {
+    if !QUIET.load(Ordering::Relaxed) {
+        OTHERWISE.end();
+        let _ = writeln!(anstream::stderr(), "{} note: {text}", style::label());
+    }
 }
 
 /// The greatest number of points that one thread answers in a batch.
